@@ -1,0 +1,1 @@
+"""The wire: devices, and the thread that owns the bus."""

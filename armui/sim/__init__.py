@@ -1,0 +1,1 @@
+"""An arm made of software, honest to the firmware; without Qt."""
