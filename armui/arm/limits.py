@@ -1,0 +1,80 @@
+"""What the arm may do: limits per joint, factory values, and checks that answer in words.
+
+Arms in the field carry other limits than the factory's: the values read from the arm (0x473,
+0x47C) go before these.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from armui.arm.refusal import Refusal
+
+JOINTS: Final = range(1, 7)
+"""The numbers of the six joints, the lowest first."""
+
+ANGLE_STEP_DEG: Final = 0.001
+"""The resolution of an angle on the bus."""
+
+
+@dataclass(frozen=True, slots=True)
+class JointLimits:
+    """What one joint may do.
+
+    Attributes:
+        min_deg, max_deg: Range of the joint angle.
+        max_speed_deg_s: Highest joint speed.
+    """
+
+    min_deg: float
+    max_deg: float
+    max_speed_deg_s: float
+
+
+_SPEED_DEG_S: Final = math.degrees(3.0)
+
+FACTORY_LIMITS: Final = tuple(
+    JointLimits(low, high, _SPEED_DEG_S)
+    for low, high in (
+        (-150.0, 150.0),
+        (0.0, 180.0),
+        (-170.0, 0.0),
+        (-100.0, 100.0),
+        (-70.0, 70.0),
+        (-120.0, 120.0),
+    )
+)
+"""Limits as the arm leaves the factory, joint 1 first."""
+
+FACTORY_ACCELERATION_DEG_S2: Final = math.degrees(5.0)
+"""Highest joint acceleration as the arm leaves the factory, the same for all joints."""
+
+
+def check_joint(joint: int, angle_deg: float, limits: JointLimits) -> Refusal | None:
+    """Whether a joint may be sent to an angle: None, or the reason against it."""
+    if not math.isfinite(angle_deg):
+        return Refusal("joint_not_a_number", {"joint": joint, "value": angle_deg})
+    half_step = ANGLE_STEP_DEG / 2
+    if not limits.min_deg - half_step <= angle_deg <= limits.max_deg + half_step:
+        return Refusal(
+            "joint_out_of_limits",
+            {
+                "joint": joint,
+                "value": angle_deg,
+                "minimum": limits.min_deg,
+                "maximum": limits.max_deg,
+            },
+        )
+    return None
+
+
+def check_joints(joints_deg: Sequence[float], limits: Sequence[JointLimits]) -> Refusal | None:
+    """Whether the arm may be sent to six angles: None, or the first reason against it."""
+    for joint, angle_deg, limit in zip(JOINTS, joints_deg, limits, strict=True):
+        refusal = check_joint(joint, angle_deg, limit)
+        if refusal is not None:
+            return refusal
+    return None

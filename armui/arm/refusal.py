@@ -1,0 +1,23 @@
+"""Why something was not done, as data: the user interface puts it into the operator's language."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True, slots=True)
+class Refusal:
+    """A reason against an action.
+
+    Attributes:
+        code: What it is, one of the keys the user interface has a sentence for.
+        params: The figures the sentence names, in the units the sentence shows.
+    """
+
+    code: str
+    params: Mapping[str, float | int | str] = field(default_factory=dict)
+
+    def __str__(self) -> str:
+        figures = ", ".join(f"{key}={value}" for key, value in self.params.items())
+        return f"{self.code}({figures})"
