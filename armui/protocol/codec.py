@@ -1,0 +1,294 @@
+"""Frames to named signals in physical units, and back."""
+
+from __future__ import annotations
+
+import enum
+import math
+from difflib import get_close_matches
+from typing import TYPE_CHECKING, NamedTuple
+
+from armui.protocol.addressing import Addressing
+from armui.protocol.database import Generation, load_database
+from armui.protocol.errors import EncodeError
+from armui.protocol.frame import Frame
+from armui.protocol.layout import MessageLayout, SignalLayout, message_layout
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+__all__ = ["Codec", "EncodeError", "Message", "Oddity", "OddityKind"]
+
+_UPGRADE_RANGES = (
+    range(0x0A0, 0x0B0),
+    range(0x0B0, 0x0C0),
+    range(0x4A0, 0x4B0),
+    range(0x4B0, 0x4C0),
+    range(0x4C0, 0x4D0),
+)
+"""Identifiers kept for firmware upgrades; their content is not documented."""
+
+_STEP_NOISE = 1e-6
+"""Part of a raw step by which a float may miss the end of a range: rounding noise of the scaling."""
+
+
+class Message(NamedTuple):
+    """A decoded frame.
+
+    Attributes:
+        name: The message's name in the DBC files.
+        signals: Physical values by signal name, codes as integers.
+    """
+
+    name: str
+    signals: dict[str, float]
+
+
+class OddityKind(enum.Enum):
+    """What is odd about a frame."""
+
+    UNKNOWN_ID = "unknown identifier"
+    WRONG_LENGTH = "wrong length"
+    VALUE_OUTSIDE_TABLE = "value outside the table"
+
+
+class Oddity(NamedTuple):
+    """A frame that does not follow the protocol; to be counted, never fatal.
+
+    Attributes:
+        kind: What is odd.
+        arbitration_id: The identifier as seen on the wire.
+        detail: One sentence for the log.
+        message: What the frame says nevertheless, where only a value is odd (a newer firmware may know
+            codes that the tables don't); None where it cannot be read.
+    """
+
+    kind: OddityKind
+    arbitration_id: int
+    detail: str
+    message: Message | None = None
+
+
+class Codec:
+    """Speaks one generation of the protocol with one arm's identifier offsets.
+
+    It holds no state between calls; one codec may be used from several threads.
+
+    Attributes:
+        generation: The protocol spoken.
+        addressing: The identifier offsets of the arm.
+    """
+
+    def __init__(self, generation: Generation, addressing: Addressing = Addressing()) -> None:  # noqa: B008 - frozen
+        self.generation = generation
+        self.addressing = addressing
+        layouts = [message_layout(message) for message in load_database(generation).messages]
+        self._by_name = {layout.name: layout for layout in layouts}
+        self._by_wire_id = {addressing.to_wire(layout.arbitration_id): layout for layout in layouts}
+
+    def decode(self, frame: Frame) -> Message | Oddity:
+        """What a frame says.
+
+        Never raises, whatever the frame holds: it runs on the thread that owns the bus.
+        """
+        arbitration_id, data = frame
+        layout = self._by_wire_id.get(arbitration_id)
+        if layout is None:
+            return self._unknown_id(arbitration_id)
+        if len(data) != layout.length:
+            if len(data) not in layout.lengths:
+                return _wrong_length(layout, frame)
+            data = data[: layout.length].ljust(layout.length, b"\0")
+        signals = layout.unpack(data)
+        for name, legal in layout.checked:
+            if signals[name] not in legal:
+                return _outside_table(layout, arbitration_id, signals)
+        for name, divisor in layout.divided:
+            signals[name] /= divisor
+        for signal in layout.stretched:
+            signals[signal.name] = signal.to_physical(signals[signal.name])
+        return Message(layout.name, signals)
+
+    def encode(self, name: str, **signals: float | None) -> Frame:
+        """The frame that says this.
+
+        Args:
+            name: The message's name.
+            **signals: Physical values by signal name, codes as integers. A signal left out is 0, or
+                "leave unchanged" where the protocol has that; None asks for "leave unchanged".
+
+        Returns:
+            The frame, with the arm's identifier offsets applied.
+
+        Raises:
+            EncodeError: Unknown message or signal, a value out of range, not finite or outside its table, a
+                signal left out that has no neutral value, None where nothing can be left unchanged.
+        """
+        layout = self._message(name)
+        if not signals.keys() <= layout.signals.keys():
+            raise _unknown_signal(layout, next(iter(signals.keys() - layout.signals.keys())))
+        raw = {
+            signal.name: _raw(layout, signal, signals[signal.name])
+            if signal.name in signals
+            else _neutral(layout, signal)
+            for signal in layout.signals.values()
+        }
+        return Frame(self.addressing.to_wire(layout.arbitration_id), layout.pack(raw))
+
+    def unit(self, message: str, signal: str) -> str:
+        """Unit of a signal, "" for bare numbers and codes.
+
+        Raises:
+            EncodeError: No such message or signal in this generation.
+        """
+        return self._signal(message, signal).unit
+
+    def word(self, message: str, signal: str, value: float) -> str | None:
+        """The value table's word for a physical value, None when it has none.
+
+        Raises:
+            EncodeError: No such message or signal in this generation.
+        """
+        layout = self._signal(message, signal)
+        return layout.words.get(round(layout.to_steps(value))) if layout.words else None
+
+    def code(self, message: str, signal: str, word: str) -> int:
+        """The code that the value table gives a word: what differs between generations stays in the files.
+
+        Raises:
+            EncodeError: No such message, signal or word in this generation.
+        """
+        layout = self._signal(message, signal)
+        for raw, known in layout.words.items():
+            if known == word:
+                return raw
+        raise EncodeError(
+            f"{message}.{signal} has no {word!r} in generation {int(self.generation)}; "
+            f"it knows {_listed(layout.words.values())}",
+            message=message,
+            signal=signal,
+            value=word,
+        )
+
+    def _message(self, name: str) -> MessageLayout:
+        layout = self._by_name.get(name)
+        if layout is None:
+            close = get_close_matches(name, self._by_name, n=1)
+            hint = f"did you mean {close[0]}?" if close else "see the DBC file for the names"
+            raise EncodeError(
+                f"Generation {int(self.generation)} has no message {name}; {hint}", message=name
+            )
+        return layout
+
+    def _signal(self, message: str, signal: str) -> SignalLayout:
+        layout = self._message(message)
+        if signal not in layout.signals:
+            raise _unknown_signal(layout, signal)
+        return layout.signals[signal]
+
+    def _unknown_id(self, arbitration_id: int) -> Oddity:
+        if any(arbitration_id in ids for ids in _UPGRADE_RANGES):
+            detail = f"0x{arbitration_id:03X} is in the firmware upgrade range, its content is not documented"
+        elif self.addressing.from_wire(arbitration_id) is None:
+            detail = (
+                f"0x{arbitration_id:03X} belongs to an arm with other identifier offsets (0x470)"
+            )
+        else:
+            detail = (
+                f"0x{arbitration_id:03X} is not in the tables of generation {int(self.generation)}"
+            )
+        return Oddity(OddityKind.UNKNOWN_ID, arbitration_id, detail)
+
+
+def _wrong_length(layout: MessageLayout, frame: Frame) -> Oddity:
+    wanted = " or ".join(str(length) for length in layout.lengths)
+    detail = f"{layout.name} has {len(frame.data)} bytes instead of {wanted}"
+    return Oddity(OddityKind.WRONG_LENGTH, frame.arbitration_id, detail)
+
+
+def _outside_table(layout: MessageLayout, arbitration_id: int, raw: dict[str, float]) -> Oddity:
+    odd = [layout.signals[name] for name, legal in layout.checked if raw[name] not in legal]
+    signals = {name: signal.to_physical(raw[name]) for name, signal in layout.signals.items()}
+    detail = "; ".join(
+        f"{layout.name}.{signal.name} is {_number(signals[signal.name], signal)}, allowed: {_allowed(signal)}"
+        for signal in odd
+    )
+    message = Message(layout.name, signals)
+    return Oddity(OddityKind.VALUE_OUTSIDE_TABLE, arbitration_id, detail, message)
+
+
+def _raw(layout: MessageLayout, signal: SignalLayout, value: float | None) -> int:
+    """Raw value of a physical one, checked."""
+    if value is None:
+        if signal.unchanged_raw is None:
+            raise _refused(layout, signal, None, "it cannot be left unchanged: give a value")
+        return signal.unchanged_raw
+    try:
+        steps = signal.to_steps(value)
+    except TypeError:
+        raise _refused(layout, signal, value, "give a number") from None
+    if not math.isfinite(steps):
+        raise _refused(layout, signal, value, "give a finite number")
+    raw = round(steps)
+    if raw in signal.words and abs(steps - raw) < _STEP_NOISE:
+        return raw
+    if signal.exhaustive:
+        raise _refused(layout, signal, value, f"give {_allowed(signal)}")
+    span_ok = signal.minimum - value < signal.scale * _STEP_NOISE > value - signal.maximum
+    if not span_ok or raw not in signal.legal_raw:
+        raise _refused(layout, signal, value, f"give {_allowed(signal)}")
+    return raw
+
+
+def _neutral(layout: MessageLayout, signal: SignalLayout) -> int:
+    """Raw value of a signal nobody gave."""
+    if signal.unchanged_raw is not None:
+        return signal.unchanged_raw
+    raw = round(signal.to_steps(0.0))
+    if raw not in signal.legal_raw:
+        raise _refused(layout, signal, None, f"it must be given: {_allowed(signal)}")
+    return raw
+
+
+def _refused(
+    layout: MessageLayout, signal: SignalLayout, value: object, remedy: str
+) -> EncodeError:
+    given = "nothing" if value is None else _number(value, signal)
+    return EncodeError(
+        f"{layout.name}.{signal.name} cannot be {given} "
+        f"(range {signal.minimum:.10g} to {signal.maximum:.10g}{_spaced(signal.unit)}); {remedy}",
+        message=layout.name,
+        signal=signal.name,
+        value=value,
+        minimum=signal.minimum,
+        maximum=signal.maximum,
+        unit=signal.unit,
+    )
+
+
+def _unknown_signal(layout: MessageLayout, signal: str) -> EncodeError:
+    return EncodeError(
+        f"{layout.name} has no signal {signal} in this generation; it has {_listed(layout.signals)}",
+        message=layout.name,
+        signal=signal,
+    )
+
+
+def _number(value: object, signal: SignalLayout) -> str:
+    text = f"{value:.10g}" if isinstance(value, int | float) else repr(value)
+    return text + _spaced(signal.unit)
+
+
+def _spaced(unit: str) -> str:
+    return f" {unit}" if unit else ""
+
+
+def _allowed(signal: SignalLayout) -> str:
+    words = _listed(f"{raw} ({word})" for raw, word in sorted(signal.words.items()))
+    if signal.exhaustive:
+        return words
+    span = f"{signal.minimum:.10g} to {signal.maximum:.10g}{_spaced(signal.unit)}"
+    return f"{span}, or raw {words}" if words else span
+
+
+def _listed(items: Iterable[str]) -> str:
+    return ", ".join(items)

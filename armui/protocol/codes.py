@@ -1,0 +1,210 @@
+"""The codes of the protocol's tables that the program itself uses.
+
+The value tables of the DBC files hold the same codes with words for people; a test compares the two. Codes that
+only generation 2 knows say so; the codec refuses them in generation 1.
+"""
+
+from __future__ import annotations
+
+import enum
+
+
+class ControlMode(enum.IntEnum):
+    """Who commands the arm: 0x2A1 byte 0; a host may ask for 0–4 and 7 with 0x151 byte 0."""
+
+    STANDBY = 0x00
+    CAN_CONTROL = 0x01
+    TEACHING = 0x02
+    ETHERNET_CONTROL = 0x03
+    WIFI_CONTROL = 0x04
+    REMOTE_CONTROL = 0x05
+    LINKED_TEACHING_INPUT = 0x06
+    OFFLINE_TRAJECTORY = 0x07  # generation 2
+
+
+class ArmStatusCode(enum.IntEnum):
+    """What is wrong or going on: 0x2A1 byte 1."""
+
+    NORMAL = 0x00
+    EMERGENCY_STOP = 0x01
+    NO_SOLUTION = 0x02
+    SINGULARITY = 0x03
+    TARGET_BEYOND_LIMIT = 0x04
+    JOINT_COMMUNICATION_FAULT = 0x05
+    JOINT_BRAKE_CLOSED = 0x06
+    COLLISION = 0x07
+    OVERSPEED_WHILE_TEACHING = 0x08
+    JOINT_STATUS_ABNORMAL = 0x09
+    OTHER_FAULT = 0x0A
+    TEACHING_RECORDING = 0x0B
+    TEACHING_RUNNING = 0x0C
+    TEACHING_PAUSED = 0x0D
+    MAIN_CONTROLLER_TOO_HOT = 0x0E  # generation 2
+    BRAKE_RESISTOR_TOO_HOT = 0x0F  # generation 2
+
+
+class MoveMode(enum.IntEnum):
+    """Kind of motion: 0x151 byte 1 and 0x2A1 byte 2."""
+
+    MOVE_P = 0x00
+    MOVE_J = 0x01
+    MOVE_L = 0x02
+    MOVE_C = 0x03
+    MOVE_M = 0x04  # generation 2
+    MOVE_CPV = 0x05  # generation 2
+
+
+class TeachingState(enum.IntEnum):
+    """Drag teaching: commanded with 0x150 byte 2, reported in 0x2A1 byte 3."""
+
+    OFF = 0x00
+    START_RECORDING = 0x01
+    STOP_RECORDING = 0x02
+    RUN_RECORDING = 0x03
+    PAUSE = 0x04
+    CONTINUE = 0x05
+    ABORT = 0x06
+    MOVE_TO_START = 0x07
+
+
+class MotionState(enum.IntEnum):
+    """Whether the target is reached: 0x2A1 byte 4."""
+
+    REACHED = 0x00
+    NOT_REACHED = 0x01
+
+
+class StopCommand(enum.IntEnum):
+    """0x150 byte 0."""
+
+    NO_ACTION = 0x00
+    EMERGENCY_STOP = 0x01
+    RESUME = 0x02
+
+
+class TrajectoryCommand(enum.IntEnum):
+    """0x150 byte 1."""
+
+    OFF = 0x00
+    PAUSE = 0x01
+    CONTINUE = 0x02
+    CLEAR_CURRENT = 0x03
+    CLEAR_ALL = 0x04
+    GET_CURRENT = 0x05
+    ABORT = 0x06
+    TRANSFER = 0x07  # generation 2
+    TRANSFER_ENDS = 0x08  # generation 2
+
+
+class MitMode(enum.IntEnum):
+    """0x151 byte 3, generation 2."""
+
+    POSITION_VELOCITY = 0x00
+    MIT = 0xAD
+
+
+class Mounting(enum.IntEnum):
+    """How the arm is mounted: 0x151 byte 5, generation 2."""
+
+    UNCHANGED = 0x00
+    LEVEL = 0x01
+    ON_THE_LEFT_SIDE = 0x02
+    ON_THE_RIGHT_SIDE = 0x03
+
+
+class ArcPointNumber(enum.IntEnum):
+    """Which point of the arc a pose is: 0x158."""
+
+    NONE = 0x00
+    START = 0x01
+    MIDDLE = 0x02
+    END = 0x03
+
+
+class SilenceMode(enum.IntEnum):
+    """0x422."""
+
+    LEAVE_SILENCE = 0x00
+    SILENCE_FOR_CONTROLLER_UPGRADE = 0x01
+    SILENCE_FOR_DRIVER_UPGRADE = 0x02
+
+
+class LinkageRole(enum.IntEnum):
+    """0x470 byte 0."""
+
+    UNCHANGED = 0x00
+    TEACHING_INPUT = 0xFA
+    MOTION_OUTPUT = 0xFC
+
+
+class MotorAction(enum.IntEnum):
+    """0x471 byte 1."""
+
+    DISABLE = 0x01
+    ENABLE = 0x02
+
+
+class LimitQuery(enum.IntEnum):
+    """0x472 byte 1."""
+
+    ANGLE_AND_SPEED_LIMITS = 0x01
+    ACCELERATION_LIMIT = 0x02
+
+
+class ParameterQuery(enum.IntEnum):
+    """0x477 byte 0."""
+
+    NONE = 0x00
+    END_LIMITS = 0x01
+    COLLISION_LEVELS = 0x02
+    TRAJECTORY_INDEX = 0x03  # generation 2
+    TEACHING_SETTING = 0x04  # generation 2
+
+
+class FactoryReset(enum.IntEnum):
+    """0x477 byte 1."""
+
+    NONE = 0x00
+    END_LIMITS_TO_FACTORY = 0x01
+    JOINT_LIMITS_TO_FACTORY = 0x02  # generation 2
+
+
+class EndLoad(enum.IntEnum):
+    """0x477 byte 4."""
+
+    EMPTY = 0x00
+    HALF = 0x01
+    FULL = 0x02
+
+
+class SettingIndex(enum.IntEnum):
+    """Which setting 0x476 answers: the low byte of its identifier."""
+
+    MOTION_COMMAND = 0x50
+    LINKAGE_SETTING = 0x70
+    MOTOR_ENABLE = 0x71
+    LIMIT_QUERY = 0x72
+    LIMIT_SETTING = 0x74
+    JOINT_SETTING = 0x75
+    PARAMETER_COMMAND = 0x77
+    END_LIMIT_SETTING = 0x79
+    COLLISION_SETTING = 0x7A
+    TEACHING_SETTING = 0x7D  # generation 2
+
+
+class TransferAnswer(enum.IntEnum):
+    """Answer to a transferred trajectory point: 0x476 byte 3, generation 2."""
+
+    NONE = 0x00
+    RECEIVED = 0xAE
+    SEND_AGAIN = 0xEE
+
+
+VALID = 0xAE
+"""Makes a field of 0x159, 0x475 or 0x477 take effect."""
+
+ALL_JOINTS = 7
+"""The joint number that means every joint in 0x471 and 0x475."""
+
+ALL_LAMPS = 0xFF
+"""The lamp number that means every lamp in 0x121."""

@@ -1,0 +1,188 @@
+"""What the codec knows of each message before the first frame arrives."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Protocol
+
+from cantools.database.utils import create_encode_decode_formats
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Container, Mapping
+
+    from cantools.database.can import Message as DbcMessage
+    from cantools.database.can import Signal as DbcSignal
+
+LEAVE_UNCHANGED = "Leave unchanged"
+"""How the value tables call the raw value that leaves a setting as it is in the arm (generation 2)."""
+
+_SHORT_FORMS = {"ArcPoint": (1, 8), "BusSilence": (1, 8), "LinkageSetting": (4, 8)}
+"""Messages that generation 1 sends shorter than generation 2; both lengths are accepted from both."""
+
+
+class _Packer(Protocol):
+    """A compiled payload format: raw values by signal name to bytes and back."""
+
+    def pack(self, raw: Mapping[str, int]) -> bytes: ...
+
+    def unpack(self, payload: bytes) -> dict[str, float]: ...
+
+
+@dataclass(frozen=True, slots=True)
+class SignalLayout:
+    """One signal: scale, range and value table.
+
+    Attributes:
+        name: As in the DBC file.
+        unit: As in the DBC file, "" for a bare number or code.
+        scale: Physical value of one raw step.
+        offset: Physical value of the raw value 0.
+        divisor: 1 / scale where that is a whole number, else None. Raw / 1000 is the double nearest to the
+            decimal value, raw * 0.001 often is not.
+        minimum: Smallest physical value.
+        maximum: Largest physical value.
+        words: Value table, by raw value.
+        exhaustive: The table lists every legal value. A table of one entry only names a special value that
+            is legal beside the range.
+        legal_raw: Every raw value that means something.
+        unchanged_raw: The raw value that leaves a setting as it is, or None.
+    """
+
+    name: str
+    unit: str
+    scale: float
+    offset: float
+    divisor: int | None
+    minimum: float
+    maximum: float
+    words: Mapping[int, str]
+    exhaustive: bool
+    legal_raw: Container[int]
+    unchanged_raw: int | None
+
+    @property
+    def is_scaled(self) -> bool:
+        """Whether physical and raw value differ."""
+        return self.divisor != 1 or self.offset != 0
+
+    def to_physical(self, raw: float) -> float:
+        """Physical value of a raw one."""
+        if self.divisor is not None and not self.offset:
+            return raw / self.divisor if self.divisor != 1 else raw
+        return raw * self.scale + self.offset
+
+    def to_steps(self, value: float) -> float:
+        """Raw value of a physical one, not rounded."""
+        if self.divisor is not None:
+            return (value - self.offset) * self.divisor
+        return (value - self.offset) / self.scale
+
+
+@dataclass(frozen=True, slots=True)
+class MessageLayout:
+    """One message: payload format and signals, ready for the codec's inner loop.
+
+    Attributes:
+        name: As in the DBC file.
+        arbitration_id: As in the DBC file, without offset.
+        length: Bytes of the payload as this generation sends it.
+        lengths: Lengths accepted when decoding.
+        signals: By name, in payload order.
+        unpack: Payload to raw values by name.
+        pack: Raw values by name to payload.
+        divided: (name, divisor) of the signals that are scaled by a whole fraction.
+        stretched: Signals with any other scale or an offset.
+        checked: (name, legal raw values) of the signals whose payload bits can hold illegal values.
+    """
+
+    name: str
+    arbitration_id: int
+    length: int
+    lengths: tuple[int, ...]
+    signals: Mapping[str, SignalLayout]
+    unpack: Callable[[bytes], dict[str, float]]
+    pack: Callable[[Mapping[str, int]], bytes]
+    divided: tuple[tuple[str, int], ...]
+    stretched: tuple[SignalLayout, ...]
+    checked: tuple[tuple[str, Container[int]], ...]
+
+
+def message_layout(message: DbcMessage) -> MessageLayout:
+    """Prepares one message of the database.
+
+    The payload format is the one cantools itself compiles; only the loop around it is ours, because
+    the frames of an arm come 3,000 a second.
+    """
+    packer: _Packer = create_encode_decode_formats(message.signals, message.length).big_endian
+    signals = {signal.name: _signal_layout(signal) for signal in message.signals}
+    scaled = [signal for signal in signals.values() if signal.is_scaled]
+    return MessageLayout(
+        name=message.name,
+        arbitration_id=message.frame_id,
+        length=message.length,
+        lengths=_SHORT_FORMS.get(message.name, (message.length,)),
+        signals=signals,
+        unpack=packer.unpack,
+        pack=packer.pack,
+        divided=tuple(
+            (signal.name, signal.divisor)
+            for signal in scaled
+            if signal.divisor is not None and not signal.offset
+        ),
+        stretched=tuple(signal for signal in scaled if signal.divisor is None or signal.offset),
+        checked=tuple(
+            (signal.name, signals[signal.name].legal_raw)
+            for signal in message.signals
+            if _can_be_illegal(signal, signals[signal.name])
+        ),
+    )
+
+
+def _signal_layout(signal: DbcSignal) -> SignalLayout:
+    words = {int(raw): str(word) for raw, word in (signal.choices or {}).items()}
+    exhaustive = len(words) > 1
+    scale, offset = float(signal.scale), float(signal.offset)
+    inverse = 1 / scale
+    whole = abs(inverse - round(inverse)) < 1e-9
+    if signal.minimum is None or signal.maximum is None:
+        raise ValueError(f"{signal.name} has no range in the DBC file; give it one")
+    minimum, maximum = float(signal.minimum), float(signal.maximum)
+    legal: Container[int]
+    if exhaustive:
+        legal = frozenset(words)
+    else:
+        span = range(round((minimum - offset) / scale), round((maximum - offset) / scale) + 1)
+        legal = frozenset((*span, *words)) if len(span) <= 256 else _Span(span, frozenset(words))
+    return SignalLayout(
+        name=signal.name,
+        unit=signal.unit or "",
+        scale=scale,
+        offset=offset,
+        divisor=round(inverse) if whole else None,
+        minimum=minimum,
+        maximum=maximum,
+        words=words,
+        exhaustive=exhaustive,
+        legal_raw=legal,
+        unchanged_raw=next((raw for raw, word in words.items() if word == LEAVE_UNCHANGED), None),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _Span:
+    """A wide range of raw values with a few more beside it."""
+
+    span: range
+    extra: frozenset[int]
+
+    def __contains__(self, raw: object) -> bool:
+        return raw in self.span or raw in self.extra
+
+
+def _can_be_illegal(signal: DbcSignal, layout: SignalLayout) -> bool:
+    """Whether the signal's bits can hold a raw value that means nothing."""
+    if isinstance(layout.legal_raw, frozenset):
+        return len(layout.legal_raw) < 2**signal.length
+    low = -(2 ** (signal.length - 1)) if signal.is_signed else 0
+    ends = (low, low + 2**signal.length - 1)
+    return any(end not in layout.legal_raw for end in ends)
