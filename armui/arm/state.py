@@ -1,0 +1,172 @@
+"""The arm as last heard: a frozen picture, each value with the time it was heard.
+
+Nothing here is assumed: what has not been heard is ``None``. Times are those of
+:func:`time.monotonic`; joints stand in tuples of six, joint 1 first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Final, Generic, TypeVar
+
+from armui.arm.limits import JointLimits
+
+T = TypeVar("T")
+Six = tuple[T, T, T, T, T, T]
+
+FRESH_FOR_S: Final = 0.5
+"""A value older than this is stale; an arm silent for longer is offline."""
+
+
+@dataclass(frozen=True, slots=True)
+class Heard(Generic[T]):
+    """A value and when it was heard.
+
+    Attributes:
+        value: What the arm said, in the operator's units.
+        at_s: Monotonic time of its reception.
+    """
+
+    value: T
+    at_s: float
+
+    def fresh(self, now_s: float) -> bool:
+        """Whether the value is young enough to stand for the present."""
+        return now_s - self.at_s <= FRESH_FOR_S
+
+
+@dataclass(frozen=True, slots=True)
+class Status:
+    """What 0x2A1 says; codes are those of the protocol table.
+
+    Attributes:
+        control_mode, arm_status, move_mode, teaching: The codes of bytes 0–3.
+        reached: Byte 4: the target has been reached.
+        speed_percent: Byte 5 in generation 1, ``None`` in generation 2.
+        trajectory_point: Byte 5 in generation 2, ``None`` in generation 1.
+        limit_exceeded: Joints beyond their angle limit (generation 2; else all false).
+        communication_fault: Joints the controller cannot talk to.
+    """
+
+    control_mode: int
+    arm_status: int
+    move_mode: int
+    teaching: int
+    reached: bool
+    speed_percent: int | None
+    trajectory_point: int | None
+    limit_exceeded: Six[bool]
+    communication_fault: Six[bool]
+
+
+@dataclass(frozen=True, slots=True)
+class DriverFast:
+    """What 0x251–0x256 say of one motor.
+
+    Attributes:
+        speed_deg_s: Motor speed.
+        current_a: Motor current.
+        position_deg: Motor position; ``None`` in generation 1, which counts encoder pulses.
+    """
+
+    speed_deg_s: float
+    current_a: float
+    position_deg: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class DriverSlow:
+    """What 0x261–0x266 say of one driver; a fault the generation has no bit for is ``None``."""
+
+    voltage_v: float
+    driver_temperature_c: float
+    motor_temperature_c: float
+    bus_current_a: float
+    undervoltage: bool
+    motor_overtemperature: bool
+    overcurrent: bool
+    driver_overtemperature: bool
+    driver_fault: bool
+    enabled: bool
+    sensor_fault: bool | None
+    homed: bool | None
+    collision_protection: bool | None
+    stall_protection: bool | None
+
+
+@dataclass(frozen=True, slots=True)
+class Gripper:
+    """What 0x2A8 says.
+
+    Attributes:
+        opening_mm: Generation 2; ``None`` in generation 1.
+        angle_deg: Generation 1; ``None`` in generation 2.
+        enabled: Whether its motor holds.
+    """
+
+    opening_mm: float | None
+    angle_deg: float | None
+    enabled: bool
+
+
+_NOTHING: Final = (None, None, None, None, None, None)
+_NO_ODDITIES: Final[Mapping[str, int]] = MappingProxyType({})
+
+
+@dataclass(frozen=True, slots=True)
+class ArmState:
+    """Everything last heard from one arm.
+
+    Attributes:
+        sequence: Grows with every picture in which something is new.
+        last_feedback_s: When any frame of the arm's was last understood.
+        joints_deg: Joint angles, 0x2A5–0x2A7.
+        pose: X, Y, Z in mm and RX, RY, RZ in degrees of the flange, 0x2A2–0x2A4.
+        limits: Angle range and highest speed of each joint, 0x473.
+        accelerations_deg_s2: Highest acceleration of each joint, 0x47C.
+        firmware: Version text of 0x4AF; generation 1 has none.
+        frames: How many frames have been received since the bus was opened.
+        oddities: How many frames of each kind were not understood.
+    """
+
+    sequence: int = 0
+    last_feedback_s: float | None = None
+    status: Heard[Status] | None = None
+    joints_deg: Six[Heard[float] | None] = _NOTHING
+    pose: Six[Heard[float] | None] = _NOTHING
+    gripper: Heard[Gripper] | None = None
+    drivers_fast: Six[Heard[DriverFast] | None] = _NOTHING
+    drivers_slow: Six[Heard[DriverSlow] | None] = _NOTHING
+    limits: Six[Heard[JointLimits] | None] = _NOTHING
+    accelerations_deg_s2: Six[Heard[float] | None] = _NOTHING
+    firmware: str | None = None
+    frames: int = 0
+    oddities: Mapping[str, int] = field(default_factory=lambda: _NO_ODDITIES)
+
+    def online(self, now_s: float) -> bool:
+        """Whether the arm has been heard within the last half second."""
+        return self.last_feedback_s is not None and now_s - self.last_feedback_s <= FRESH_FOR_S
+
+    def angles_deg(self) -> Six[float] | None:
+        """Six joint angles, or ``None`` while one of them has never been heard."""
+        return _six_values(self.joints_deg)
+
+    def end_pose(self) -> Six[float] | None:
+        """X, Y, Z in mm, RX, RY, RZ in degrees, or ``None`` while a part has never been heard."""
+        return _six_values(self.pose)
+
+    def enabled(self) -> Six[bool | None]:
+        """Whether each motor is enabled; ``None`` where it has not been heard."""
+        a, b, c, d, e, f = (
+            None if driver is None else driver.value.enabled for driver in self.drivers_slow
+        )
+        return (a, b, c, d, e, f)
+
+
+def _six_values(heard: Six[Heard[float] | None]) -> Six[float] | None:
+    a, b, c, d, e, f = heard
+    if a is None or b is None or c is None or d is None or e is None or f is None:
+        return None
+    return (a.value, b.value, c.value, d.value, e.value, f.value)

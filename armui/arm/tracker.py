@@ -1,0 +1,228 @@
+"""Folds decoded messages into pictures of the arm.
+
+One tracker follows one arm. It is fed by one thread; the pictures it hands out are frozen and
+may go anywhere.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import Any, Final
+
+from armui.arm.limits import JOINTS, JointLimits
+from armui.arm.state import ArmState, DriverFast, DriverSlow, Gripper, Heard, Six, Status
+from armui.protocol.codec import Codec, Message, Oddity
+
+_Signals = Mapping[str, float]
+
+_DEGREES_PER: Final = {
+    "deg": 1.0,
+    "rad": math.degrees(1.0),
+    "rpm": 6.0,
+    "rad/s": math.degrees(1.0),
+    "rpm/s": 6.0,
+    "rad/s^2": math.degrees(1.0),
+}
+"""Degrees (per second, per second squared) in one of the protocol's units."""
+
+_VERSION_CHARACTERS: Final = 8
+_VERSION_START: Final = "S-V"
+
+
+class Tracker:
+    """Keeps what was last heard and makes an :class:`ArmState` of it on demand."""
+
+    def __init__(self, codec: Codec) -> None:
+        self._codec = codec
+        self._sequence = 0
+        self._published = 0
+        self._picture = ArmState()
+        self._frames = 0
+        self._oddities: Counter[str] = Counter()
+        self._last_feedback_s: float | None = None
+        self._status: Heard[Status] | None = None
+        self._gripper: Heard[Gripper] | None = None
+        self._joints: list[Heard[float] | None] = [None] * 6
+        self._pose: list[Heard[float] | None] = [None] * 6
+        self._drivers_fast: list[Heard[DriverFast] | None] = [None] * 6
+        self._drivers_slow: list[Heard[DriverSlow] | None] = [None] * 6
+        self._limits: list[Heard[JointLimits] | None] = [None] * 6
+        self._accelerations: list[Heard[float] | None] = [None] * 6
+        self._version_bytes = bytearray()
+        self._firmware: str | None = None
+        self._handlers = self._make_handlers()
+
+    def fold(self, heard: Message | Oddity, at_s: float) -> None:
+        """Take in one decoded frame, received at monotonic time ``at_s``."""
+        self._frames += 1
+        self._sequence += 1
+        if isinstance(heard, Oddity):
+            self._oddities[heard.kind.name] += 1
+            if heard.message is None:
+                return
+            heard = heard.message
+        handler = self._handlers.get(heard.name)
+        if handler is not None:
+            handler(heard.signals, at_s)
+            self._last_feedback_s = at_s
+
+    def picture(self) -> ArmState:
+        """The arm as heard up to now; the same object as before if nothing new was folded in."""
+        if self._published != self._sequence:
+            self._published = self._sequence
+            self._picture = self._compose()
+        return self._picture
+
+    def _compose(self) -> ArmState:
+        return ArmState(
+            sequence=self._sequence,
+            last_feedback_s=self._last_feedback_s,
+            status=self._status,
+            joints_deg=_six(self._joints),
+            pose=_six(self._pose),
+            gripper=self._gripper,
+            drivers_fast=_six(self._drivers_fast),
+            drivers_slow=_six(self._drivers_slow),
+            limits=_six(self._limits),
+            accelerations_deg_s2=_six(self._accelerations),
+            firmware=self._firmware,
+            frames=self._frames,
+            oddities=MappingProxyType(dict(self._oddities)),
+        )
+
+    # What each message changes ----------------------------------------------------------------
+
+    def _make_handlers(self) -> dict[str, Callable[[_Signals, float], None]]:
+        handlers: dict[str, Callable[[_Signals, float], None]] = {
+            "ArmStatus": self._on_status,
+            "GripperFeedback": self._on_gripper,
+            "LimitFeedback": self._on_limits,
+            "AccelerationFeedback": self._on_acceleration,
+            "FirmwareVersion": self._on_firmware,
+            "JointFeedback12": _pair(self._joints, 0, "J1", "J2"),
+            "JointFeedback34": _pair(self._joints, 2, "J3", "J4"),
+            "JointFeedback56": _pair(self._joints, 4, "J5", "J6"),
+            "EndPose1": _pair(self._pose, 0, "X", "Y"),
+            "EndPose2": _pair(self._pose, 2, "Z", "RX"),
+            "EndPose3": _pair(self._pose, 4, "RY", "RZ"),
+        }
+        for joint in JOINTS:
+            handlers[f"DriverFast{joint}"] = self._driver_fast_handler(joint)
+            handlers[f"DriverSlow{joint}"] = self._driver_slow_handler(joint)
+        return handlers
+
+    def _on_status(self, signals: _Signals, at_s: float) -> None:
+        status = Status(
+            control_mode=int(signals["ControlMode"]),
+            arm_status=int(signals["Status"]),
+            move_mode=int(signals["MoveMode"]),
+            teaching=int(signals["TeachingState"]),
+            reached=signals["MotionState"] == 0,
+            speed_percent=_whole(signals.get("SpeedPercent")),
+            trajectory_point=_whole(signals.get("TrajectoryPoint")),
+            limit_exceeded=_joint_flags(signals, "LimitExceeded"),
+            communication_fault=_joint_flags(signals, "CommunicationFault"),
+        )
+        self._status = Heard(status, at_s)
+
+    def _on_gripper(self, signals: _Signals, at_s: float) -> None:
+        gripper = Gripper(
+            opening_mm=signals.get("Opening"),
+            angle_deg=signals.get("Angle"),
+            enabled=signals["Enabled"] == 1,
+        )
+        self._gripper = Heard(gripper, at_s)
+
+    def _on_limits(self, signals: _Signals, at_s: float) -> None:
+        limits = JointLimits(
+            min_deg=signals["MinAngle"],
+            max_deg=signals["MaxAngle"],
+            max_speed_deg_s=signals["MaxSpeed"] * self._degrees_per("LimitFeedback", "MaxSpeed"),
+        )
+        self._limits[int(signals["Joint"]) - 1] = Heard(limits, at_s)
+
+    def _on_acceleration(self, signals: _Signals, at_s: float) -> None:
+        factor = self._degrees_per("AccelerationFeedback", "MaxAcceleration")
+        acceleration_deg_s2 = signals["MaxAcceleration"] * factor
+        self._accelerations[int(signals["Joint"]) - 1] = Heard(acceleration_deg_s2, at_s)
+
+    def _on_firmware(self, signals: _Signals, _at_s: float) -> None:
+        self._version_bytes += bytes(int(signals[f"Byte{n}"]) for n in range(8))
+        text = self._version_bytes.decode("ascii", "replace")
+        start = text.find(_VERSION_START)
+        if start >= 0 and len(text) >= start + _VERSION_CHARACTERS:
+            self._firmware = text[start : start + _VERSION_CHARACTERS]
+            self._version_bytes.clear()
+        elif start < 0:
+            # keep what may be the beginning of the text
+            del self._version_bytes[: -len(_VERSION_START)]
+
+    def _driver_fast_handler(self, joint: int) -> Callable[[_Signals, float], None]:
+        name = f"DriverFast{joint}"
+        speed_factor = self._degrees_per(name, "Speed")
+        position_factor = _DEGREES_PER.get(self._codec.unit(name, "Position"))
+
+        def on_driver(signals: _Signals, at_s: float) -> None:
+            driver = DriverFast(
+                speed_deg_s=signals["Speed"] * speed_factor,
+                current_a=signals["Current"],
+                position_deg=position_factor and signals["Position"] * position_factor,
+            )
+            self._drivers_fast[joint - 1] = Heard(driver, at_s)
+
+        return on_driver
+
+    def _driver_slow_handler(self, joint: int) -> Callable[[_Signals, float], None]:
+        def on_driver(signals: _Signals, at_s: float) -> None:
+            driver = DriverSlow(
+                voltage_v=signals["Voltage"],
+                driver_temperature_c=signals["DriverTemperature"],
+                motor_temperature_c=signals["MotorTemperature"],
+                bus_current_a=signals["BusCurrent"],
+                undervoltage=signals["Undervoltage"] == 1,
+                motor_overtemperature=signals["MotorOvertemperature"] == 1,
+                overcurrent=signals["Overcurrent"] == 1,
+                driver_overtemperature=signals["DriverOvertemperature"] == 1,
+                driver_fault=signals["DriverFault"] == 1,
+                enabled=signals["Enabled"] == 1,
+                sensor_fault=_flag(signals.get("SensorFault")),
+                homed=_flag(signals.get("Homed")),
+                collision_protection=_flag(signals.get("CollisionProtection")),
+                stall_protection=_flag(signals.get("StallProtection")),
+            )
+            self._drivers_slow[joint - 1] = Heard(driver, at_s)
+
+        return on_driver
+
+    def _degrees_per(self, message: str, signal: str) -> float:
+        return _DEGREES_PER[self._codec.unit(message, signal)]
+
+
+def _pair(
+    where: list[Heard[float] | None], index: int, first: str, second: str
+) -> Callable[[_Signals, float], None]:
+    def on_pair(signals: _Signals, at_s: float) -> None:
+        where[index] = Heard(signals[first], at_s)
+        where[index + 1] = Heard(signals[second], at_s)
+
+    return on_pair
+
+
+def _six(values: list[Any]) -> Six[Any]:
+    a, b, c, d, e, f = values
+    return (a, b, c, d, e, f)
+
+
+def _joint_flags(signals: _Signals, what: str) -> Six[bool]:
+    return _six([signals.get(f"J{joint}{what}", 0) == 1 for joint in JOINTS])
+
+
+def _whole(value: float | None) -> int | None:
+    return None if value is None else int(value)
+
+
+def _flag(value: float | None) -> bool | None:
+    return None if value is None else value == 1

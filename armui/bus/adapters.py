@@ -1,0 +1,198 @@
+"""Which CAN devices are there, and what is wrong with one that can't be opened."""
+
+from __future__ import annotations
+
+import errno
+import logging
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any, Final
+
+import can
+
+from armui.arm.refusal import Refusal
+
+DEFAULT_BITRATE: Final = 1_000_000
+"""What the maker's hardware runs at today; generation 1's text says 500 kbit/s."""
+
+_SEARCH_S: Final = 5.0
+
+_NOT_DEVICES: Final = frozenset({"virtual", "udp_multicast", "socketcand", "remote"})
+"""Back-ends that are no hardware on this computer and answer a search with inventions."""
+
+_BITRATE_SET_BY_SYSTEM: Final = frozenset({"socketcan", "virtual", "udp_multicast"})
+
+_PACKAGES: Final = {
+    "gs_usb": "gs_usb",
+    "slcan": "pyserial",
+    "serial": "pyserial",
+    "robotell": "pyserial",
+    "canalystii": "canalystii",
+    "cantact": "cantact",
+    "candle": "python-can-candle",
+    "udp_multicast": "msgpack",
+}
+"""The package a back-end wants beside python-can, as far as it is on PyPI."""
+
+
+@dataclass(frozen=True, slots=True)
+class Device:
+    """One way to an arm.
+
+    Attributes:
+        interface: python-can's name of the back-end.
+        channel: The back-end's name of the channel.
+        bitrate: Bits per second; ``None`` where the operating system sets it.
+        label: What the operator knows it by.
+        serial: The adapter's serial number, where it tells one.
+        simulated: An arm made of software inside this program.
+        generation: Which protocol the simulated arm speaks.
+        options: Further arguments of python-can's constructor.
+    """
+
+    interface: str
+    channel: str | int
+    bitrate: int | None = DEFAULT_BITRATE
+    label: str = ""
+    serial: str | None = None
+    simulated: bool = False
+    generation: int | None = None
+    options: tuple[tuple[str, Any], ...] = ()
+
+    @property
+    def kind(self) -> str:
+        """The back-end's name, or ``simulated``."""
+        return "simulated" if self.simulated else self.interface
+
+    @property
+    def name(self) -> str:
+        """A short name for the top bar and messages."""
+        return self.label or f"{self.interface} {self.channel}"
+
+
+def bitrate_is_ours(interface: str) -> bool:
+    """Whether the program sets the bit rate of this back-end, or the operating system does."""
+    return interface not in _BITRATE_SET_BY_SYSTEM
+
+
+def interfaces() -> list[str]:
+    """The back-ends python-can knows on this computer, its plug-ins included."""
+    return sorted(can.VALID_INTERFACES)
+
+
+def find_devices() -> list[Device]:
+    """Ask every back-end what is plugged in; takes up to some seconds.
+
+    A back-end that is not installed, or fails while it looks, has no devices.
+    """
+    found: list[Device] = []
+    with _quiet():
+        for interface in sorted(can.VALID_INTERFACES - _NOT_DEVICES):
+            try:
+                configs = can.detect_available_configs([interface], timeout=_SEARCH_S)
+            except Exception:  # noqa: BLE001, S112 - drivers of others: any of them may fail in any way
+                continue
+            found += [_device(interface, config) for config in configs]
+    return found
+
+
+def open_bus(device: Device) -> can.BusABC:
+    """Open a device.
+
+    Raises:
+        can.CanError, OSError, ValueError, ImportError: see :func:`explain`.
+    """
+    arguments: dict[str, Any] = {"interface": device.interface, "channel": device.channel}
+    if device.bitrate is not None and bitrate_is_ours(device.interface):
+        arguments["bitrate"] = device.bitrate
+    with _quiet():
+        return can.Bus(**arguments, **dict(device.options))
+
+
+def explain(device: Device, error: BaseException) -> Refusal:
+    """What is wrong with a device, from the exception that opening or using it raised."""
+    params: dict[str, str] = {"device": device.name, "interface": device.interface}
+    for cause in _causes(error):
+        code = _CODE_OF_ERRNO.get(_errno(cause) or 0)
+        if code is not None:
+            return Refusal(code, params)
+        if isinstance(cause, can.CanInterfaceNotImplementedError | ImportError):
+            package = _PACKAGES.get(device.interface, device.interface)
+            return Refusal("bus_backend_missing", {**params, "package": package})
+    text = str(error) or type(error).__name__
+    lowered = text.lower()
+    for words, code in _CODE_OF_WORDS:
+        if any(word in lowered for word in words):
+            return Refusal(code, {**params, "text": text})
+    code = "bus_bad_argument" if isinstance(error, ValueError | TypeError) else "bus_failed"
+    return Refusal(code, {**params, "text": text})
+
+
+_CODE_OF_ERRNO: Final = {
+    errno.ENODEV: "bus_gone",
+    errno.ENXIO: "bus_gone",
+    errno.ENOENT: "bus_gone",
+    errno.EBUSY: "bus_busy",
+    errno.EADDRINUSE: "bus_busy",
+    errno.ENETDOWN: "bus_down",
+    errno.EAFNOSUPPORT: "bus_driver_missing",
+    errno.EACCES: "bus_permission",
+    errno.EPERM: "bus_permission",
+}
+
+_CODE_OF_WORDS: Final = (
+    (("library not found", "driver", "dll", "is not defined"), "bus_driver_missing"),
+    (("no such device", "could not find", "not found", "no device", "disconnected"), "bus_gone"),
+    (("busy", "in use", "already open"), "bus_busy"),
+    (("permission", "access is denied", "access denied"), "bus_permission"),
+    (("network is down",), "bus_down"),
+)
+"""For back-ends that put the reason into words only; the last entry of the first line is what
+python-can's back-ends stumble over when the maker's library is not there."""
+
+
+def _causes(error: BaseException) -> Iterator[BaseException]:
+    seen: BaseException | None = error
+    while seen is not None:
+        yield seen
+        seen = seen.__cause__ or seen.__context__
+
+
+def _errno(error: BaseException) -> int | None:
+    if isinstance(error, OSError) and error.errno is not None:
+        return error.errno
+    code = getattr(error, "error_code", None)
+    return code if isinstance(code, int) else None
+
+
+def _device(interface: str, config: Mapping[str, Any]) -> Device:
+    rest = {key: value for key, value in config.items() if key not in {"interface", "channel"}}
+    serial = next((str(rest[key]) for key in _SERIAL_KEYS if rest.get(key)), None)
+    channel = config.get("channel", 0)
+    return Device(
+        interface=interface,
+        channel=channel if isinstance(channel, int) else str(channel),
+        bitrate=DEFAULT_BITRATE if bitrate_is_ours(interface) else None,
+        serial=serial,
+        options=_constructor_options(interface, rest),
+    )
+
+
+_SERIAL_KEYS: Final = ("serial", "serial_number", "unique_hardware_id", "device_id", "hw_serial")
+
+
+def _constructor_options(interface: str, rest: Mapping[str, Any]) -> tuple[tuple[str, Any], ...]:
+    # socketcan's answers name nothing its constructor wants beside the channel
+    return () if interface == "socketcan" else tuple(sorted(rest.items()))
+
+
+@contextmanager
+def _quiet() -> Iterator[None]:
+    """Keep what back-ends log about missing drivers off a terminal where nobody set up logging."""
+    handler = logging.NullHandler()
+    logging.getLogger().addHandler(handler)
+    try:
+        yield
+    finally:
+        logging.getLogger().removeHandler(handler)

@@ -1,0 +1,36 @@
+"""The state of the connection to a device, apart from whether an arm answers on it."""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass
+
+from armui.arm.refusal import Refusal
+from armui.bus.adapters import Device
+
+
+class BusState(enum.Enum):
+    """What the bus thread is doing with its device."""
+
+    OPENING = enum.auto()
+    OPEN = enum.auto()
+    LOST = enum.auto()
+    """It was open and is gone; the thread keeps trying to open it again."""
+    FAILED = enum.auto()
+    """It could not be opened; the thread has ended."""
+    CLOSED = enum.auto()
+
+
+@dataclass(frozen=True, slots=True)
+class BusReport:
+    """What the bus thread says of its device.
+
+    Attributes:
+        state: What it is doing.
+        device: The device.
+        problem: Why it is ``LOST`` or ``FAILED``.
+    """
+
+    state: BusState
+    device: Device
+    problem: Refusal | None = None

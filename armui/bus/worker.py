@@ -1,0 +1,173 @@
+"""The thread that owns the bus: it receives, decodes and folds; the GUI thread only reads."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
+from typing import Final
+
+import can
+from PySide6.QtCore import QObject, QThread, Signal
+
+from armui.arm.state import ArmState
+from armui.arm.tracker import Tracker
+from armui.bus.adapters import Device, explain
+from armui.bus.link import BusReport, BusState
+from armui.bus.outbox import Outbox
+from armui.protocol.codec import Codec, Message, Oddity, OddityKind
+from armui.protocol.frame import Frame
+
+Opener = Callable[[Device], AbstractContextManager[can.BusABC]]
+"""Opens a device; the bus is closed when the context ends."""
+
+_RECEIVE_S: Final = 0.005
+"""How long to wait for a frame before looking for something to send."""
+
+_BURST: Final = 256
+"""At most so many frames are taken in before the next look at what waits to be sent."""
+
+_PICTURE_S: Final = 0.005
+"""A new picture of the arm at most so often: the screen shows one every 16 ms."""
+
+_REOPEN_S: Final = 0.5
+
+ANSWERS: Final = frozenset(
+    {
+        "SettingResponse",
+        "LimitFeedback",
+        "AccelerationFeedback",
+        "EndLimitFeedback",
+        "CollisionFeedback",
+        "TeachingFeedback",
+    }
+)
+"""Messages that answer something: each one is delivered, none is folded away."""
+
+
+class BusWorker(QThread):
+    """Owns one device from connecting to disconnecting.
+
+    Args:
+        device: What to open.
+        opener: How to open it.
+        codec: Protocol to begin with; see :meth:`use_codec`.
+
+    Signals:
+        reported: A :class:`BusReport`, whenever the state of the device changes.
+        answered: A :class:`Message` of :data:`ANSWERS`.
+    """
+
+    reported = Signal(object)
+    answered = Signal(object)
+
+    def __init__(
+        self, device: Device, opener: Opener, codec: Codec, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName(f"bus {device.name}")
+        self._device = device
+        self._opener = opener
+        self._codec = codec
+        self._tracker = Tracker(codec)
+        self._next_codec: Codec | None = None
+        self._state = ArmState()
+        self._pictured_s = 0.0
+        self._outbox = Outbox()
+        self._closing = threading.Event()
+
+    @property
+    def state(self) -> ArmState:
+        """The arm as last heard; may be read from any thread."""
+        return self._state
+
+    def send(self, frames: Sequence[Frame]) -> bool:
+        """Queue frames in order; false if the device is not open."""
+        return self._outbox.put(frames)
+
+    def send_urgent(self, frames: Sequence[Frame]) -> bool:
+        """Send at once from the calling thread, past everything that waits; see :class:`Outbox`."""
+        return self._outbox.put_urgent(frames)
+
+    def use_codec(self, codec: Codec) -> None:
+        """Speak another generation, or shifted identifiers, from the next frame on."""
+        self._next_codec = codec
+
+    def close(self) -> None:
+        """Close the device and end the thread; returns when both are done."""
+        self._closing.set()
+        self.wait()
+
+    def run(self) -> None:
+        """Open, use, and after a loss reopen the device until :meth:`close`."""
+        self._report(BusState.OPENING)
+        was_open = False
+        while not self._closing.is_set():
+            try:
+                with self._opener(self._device) as bus:
+                    was_open = True
+                    self._use(bus)
+            except Exception as error:  # noqa: BLE001 - drivers of others raise anything; the thread lives on
+                state = BusState.LOST if was_open else BusState.FAILED
+                self._report(state, error)
+                if not was_open:
+                    return
+                self._closing.wait(_REOPEN_S)
+        self._report(BusState.CLOSED)
+
+    def _use(self, bus: can.BusABC) -> None:
+        self._outbox.attach(bus)
+        self._report(BusState.OPEN)
+        try:
+            while not self._closing.is_set():
+                self._take_codec()
+                self._outbox.send_waiting()
+                self._receive_burst(bus)
+        finally:
+            self._outbox.detach()
+
+    def _receive_burst(self, bus: can.BusABC) -> None:
+        message = bus.recv(_RECEIVE_S)
+        now_s = time.monotonic()
+        taken = 0
+        while message is not None:
+            self._take_in(message, now_s)
+            taken += 1
+            if taken == _BURST:
+                break
+            message = bus.recv(0)
+        if now_s - self._pictured_s >= _PICTURE_S or taken == 0:
+            self._pictured_s = now_s
+            self._state = self._tracker.picture()
+
+    def _take_in(self, message: can.Message, now_s: float) -> None:
+        heard = _oddity(message) or self._codec.decode(
+            Frame(message.arbitration_id, bytes(message.data))
+        )
+        self._tracker.fold(heard, now_s)
+        if isinstance(heard, Message) and heard.name in ANSWERS:
+            self.answered.emit(heard)
+
+    def _take_codec(self) -> None:
+        codec, self._next_codec = self._next_codec, None
+        if codec is not None:
+            self._codec = codec
+            self._tracker = Tracker(codec)
+
+    def _report(self, state: BusState, error: Exception | None = None) -> None:
+        problem = None if error is None else explain(self._device, error)
+        self.reported.emit(BusReport(state, self._device, problem))
+
+
+def _oddity(message: can.Message) -> Oddity | None:
+    """What is wrong with a frame that is no classic data frame with an 11-bit identifier."""
+    if message.is_error_frame:
+        detail = "the adapter reports a bus error"
+    elif message.is_extended_id:
+        detail = "29-bit identifier"
+    elif message.is_remote_frame:
+        detail = "remote frame"
+    else:
+        return None
+    return Oddity(OddityKind.UNKNOWN_ID, message.arbitration_id, detail)
