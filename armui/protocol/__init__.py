@@ -1,1 +1,1 @@
-"""What the bytes on the bus mean: both generations of the protocol, without Qt and without a bus."""
+"""What the bytes on the bus mean, in both generations of the protocol; no Qt, no bus."""

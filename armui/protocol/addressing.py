@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 OFFSETS = (0x00, 0x10, 0x20)
-"""The offsets the protocol knows: none, 0x2Ax to 0x2Bx (0x15x to 0x16x), 0x2Ax to 0x2Cx (0x15x to 0x17x)."""
+"""What the protocol allows: 0x10 moves 0x2Ax to 0x2Bx and 0x15x to 0x16x, 0x20 one further."""
 
 _FEEDBACK = range(0x2A1, 0x2A9)
 _CONTROL = range(0x150, 0x160)
@@ -48,8 +48,8 @@ class Addressing:
         """The identifier in the protocol's tables for one seen on the bus.
 
         Returns:
-            The identifier without its offset, or None when it belongs to another arm: one of the movable
-            ranges, with an offset other than this arm's.
+            The identifier without its offset, or None when it belongs to another arm: one of the
+            movable ranges, with an offset other than this arm's.
         """
         for base, own in ((_FEEDBACK, self.feedback_offset), (_CONTROL, self.control_offset)):
             for offset in OFFSETS:

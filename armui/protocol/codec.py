@@ -3,18 +3,25 @@
 from __future__ import annotations
 
 import enum
-import math
 from difflib import get_close_matches
 from typing import TYPE_CHECKING, NamedTuple
 
 from armui.protocol.addressing import Addressing
 from armui.protocol.database import Generation, load_database
+from armui.protocol.encoding import (
+    allowed,
+    listed,
+    neutral_value,
+    number,
+    raw_value,
+    unknown_signal,
+)
 from armui.protocol.errors import EncodeError
 from armui.protocol.frame import Frame
-from armui.protocol.layout import MessageLayout, SignalLayout, message_layout
+from armui.protocol.layout import message_layout
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from armui.protocol.layout import MessageLayout, SignalLayout
 
 __all__ = ["Codec", "EncodeError", "Message", "Oddity", "OddityKind"]
 
@@ -26,9 +33,6 @@ _UPGRADE_RANGES = (
     range(0x4C0, 0x4D0),
 )
 """Identifiers kept for firmware upgrades; their content is not documented."""
-
-_STEP_NOISE = 1e-6
-"""Part of a raw step by which a float may miss the end of a range: rounding noise of the scaling."""
 
 
 class Message(NamedTuple):
@@ -58,8 +62,8 @@ class Oddity(NamedTuple):
         kind: What is odd.
         arbitration_id: The identifier as seen on the wire.
         detail: One sentence for the log.
-        message: What the frame says nevertheless, where only a value is odd (a newer firmware may know
-            codes that the tables don't); None where it cannot be read.
+        message: What the frame says nevertheless, where only a value is odd (a newer firmware may
+            know codes that the tables don't); None where it cannot be read.
     """
 
     kind: OddityKind
@@ -120,19 +124,41 @@ class Codec:
             The frame, with the arm's identifier offsets applied.
 
         Raises:
-            EncodeError: Unknown message or signal, a value out of range, not finite or outside its table, a
-                signal left out that has no neutral value, None where nothing can be left unchanged.
+            EncodeError: Unknown message or signal, a value out of range, not finite or outside its
+                table, a signal left out that has no neutral value, None where nothing can be left
+                unchanged.
         """
         layout = self._message(name)
         if not signals.keys() <= layout.signals.keys():
-            raise _unknown_signal(layout, next(iter(signals.keys() - layout.signals.keys())))
+            raise unknown_signal(layout, next(iter(signals.keys() - layout.signals.keys())))
         raw = {
-            signal.name: _raw(layout, signal, signals[signal.name])
+            signal.name: raw_value(layout, signal, signals[signal.name])
             if signal.name in signals
-            else _neutral(layout, signal)
+            else neutral_value(layout, signal)
             for signal in layout.signals.values()
         }
         return Frame(self.addressing.to_wire(layout.arbitration_id), layout.pack(raw))
+
+    def is_exact(self, frame: Frame) -> bool:
+        """Whether this generation itself would send the frame so: its length, no reserved bit set.
+
+        Decoding is more generous; this is what tells the generations apart in a log.
+        """
+        layout = self._by_wire_id.get(frame.arbitration_id)
+        return (
+            layout is not None
+            and len(frame.data) == layout.length
+            and not int.from_bytes(frame.data, "big") & layout.reserved_mask
+            and isinstance(self.decode(frame), Message)
+        )
+
+    def signals(self, message: str) -> tuple[str, ...]:
+        """Names of a message's signals in the order of bytes and, within a byte, of bits.
+
+        Raises:
+            EncodeError: No such message in this generation.
+        """
+        return tuple(self._message(message).signals)
 
     def unit(self, message: str, signal: str) -> str:
         """Unit of a signal, "" for bare numbers and codes.
@@ -152,7 +178,9 @@ class Codec:
         return layout.words.get(round(layout.to_steps(value))) if layout.words else None
 
     def code(self, message: str, signal: str, word: str) -> int:
-        """The code that the value table gives a word: what differs between generations stays in the files.
+        """The code that the value table gives a word.
+
+        With it, codes that differ between the generations stay in the files.
 
         Raises:
             EncodeError: No such message, signal or word in this generation.
@@ -163,7 +191,7 @@ class Codec:
                 return raw
         raise EncodeError(
             f"{message}.{signal} has no {word!r} in generation {int(self.generation)}; "
-            f"it knows {_listed(layout.words.values())}",
+            f"it knows {listed(layout.words.values())}",
             message=message,
             signal=signal,
             value=word,
@@ -182,12 +210,12 @@ class Codec:
     def _signal(self, message: str, signal: str) -> SignalLayout:
         layout = self._message(message)
         if signal not in layout.signals:
-            raise _unknown_signal(layout, signal)
+            raise unknown_signal(layout, signal)
         return layout.signals[signal]
 
     def _unknown_id(self, arbitration_id: int) -> Oddity:
         if any(arbitration_id in ids for ids in _UPGRADE_RANGES):
-            detail = f"0x{arbitration_id:03X} is in the firmware upgrade range, its content is not documented"
+            detail = f"0x{arbitration_id:03X} is in the firmware upgrade range (undocumented)"
         elif self.addressing.from_wire(arbitration_id) is None:
             detail = (
                 f"0x{arbitration_id:03X} belongs to an arm with other identifier offsets (0x470)"
@@ -209,86 +237,9 @@ def _outside_table(layout: MessageLayout, arbitration_id: int, raw: dict[str, fl
     odd = [layout.signals[name] for name, legal in layout.checked if raw[name] not in legal]
     signals = {name: signal.to_physical(raw[name]) for name, signal in layout.signals.items()}
     detail = "; ".join(
-        f"{layout.name}.{signal.name} is {_number(signals[signal.name], signal)}, allowed: {_allowed(signal)}"
+        f"{layout.name}.{signal.name} is {number(signals[signal.name], signal)}, "
+        f"allowed: {allowed(signal)}"
         for signal in odd
     )
     message = Message(layout.name, signals)
     return Oddity(OddityKind.VALUE_OUTSIDE_TABLE, arbitration_id, detail, message)
-
-
-def _raw(layout: MessageLayout, signal: SignalLayout, value: float | None) -> int:
-    """Raw value of a physical one, checked."""
-    if value is None:
-        if signal.unchanged_raw is None:
-            raise _refused(layout, signal, None, "it cannot be left unchanged: give a value")
-        return signal.unchanged_raw
-    try:
-        steps = signal.to_steps(value)
-    except TypeError:
-        raise _refused(layout, signal, value, "give a number") from None
-    if not math.isfinite(steps):
-        raise _refused(layout, signal, value, "give a finite number")
-    raw = round(steps)
-    if raw in signal.words and abs(steps - raw) < _STEP_NOISE:
-        return raw
-    if signal.exhaustive:
-        raise _refused(layout, signal, value, f"give {_allowed(signal)}")
-    span_ok = signal.minimum - value < signal.scale * _STEP_NOISE > value - signal.maximum
-    if not span_ok or raw not in signal.legal_raw:
-        raise _refused(layout, signal, value, f"give {_allowed(signal)}")
-    return raw
-
-
-def _neutral(layout: MessageLayout, signal: SignalLayout) -> int:
-    """Raw value of a signal nobody gave."""
-    if signal.unchanged_raw is not None:
-        return signal.unchanged_raw
-    raw = round(signal.to_steps(0.0))
-    if raw not in signal.legal_raw:
-        raise _refused(layout, signal, None, f"it must be given: {_allowed(signal)}")
-    return raw
-
-
-def _refused(
-    layout: MessageLayout, signal: SignalLayout, value: object, remedy: str
-) -> EncodeError:
-    given = "nothing" if value is None else _number(value, signal)
-    return EncodeError(
-        f"{layout.name}.{signal.name} cannot be {given} "
-        f"(range {signal.minimum:.10g} to {signal.maximum:.10g}{_spaced(signal.unit)}); {remedy}",
-        message=layout.name,
-        signal=signal.name,
-        value=value,
-        minimum=signal.minimum,
-        maximum=signal.maximum,
-        unit=signal.unit,
-    )
-
-
-def _unknown_signal(layout: MessageLayout, signal: str) -> EncodeError:
-    return EncodeError(
-        f"{layout.name} has no signal {signal} in this generation; it has {_listed(layout.signals)}",
-        message=layout.name,
-        signal=signal,
-    )
-
-
-def _number(value: object, signal: SignalLayout) -> str:
-    text = f"{value:.10g}" if isinstance(value, int | float) else repr(value)
-    return text + _spaced(signal.unit)
-
-
-def _spaced(unit: str) -> str:
-    return f" {unit}" if unit else ""
-
-
-def _allowed(signal: SignalLayout) -> str:
-    words = _listed(f"{raw} ({word})" for raw, word in sorted(signal.words.items()))
-    if signal.exhaustive:
-        return words
-    span = f"{signal.minimum:.10g} to {signal.maximum:.10g}{_spaced(signal.unit)}"
-    return f"{span}, or raw {words}" if words else span
-
-
-def _listed(items: Iterable[str]) -> str:
-    return ", ".join(items)

@@ -1,7 +1,7 @@
 """The codes of the protocol's tables that the program itself uses.
 
-The value tables of the DBC files hold the same codes with words for people; a test compares the two. Codes that
-only generation 2 knows say so; the codec refuses them in generation 1.
+The value tables of the DBC files hold the same codes with words for people; a test compares the
+two. Codes that only generation 2 knows say so; the codec refuses them in generation 1.
 """
 
 from __future__ import annotations

@@ -29,8 +29,8 @@ def load_database(generation: Generation) -> Database:
         generation: The protocol wanted.
 
     Returns:
-        The database with messages, signals, units, ranges, value tables and cycle times. It is parsed once
-        and shared: treat it as read-only.
+        The database with messages, signals, units, ranges, value tables and cycle times. It is
+        parsed once and shared: treat it as read-only.
 
     Raises:
         FileNotFoundError: The installation lacks the file.

@@ -6,8 +6,8 @@ from __future__ import annotations
 class EncodeError(ValueError):
     """A command that has no frame: unknown name, value out of range, code outside the table.
 
-    Nothing has been sent when it is raised. The text names message, signal, value, what is allowed and
-    what to do.
+    Nothing has been sent when it is raised. The text names message, signal, value, what is allowed
+    and what to do.
 
     Attributes:
         message: Name of the message asked for.

@@ -14,10 +14,10 @@ if TYPE_CHECKING:
     from cantools.database.can import Signal as DbcSignal
 
 LEAVE_UNCHANGED = "Leave unchanged"
-"""How the value tables call the raw value that leaves a setting as it is in the arm (generation 2)."""
+"""What the value tables call the raw value that leaves a setting as it is (generation 2)."""
 
 _SHORT_FORMS = {"ArcPoint": (1, 8), "BusSilence": (1, 8), "LinkageSetting": (4, 8)}
-"""Messages that generation 1 sends shorter than generation 2; both lengths are accepted from both."""
+"""Messages that generation 1 sends shorter than generation 2; either accepts both lengths."""
 
 
 class _Packer(Protocol):
@@ -37,13 +37,13 @@ class SignalLayout:
         unit: As in the DBC file, "" for a bare number or code.
         scale: Physical value of one raw step.
         offset: Physical value of the raw value 0.
-        divisor: 1 / scale where that is a whole number, else None. Raw / 1000 is the double nearest to the
-            decimal value, raw * 0.001 often is not.
+        divisor: 1 / scale where that is a whole number, else None. Raw / 1000 is the double nearest
+            to the decimal value, raw * 0.001 often is not.
         minimum: Smallest physical value.
         maximum: Largest physical value.
         words: Value table, by raw value.
-        exhaustive: The table lists every legal value. A table of one entry only names a special value that
-            is legal beside the range.
+        exhaustive: The table lists every legal value. A table of one entry only names a special
+            value that is legal beside the range.
         legal_raw: Every raw value that means something.
         unchanged_raw: The raw value that leaves a setting as it is, or None.
     """
@@ -59,6 +59,11 @@ class SignalLayout:
     exhaustive: bool
     legal_raw: Container[int]
     unchanged_raw: int | None
+
+    @property
+    def is_count(self) -> bool:
+        """Whether only whole numbers mean something: codes, counters, levels."""
+        return not self.unit and not self.is_scaled
 
     @property
     def is_scaled(self) -> bool:
@@ -87,7 +92,8 @@ class MessageLayout:
         arbitration_id: As in the DBC file, without offset.
         length: Bytes of the payload as this generation sends it.
         lengths: Lengths accepted when decoding.
-        signals: By name, in payload order.
+        reserved_mask: The payload's bits, as one big-endian number, that belong to no signal.
+        signals: By name, in the order of bytes and, within a byte, of bits.
         unpack: Payload to raw values by name.
         pack: Raw values by name to payload.
         divided: (name, divisor) of the signals that are scaled by a whole fraction.
@@ -99,6 +105,7 @@ class MessageLayout:
     arbitration_id: int
     length: int
     lengths: tuple[int, ...]
+    reserved_mask: int
     signals: Mapping[str, SignalLayout]
     unpack: Callable[[bytes], dict[str, float]]
     pack: Callable[[Mapping[str, int]], bytes]
@@ -113,14 +120,17 @@ def message_layout(message: DbcMessage) -> MessageLayout:
     The payload format is the one cantools itself compiles; only the loop around it is ours, because
     the frames of an arm come 3,000 a second.
     """
-    packer: _Packer = create_encode_decode_formats(message.signals, message.length).big_endian
-    signals = {signal.name: _signal_layout(signal) for signal in message.signals}
+    formats = create_encode_decode_formats(message.signals, message.length)
+    packer: _Packer = formats.big_endian
+    in_order = sorted(message.signals, key=_byte_and_bit)
+    signals = {signal.name: _signal_layout(signal) for signal in in_order}
     scaled = [signal for signal in signals.values() if signal.is_scaled]
     return MessageLayout(
         name=message.name,
         arbitration_id=message.frame_id,
         length=message.length,
         lengths=_SHORT_FORMS.get(message.name, (message.length,)),
+        reserved_mask=formats.padding_mask,
         signals=signals,
         unpack=packer.unpack,
         pack=packer.pack,
@@ -132,10 +142,16 @@ def message_layout(message: DbcMessage) -> MessageLayout:
         stretched=tuple(signal for signal in scaled if signal.divisor is None or signal.offset),
         checked=tuple(
             (signal.name, signals[signal.name].legal_raw)
-            for signal in message.signals
+            for signal in in_order
             if _can_be_illegal(signal, signals[signal.name])
         ),
     )
+
+
+def _byte_and_bit(signal: DbcSignal) -> tuple[int, int]:
+    """Sorts flags within a byte from bit 0 up, wider signals by their first byte."""
+    byte, bit = divmod(signal.start, 8)
+    return byte, bit if signal.length == 1 else -bit
 
 
 def _signal_layout(signal: DbcSignal) -> SignalLayout:
@@ -176,7 +192,7 @@ class _Span:
     extra: frozenset[int]
 
     def __contains__(self, raw: object) -> bool:
-        return raw in self.span or raw in self.extra
+        return isinstance(raw, int) and (raw in self.span or raw in self.extra)
 
 
 def _can_be_illegal(signal: DbcSignal, layout: SignalLayout) -> bool:

@@ -1,0 +1,24 @@
+"""Checks that commands of several kinds share."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from armui.protocol.errors import EncodeError
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+
+def exactly(
+    message: str, values: Sequence[float], count: int, what: str, unit: str
+) -> tuple[float, ...]:
+    """The values, if there are as many as the message wants.
+
+    Raises:
+        EncodeError: There are more or fewer.
+    """
+    if len(values) != count:
+        text = f"{message} wants {count} {what}, not {len(values)}"
+        raise EncodeError(text, message=message, value=list(values), unit=unit)
+    return tuple(values)

@@ -1,0 +1,106 @@
+"""Tells from recorded traffic which generation an arm speaks."""
+
+from __future__ import annotations
+
+import re
+import statistics
+from typing import TYPE_CHECKING, NamedTuple
+
+from armui.protocol.codec import Codec
+from armui.protocol.database import Generation
+
+if TYPE_CHECKING:
+    from armui.protocol.frame import Frame
+
+_VERSION_ID = 0x4AF
+_VERSION_TEXT = re.compile(rb"S-V\d+\.\d+-\d+")
+_VERSION_QUERY = bytes((1, 0, 0, 0, 0, 0, 0, 0))
+_CLEAR_LEAD = 20
+"""So many frames of one generation more than of the other leave no doubt."""
+_CYCLIC_IDS = (0x2A1, 0x2A5, 0x251)
+_PERIOD_SAMPLES = 200
+_PERIOD_BORDER_S = 0.012
+"""Between the 5 ms of generation 2's feedback and the 20 ms of generation 1's."""
+
+
+class Verdict(NamedTuple):
+    """What the traffic speaks for.
+
+    Attributes:
+        generation: The generation to decode with.
+        reason: Why, as the end of a sentence that begins "generation N, because".
+    """
+
+    generation: Generation
+    reason: str
+
+
+class GenerationDetector:
+    """Collects evidence frame by frame, in constant memory.
+
+    Strongest is the firmware version of 0x4AF, which only generation 2 sends. Next come frames that
+    one generation would send and the other would not: unknown identifiers, codes outside its tables,
+    reserved bits, other lengths. Last the period of the cyclic feedback.
+    """
+
+    def __init__(self) -> None:
+        self._codecs = {generation: Codec(generation) for generation in Generation}
+        self._votes = dict.fromkeys(Generation, 0)
+        self._version_tail = b""
+        self._version = ""
+        self._last_seen_s: dict[int, float] = {}
+        self._intervals_s: list[float] = []
+
+    @property
+    def certain(self) -> bool:
+        """Whether more frames cannot change the verdict in good sense."""
+        one, two = self._votes.values()
+        return bool(self._version) or abs(one - two) >= _CLEAR_LEAD
+
+    def feed(self, frame: Frame, time_s: float) -> None:
+        """Takes one data frame with an 11-bit identifier into account.
+
+        Args:
+            frame: The frame.
+            time_s: When it was recorded; only differences matter.
+        """
+        if frame.arbitration_id == _VERSION_ID:
+            self._feed_version(frame.data)
+            return
+        exact = [codec.generation for codec in self._codecs.values() if codec.is_exact(frame)]
+        if len(exact) == 1:
+            self._votes[exact[0]] += 1
+        self._feed_period(frame.arbitration_id, time_s)
+
+    def verdict(self) -> Verdict:
+        """What the frames so far speak for; generation 2 when nothing tells."""
+        if self._version:
+            return Verdict(Generation.TWO, f"the arm named its firmware {self._version}")
+        one, two = self._votes[Generation.ONE], self._votes[Generation.TWO]
+        if one != two:
+            winner = Generation.TWO if two > one else Generation.ONE
+            return Verdict(
+                winner,
+                f"{max(one, two)} frames fit only generation {int(winner)} "
+                f"and {min(one, two)} only the other",
+            )
+        if self._intervals_s:
+            period_s = statistics.median(self._intervals_s)
+            winner = Generation.TWO if period_s < _PERIOD_BORDER_S else Generation.ONE
+            return Verdict(winner, f"the feedback comes every {period_s * 1000:.1f} ms")
+        return Verdict(Generation.TWO, "nothing tells, and arms in use today speak it")
+
+    def _feed_version(self, payload: bytes) -> None:
+        if payload == _VERSION_QUERY:
+            return
+        self._version_tail = (self._version_tail + payload)[-64:]
+        if found := _VERSION_TEXT.search(self._version_tail):
+            self._version = found.group().decode("ascii")
+
+    def _feed_period(self, arbitration_id: int, time_s: float) -> None:
+        if arbitration_id not in _CYCLIC_IDS or len(self._intervals_s) >= _PERIOD_SAMPLES:
+            return
+        before_s = self._last_seen_s.get(arbitration_id)
+        if before_s is not None and time_s > before_s:
+            self._intervals_s.append(time_s - before_s)
+        self._last_seen_s[arbitration_id] = time_s
