@@ -1,0 +1,38 @@
+"""The search for devices, off the GUI thread: some drivers take seconds to answer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from PySide6.QtCore import QObject, QThread, Signal
+
+from armui.bus.adapters import Device, find_devices
+
+
+class DeviceSearch(QThread):
+    """Looks for devices once.
+
+    Args:
+        simulated: Arms made of software, listed first and always.
+        find: The search itself.
+
+    Signals:
+        found: A list of :class:`Device`.
+    """
+
+    found = Signal(object)
+
+    def __init__(
+        self,
+        simulated: Sequence[Device],
+        find: Callable[[], list[Device]] = find_devices,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName("device search")
+        self._simulated = list(simulated)
+        self._find = find
+
+    def run(self) -> None:
+        """Search and report."""
+        self.found.emit(self._simulated + self._find())

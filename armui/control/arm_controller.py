@@ -1,0 +1,442 @@
+"""Every action of the operator: checked, sent, and followed until the arm's own feedback shows it.
+
+The controller lives in the GUI thread. It never waits: a tick looks at what the bus thread has
+heard and moves on whatever is under way.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterable, Sequence
+from datetime import datetime
+from typing import Final
+
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+
+from armui.arm.limits import check_joints
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.bus.adapters import Device
+from armui.bus.link import BusReport
+from armui.bus.search import DeviceSearch
+from armui.bus.worker import Opener
+from armui.control import gate
+from armui.control.assessment import Circumstances, assess
+from armui.control.connection import Connection
+from armui.control.handshake import Phase, missing_limits, plausible
+from armui.control.notices import CODES
+from armui.control.request import Outcome, Request
+from armui.control.setpoint import Setpoint
+from armui.control.situation import Busy, LinkState, Notice, Situation, StopState
+from armui.control.stop import StopKeeper, is_stopped
+from armui.protocol import commands
+from armui.protocol.codes import ControlMode, MoveMode
+from armui.protocol.frame import Frame
+
+_TICK_MS: Final = 16
+_HOME_DEG: Final = (0.0,) * 6
+_FIRST_SPEED_PERCENT: Final = 30
+
+_ENABLE_REPEAT_S: Final = 0.5
+_ENABLE_ATTEMPTS: Final = 3
+"""Real arms often want the enable command twice."""
+_RESUME_REPEAT_S: Final = 0.5
+_RESUME_ATTEMPTS: Final = 2
+
+
+class ArmController(QObject):
+    """What the windows talk to.
+
+    Every command answers at once: ``None``, it is under way, or a :class:`Refusal`, nothing was
+    sent. What becomes of it is told by the signals.
+
+    Args:
+        opener: Opens a device; see :data:`armui.bus.worker.Opener`.
+        simulated: Arms made of software, listed with the devices found.
+        find: The search for devices.
+        clock: Monotonic time in seconds.
+
+    Signals:
+        state_changed: An :class:`ArmState`, at most 60 times a second, when something was heard.
+        situation_changed: A :class:`Situation`, when it differs.
+        noticed: A :class:`Notice`.
+        devices_found: A list of :class:`Device`, the answer to :meth:`search_devices`.
+        searching_changed: Whether a search is under way.
+    """
+
+    state_changed = Signal(object)
+    situation_changed = Signal(object)
+    noticed = Signal(object)
+    devices_found = Signal(object)
+    searching_changed = Signal(bool)
+
+    def __init__(
+        self,
+        opener: Opener,
+        simulated: Sequence[Device] = (),
+        find: Callable[[], list[Device]] | None = None,
+        clock: Callable[[], float] = time.monotonic,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._clock = clock
+        self._simulated = list(simulated)
+        self._find = find
+        self._search: DeviceSearch | None = None
+        self._connection = Connection(opener, clock, self)
+        self._connection.changed.connect(self._on_connection)
+        self._stop = StopKeeper(self._connection.send_urgent)
+        self._request: tuple[Busy, Request] | None = None
+        self._speed_percent = _FIRST_SPEED_PERCENT
+        self._setpoint = Setpoint()
+        self._was_online = False
+        self._was_unconfirmed = False
+        self._limits_told = False
+        self._state = ArmState()
+        self._situation = Situation(speed_percent=self._speed_percent)
+        self._timer = QTimer(self)
+        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
+        self._timer.setInterval(_TICK_MS)
+        self._timer.timeout.connect(self._on_tick)
+
+    @property
+    def state(self) -> ArmState:
+        """The arm as last heard."""
+        return self._state
+
+    @property
+    def situation(self) -> Situation:
+        """What the operator can do now."""
+        return self._situation
+
+    @property
+    def setpoint_deg(self) -> tuple[float, ...] | None:
+        """The angles last sent, as long as they stand for what the arm is doing."""
+        return self._setpoint.angles_deg
+
+    # Devices ----------------------------------------------------------------------------------
+
+    def search_devices(self) -> None:
+        """Look for devices; :attr:`devices_found` tells."""
+        if self._search is not None:
+            return
+        if self._find is None:
+            self._search = DeviceSearch(self._simulated, parent=self)
+        else:
+            self._search = DeviceSearch(self._simulated, self._find, parent=self)
+        self._search.found.connect(self.devices_found)
+        self._search.finished.connect(self._on_search_finished)
+        self.searching_changed.emit(True)  # noqa: FBT003 - Qt's signals take no keywords
+        self._search.start()
+
+    def connect_device(self, device: Device) -> None:
+        """Leave the present device, if any, and open this one."""
+        self.disconnect_device()
+        self._connection.open(device)
+        self._timer.start()
+        self._refresh()
+
+    def disconnect_device(self) -> None:
+        """Close the device. The arm goes on with what it was told last."""
+        device = self._connection.device
+        if device is None:
+            return
+        self._forget_arm()
+        self._connection.close()
+        self._timer.stop()
+        self._state = ArmState()
+        self._notice("disconnected", device=device.name)
+        self.state_changed.emit(self._state)
+        self._refresh()
+
+    def shutdown(self) -> None:
+        """Close the device and end every thread; nothing is sent."""
+        if self._search is not None:
+            self._search.wait()
+        self.disconnect_device()
+
+    # The stop ---------------------------------------------------------------------------------
+
+    def emergency_stop(self) -> None:
+        """Stop the arm at once: past every other frame, whatever else is under way (0x150)."""
+        self._setpoint.clear()
+        self._request = None
+        if self._connection.device is None:
+            self._notice("stop_not_sent")
+            return
+        frames = commands.emergency_stop(self._connection.codec)
+        on_the_bus = self._stop.request(frames, self._clock())
+        self._notice("stop_sent" if on_the_bus else "stop_not_sent")
+        self._refresh()
+
+    def resume(self) -> Refusal | None:
+        """End the emergency stop: power is cut at once, the arm DROPS; then it must be enabled."""
+        if self._situation.stop is not StopState.STOPPED:
+            return self._refuse(Refusal("not_stopped"))
+        if self._situation.link is not LinkState.ONLINE:
+            return self._refuse(gate.why_no_command(self._situation.link, StopState.RUNNING, None))
+        self._notice("resume_sent")
+        self._start(
+            Busy.RESUMING,
+            commands.resume(self._connection.codec),
+            lambda state: state.status is not None and not is_stopped(state),
+            _RESUME_REPEAT_S,
+            _RESUME_ATTEMPTS,
+        )
+        return None
+
+    # Motors and speed -------------------------------------------------------------------------
+
+    def enable_motors(self) -> Refusal | None:
+        """Enable all six motors (0x471), again until the drivers say that all are on."""
+        return self._switch_motors(on=True)
+
+    def disable_motors(self) -> Refusal | None:
+        """Disable all six motors (0x471): the arm DROPS."""
+        return self._switch_motors(on=False)
+
+    def set_speed_percent(self, percent: float) -> Refusal | None:
+        """Set the speed of motions, 0–100 % of the arm's maximum (0x151 byte 2).
+
+        The arm is told at once, in the mode it is in; it keeps that mode.
+        """
+        if not 0 <= percent <= 100:
+            return self._refuse(Refusal("speed_out_of_range", {"value": percent}))
+        self._speed_percent = round(percent)
+        status = self._state.status
+        blocked = gate.why_no_command(self._situation.link, self._situation.stop, None)
+        if blocked is None and status is not None:
+            mode = status.value.control_mode
+            if mode in {ControlMode.STANDBY, ControlMode.CAN_CONTROL}:
+                frames = commands.set_mode(
+                    self._connection.codec,
+                    control_mode=ControlMode(mode),
+                    move_mode=_known_move_mode(status.value.move_mode),
+                    speed_percent=self._speed_percent,
+                )
+                self._connection.send(frames)
+                self._notice("sent_speed", percent=self._speed_percent)
+        self._refresh()
+        return None
+
+    # Motion -----------------------------------------------------------------------------------
+
+    def jog(self, joint: int, delta_deg: float) -> Refusal | None:
+        """Move one joint by a step at once; the other five stay where they are or were going."""
+        blocked = self._why_no_motion()
+        base_deg = self._setpoint.jog_base_deg(self._state, moving=self._situation.moving)
+        if blocked is not None or base_deg is None:
+            return self._refuse(blocked or Refusal("joints_unknown"))
+        target_deg = list(base_deg)
+        target_deg[joint - 1] = round(target_deg[joint - 1] + delta_deg, 3)
+        refusal = self._send_motion(target_deg)
+        if refusal is None:
+            self._notice("jogged", joint=joint, target=target_deg[joint - 1])
+        return refusal
+
+    def jog_lagging(self, joint: int, step_deg: float) -> bool:
+        """Whether the arm is so far behind that a held button should not step on."""
+        return self._setpoint.lagging(self._state, joint, step_deg)
+
+    def send_joints(self, angles_deg: Sequence[float]) -> Refusal | None:
+        """Move to six angles in degrees (MOVE J, 0x155–0x157 and 0x151)."""
+        refusal = self._why_no_motion()
+        if refusal is not None:
+            return self._refuse(refusal)
+        refusal = self._send_motion(angles_deg)
+        if refusal is None:
+            self._notice("sent_joints", **_numbered(angles_deg))
+        return refusal
+
+    def go_home(self) -> Refusal | None:
+        """Move to the factory zero angles."""
+        refusal = self._why_no_motion()
+        if refusal is not None:
+            return self._refuse(refusal)
+        refusal = self._send_motion(_HOME_DEG)
+        if refusal is None:
+            self._notice("went_home")
+        return refusal
+
+    # How commands are carried out ---------------------------------------------------------------
+
+    def _why_no_motion(self) -> Refusal | None:
+        self._refresh()
+        return self._situation.cannot_move
+
+    def _send_motion(self, angles_deg: Sequence[float]) -> Refusal | None:
+        refusal = check_joints(angles_deg, self._situation.limits)
+        if refusal is not None:
+            return self._refuse(refusal)
+        frames = commands.move_joints(
+            self._connection.codec, angles_deg, speed_percent=self._speed_percent
+        )
+        if not self._connection.send(frames):
+            return self._refuse(Refusal("link_lost"))
+        self._setpoint.set(angles_deg)
+        return None
+
+    def _switch_motors(self, *, on: bool) -> Refusal | None:
+        self._refresh()
+        if self._situation.cannot_enable is not None:
+            return self._refuse(self._situation.cannot_enable)
+        self._setpoint.clear()
+        command = commands.enable_motors if on else commands.disable_motors
+        self._notice("enable_sent" if on else "disable_sent")
+        self._start(
+            Busy.ENABLING if on else Busy.DISABLING,
+            command(self._connection.codec),
+            lambda state: all(enabled is on for enabled in state.enabled()),
+            _ENABLE_REPEAT_S,
+            _ENABLE_ATTEMPTS,
+        )
+        return None
+
+    def _start(
+        self,
+        busy: Busy,
+        frames: Sequence[Frame],
+        seen: Callable[[ArmState], bool],
+        repeat_s: float,
+        attempts: int,
+    ) -> None:
+        request = Request(frames, seen, self._connection.send, repeat_s, attempts)
+        self._request = (busy, request)
+        request.advance(self._state, self._clock())
+        self._refresh()
+
+    def _refuse(self, refusal: Refusal | None) -> Refusal:
+        refusal = refusal or Refusal("not_connected")
+        self._notice("refused", reason=refusal)
+        return refusal
+
+    def _notice(self, code: str, **params: object) -> None:
+        self.noticed.emit(Notice(datetime.now().astimezone(), CODES[code], code, params))
+
+    # What time and the arm bring ----------------------------------------------------------------
+
+    def _on_tick(self) -> None:
+        now_s = self._clock()
+        heard = self._connection.advance(now_s)
+        changed = heard is not self._state
+        self._state = heard
+        self._follow_online()
+        self._follow_stop(now_s)
+        self._follow_request(now_s)
+        self._follow_handshake()
+        self._refresh()
+        if changed:
+            self.state_changed.emit(heard)
+
+    def _follow_online(self) -> None:
+        online = self._connection.link is LinkState.ONLINE
+        if online is not self._was_online:
+            self._was_online = online
+            self._limits_told = False
+            if not online:
+                self._setpoint.clear()
+            if self._connection.link in {LinkState.ONLINE, LinkState.OFFLINE}:
+                self._notice("online" if online else "offline")
+
+    def _follow_stop(self, now_s: float) -> None:
+        if self._stop.advance(self._state, now_s):
+            self._notice("stop_confirmed")
+        unconfirmed = self._stop.unconfirmed(now_s)
+        if unconfirmed and not self._was_unconfirmed:
+            self._notice("stop_unconfirmed")
+        self._was_unconfirmed = unconfirmed
+        if is_stopped(self._state):
+            self._setpoint.clear()
+
+    def _follow_request(self, now_s: float) -> None:
+        if self._request is None:
+            return
+        busy, request = self._request
+        outcome = request.advance(self._state, now_s)
+        if outcome is Outcome.WAITING:
+            return
+        self._request = None
+        self._tell_outcome(busy, done=outcome is Outcome.DONE)
+
+    def _tell_outcome(self, busy: Busy, *, done: bool) -> None:
+        if busy is Busy.RESUMING:
+            self._notice("resumed" if done else "resume_failed")
+        elif done:
+            self._notice("enabled" if busy is Busy.ENABLING else "disabled")
+        else:
+            wanted = busy is Busy.ENABLING
+            left = [n for n, on in enumerate(self._state.enabled(), 1) if on is not wanted]
+            code = "enable_failed" if wanted else "disable_failed"
+            self._notice(code, joints=gate.joint_list(left))
+
+    def _follow_handshake(self) -> None:
+        handshake = self._connection.handshake
+        if handshake is None or handshake.phase is not Phase.DONE or self._limits_told:
+            return
+        self._limits_told = True
+        self._notice(
+            "generation",
+            generation=int(handshake.generation or 0),
+            firmware=self._state.firmware or "",
+        )
+        missing = missing_limits(self._state)
+        if missing:
+            self._notice("limits_missing", joints=gate.joint_list(missing))
+        else:
+            self._notice("limits_read")
+        for joint, limits in enumerate(self._state.limits, start=1):
+            if limits is not None and not plausible(limits.value):
+                self._notice("limits_corrupt", joint=joint)
+
+    def _on_connection(self, report: BusReport, code: str) -> None:
+        if code == "link_lost":
+            self._setpoint.clear()
+            self._request = None
+        elif code == "connect_failed":
+            self._timer.stop()
+            self._forget_arm()
+        self._notice(code, device=report.device.name, reason=report.problem)
+        self._refresh()
+
+    def _on_search_finished(self) -> None:
+        if self._search is not None:
+            self._search.deleteLater()
+            self._search = None
+        self.searching_changed.emit(False)  # noqa: FBT003 - see above
+
+    def _forget_arm(self) -> None:
+        self._stop.forget()
+        self._request = None
+        self._setpoint.clear()
+        self._was_online = False
+
+    def _refresh(self) -> None:
+        situation = self._assess(self._clock())
+        if situation != self._situation:
+            self._situation = situation
+            self.situation_changed.emit(situation)
+
+    def _assess(self, now_s: float) -> Situation:
+        busy = self._request[0] if self._request is not None else None
+        around = Circumstances(
+            link=self._connection.link,
+            device=self._connection.device,
+            link_problem=self._connection.problem,
+            stop=self._stop.state(self._state, resuming=busy is Busy.RESUMING),
+            stop_unconfirmed=self._stop.unconfirmed(now_s),
+            busy=busy,
+            speed_percent=self._speed_percent,
+            generation=self._connection.generation,
+        )
+        return assess(self._state, around, now_s)
+
+
+def _known_move_mode(code: int) -> MoveMode:
+    try:
+        return MoveMode(code)
+    except ValueError:
+        return MoveMode.MOVE_J
+
+
+def _numbered(angles_deg: Iterable[float]) -> dict[str, float]:
+    return {f"j{number}": angle for number, angle in enumerate(angles_deg, start=1)}

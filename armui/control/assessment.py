@@ -1,0 +1,77 @@
+"""From what was heard to what the operator can do: pure, computed anew at each tick."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from armui.arm.limits import FACTORY_LIMITS
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState, Six
+from armui.bus.adapters import Device
+from armui.control import gate
+from armui.control.handshake import plausible
+from armui.control.situation import Busy, LinkState, Situation, StopState
+from armui.protocol.database import Generation
+
+
+@dataclass(frozen=True, slots=True)
+class Circumstances:
+    """What the program knows beside the arm's own words; see :class:`Situation` for the fields."""
+
+    link: LinkState
+    device: Device | None
+    link_problem: Refusal | None
+    stop: StopState
+    stop_unconfirmed: bool
+    busy: Busy | None
+    speed_percent: int
+    generation: Generation | None
+
+
+def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
+    """What the operator can do at monotonic time ``now_s``."""
+    enabled = _fresh_enabled(state, now_s)
+    no_command = gate.why_no_command(around.link, around.stop, around.busy)
+    read = [
+        heard.value if heard is not None and plausible(heard.value) else None
+        for heard in state.limits
+    ]
+    r1, r2, r3, r4, r5, r6 = (limits is not None for limits in read)
+    return Situation(
+        link=around.link,
+        device=around.device,
+        link_problem=around.link_problem,
+        stop=around.stop,
+        stop_unconfirmed=around.stop_unconfirmed,
+        enabled=enabled,
+        busy=around.busy,
+        cannot_move=_first(
+            lambda: no_command,
+            lambda: gate.why_not_enabled(enabled),
+            lambda: gate.why_not_ready(state),
+            lambda: Refusal("speed_zero") if around.speed_percent == 0 else None,
+        ),
+        cannot_enable=no_command,
+        limits=tuple(
+            limits or factory for limits, factory in zip(read, FACTORY_LIMITS, strict=True)
+        ),
+        limits_read=(r1, r2, r3, r4, r5, r6),
+        speed_percent=around.speed_percent,
+        moving=around.link is LinkState.ONLINE
+        and state.status is not None
+        and not state.status.value.reached,
+        generation=around.generation,
+    )
+
+
+def _fresh_enabled(state: ArmState, now_s: float) -> Six[bool | None]:
+    a, b, c, d, e, f = (
+        driver.value.enabled if driver is not None and driver.fresh(now_s) else None
+        for driver in state.drivers_slow
+    )
+    return (a, b, c, d, e, f)
+
+
+def _first(*checks: Callable[[], Refusal | None]) -> Refusal | None:
+    return next((refusal for check in checks if (refusal := check()) is not None), None)

@@ -1,0 +1,126 @@
+"""One device at a time: the bus thread, whether an arm answers, and what it was asked first."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from PySide6.QtCore import QObject, Signal
+
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.bus.adapters import Device
+from armui.bus.link import BusReport, BusState
+from armui.bus.worker import BusWorker, Opener
+from armui.control.handshake import Handshake
+from armui.control.situation import LinkState
+from armui.protocol.codec import Codec
+from armui.protocol.database import Generation
+from armui.protocol.frame import Frame
+
+
+class Connection(QObject):
+    """The way to an arm.
+
+    Signals:
+        changed: A :class:`BusReport` and the code of the notice it is worth.
+        answered: A decoded message that answers a command.
+    """
+
+    changed = Signal(object, str)
+    answered = Signal(object)
+
+    def __init__(
+        self, opener: Opener, clock: Callable[[], float], parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._opener = opener
+        self._clock = clock
+        self._worker: BusWorker | None = None
+        self._bus_state = BusState.CLOSED
+        self._online = False
+        self.device: Device | None = None
+        self.problem: Refusal | None = None
+        self.handshake: Handshake | None = None
+        self.codec = Codec(Generation.TWO)
+
+    @property
+    def link(self) -> LinkState:
+        """How the program stands to its arm."""
+        if self._worker is None:
+            return LinkState.NO_DEVICE
+        if self._bus_state is BusState.OPENING:
+            return LinkState.OPENING
+        if self._bus_state is BusState.LOST:
+            return LinkState.LOST
+        return LinkState.ONLINE if self._online else LinkState.OFFLINE
+
+    @property
+    def generation(self) -> Generation | None:
+        """Which protocol the arm speaks, once it is known."""
+        return self.handshake.generation if self.handshake is not None else None
+
+    def open(self, device: Device) -> None:
+        """Open a device; nothing may be open."""
+        self.device = device
+        self.problem = None
+        self.codec = Codec(Generation.TWO)
+        self._bus_state = BusState.OPENING
+        self._worker = BusWorker(device, self._opener, self.codec, self)
+        self._worker.reported.connect(self._on_report)
+        self._worker.answered.connect(self.answered)
+        self._worker.start()
+
+    def close(self) -> None:
+        """Close the device and forget the arm."""
+        if self._worker is not None:
+            self._worker.reported.disconnect(self._on_report)
+            self._worker.close()
+            self._worker.deleteLater()
+        self._worker = None
+        self._bus_state = BusState.CLOSED
+        self._online = False
+        self.device = None
+        self.problem = None
+        self.handshake = None
+
+    def send(self, frames: Sequence[Frame]) -> bool:
+        """Queue frames in order; false if no device is open."""
+        return self._worker is not None and self._worker.send(frames)
+
+    def send_urgent(self, frames: Sequence[Frame]) -> bool:
+        """Send at once, past everything that waits."""
+        return self._worker is not None and self._worker.send_urgent(frames)
+
+    def advance(self, now_s: float) -> ArmState:
+        """Look at what was heard; called regularly while a device is open."""
+        if self._worker is None:
+            return ArmState()
+        state = self._worker.state
+        online = self._bus_state is BusState.OPEN and state.online(now_s)
+        if online and not self._online:
+            self.handshake = Handshake(self._worker, now_s)
+            self.codec = self.handshake.codec
+        self._online = online
+        if self.handshake is not None and online:
+            self.handshake.advance(state, now_s)
+            self.codec = self.handshake.codec
+        return state
+
+    def _on_report(self, report: BusReport) -> None:
+        before, self._bus_state = self._bus_state, report.state
+        if report.state is BusState.OPEN:
+            self.problem = None
+            self.changed.emit(report, "reconnected" if before is BusState.LOST else "connected")
+        elif report.state is BusState.LOST:
+            self.problem = report.problem
+            self._online = False
+            if before is not BusState.LOST:
+                self.changed.emit(report, "link_lost")
+        elif report.state is BusState.FAILED:
+            self._fail(report)
+
+    def _fail(self, report: BusReport) -> None:
+        problem, device = report.problem, report.device
+        self.close()
+        self.problem = problem
+        self.changed.emit(BusReport(BusState.FAILED, device, problem), "connect_failed")

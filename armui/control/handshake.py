@@ -1,0 +1,111 @@
+"""What the program asks an arm when it comes online: which generation it is, and its limits."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Sequence
+from typing import Final, Protocol
+
+from armui.arm.limits import JOINTS, JointLimits
+from armui.arm.state import ArmState
+from armui.protocol import commands
+from armui.protocol.codec import Codec
+from armui.protocol.database import Generation
+from armui.protocol.frame import Frame
+
+_VERSION_WAIT_S: Final = 0.5
+"""No version text within this time: generation 1 (see the table of the two generations)."""
+_ASK_AGAIN_S: Final = 0.2
+_LIMIT_ROUNDS: Final = 5
+
+
+class Wire(Protocol):
+    """What a handshake needs of the bus thread."""
+
+    def send(self, frames: Sequence[Frame]) -> bool:
+        """Queue frames."""
+
+    def use_codec(self, codec: Codec) -> None:
+        """Speak another generation from now on."""
+
+
+class Phase(enum.Enum):
+    """How far a handshake has come."""
+
+    GENERATION = enum.auto()
+    LIMITS = enum.auto()
+    DONE = enum.auto()
+
+
+class Handshake:
+    """Driven by :meth:`advance` from the first feedback on, until :attr:`phase` is ``DONE``.
+
+    Attributes:
+        generation: Which protocol the arm speaks, once known.
+        codec: What to speak now.
+    """
+
+    def __init__(self, wire: Wire, now_s: float) -> None:
+        self.phase = Phase.GENERATION
+        self.generation: Generation | None = None
+        self.codec = Codec(Generation.TWO)
+        self._wire = wire
+        self._started_s = now_s
+        self._next_s = now_s
+        self._rounds = 0
+        wire.use_codec(self.codec)
+
+    def advance(self, state: ArmState, now_s: float) -> None:
+        """Ask what is due, and take in what was heard."""
+        if self.phase is Phase.GENERATION:
+            self._find_generation(state, now_s)
+        elif self.phase is Phase.LIMITS:
+            self._read_limits(state, now_s)
+
+    def _find_generation(self, state: ArmState, now_s: float) -> None:
+        if state.firmware is not None:
+            self._settle(Generation.TWO, now_s)
+        elif now_s - self._started_s >= _VERSION_WAIT_S:
+            self.codec = Codec(Generation.ONE)
+            self._wire.use_codec(self.codec)
+            self._settle(Generation.ONE, now_s)
+        elif now_s >= self._next_s:
+            self._wire.send(commands.query_firmware(self.codec))
+            self._next_s = now_s + _ASK_AGAIN_S
+
+    def _settle(self, generation: Generation, now_s: float) -> None:
+        self.generation = generation
+        self.phase = Phase.LIMITS
+        self._next_s = now_s
+
+    def _read_limits(self, state: ArmState, now_s: float) -> None:
+        missing = missing_limits(state)
+        if not missing:
+            self.phase = Phase.DONE
+        elif now_s >= self._next_s:
+            if self._rounds == _LIMIT_ROUNDS:
+                self.phase = Phase.DONE
+                return
+            self._rounds += 1
+            self._next_s = now_s + _ASK_AGAIN_S
+            for joint in missing:
+                self._wire.send(commands.query_limits(self.codec, joint))
+                self._wire.send(commands.query_acceleration(self.codec, joint))
+
+
+def missing_limits(state: ArmState) -> list[int]:
+    """The joints whose limits have not been heard in full."""
+    return [
+        joint
+        for joint in JOINTS
+        if state.limits[joint - 1] is None or state.accelerations_deg_s2[joint - 1] is None
+    ]
+
+
+def plausible(limits: JointLimits) -> bool:
+    """Whether limits read from an arm can be true; a corrupted flash answers with 0xFFFF."""
+    return limits.min_deg < limits.max_deg and 0 < limits.max_speed_deg_s < _FASTEST_DEG_S
+
+
+_FASTEST_DEG_S: Final = 3600.0
+"""Far above any joint of this arm, far below 0xFFFF in either generation's unit."""

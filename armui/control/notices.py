@@ -1,0 +1,74 @@
+"""Every notice and refusal the program can give, with its figures.
+
+The user interface has a sentence for each; a test compares the two.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+from armui.control.situation import Level
+
+CODES: Final[Mapping[str, Level]] = {
+    "sent_joints": Level.INFO,  # j1 … j6
+    "jogged": Level.INFO,  # joint, target
+    "went_home": Level.INFO,
+    "sent_speed": Level.INFO,  # percent
+    "stop_sent": Level.WARNING,
+    "stop_not_sent": Level.FAULT,
+    "stop_confirmed": Level.WARNING,
+    "stop_unconfirmed": Level.FAULT,
+    "resume_sent": Level.INFO,
+    "resumed": Level.DONE,
+    "resume_failed": Level.FAULT,
+    "enable_sent": Level.INFO,
+    "enabled": Level.DONE,
+    "enable_failed": Level.FAULT,  # joints
+    "disable_sent": Level.INFO,
+    "disabled": Level.DONE,
+    "disable_failed": Level.FAULT,  # joints
+    "connected": Level.INFO,  # device
+    "connect_failed": Level.FAULT,  # device, reason
+    "disconnected": Level.INFO,  # device
+    "link_lost": Level.FAULT,  # device, reason
+    "reconnected": Level.DONE,  # device
+    "online": Level.DONE,
+    "offline": Level.WARNING,
+    "generation": Level.INFO,  # generation, firmware
+    "limits_read": Level.INFO,
+    "limits_missing": Level.WARNING,  # joints
+    "limits_corrupt": Level.WARNING,  # joint
+    "refused": Level.WARNING,  # reason
+}
+"""Notice code to its level."""
+
+REFUSALS: Final = frozenset(
+    {
+        "not_connected",
+        "offline",
+        "link_lost",
+        "stopped",
+        "stop_requested",
+        "not_stopped",
+        "busy",  # what
+        "not_enabled",  # joints
+        "enabled_unknown",
+        "speed_zero",
+        "speed_out_of_range",  # value
+        "joint_out_of_limits",  # joint, value, minimum, maximum
+        "joint_not_a_number",  # joint, value
+        "joints_unknown",
+        "other_control",  # mode
+        "arm_fault",  # status
+        "bus_gone",  # device, interface
+        "bus_busy",
+        "bus_down",
+        "bus_permission",
+        "bus_backend_missing",  # + package
+        "bus_driver_missing",
+        "bus_bad_argument",  # + text
+        "bus_failed",  # + text
+    }
+)
+"""Every reason against an action; bus reasons all name device and interface."""

@@ -1,0 +1,101 @@
+"""What the operator can do now, and why not: one frozen picture for every button."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from datetime import datetime
+
+from armui.arm.limits import FACTORY_LIMITS, JointLimits
+from armui.arm.refusal import Refusal
+from armui.arm.state import Six
+from armui.bus.adapters import Device
+from armui.protocol.database import Generation
+
+
+class LinkState(enum.Enum):
+    """How the program stands to its arm."""
+
+    NO_DEVICE = enum.auto()
+    """Nothing is connected."""
+    OPENING = enum.auto()
+    OFFLINE = enum.auto()
+    """A device is open, and no arm has been heard on it for half a second."""
+    ONLINE = enum.auto()
+    LOST = enum.auto()
+    """The device is gone; the program keeps trying to reopen it."""
+
+
+class StopState(enum.Enum):
+    """Where the emergency stop stands, by the arm's own word (0x2A1 byte 1)."""
+
+    RUNNING = enum.auto()
+    REQUESTED = enum.auto()
+    """Sent, not confirmed yet; it is repeated until it is."""
+    STOPPED = enum.auto()
+    RESUMING = enum.auto()
+
+
+class Busy(enum.Enum):
+    """What the program is waiting for the arm to do."""
+
+    ENABLING = "enabling"
+    DISABLING = "disabling"
+    RESUMING = "resuming"
+
+
+@dataclass(frozen=True, slots=True)
+class Situation:
+    """Everything a button needs to know.
+
+    Attributes:
+        link_problem: Why the device could not be opened or was lost.
+        stop_unconfirmed: A stop was asked for over half a second ago and the arm has not said so.
+        enabled: Each motor by the arm's word; ``None`` where it has not been heard of late.
+        cannot_move, cannot_enable: Why not, or ``None``: it may.
+        limits: Of each joint, as read from the arm where ``limits_read``, else the factory's.
+        speed_percent: What motions are sent with.
+        moving: The arm says that it has not reached its target.
+        generation: The protocol the arm speaks, once that is known.
+    """
+
+    link: LinkState = LinkState.NO_DEVICE
+    device: Device | None = None
+    link_problem: Refusal | None = None
+    stop: StopState = StopState.RUNNING
+    stop_unconfirmed: bool = False
+    enabled: Six[bool | None] = (None, None, None, None, None, None)
+    busy: Busy | None = None
+    cannot_move: Refusal | None = field(default_factory=lambda: Refusal("not_connected"))
+    cannot_enable: Refusal | None = field(default_factory=lambda: Refusal("not_connected"))
+    limits: tuple[JointLimits, ...] = FACTORY_LIMITS
+    limits_read: Six[bool] = (False, False, False, False, False, False)
+    speed_percent: int = 0
+    moving: bool = False
+    generation: Generation | None = None
+
+
+class Level(enum.Enum):
+    """How much a notice matters."""
+
+    INFO = enum.auto()
+    DONE = enum.auto()
+    WARNING = enum.auto()
+    FAULT = enum.auto()
+
+
+@dataclass(frozen=True, slots=True)
+class Notice:
+    """Something that happened, as data; the user interface has the sentence for it.
+
+    Attributes:
+        at: Local time.
+        code: One of :data:`armui.control.notices.CODES`.
+        params: The figures of the sentence.
+    """
+
+    at: datetime
+    level: Level
+    code: str
+    params: Mapping[str, object] = field(default_factory=dict)
