@@ -1,0 +1,82 @@
+"""Where the picture is taken from: a turntable camera, without any drawing library."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+VIEW_ANGLE_DEG = 30.0
+"""Vertical opening angle."""
+
+_DEG_PER_PIXEL = 0.4
+_ZOOM_PER_STEP = 0.88
+_NEAREST_M, _FARTHEST_M = 0.15, 8.0
+_STEEPEST_DEG = 89.0
+
+Vector = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class OrbitCamera:
+    """Looks at a point from a direction; Z stays up, so the arm never tips over on the screen.
+
+    Attributes:
+        focus_m: the point looked at, in the base frame.
+        distance_m: from there to the eye.
+        azimuth_deg: of the eye about Z, 0 at +X.
+        elevation_deg: of the eye above the floor.
+    """
+
+    focus_m: tuple[float, float, float]
+    distance_m: float
+    azimuth_deg: float = -52.0
+    elevation_deg: float = 20.0
+
+    def orbit(self, dx_px: float, dy_px: float) -> OrbitCamera:
+        """The camera after a drag that turns: right turns the scene right, down looks from above."""
+        elevation_deg = self.elevation_deg + dy_px * _DEG_PER_PIXEL
+        return replace(
+            self,
+            azimuth_deg=(self.azimuth_deg - dx_px * _DEG_PER_PIXEL) % 360.0,
+            elevation_deg=min(_STEEPEST_DEG, max(-_STEEPEST_DEG, elevation_deg)),
+        )
+
+    def pan(self, dx_px: float, dy_px: float, view_height_px: float) -> OrbitCamera:
+        """The camera after a drag that moves: what is under the pointer stays under it."""
+        visible_m = 2.0 * self.distance_m * math.tan(math.radians(VIEW_ANGLE_DEG / 2.0))
+        metres_per_px = visible_m / max(view_height_px, 1.0)
+        _, right, up = self._axes()
+        x, y, z = np.asarray(self.focus_m) + (-right * dx_px + up * dy_px) * metres_per_px
+        return replace(self, focus_m=(float(x), float(y), float(z)))
+
+    def zoom(self, steps: float) -> OrbitCamera:
+        """The camera nearer (steps above zero) or farther, within sensible distances."""
+        distance_m = self.distance_m * _ZOOM_PER_STEP**steps
+        return replace(self, distance_m=min(_FARTHEST_M, max(_NEAREST_M, distance_m)))
+
+    @property
+    def eye_m(self) -> tuple[float, float, float]:
+        """Position of the eye in the base frame."""
+        outward, _, _ = self._axes()
+        x, y, z = np.asarray(self.focus_m) + outward * self.distance_m
+        return float(x), float(y), float(z)
+
+    def _axes(self) -> tuple[Vector, Vector, Vector]:
+        """Unit vectors: from the focus to the eye, to the right and up on the screen."""
+        azimuth, elevation = math.radians(self.azimuth_deg), math.radians(self.elevation_deg)
+        outward = np.array(
+            [
+                math.cos(elevation) * math.cos(azimuth),
+                math.cos(elevation) * math.sin(azimuth),
+                math.sin(elevation),
+            ]
+        )
+        right = np.array([-math.sin(azimuth), math.cos(azimuth), 0.0])
+        return outward, right, np.cross(outward, right)
+
+
+HOME_CAMERA = OrbitCamera(focus_m=(0.06, 0.0, 0.22), distance_m=1.75)
+"""The first view: the arm at rest in the middle, room for it to rise."""

@@ -1,0 +1,121 @@
+"""Turns wishes into pictures: what the view should show, and the one who draws it when it has changed.
+
+No Qt, and VTK is imported with the first picture: that takes most of a second, and happens in the thread
+that draws.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from armui.viewport.camera import HOME_CAMERA, OrbitCamera
+from armui.viewport.errors import SceneError
+from armui.viewport.palette import LIGHT, ScenePalette
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from pathlib import Path
+
+    from armui.viewport.offscreen import Pixels
+    from armui.viewport.scene import Scene
+
+
+@dataclass(frozen=True)
+class PickRequest:
+    """A question which link is seen at a pixel; `serial` tells two questions at one place apart."""
+
+    serial: int
+    x_px: float
+    y_px: float
+
+
+@dataclass(frozen=True)
+class RobotChoice:
+    """The URDF file to show; `serial` makes the same file, repaired, load again."""
+
+    path: Path
+    serial: int = 0
+
+
+@dataclass(frozen=True)
+class ViewState:
+    """Everything the picture depends on.
+
+    Attributes:
+        robot: the description to show.
+        width_px: of the picture, in device pixels.
+        height_px: likewise.
+        pixel_ratio: device pixels a logical pixel.
+        camera: where it is seen from.
+        palette: colours.
+        angles_deg: six joint angles as on the bus; None: never heard.
+        gripper_mm: opening; None: never heard.
+        stale: the angles are no longer fresh.
+        highlighted_joint: 1–6 or None.
+        pick: a question to answer along the way.
+    """
+
+    robot: RobotChoice
+    width_px: int = 1
+    height_px: int = 1
+    pixel_ratio: float = 1.0
+    camera: OrbitCamera = HOME_CAMERA
+    palette: ScenePalette = LIGHT
+    angles_deg: tuple[float, ...] | None = None
+    gripper_mm: float | None = None
+    stale: bool = False
+    highlighted_joint: int | None = None
+    pick: PickRequest | None = None
+
+
+class FramePainter:
+    """Owns the scene; lives and dies in one thread.
+
+    Args:
+        on_load_failed: told in words why a robot can't be shown; the one before stays.
+        on_picked: told the joint number seen at a pick, or None.
+    """
+
+    def __init__(
+        self, on_load_failed: Callable[[str], None], on_picked: Callable[[int | None], None]
+    ) -> None:
+        self._on_load_failed = on_load_failed
+        self._on_picked = on_picked
+        self._scene: Scene | None = None
+        self._shown: ViewState | None = None
+
+    def paint(self, state: ViewState) -> Pixels | None:
+        """Draw a state; None when the picture is still the same.
+
+        Raises:
+            SceneError: this computer can't draw at all.
+        """
+        scene = self._scene or self._open()
+        before, self._shown = self._shown, state
+        if before is None or state.robot != before.robot:
+            self._load(scene, state)
+        scene.show(state)
+        if state.pick is not None and (before is None or state.pick != before.pick):
+            self._on_picked(scene.pick(state.pick.x_px, state.pick.y_px))
+        if before is not None and replace(state, pick=before.pick) == before:
+            return None
+        return scene.render()
+
+    def close(self) -> None:
+        """Give the scene back."""
+        if self._scene is not None:
+            self._scene.close()
+            self._scene = None
+
+    def _open(self) -> Scene:
+        from armui.viewport.scene import Scene  # noqa: PLC0415 - VTK: slow, and only this thread waits
+
+        self._scene = Scene()
+        return self._scene
+
+    def _load(self, scene: Scene, state: ViewState) -> None:
+        try:
+            scene.load(state.robot.path)
+        except SceneError as error:
+            self._on_load_failed(str(error))

@@ -1,0 +1,59 @@
+"""Colours of the 3D picture, one small set a theme."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class ScenePalette:
+    """Colours as "#rrggbb".
+
+    Attributes:
+        background: behind everything; floor lines fade into it, an arm not measured is mixed with it.
+        grid: floor lines.
+        text: figures over the picture.
+        muted: figures that are stale or not heard.
+        accent: the highlighted link, the focus frame.
+        axes: X, Y and Z.
+    """
+
+    background: str
+    grid: str
+    text: str
+    muted: str
+    accent: str
+    axes: tuple[str, str, str]
+
+
+LIGHT = ScenePalette(
+    background="#f4f6f8",
+    grid="#c3cad3",
+    text="#1f2733",
+    muted="#8a94a2",
+    accent="#2f6fde",
+    axes=("#d04848", "#3f9a4b", "#3b6fd4"),
+)
+
+DARK = ScenePalette(
+    background="#1d2127",
+    grid="#454d58",
+    text="#e6e9ee",
+    muted="#808a97",
+    accent="#5b93f5",
+    axes=("#e06c6c", "#62bd6e", "#6a96ee"),
+)
+
+
+def rgb(color: str) -> tuple[float, float, float]:
+    """Red, green, blue in 0–1 of "#rrggbb"."""
+    red, green, blue = (int(color[at : at + 2], 16) / 255.0 for at in (1, 3, 5))
+    return red, green, blue
+
+
+def mix(
+    first: tuple[float, float, float], second: tuple[float, float, float], share: float
+) -> tuple[float, float, float]:
+    """Colour between two; `share` 0 is the first, 1 the second."""
+    red, green, blue = (a + (b - a) * share for a, b in zip(first, second, strict=True))
+    return red, green, blue

@@ -1,0 +1,133 @@
+"""Draws the 3D picture beside the user interface.
+
+The thread that draws owns everything of OpenGL from first to last. It sleeps until something has changed,
+and starts no new picture before the last one was used. VTK releases Python's global lock while it draws, so
+the user interface keeps running. On macOS windows belong to the main thread, drawing too: there the same
+class draws between two events instead.
+"""
+
+from __future__ import annotations
+
+import logging
+import sys
+import threading
+
+from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtGui import QImage
+
+from armui.viewport.errors import SceneError
+from armui.viewport.frame_painter import FramePainter, ViewState
+from armui.viewport.mailbox import Mailbox
+
+_LOG = logging.getLogger(__name__)
+_JOIN_LIMIT_S = 10.0
+
+
+class RenderThread(QObject):
+    """Makes pictures of the states it is shown, the latest one first.
+
+    Signals:
+        frame_ready: a finished picture, with a copy of its own memory.
+        joint_picked: the joint number (1–6) or None at a picked place.
+        load_failed: why a robot can't be shown; the one before stays.
+        failed: why nothing can be drawn at all; no pictures follow.
+
+    Args:
+        threaded: False draws in the calling thread, between two events; by default so on macOS only.
+    """
+
+    frame_ready = Signal(QImage)
+    joint_picked = Signal(object)
+    load_failed = Signal(str)
+    failed = Signal(str)
+
+    def __init__(
+        self, *, threaded: bool = sys.platform != "darwin", parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._mailbox: Mailbox[ViewState] = Mailbox()
+        self._threaded = threaded
+        self._thread: threading.Thread | None = None
+        self._inline_painter: FramePainter | None = None
+        self._inline_timer = QTimer(self)
+        self._inline_timer.setSingleShot(True)
+        self._inline_timer.timeout.connect(self._draw_inline)
+
+    @property
+    def is_running(self) -> bool:
+        """Whether `start` was called and `stop` was not."""
+        return self._thread is not None or self._inline_painter is not None
+
+    def start(self) -> None:
+        """Begin to draw; call once."""
+        if self._threaded:
+            # A daemon: a graphics driver that hangs must not keep the program from ending.
+            self._thread = threading.Thread(target=self._run, name="armui-viewport", daemon=True)
+            self._thread.start()
+        else:
+            self._inline_painter = self._new_painter()
+            self._inline_timer.start()
+
+    def show(self, state: ViewState) -> None:
+        """Ask for a picture; replaces a state that was not drawn yet."""
+        self._mailbox.put(state)
+        if self._inline_painter is not None:
+            self._inline_timer.start()
+
+    def frame_taken(self) -> None:
+        """The last picture is on the screen: the next one may be drawn."""
+        if self._mailbox.acknowledge() and self._inline_painter is not None:
+            self._inline_timer.start()
+
+    def stop(self) -> None:
+        """End drawing and wait until the thread has given everything back; may be called twice."""
+        self._mailbox.close()
+        self._inline_timer.stop()
+        if self._inline_painter is not None:
+            self._inline_painter.close()
+            self._inline_painter = None
+        if self._thread is not None:
+            self._thread.join(_JOIN_LIMIT_S)
+            if self._thread.is_alive():
+                _LOG.error(
+                    "The 3D view did not end within %.0f s: the graphics driver hangs.",
+                    _JOIN_LIMIT_S,
+                )
+            self._thread = None
+
+    def _new_painter(self) -> FramePainter:
+        return FramePainter(self.load_failed.emit, self.joint_picked.emit)
+
+    def _run(self) -> None:
+        painter = self._new_painter()
+        try:
+            while (state := self._mailbox.take()) is not None and self._draw(painter, state):
+                pass
+        finally:
+            painter.close()
+
+    def _draw_inline(self) -> None:
+        state = self._mailbox.take_at_once()
+        if self._inline_painter is not None and state is not None:
+            self._draw(self._inline_painter, state)
+
+    def _draw(self, painter: FramePainter, state: ViewState) -> bool:
+        """Draw and hand over one picture; False when drawing can't go on."""
+        try:
+            pixels = painter.paint(state)
+        except SceneError as error:
+            self.failed.emit(str(error))
+            return False
+        except Exception as error:
+            # The last line of defence: a picture that fails must not take the arm's controls with it.
+            _LOG.exception("The 3D view stopped")
+            self.failed.emit(f"{type(error).__name__}: {error}")
+            return False
+        if pixels is not None:
+            height, width, depth = pixels.shape
+            view = QImage(pixels.data, width, height, width * depth, QImage.Format.Format_RGBX8888)
+            image = view.copy()
+            image.setDevicePixelRatio(state.pixel_ratio)
+            self._mailbox.result_sent()
+            self.frame_ready.emit(image)
+        return True

@@ -1,0 +1,155 @@
+"""The 3D picture of one arm, drawn off screen. No Qt here.
+
+A scene belongs to the thread that made it: OpenGL contexts don't travel.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pyvista as pv
+from vtkmodules.vtkRenderingCore import vtkCellPicker
+
+from armui.viewport.camera import HOME_CAMERA, VIEW_ANGLE_DEG, OrbitCamera
+from armui.viewport.errors import SceneError
+from armui.viewport.offscreen import Canvas, Pixels
+from armui.viewport.palette import LIGHT, ScenePalette
+from armui.viewport.robot_actors import RobotActors
+from armui.viewport.stage import Stage
+from armui.viewport.urdf_file import load_robot
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from pathlib import Path
+
+    from armui.viewport.frame_painter import ViewState
+
+_ZERO_DEG = (0.0,) * 6
+
+
+class Scene:
+    """Floor, axes, lights and a robot, seen by a camera.
+
+    Attributes:
+        camera: where the picture is taken from; assign the result of its `orbit`, `pan` or `zoom`.
+        frames_drawn: pictures made so far.
+
+    Raises:
+        SceneError: this computer can't draw.
+    """
+
+    def __init__(
+        self,
+        width_px: int = 900,
+        height_px: int = 700,
+        pixel_ratio: float = 1.0,
+        palette: ScenePalette = LIGHT,
+    ) -> None:
+        self._canvas = Canvas(width_px, height_px)
+        self._stage = Stage(self._canvas.renderer)
+        self._robot: RobotActors | None = None
+        self._palette = palette
+        self._is_fresh = False
+        self._highlighted_joint: int | None = None
+        self._pose: tuple[Sequence[float], float] = (_ZERO_DEG, 0.0)
+        self._picker = vtkCellPicker()
+        self._picker.SetTolerance(0.0)
+        self.camera = HOME_CAMERA
+        self.frames_drawn = 0
+        self._canvas.renderer.UseFXAAOn()
+        self._stage.scale_lines(pixel_ratio)
+        self._stage.paint(palette)
+
+    def load(self, path: Path) -> None:
+        """Show the robot of a URDF file instead of the one before, in the same pose.
+
+        Raises:
+            SceneError: the file is no arm this program can show; the old robot stays.
+        """
+        robot = RobotActors(load_robot(path))
+        renderer = self._canvas.renderer
+        if self._robot is not None:
+            for actor in self._robot.actors:
+                renderer.RemoveActor(actor)
+        for actor in robot.actors:
+            renderer.AddActor(actor)
+        self._robot = robot
+        robot.pose(*self._pose)
+        self._paint_robot()
+
+    def show(self, state: ViewState) -> None:
+        """Take over everything of a state but its robot and its question; cheap where nothing changed."""
+        self.camera = state.camera
+        if state.palette != self._palette:
+            self.set_palette(state.palette)
+        if state.highlighted_joint != self._highlighted_joint:
+            self.highlight_joint(state.highlighted_joint)
+        self.set_joints(state.angles_deg, state.gripper_mm, stale=state.stale)
+        self.resize(state.width_px, state.height_px, state.pixel_ratio)
+
+    def set_joints(
+        self, angles_deg: Sequence[float] | None, gripper_mm: float | None, *, stale: bool = False
+    ) -> None:
+        """Move the robot.
+
+        Args:
+            angles_deg: six joint angles as on the bus; None: not measured, the robot is shown at zero
+                and faded.
+            gripper_mm: distance between the fingers; None: not measured, shown closed.
+            stale: the angles are no longer fresh: the robot is faded.
+        """
+        self._pose = (_ZERO_DEG if angles_deg is None else angles_deg, gripper_mm or 0.0)
+        if self._robot is not None:
+            self._robot.pose(*self._pose)
+        is_fresh = angles_deg is not None and not stale
+        if self._is_fresh != is_fresh:
+            self._is_fresh = is_fresh
+            self._paint_robot()
+
+    def set_palette(self, palette: ScenePalette) -> None:
+        """Take the colours of another theme."""
+        self._palette = palette
+        self._stage.paint(palette)
+        self._paint_robot()
+
+    def highlight_joint(self, number: int | None) -> None:
+        """Give the links moved by joint 1–6 the accent colour; None takes it away."""
+        self._highlighted_joint = number
+        self._paint_robot()
+
+    def resize(self, width_px: int, height_px: int, pixel_ratio: float) -> None:
+        """Change the size of the picture, in device pixels."""
+        self._canvas.resize(width_px, height_px)
+        self._stage.scale_lines(pixel_ratio)
+
+    def render(self) -> Pixels:
+        """Draw: height × width × 4 bytes (red, green, blue, unused), top row first, the caller's own."""
+        self._aim()
+        self.frames_drawn += 1
+        return self._canvas.draw()
+
+    def pick(self, x_px: float, y_px: float) -> int | None:
+        """Number (1–6) of the joint whose link is seen at a pixel (from the top left), else None."""
+        self._aim()
+        hit = self._picker.Pick(x_px, self._canvas.height_px - 1 - y_px, 0.0, self._canvas.renderer)
+        if not hit or self._robot is None:
+            return None
+        return self._robot.joint_of(self._picker.GetActor())
+
+    def close(self) -> None:
+        """Give the graphics memory back; call it in the thread that made the scene."""
+        self._canvas.close()
+
+    def _aim(self) -> None:
+        camera = self._canvas.renderer.GetActiveCamera()
+        camera.SetViewAngle(VIEW_ANGLE_DEG)
+        camera.SetFocalPoint(self.camera.focus_m)
+        camera.SetPosition(self.camera.eye_m)
+        camera.SetViewUp(0.0, 0.0, 1.0)
+        self._canvas.renderer.ResetCameraClippingRange()
+
+    def _paint_robot(self) -> None:
+        if self._robot is not None:
+            self._robot.paint(
+                self._palette, fresh=self._is_fresh, highlighted_joint=self._highlighted_joint
+            )

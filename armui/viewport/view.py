@@ -1,0 +1,344 @@
+"""The widget that shows the arm and moves the camera."""
+
+from __future__ import annotations
+
+import math
+import sys
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QCoreApplication, QPointF, QRectF, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QColor, QImage, QPainter, QPen
+from PySide6.QtWidgets import QApplication, QWidget
+
+from armui.paths import URDF
+from armui.viewport.camera import HOME_CAMERA
+from armui.viewport.frame_painter import PickRequest, RobotChoice, ViewState
+from armui.viewport.hud import HudValues, paint_hud
+from armui.viewport.palette import LIGHT, ScenePalette
+from armui.viewport.render_thread import RenderThread
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+    from pathlib import Path
+
+    from PySide6.QtGui import (
+        QCloseEvent,
+        QFocusEvent,
+        QHideEvent,
+        QKeyEvent,
+        QMouseEvent,
+        QPaintEvent,
+        QResizeEvent,
+        QShowEvent,
+        QWheelEvent,
+    )
+
+    from armui.viewport.camera import OrbitCamera
+
+_KEY_TURN_PX = 20.0
+_WHEEL_STEP = 120.0
+
+
+class ArmView(QWidget):
+    """The arm in 3D with the measured figures over it.
+
+    Left drag turns, middle drag or shift with left drag moves, the wheel zooms, a double click on a link
+    picks its joint. With the focus: arrow keys turn, + and − zoom, Home resets. Nothing is drawn while the
+    widget can't be seen.
+
+    Signals:
+        joint_picked: a link was double-clicked; its joint number, 1–6.
+        load_failed: why a robot description can't be shown, with the remedy; the old one stays.
+        first_frame_shown: the arm is on the screen for the first time.
+
+    Args:
+        robot: URDF file to begin with; the project's own arm by default.
+        palette: colours to begin with.
+        threaded: see `RenderThread`.
+    """
+
+    joint_picked = Signal(int)
+    load_failed = Signal(str)
+    first_frame_shown = Signal()
+
+    def __init__(
+        self,
+        robot: Path | None = None,
+        *,
+        palette: ScenePalette = LIGHT,
+        threaded: bool = sys.platform != "darwin",
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._state = ViewState(RobotChoice(robot or URDF / "piper.urdf"), palette=palette)
+        self._hud = HudValues()
+        self._image: QImage | None = None
+        self._failure = ""
+        self._drag_from: QPointF | None = None
+        self._pick_serial = 0
+        self._is_shut_down = False
+        self._renderer = RenderThread(threaded=threaded, parent=self)
+        self._renderer.frame_ready.connect(self._on_frame_ready)
+        self._renderer.joint_picked.connect(self._on_joint_picked)
+        self._renderer.load_failed.connect(self.load_failed)
+        self._renderer.failed.connect(self._on_failed)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self.setMinimumSize(240, 200)
+        application = QCoreApplication.instance()
+        if application is not None:
+            # A child gets no close event when its window closes.
+            application.aboutToQuit.connect(self.shutdown)
+
+    def sizeHint(self) -> QSize:
+        """Room for the arm and the figures."""
+        return QSize(720, 640)
+
+    @property
+    def camera(self) -> OrbitCamera:
+        """Where the arm is seen from."""
+        return self._state.camera
+
+    @property
+    def highlighted_joint(self) -> int | None:
+        """Number of the joint whose links carry the accent colour."""
+        return self._state.highlighted_joint
+
+    def set_joints(
+        self, angles_deg: Sequence[float] | None, gripper_mm: float | None, stale: bool = False
+    ) -> None:
+        """Show measured joint angles.
+
+        Args:
+            angles_deg: six angles as on the bus; None: never heard, the arm is shown at zero and faded.
+            gripper_mm: opening; None: never heard, shown closed.
+            stale: the values are no longer fresh: the figures turn muted, the arm fades.
+        """
+        angles = None if angles_deg is None else tuple(angles_deg)
+        self._set_hud(replace(self._hud, angles_deg=angles, angles_stale=stale))
+        self._show(replace(self._state, angles_deg=angles, gripper_mm=gripper_mm, stale=stale))
+
+    def set_pose(self, pose: Sequence[float] | None, stale: bool = False) -> None:
+        """Show the measured end pose: X, Y, Z in mm, RX, RY, RZ in degrees; None: never heard."""
+        self._set_hud(
+            replace(self._hud, pose=None if pose is None else tuple(pose), pose_stale=stale)
+        )
+
+    def set_theme(self, palette: ScenePalette) -> None:
+        """Take the colours of another theme."""
+        self._show(replace(self._state, palette=palette))
+        self.update()
+
+    def set_robot(self, path: Path) -> None:
+        """Show another robot description; `load_failed` tells if that can't be done."""
+        self._show(replace(self._state, robot=RobotChoice(path, self._state.robot.serial + 1)))
+
+    def highlight_joint(self, number: int | None) -> None:
+        """Give the links moved by joint 1–6 the accent colour; None takes it away."""
+        self._show(replace(self._state, highlighted_joint=number))
+
+    def reset_view(self) -> None:
+        """The first view again."""
+        self._show(replace(self._state, camera=HOME_CAMERA))
+
+    def shutdown(self) -> None:
+        """End drawing for good and wait for it; may be called twice."""
+        self._is_shut_down = True
+        self._renderer.stop()
+
+    def _show(self, state: ViewState) -> None:
+        self._state = state
+        if self._renderer.is_running and self.isVisible() and not self._is_shut_down:
+            self._renderer.show(state)
+
+    def _set_hud(self, values: HudValues) -> None:
+        if values != self._hud:
+            self._hud = values
+            self.update()
+
+    def _fit(self) -> None:
+        """Ask for a picture as large as the widget, in device pixels."""
+        ratio = self.devicePixelRatioF()
+        self._show(
+            replace(
+                self._state,
+                width_px=max(1, round(self.width() * ratio)),
+                height_px=max(1, round(self.height() * ratio)),
+                pixel_ratio=ratio,
+            )
+        )
+
+    def _start(self) -> None:
+        if self.isVisible() and not self._is_shut_down and not self._renderer.is_running:
+            self._renderer.start()
+            self._fit()
+
+    def _on_frame_ready(self, image: QImage) -> None:
+        is_first = self._image is None
+        self._image = image
+        self.update()
+        if is_first:
+            self.first_frame_shown.emit()
+
+    def _on_joint_picked(self, number: int | None) -> None:
+        self.highlight_joint(number)
+        if number is not None:
+            self.joint_picked.emit(number)
+
+    def _on_failed(self, reason: str) -> None:
+        self._failure = reason
+        self.update()
+
+    # Qt's events
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Begin to draw, but only after the window itself is on the screen."""
+        super().showEvent(event)
+        self._fit()
+        QTimer.singleShot(0, self, self._start)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Forget a drag that was under way."""
+        super().hideEvent(event)
+        self._drag_from = None
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """End drawing: as a window of its own the view is closed for good."""
+        self.shutdown()
+        super().closeEvent(event)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Ask for a picture of the new size."""
+        super().resizeEvent(event)
+        self._fit()
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Show the last picture, the figures and, if need be, why there is no picture."""
+        palette = self._state.palette
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.fillRect(self.rect(), QColor(palette.background))
+        if self._failure:
+            self._paint_notice(
+                painter, self.tr("The 3D view is not available.") + "\n" + self._failure
+            )
+        elif self._image is None:
+            self._paint_notice(painter, self.tr("Loading the 3D model …"))
+        else:
+            # Until the picture of a new size is there, the old one stays in the middle.
+            size = self._image.deviceIndependentSize()
+            corner = QPointF(
+                (self.width() - size.width()) / 2.0, (self.height() - size.height()) / 2.0
+            )
+            painter.drawImage(corner, self._image)
+        paint_hud(painter, self._hud, palette, self.font())
+        if self.hasFocus():
+            painter.setPen(QPen(QColor(palette.accent), 1.0))
+            painter.drawRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5))
+        painter.end()
+        # Only a picture that was shown makes room for the next: a covered window draws nothing.
+        self._renderer.frame_taken()
+        if not math.isclose(self._state.pixel_ratio, self.devicePixelRatioF()):
+            self._fit()
+
+    def _paint_notice(self, painter: QPainter, text: str) -> None:
+        painter.setPen(QColor(self._state.palette.muted))
+        margin = 24
+        painter.drawText(
+            self.rect().adjusted(margin, margin, -margin, -margin),
+            Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap,
+            text,
+        )
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        """Show the focus."""
+        super().focusInEvent(event)
+        self.update()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        """Show that the focus is gone."""
+        super().focusOutEvent(event)
+        self.update()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """A drag begins."""
+        if event.button() in {Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton}:
+            self._drag_from = event.position()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Turn, or with the middle button or shift move."""
+        if self._drag_from is None:
+            return
+        delta = event.position() - self._drag_from
+        self._drag_from = event.position()
+        shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+        if shift or event.buttons() & Qt.MouseButton.MiddleButton:
+            camera = self._state.camera.pan(delta.x(), delta.y(), float(self.height()))
+        else:
+            camera = self._state.camera.orbit(delta.x(), delta.y())
+        self._show(replace(self._state, camera=camera))
+
+    def mouseReleaseEvent(self, _event: QMouseEvent) -> None:
+        """The drag is over."""
+        self._drag_from = None
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """Ask which link is there."""
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._pick_serial += 1
+            ratio = self._state.pixel_ratio
+            place = event.position() * ratio
+            self._show(
+                replace(self._state, pick=PickRequest(self._pick_serial, place.x(), place.y()))
+            )
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Zoom."""
+        steps = event.angleDelta().y() / _WHEEL_STEP
+        self._show(replace(self._state, camera=self._state.camera.zoom(steps)))
+        event.accept()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Arrow keys turn, + and − zoom, Home resets."""
+        camera = self._state.camera
+        moves: dict[int, Callable[[], OrbitCamera]] = {
+            Qt.Key.Key_Left: lambda: camera.orbit(-_KEY_TURN_PX, 0.0),
+            Qt.Key.Key_Right: lambda: camera.orbit(_KEY_TURN_PX, 0.0),
+            Qt.Key.Key_Up: lambda: camera.orbit(0.0, -_KEY_TURN_PX),
+            Qt.Key.Key_Down: lambda: camera.orbit(0.0, _KEY_TURN_PX),
+            Qt.Key.Key_Plus: lambda: camera.zoom(1.0),
+            Qt.Key.Key_Equal: lambda: camera.zoom(1.0),
+            Qt.Key.Key_Minus: lambda: camera.zoom(-1.0),
+            Qt.Key.Key_Home: lambda: HOME_CAMERA,
+        }
+        move = moves.get(event.key())
+        if move is None:
+            super().keyPressEvent(event)
+        else:
+            self._show(replace(self._state, camera=move()))
+
+
+def _demo() -> None:
+    """Show the view alone, with an arm that moves."""
+    application = QApplication(sys.argv)
+    view = ArmView()
+    timer = QTimer(view, interval=16)
+    seconds = 0.0
+
+    def move() -> None:
+        nonlocal seconds
+        seconds += 0.016
+        wave = math.sin(seconds)
+        view.set_joints(
+            (60.0 * wave, 70.0 + 30.0 * wave, -70.0, 30.0 * wave, 40.0, 0.0), 35.0 + 35.0 * wave
+        )
+
+    timer.timeout.connect(move)
+    timer.start()
+    view.show()
+    application.exec()
+
+
+if __name__ == "__main__":
+    _demo()
