@@ -102,9 +102,10 @@ class Outbox:
                 self._drop_old()
                 if not self._waiting:
                     return
-                if not _sent(self._bus, self._waiting[0][1]):
+                waited = self._waiting.popleft()
+                if not _sent(self._bus, waited[1]):
+                    self._put_back(waited)
                     return
-                self._waiting.popleft()
 
     def _send_urgent(self, bus: can.BusABC) -> bool:
         while self._urgent:
@@ -116,6 +117,11 @@ class Outbox:
                 return False
             self._urgent.popleft()
         return True
+
+    def _put_back(self, waited: tuple[float, Frame]) -> None:
+        # A stop that could not get the lock has emptied the lane meanwhile: stay out of it then.
+        if not self._urgent:
+            self._waiting.appendleft(waited)
 
     def _drop_waiting(self) -> None:
         while self._waiting:

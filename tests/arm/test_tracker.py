@@ -1,0 +1,133 @@
+"""Literal frames in, a picture of the arm out."""
+
+import pytest
+
+from armui.arm.state import FRESH_FOR_S
+from armui.arm.tracker import Tracker
+from armui.protocol.codec import Codec
+from armui.protocol.database import Generation
+from armui.protocol.frame import Frame
+
+
+class Listener:
+    """A tracker that is fed with bytes."""
+
+    def __init__(self, generation):
+        self.codec = Codec(generation)
+        self.tracker = Tracker(self.codec)
+
+    def hear(self, arbitration_id, payload, at_s=1.0):
+        self.tracker.fold(self.codec.decode(Frame(arbitration_id, bytes.fromhex(payload))), at_s)
+        return self.tracker.picture()
+
+
+@pytest.fixture(params=[Generation.ONE, Generation.TWO], ids=["gen1", "gen2"])
+def listener(request):
+    return Listener(request.param)
+
+
+def test_nothing_heard_is_nothing_known(listener):
+    picture = listener.tracker.picture()
+    assert picture.status is None
+    assert picture.angles_deg() is None
+    assert picture.end_pose() is None
+    assert picture.enabled() == (None,) * 6
+    assert not picture.online(now_s=0.0)
+
+
+def test_joint_angles_are_complete_only_when_all_three_frames_were_heard(listener):
+    # 0x00002EE0 = 12000 -> 12 deg; 0xFFFFD120 = -12000 -> -12 deg
+    listener.hear(0x2A5, "00002EE0 FFFFD120")
+    assert listener.hear(0x2A6, "00000001 00000000").angles_deg() is None
+    picture = listener.hear(0x2A7, "00000000 FFFFFFFF", at_s=3.0)
+    assert picture.angles_deg() == (12.0, -12.0, 0.001, 0.0, 0.0, -0.001)
+    assert [heard.at_s for heard in picture.joints_deg] == [1, 1, 1, 1, 3, 3]
+
+
+def test_the_end_pose_comes_in_three_frames(listener):
+    listener.hear(0x2A2, "0000DB40 00000000")  # 56128 -> 56.128 mm
+    listener.hear(0x2A3, "00034112 00000000")  # 213266 -> 213.266 mm
+    picture = listener.hear(0x2A4, "00014C08 00000000")  # 85000 -> 85 deg
+    assert picture.end_pose() == (56.128, 0, 213.266, 0, 85, 0)
+
+
+def test_a_driver_reports_its_motor_enabled(listener):
+    # 24.0 V, 31 degC, 29 degC, bit 6 enabled
+    picture = listener.hear(0x263, "00F0 001F 1D 40 0000")
+    assert picture.enabled() == (None, None, True, None, None, None)
+    driver = picture.drivers_slow[2].value
+    assert (driver.voltage_v, driver.driver_temperature_c, driver.motor_temperature_c) == (
+        24,
+        31,
+        29,
+    )
+
+
+def test_byte_5_of_the_status_is_the_speed_in_generation_1():
+    status = Listener(Generation.ONE).hear(0x2A1, "01 00 01 00 01 1E 00 02").status.value
+    assert (status.control_mode, status.arm_status, status.move_mode) == (1, 0, 1)
+    assert not status.reached
+    assert (status.speed_percent, status.trajectory_point) == (30, None)
+    assert status.communication_fault == (False, True, False, False, False, False)
+
+
+def test_byte_5_of_the_status_is_a_trajectory_point_in_generation_2():
+    status = Listener(Generation.TWO).hear(0x2A1, "01 04 01 00 00 1E 21 00").status.value
+    assert (status.speed_percent, status.trajectory_point) == (None, 30)
+    assert status.reached
+    assert status.limit_exceeded == (True, False, False, False, False, True)
+
+
+@pytest.mark.parametrize(
+    ("generation", "payload", "max_speed_deg_s"),
+    [
+        # joint 2: max 180.0, min 0.0; 28 rpm = 168 deg/s
+        (Generation.ONE, "02 0708 0000 001C 00", 168.0),
+        # 300 * 0.01 rad/s = 3 rad/s
+        (Generation.TWO, "02 0708 0000 012C 00", 171.887338539),
+    ],
+)
+def test_limits_are_degrees_whatever_is_on_the_wire(generation, payload, max_speed_deg_s):
+    limits = Listener(generation).hear(0x473, payload).limits[1].value
+    assert (limits.min_deg, limits.max_deg) == (0, 180)
+    assert limits.max_speed_deg_s == pytest.approx(max_speed_deg_s)
+
+
+def test_the_version_text_is_joined_from_several_frames():
+    listener = Listener(Generation.TWO)
+    assert listener.hear(0x4AF, "48 2D 56 31 0A 53 2D 56").firmware is None  # "H-V1\nS-V"
+    assert listener.hear(0x4AF, "31 2E 38 2D 35 0A 00 00").firmware == "S-V1.8-5"  # "1.8-5\n"
+
+
+def test_what_is_not_understood_is_counted_and_changes_nothing_else(listener):
+    before = listener.hear(0x2A5, "00002EE0 00000000")
+    listener.hear(0x2A5, "00 01")
+    listener.hear(0x7FF, "00")
+    picture = listener.hear(0x2A5, "", at_s=9.0)
+    assert picture.oddities == {"WRONG_LENGTH": 2, "UNKNOWN_ID": 1}
+    assert picture.joints_deg == before.joints_deg
+    assert picture.last_feedback_s == 1.0
+    assert picture.frames == 4
+
+
+def test_a_code_outside_the_table_is_counted_and_still_shown(listener):
+    picture = listener.hear(0x2A1, "01 2F 01 00 00 00 00 00")
+    assert picture.oddities == {"VALUE_OUTSIDE_TABLE": 1}
+    assert picture.status.value.arm_status == 0x2F
+
+
+def test_a_picture_stays_the_same_object_until_something_is_heard(listener):
+    first = listener.hear(0x2A5, "00002EE0 00000000")
+    assert listener.tracker.picture() is first
+    assert listener.hear(0x2A5, "00002EE0 00000000").sequence > first.sequence
+
+
+def test_an_arm_is_online_for_half_a_second_after_its_last_frame(listener):
+    picture = listener.hear(0x2A5, "00002EE0 00000000", at_s=10.0)
+    assert picture.online(10.0 + FRESH_FOR_S)
+    assert not picture.online(10.0 + FRESH_FOR_S + 0.001)
+
+
+def test_the_programs_own_commands_do_not_make_an_arm_online(listener):
+    # another host's joint target on the bus
+    assert not listener.hear(0x155, "00002EE0 00000000").online(1.0)

@@ -1,0 +1,87 @@
+import errno
+
+import can
+import pytest
+
+from armui.bus import adapters
+from armui.bus.adapters import Device, explain, find_devices, open_bus
+
+CAN0 = Device("socketcan", "can0", None)
+
+
+@pytest.mark.parametrize(
+    ("error", "code"),
+    [
+        (OSError(errno.ENODEV, "No such device"), "bus_gone"),
+        (OSError(errno.ENOENT, "No such file or directory"), "bus_gone"),
+        (OSError(errno.EBUSY, "Device or resource busy"), "bus_busy"),
+        (OSError(errno.ENETDOWN, "Network is down"), "bus_down"),
+        (OSError(errno.EACCES, "Permission denied"), "bus_permission"),
+        (OSError(errno.EPERM, "Operation not permitted"), "bus_permission"),
+        (OSError(errno.EAFNOSUPPORT, "Address family not supported"), "bus_driver_missing"),
+        (can.CanOperationError("x", error_code=errno.ENETDOWN), "bus_down"),
+        (can.CanInitializationError("could not open port: Access is denied."), "bus_permission"),
+        (can.CanInitializationError("The PCAN channel is already in use"), "bus_busy"),
+        (OSError("pcanbasic library not found."), "bus_driver_missing"),
+        (can.CanInterfaceNotImplementedError("no such interface"), "bus_backend_missing"),
+        (ModuleNotFoundError("No module named 'usb'"), "bus_backend_missing"),
+        (ValueError("bitrate must be one of …"), "bus_bad_argument"),
+        (RuntimeError("something else"), "bus_failed"),
+        (RuntimeError(), "bus_failed"),
+    ],
+)
+def test_what_goes_wrong_with_a_device_is_told_apart(error, code):
+    refusal = explain(CAN0, error)
+    assert refusal.code == code
+    assert refusal.params["device"] == "socketcan can0"
+
+
+def test_the_reason_is_found_behind_the_exception_a_backend_wraps_it_in():
+    try:
+        try:
+            raise OSError(errno.EBUSY, "busy")
+        except OSError as cause:
+            raise can.CanInitializationError("could not open") from cause
+    except can.CanInitializationError as error:
+        assert explain(CAN0, error).code == "bus_busy"
+
+
+def test_a_missing_backend_names_the_package_to_install():
+    error = can.CanInterfaceNotImplementedError("no serial")
+    assert explain(Device("slcan", "/dev/ttyACM0"), error).params["package"] == "pyserial"
+
+
+def test_the_search_is_quiet_and_survives_a_backend_that_fails(monkeypatch, capfd):
+    asked = []
+
+    def detect(interfaces, timeout):
+        asked.extend(interfaces)
+        if interfaces == ["pcan"]:
+            raise OSError("driver in pieces")
+        if interfaces == ["socketcan"]:
+            return [{"interface": "socketcan", "channel": "can0"}]
+        if interfaces == ["gs_usb"]:
+            return [{"interface": "gs_usb", "channel": "candle", "bus": 1, "address": 4}]
+        return []
+
+    monkeypatch.setattr(adapters.can, "detect_available_configs", detect)
+    found = find_devices()
+    assert [(device.interface, device.channel, device.bitrate) for device in found] == [
+        ("gs_usb", "candle", 1_000_000),
+        ("socketcan", "can0", None),
+    ]
+    assert found[0].options == (("address", 4), ("bus", 1))
+    assert not {"virtual", "udp_multicast"} & set(asked)
+    assert capfd.readouterr() == ("", "")
+
+
+def test_the_real_search_prints_nothing(capfd):
+    assert all(not device.simulated for device in find_devices())
+    assert capfd.readouterr() == ("", "")
+
+
+def test_a_device_that_is_not_there_cannot_be_opened():
+    device = Device("slcan", "/dev/does-not-exist")
+    with pytest.raises((can.CanError, OSError)) as failure:
+        open_bus(device)
+    assert explain(device, failure.value).code in {"bus_gone", "bus_backend_missing"}
