@@ -39,8 +39,8 @@ class GenerationDetector:
     """Collects evidence frame by frame, in constant memory.
 
     Strongest is the firmware version of 0x4AF, which only generation 2 sends. Next come frames that
-    one generation would send and the other would not: unknown identifiers, codes outside its tables,
-    reserved bits, other lengths. Last the period of the cyclic feedback.
+    one generation would send and the other would not: unknown identifiers, codes outside its
+    tables, reserved bits, other lengths. Last the period of the cyclic feedback.
     """
 
     def __init__(self) -> None:

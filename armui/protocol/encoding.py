@@ -25,8 +25,8 @@ def raw_value(layout: MessageLayout, signal: SignalLayout, value: float | None) 
         value: In the signal's unit; None for "leave unchanged".
 
     Raises:
-        EncodeError: Out of range, not finite, outside the table, a fraction where only whole numbers
-            mean something, or None where nothing can be left unchanged.
+        EncodeError: Out of range, not finite, outside the table, a fraction where only whole
+            numbers mean something, or None where nothing can be left unchanged.
     """
     if value is None:
         if signal.unchanged_raw is None:
@@ -85,7 +85,10 @@ def allowed(signal: SignalLayout) -> str:
 
 def number(value: object, signal: SignalLayout) -> str:
     """A physical value with its unit, as messages print it."""
-    text = f"{value:.10g}" if isinstance(value, int | float) else repr(value)
+    try:
+        text = f"{value:.10g}" if isinstance(value, int | float) else repr(value)
+    except OverflowError:
+        text = "a number beyond any frame"
     return f"{text} {signal.unit}".rstrip()
 
 

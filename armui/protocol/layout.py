@@ -197,8 +197,9 @@ class _Span:
 
 def _can_be_illegal(signal: DbcSignal, layout: SignalLayout) -> bool:
     """Whether the signal's bits can hold a raw value that means nothing."""
+    values: int = 2**signal.length
     if isinstance(layout.legal_raw, frozenset):
-        return len(layout.legal_raw) < 2**signal.length
-    low = -(2 ** (signal.length - 1)) if signal.is_signed else 0
-    ends = (low, low + 2**signal.length - 1)
+        return len(layout.legal_raw) < values
+    low = -values // 2 if signal.is_signed else 0
+    ends = (low, low + values - 1)
     return any(end not in layout.legal_raw for end in ends)

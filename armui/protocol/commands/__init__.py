@@ -1,9 +1,9 @@
 """What a host can say to the arm: one function a command.
 
-Each takes the codec first and physical units after it (degrees and millimetres; any other unit is in
-the name), and returns the frames in sending order. All raise `EncodeError` for a value the protocol
-cannot carry and for a command the generation does not have; whether the arm can do what is asked is
-not theirs to judge. Direct (MIT) control of motors is left out on purpose.
+Each takes the codec first and physical units after it (degrees and millimetres; any other unit is
+in the name), and returns the frames in sending order. All raise `EncodeError` for a value the
+protocol cannot carry and for a command the generation does not have; whether the arm can do what is
+asked is not theirs to judge. Direct (MIT) control of motors is left out on purpose.
 """
 
 from armui.protocol.commands.motion import (

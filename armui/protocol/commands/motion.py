@@ -47,8 +47,8 @@ def trajectory_command(codec: Codec, command: TrajectoryCommand) -> list[Frame]:
     """
     if command in {TrajectoryCommand.TRANSFER, TrajectoryCommand.TRANSFER_ENDS}:
         raise EncodeError(
-            f"MotionCommand.TrajectoryCommand cannot be {int(command)} (range 0 to 6): the check sum "
-            "of transferred points is not documented; play the trajectory from the host instead",
+            f"MotionCommand.TrajectoryCommand cannot be {int(command)} (range 0 to 6): the check "
+            "sum of transferred points is not documented; play the trajectory from the host",
             message="MotionCommand",
             signal="TrajectoryCommand",
             value=int(command),
