@@ -1,0 +1,29 @@
+"""What the operator reads: the program's codes as words and sentences, in the language chosen.
+
+The words are looked up at every call, so a caller that asks again after the language has changed
+(``QEvent.LanguageChange``) shows the new one.
+"""
+
+from armui.ui.words.notices import notice
+from armui.ui.words.refusals import refusal
+from armui.ui.words.status import (
+    arm_status,
+    control_mode,
+    control_mode_short,
+    joint_faults,
+    move_mode,
+    reached,
+    teaching,
+)
+
+__all__ = [
+    "arm_status",
+    "control_mode",
+    "control_mode_short",
+    "joint_faults",
+    "move_mode",
+    "notice",
+    "reached",
+    "refusal",
+    "teaching",
+]

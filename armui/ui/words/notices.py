@@ -1,0 +1,106 @@
+"""Everything that happens as a sentence, for the left half of the status bar."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
+from armui.arm.refusal import Refusal
+from armui.control.situation import Notice
+from armui.ui.words.refusals import refusal
+from armui.ui.words.text import sentence
+
+_NOTICES: Final[Mapping[str, object]] = {
+    "sent_joints": QT_TRANSLATE_NOOP(
+        "Notice", "Sent J1 {j1}°  J2 {j2}°  J3 {j3}°  J4 {j4}°  J5 {j5}°  J6 {j6}°"
+    ),
+    "jogged": QT_TRANSLATE_NOOP("Notice", "Sent J{joint} {target}°"),
+    "went_home": QT_TRANSLATE_NOOP("Notice", "Home sent: all joints to 0°"),
+    "sent_speed": QT_TRANSLATE_NOOP("Notice", "Sent speed {percent} %"),
+    "stop_sent": QT_TRANSLATE_NOOP(
+        "Notice", "Emergency stop sent. The motors go limp and the arm sinks: hold the arm."
+    ),
+    "stop_not_sent": QT_TRANSLATE_NOOP(
+        "Notice",
+        "The emergency stop could NOT be sent: no device is open. Cut the arm's power if it moves.",
+    ),
+    "stop_confirmed": QT_TRANSLATE_NOOP("Notice", "The arm has confirmed the emergency stop."),
+    "stop_unconfirmed": QT_TRANSLATE_NOOP(
+        "Notice",
+        "The arm has NOT confirmed the emergency stop; it is sent again and again. Cut the arm's "
+        "power if it moves.",
+    ),
+    "resume_sent": QT_TRANSLATE_NOOP(
+        "Notice", "Resume sent. The motors lose power and the arm drops: hold the arm."
+    ),
+    "resumed": QT_TRANSLATE_NOOP(
+        "Notice", "The emergency stop is over. Enable the motors to go on."
+    ),
+    "resume_failed": QT_TRANSLATE_NOOP(
+        "Notice",
+        "The arm stays in emergency stop. Check it, then press Resume again.",
+    ),
+    "enable_sent": QT_TRANSLATE_NOOP("Notice", "Enable sent to all six motors"),
+    "enabled": QT_TRANSLATE_NOOP("Notice", "All six motors are enabled."),
+    "enable_failed": QT_TRANSLATE_NOOP(
+        "Notice",
+        "These joints did not enable: {joints}. Press Enable again; if that fails, check their "
+        "drivers and the arm's power.",
+    ),
+    "disable_sent": QT_TRANSLATE_NOOP(
+        "Notice", "Disable sent to all six motors. The arm drops: hold the arm."
+    ),
+    "disabled": QT_TRANSLATE_NOOP("Notice", "All six motors are disabled."),
+    "disable_failed": QT_TRANSLATE_NOOP(
+        "Notice",
+        "These joints did not disable: {joints}. Press Disable again, or use the emergency stop.",
+    ),
+    "connected": QT_TRANSLATE_NOOP("Notice", "Device open: {device}"),
+    "connect_failed": QT_TRANSLATE_NOOP("Notice", "Not connected. {reason}"),
+    "disconnected": QT_TRANSLATE_NOOP("Notice", "Disconnected from {device}"),
+    "link_lost": QT_TRANSLATE_NOOP(
+        "Notice",
+        "Connection to {device} lost; the program keeps trying to reconnect. {reason}",
+    ),
+    "reconnected": QT_TRANSLATE_NOOP("Notice", "Connected to {device} again"),
+    "online": QT_TRANSLATE_NOOP("Notice", "The arm is online."),
+    "offline": QT_TRANSLATE_NOOP(
+        "Notice",
+        "The arm is offline: nothing is heard from it. Check its power, the CAN cable and the bit "
+        "rate.",
+    ),
+    "generation": QT_TRANSLATE_NOOP(
+        "Notice", "The arm speaks protocol generation {generation}. Firmware: {firmware}"
+    ),
+    "limits_read": QT_TRANSLATE_NOOP("Notice", "Joint limits read from the arm"),
+    "limits_missing": QT_TRANSLATE_NOOP(
+        "Notice",
+        "The arm did not tell the limits of these joints: {joints}. The factory limits hold; "
+        "connect again to ask once more.",
+    ),
+    "limits_corrupt": QT_TRANSLATE_NOOP(
+        "Notice",
+        "Joint {joint}: the limits stored in the arm cannot be true. The factory limits hold; set "
+        "the joint's limits anew.",
+    ),
+    "refused": QT_TRANSLATE_NOOP("Notice", "Not sent. {reason}"),
+}
+
+CODES: Final = frozenset(_NOTICES)
+"""The notices there is a sentence for."""
+
+
+def notice(event: Notice) -> str:
+    """What happened in the operator's language, without its time."""
+    params = dict(event.params)
+    reason = params.get("reason")
+    params["reason"] = refusal(reason) if isinstance(reason, Refusal) else ""
+    if not params.get("firmware"):
+        params.pop("firmware", None)
+    source = _NOTICES.get(event.code)
+    if source is None:
+        source = QT_TRANSLATE_NOOP("Notice", "Event: {code}")
+        params["code"] = event.code
+    return sentence("Notice", source, params).rstrip()

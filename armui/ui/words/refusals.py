@@ -1,0 +1,179 @@
+"""Every reason against an action as a sentence: what, its value and limit, and the remedy."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
+from armui.arm.refusal import Refusal
+from armui.ui.words import status
+from armui.ui.words.text import NOT_KNOWN, sentence
+
+_REFUSALS: Final[Mapping[str, object]] = {
+    "not_connected": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "No arm is connected. Click the button at the top left, choose a device and connect it.",
+    ),
+    "offline": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The device is open, but nothing is heard from the arm. Check its power, the CAN cable "
+        "and the bit rate.",
+    ),
+    "link_lost": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The CAN device is gone. Plug it in again: the program reconnects by itself.",
+    ),
+    "stopped": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm is in emergency stop. Hold the arm, press Resume, then enable the motors.",
+    ),
+    "stop_requested": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The emergency stop has been sent and the arm has not confirmed it yet. Wait for the "
+        "confirmation.",
+    ),
+    "not_stopped": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm is not in emergency stop: there is nothing to resume from.",
+    ),
+    "busy": QT_TRANSLATE_NOOP("Refusal", "Still under way: {what}. Wait until it is done."),
+    "not_enabled": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The motors of these joints are not enabled: {joints}. Press Enable first.",
+    ),
+    "enabled_unknown": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Not every motor has reported yet whether it is enabled. Wait a moment; if it stays so, "
+        "check the arm's power and the CAN cable.",
+    ),
+    "speed_zero": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The speed is set to 0 %: the arm would not move. Set a speed from 1 to 100 % at the top.",
+    ),
+    "speed_out_of_range": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Speed {value} % is out of range. Enter a value from 0 to 100 %.",
+    ),
+    "joint_out_of_limits": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Joint {joint}: {value}° is beyond its limits of {minimum}° to {maximum}°. Enter an angle "
+        "within them.",
+    ),
+    "joint_not_a_number": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Joint {joint}: “{value}” is not an angle. Enter degrees in figures, for example 12.5.",
+    ),
+    "joints_unknown": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm has not reported all of its joint angles yet. Wait until all six are shown.",
+    ),
+    "other_control": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm takes its commands from elsewhere: {mode}. Leave that mode first.",
+    ),
+    "arm_fault": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm reports: {status}. Remove the cause. If the report stays: emergency stop, hold "
+        "the arm, Resume.",
+    ),
+    "bus_gone": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "{device} is not there. Check that it is plugged in and its cable is sound.",
+    ),
+    "bus_busy": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "{device} is in use by another program. Close that program, then connect again.",
+    ),
+    "bus_down": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "{device} is switched off in the system. Switch it on in a terminal (with your "
+        "interface's name for can0): sudo ip link set can0 up type can bitrate 1000000",
+    ),
+    "bus_permission": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "You may not open {device}. On Linux add your account to the group dialout (serial "
+        "adapters) or install the adapter's udev rule (USB adapters), then log in again.",
+    ),
+    "bus_backend_missing": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "{device} needs a Python package that is not installed. Install it in a terminal: "
+        "pip install {package}",
+    ),
+    "bus_driver_missing": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The driver for {device} ({interface}) is missing. Install the driver of the adapter's "
+        "maker; for socketcan load the kernel's modules: sudo modprobe can_raw",
+    ),
+    "bus_bad_argument": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "{device} does not accept these settings: {text}. Check interface, channel and bit rate.",
+    ),
+    "bus_failed": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "{device} could not be opened: {text}. Check the device and its driver, then connect "
+        "again.",
+    ),
+    "settings_broken": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The settings file could not be read and was put aside as {kept}. The program starts with "
+        "its first settings.",
+    ),
+    "settings_unreadable": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The settings file {path} could not be read: {text}. The program starts with its first "
+        "settings.",
+    ),
+    "settings_not_saved": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The settings could not be saved in {path}: {text}. They hold until the program ends.",
+    ),
+    "setting_bad": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Setting {field}: “{value}” is not possible. Its first setting is used instead.",
+    ),
+    "jog_step_out_of_range": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Jog step {value}° is out of range. Enter a value from {minimum}° to {maximum}°.",
+    ),
+    "jog_step_not_a_number": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Jog step: “{value}” is not an angle. Enter degrees in figures, for example 0.5.",
+    ),
+    "urdf_missing": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Robot description: the file {path} is not there. Choose another file, or use the "
+        "built-in one.",
+    ),
+}
+
+_UNDER_WAY: Final[Mapping[str, object]] = {
+    "enabling": QT_TRANSLATE_NOOP("UnderWay", "enabling the motors"),
+    "disabling": QT_TRANSLATE_NOOP("UnderWay", "disabling the motors"),
+    "resuming": QT_TRANSLATE_NOOP("UnderWay", "resuming after the emergency stop"),
+}
+
+CODES: Final = frozenset(_REFUSALS)
+"""The refusals there is a sentence for."""
+
+
+def refusal(reason: Refusal) -> str:
+    """A reason against an action in the operator's language."""
+    params: dict[str, object] = dict(reason.params)
+    if isinstance(mode := params.get("mode"), int):
+        params["mode"] = status.control_mode(mode)
+    if isinstance(code := params.get("status"), int):
+        params["status"] = status.arm_status(code)
+    if isinstance(what := params.get("what"), str):
+        params["what"] = sentence("UnderWay", _UNDER_WAY.get(what, what), {})
+    source = _REFUSALS.get(reason.code)
+    if source is None:
+        return _unexpected(reason)
+    return sentence("Refusal", source, params)
+
+
+def _unexpected(reason: Refusal) -> str:
+    """What to say to a code this program has no sentence for: an adapter of others may add one."""
+    source = QT_TRANSLATE_NOOP("Refusal", "Not possible now: {reason}.")
+    return sentence("Refusal", source, {"reason": str(reason) or NOT_KNOWN})

@@ -1,0 +1,37 @@
+"""Filling a translated sentence with its figures."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from PySide6.QtCore import QCoreApplication
+
+NOT_KNOWN = "—"
+"""Stands where a figure is missing, as it does in the rest of the window."""
+
+
+class _Figures(dict[str, str]):
+    """The figures of one sentence as text; one that is missing shows as not known."""
+
+    def __missing__(self, key: str) -> str:
+        return NOT_KNOWN
+
+
+def _figure(value: object) -> str:
+    """A figure as the operator reads it: angles and lengths with three decimals."""
+    return f"{value:.3f}" if isinstance(value, float) else str(value)
+
+
+def sentence(context: str, source: object, params: Mapping[str, object]) -> str:
+    """A sentence in the operator's language with its figures filled in.
+
+    Args:
+        context: The translation context the sentence was marked with.
+        source: The English sentence as marked by ``QT_TRANSLATE_NOOP``; ``{name}`` is a figure.
+        params: The figures by name; floats are shown with three decimals.
+
+    Returns:
+        The sentence; a figure that is not in ``params`` shows as «—».
+    """
+    figures = _Figures({key: _figure(value) for key, value in params.items()})
+    return QCoreApplication.translate(context, str(source)).format_map(figures)
