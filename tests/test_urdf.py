@@ -1,0 +1,158 @@
+"""The robot description against the arm's Denavit–Hartenberg table, and the meshes against their sizes."""
+
+from __future__ import annotations
+
+import math
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import numpy as np
+import pytest
+import yourdfpy
+
+from armui.paths import URDF
+from armui.viewport.urdf_file import load_robot
+
+# a(i-1) mm, alpha(i-1) deg, d(i) mm, theta offset deg; firmware from S-V1.6-3
+DH_TABLE = (
+    (0.0, 0.0, 123.0, 0.0),
+    (0.0, -90.0, 0.0, -172.22),
+    (285.03, 0.0, 0.0, -102.78),
+    (-21.98, 90.0, 250.75, 0.0),
+    (0.0, -90.0, 0.0, 0.0),
+    (0.0, 90.0, 91.0, 0.0),
+)
+LIMITS_DEG = ((-150, 150), (0, 180), (-170, 0), (-100, 100), (-70, 70), (-120, 120))
+ARM_JOINTS = [f"joint{number}" for number in range(1, 7)]
+
+
+def flange_by_table(angles_deg: np.ndarray) -> np.ndarray:
+    """4×4 flange pose in mm: the textbook product of Rx(alpha) Tx(a) Rz(theta) Tz(d)."""
+    pose = np.eye(4)
+    for (a, alpha_deg, d, offset_deg), angle_deg in zip(DH_TABLE, angles_deg, strict=True):
+        ca, sa = math.cos(math.radians(alpha_deg)), math.sin(math.radians(alpha_deg))
+        theta = math.radians(angle_deg + offset_deg)
+        ct, st = math.cos(theta), math.sin(theta)
+        pose = pose @ np.array(
+            [
+                [ct, -st, 0.0, a],
+                [st * ca, ct * ca, -sa, -sa * d],
+                [st * sa, ct * sa, ca, ca * d],
+                [0.0, 0.0, 0.0, 1.0],
+            ]
+        )
+    return pose
+
+
+def angle_between_deg(first: np.ndarray, second: np.ndarray) -> float:
+    """Angle of the rotation between two rotation matrices, exact for tiny angles too."""
+    difference = first.T @ second
+    axis = np.array(
+        [
+            difference[2, 1] - difference[1, 2],
+            difference[0, 2] - difference[2, 0],
+            difference[1, 0] - difference[0, 1],
+        ]
+    )
+    return math.degrees(math.atan2(float(np.linalg.norm(axis)), float(np.trace(difference)) - 1.0))
+
+
+@pytest.fixture(scope="module")
+def urdf() -> yourdfpy.URDF:
+    return yourdfpy.URDF.load(
+        str(URDF / "piper.urdf"),
+        load_meshes=False,
+        build_scene_graph=True,
+        build_collision_scene_graph=False,
+    )
+
+
+def flange_by_urdf(urdf: yourdfpy.URDF, angles_deg: np.ndarray) -> np.ndarray:
+    urdf.update_cfg(dict(zip(ARM_JOINTS, np.radians(angles_deg), strict=True)))
+    pose = np.array(urdf.get_transform("flange", "base_link"))
+    pose[:3, 3] *= 1000.0
+    return pose
+
+
+def test_all_joints_at_zero_give_the_pose_the_arm_reports(urdf):
+    pose = flange_by_urdf(urdf, np.zeros(6))
+    assert pose[:3, 3] == pytest.approx([56.128, 0.0, 213.266], abs=5e-4)
+    ry_85 = math.radians(85.0)
+    expected = [
+        [math.cos(ry_85), 0, math.sin(ry_85)],
+        [0, 1, 0],
+        [-math.sin(ry_85), 0, math.cos(ry_85)],
+    ]
+    assert angle_between_deg(np.array(expected), pose[:3, :3]) < 1e-6
+
+
+def test_flange_agrees_with_the_table_over_random_angles(urdf):
+    random = np.random.default_rng(20240613)
+    lower, upper = np.array(LIMITS_DEG, dtype=float).T
+    for angles_deg in random.uniform(lower, upper, size=(2000, 6)):
+        expected = flange_by_table(angles_deg)
+        found = flange_by_urdf(urdf, angles_deg)
+        assert np.linalg.norm(found[:3, 3] - expected[:3, 3]) < 0.01, angles_deg
+        assert angle_between_deg(expected[:3, :3], found[:3, :3]) < 0.001, angles_deg
+
+
+def test_our_own_kinematics_of_the_picture_agree_with_yourdfpy(urdf):
+    robot = load_robot(URDF / "piper.urdf")
+    random = np.random.default_rng(7)
+    for angles_deg in random.uniform(-120, 120, size=(50, 6)):
+        opening_mm = float(random.uniform(0, 70))
+        poses = robot.link_poses(angles_deg, opening_mm)
+        joints = dict(zip(ARM_JOINTS, np.radians(angles_deg), strict=True))
+        urdf.update_cfg({**joints, "gripper_left": np.array(opening_mm / 2000.0)})
+        for link in (
+            "link1",
+            "link2",
+            "link3",
+            "link4",
+            "link5",
+            "flange",
+            "finger_left",
+            "finger_right",
+        ):
+            np.testing.assert_allclose(
+                poses[link], urdf.get_transform(link, "base_link"), atol=1e-9
+            )
+
+
+def test_limits_axes_and_speed_are_the_arms(urdf):
+    for name, (lower_deg, upper_deg) in zip(ARM_JOINTS, LIMITS_DEG, strict=True):
+        joint = urdf.joint_map[name]
+        assert joint.type == "revolute"
+        assert list(joint.axis) == [0, 0, 1]
+        assert math.degrees(joint.limit.lower) == pytest.approx(lower_deg, abs=1e-9)
+        assert math.degrees(joint.limit.upper) == pytest.approx(upper_deg, abs=1e-9)
+        assert joint.limit.velocity == 3.0
+
+
+def test_the_gripper_opens_to_70_mm(urdf):
+    def gap_mm(opening_mm: float) -> float:
+        urdf.update_cfg({"gripper_left": np.array(opening_mm / 2000.0)})
+        left = urdf.get_transform("finger_left", "flange")[1, 3]
+        right = urdf.get_transform("finger_right", "flange")[1, 3]
+        return float(left - right) * 1000.0
+
+    assert gap_mm(0.0) == pytest.approx(0.0)
+    assert gap_mm(70.0) == pytest.approx(70.0)
+    assert urdf.joint_map["gripper_left"].limit.upper == pytest.approx(0.035)
+    assert urdf.joint_map["gripper_right"].mimic.joint == "gripper_left"
+
+
+def test_angles_are_written_with_nine_digits():
+    for element in ET.parse(URDF / "piper.urdf").iter("limit"):
+        for bound in (element.get("lower"), element.get("upper")):
+            if bound not in {"0", "0.035"}:
+                assert len(bound.rpartition(".")[2]) >= 9
+
+
+def test_meshes_are_named_by_relative_paths_that_exist():
+    names = [mesh.get("filename") for mesh in ET.parse(URDF / "piper.urdf").iter("mesh")]
+    assert len(names) == 19
+    for name in names:
+        assert not Path(name).is_absolute()
+        assert "://" not in name
+        assert (URDF / name).is_file()
