@@ -1,0 +1,114 @@
+"""The arm's mechanics: joints that are driven, held, or gone limp."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from armui.arm.limits import JointLimits
+from armui.sim.limp import Limp, LimpJoints
+from armui.sim.motion import JOINT_COUNT, STANDSTILL, JointMotion, SixValues
+
+
+class Body:
+    """Six joints, their power and their motion through time.
+
+    At the start no motor has power and the arm rests, supported, where it is put.
+
+    Attributes:
+        positions_deg: Where the joints are, joint 1 first.
+        speeds_deg_s: How fast they turn.
+        accelerations_deg_s2: How their speeds change under power.
+        powered: Which motors have power.
+    """
+
+    def __init__(self, positions_deg: Iterable[float]) -> None:
+        self._motion = JointMotion(positions_deg)
+        self._limp = LimpJoints()
+        self.positions_deg: SixValues = self._motion.positions_deg
+        self.speeds_deg_s: SixValues = STANDSTILL
+        self.accelerations_deg_s2: SixValues = STANDSTILL
+        self.powered: tuple[bool, ...] = (False,) * JOINT_COUNT
+
+    @property
+    def moving(self) -> bool:
+        """Whether the motors are moving joints along a plan."""
+        return self._motion.moving
+
+    def power_on(self, indices: Iterable[int]) -> None:
+        """Powers motors; each holds its joint where it is."""
+        for index in indices:
+            if index in self._limp:
+                self._limp.catch(index)
+                self._motion.place(self.positions_deg)
+            self._set_power(index, on=True)
+        self._read_motion()
+
+    def power_off(self, indices: Iterable[int], limp: Limp) -> None:
+        """Takes the power from motors; their joints give way to gravity.
+
+        A joint that never had power lies supported, and stays; one that is limp already gives way
+        as asked now.
+        """
+        indices = [index for index in indices if self.powered[index] or index in self._limp]
+        self._limp.release(indices, limp)
+        for index in indices:
+            self._set_power(index, on=False)
+        if not any(self.powered):
+            self._motion.place(self.positions_deg)
+        self._read_motion()
+
+    def move_to(
+        self,
+        targets_deg: Iterable[float],
+        speeds_deg_s: Sequence[float],
+        accelerations_deg_s2: Sequence[float],
+    ) -> None:
+        """Moves all joints; every motor must have power. A motion under way is replaced."""
+        self._motion.move_to(targets_deg, speeds_deg_s, accelerations_deg_s2)
+
+    def brake(self, accelerations_deg_s2: Sequence[float]) -> None:
+        """Brings a motion to its end as fast as the joints allow."""
+        self._motion.brake(accelerations_deg_s2)
+
+    def advance(self, dt_s: float, limits: Sequence[JointLimits]) -> None:
+        """Lets time pass."""
+        was_moving = self._motion.moving
+        self._motion.advance(dt_s)
+        if self._limp:
+            driven = self._motion.positions_deg
+            merged = (
+                self.positions_deg[i] if i in self._limp else driven[i] for i in range(JOINT_COUNT)
+            )
+            self.positions_deg = self._limp.advance(tuple(merged), limits, dt_s)
+            self._read_speeds()
+        elif was_moving:
+            self._read_motion()
+
+    def _set_power(self, index: int, *, on: bool) -> None:
+        self.powered = (*self.powered[:index], on, *self.powered[index + 1 :])
+
+    def _read_motion(self) -> None:
+        """Takes over what the plan says of the joints that are not limp."""
+        if self._limp:
+            driven = self._motion.positions_deg
+            self.positions_deg = tuple(
+                self.positions_deg[i] if i in self._limp else driven[i] for i in range(JOINT_COUNT)
+            )
+        else:
+            self.positions_deg = self._motion.positions_deg
+        self._read_speeds()
+
+    def _read_speeds(self) -> None:
+        motion = self._motion
+        if not self._limp:
+            self.speeds_deg_s = motion.speeds_deg_s
+            self.accelerations_deg_s2 = motion.accelerations_deg_s2
+            return
+        limp_speeds = self._limp.speeds_deg_s
+        self.speeds_deg_s = tuple(
+            limp_speeds[i] if i in self._limp else motion.speeds_deg_s[i]
+            for i in range(JOINT_COUNT)
+        )
+        self.accelerations_deg_s2 = tuple(
+            0.0 if i in self._limp else motion.accelerations_deg_s2[i] for i in range(JOINT_COUNT)
+        )

@@ -1,0 +1,65 @@
+"""What the controller knows of itself and tells in 0x2A1."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from armui.protocol.codes import (
+    ArmStatusCode,
+    ControlMode,
+    MotionState,
+    MoveMode,
+    TeachingState,
+)
+from armui.sim.motion import JOINT_COUNT
+
+
+def _no_joint() -> list[bool]:
+    return [False] * JOINT_COUNT
+
+
+@dataclass(slots=True)
+class Condition:
+    """Modes, flags and faults of the arm.
+
+    Attributes:
+        control_mode: Who commands the arm.
+        move_mode: Which kind of motion targets ask for.
+        speed_percent: Share of the joints' highest speeds, 0–100.
+        teaching_state: What drag teaching does.
+        motion_state: Whether the last target is reached; a motion cut short leaves it unreached.
+        stopped: Whether an emergency stop is in force.
+        beyond_limit: The joints whose last target was refused.
+        communication_fault: The joints the controller cannot talk to.
+    """
+
+    control_mode: ControlMode = ControlMode.STANDBY
+    move_mode: MoveMode = MoveMode.MOVE_P
+    speed_percent: int = 0
+    teaching_state: TeachingState = TeachingState.OFF
+    motion_state: MotionState = MotionState.REACHED
+    stopped: bool = False
+    beyond_limit: list[bool] = field(default_factory=_no_joint)
+    communication_fault: list[bool] = field(default_factory=_no_joint)
+
+    @property
+    def status(self) -> ArmStatusCode:
+        """The one code 0x2A1 byte 1 has room for: the gravest."""
+        if self.stopped:
+            return ArmStatusCode.EMERGENCY_STOP
+        if any(self.communication_fault):
+            return ArmStatusCode.JOINT_COMMUNICATION_FAULT
+        if any(self.beyond_limit):
+            return ArmStatusCode.TARGET_BEYOND_LIMIT
+        return ArmStatusCode.NORMAL
+
+    @property
+    def obeys_joint_targets(self) -> bool:
+        """Whether a set of joint targets starts a motion as it arrives."""
+        return self.control_mode is ControlMode.CAN_CONTROL and self.move_mode is MoveMode.MOVE_J
+
+    def clear_errors(self) -> None:
+        """What a resume clears; a broken connection to a joint is still broken."""
+        self.stopped = False
+        self.beyond_limit = _no_joint()
+        self.motion_state = MotionState.REACHED

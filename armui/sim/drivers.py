@@ -1,0 +1,101 @@
+"""What the six motor drivers measure: current, voltage, temperatures.
+
+Plain models with estimated constants: they make the feedback plausible and consistent with the
+motion, no more.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import radians
+from typing import Final
+
+import numpy as np
+
+from armui.sim.gravity import gravity_torques_nm
+from armui.sim.motion import JOINT_COUNT, STANDSTILL, SixValues
+
+_TORQUE_PER_AMPERE: Final = (6.0, 6.0, 6.0, 3.0, 3.0, 3.0)
+_INERTIA_KG_M2: Final = (0.25, 0.30, 0.12, 0.02, 0.02, 0.01)
+_FRICTION_NM_S_RAD: Final = (0.8, 0.8, 0.8, 0.3, 0.3, 0.3)
+
+_SUPPLY_V: Final = 24.0
+_SUPPLY_NOISE_V: Final = 0.1
+_LINE_RESISTANCE_OHM: Final = 0.02
+_IDLE_A: Final = 0.05
+
+_COLD_C: Final = 31.0
+_SPREAD_C: Final = 2.0
+_HOTTEST_C: Final = 40.0
+_WARMTH_C_PER_A2: Final = 2.0
+_DRIVER_SHARE: Final = 0.6
+"""A driver warms by this part of what its motor warms by."""
+_WARMING_TIME_S: Final = 90.0
+
+
+class Drivers:
+    """The measurements of six drivers.
+
+    Attributes:
+        currents_a: Motor currents, positive when driving towards larger angles.
+        motor_temperatures_c: Temperatures of the motors, 30–40 °C.
+        driver_temperatures_c: Temperatures of the drivers, 30–40 °C.
+    """
+
+    def __init__(self, seed: int) -> None:
+        self._noise = np.random.default_rng(seed)
+        self._ambient_c = [
+            _COLD_C + _SPREAD_C * float(share) for share in self._noise.random(JOINT_COUNT)
+        ]
+        self._speeds_rad_s: SixValues = STANDSTILL
+        self._torques_nm: SixValues = STANDSTILL
+        self.currents_a: SixValues = STANDSTILL
+        self.motor_temperatures_c = list(self._ambient_c)
+        self.driver_temperatures_c = list(self._ambient_c)
+
+    def measure(
+        self,
+        positions_deg: Sequence[float],
+        speeds_deg_s: Sequence[float],
+        accelerations_deg_s2: Sequence[float],
+        powered: Sequence[bool],
+    ) -> None:
+        """Takes the currents from the present motion."""
+        gravity = gravity_torques_nm(positions_deg)
+        self._speeds_rad_s = tuple(map(radians, speeds_deg_s))
+        self._torques_nm = tuple(
+            (
+                _INERTIA_KG_M2[i] * radians(accelerations_deg_s2[i])
+                + _FRICTION_NM_S_RAD[i] * self._speeds_rad_s[i]
+                - gravity[i]
+                if powered[i]
+                else 0.0
+            )
+            for i in range(JOINT_COUNT)
+        )
+        self.currents_a = tuple(
+            torque / ratio
+            for torque, ratio in zip(self._torques_nm, _TORQUE_PER_AMPERE, strict=True)
+        )
+
+    def warm(self, index: int, dt_s: float) -> None:
+        """Lets one motor and its driver warm or cool with the present current."""
+        share = min(dt_s / _WARMING_TIME_S, 1.0)
+        heat_c = _WARMTH_C_PER_A2 * self.currents_a[index] ** 2
+        ambient_c = self._ambient_c[index]
+        for temperatures, part in (
+            (self.motor_temperatures_c, 1.0),
+            (self.driver_temperatures_c, _DRIVER_SHARE),
+        ):
+            goal_c = min(ambient_c + part * heat_c, _HOTTEST_C)
+            temperatures[index] += (goal_c - temperatures[index]) * share
+
+    def voltage_v(self) -> float:
+        """One reading of the supply: noise, and a drop that grows with the load."""
+        drop_v = _LINE_RESISTANCE_OHM * sum(map(abs, self.currents_a))
+        return _SUPPLY_V - drop_v + _SUPPLY_NOISE_V * float(self._noise.uniform(-1.0, 1.0))
+
+    def bus_current_a(self, index: int) -> float:
+        """What one driver draws from the supply."""
+        power_w = abs(self._torques_nm[index] * self._speeds_rad_s[index])
+        return _IDLE_A + power_w / _SUPPLY_V

@@ -1,0 +1,392 @@
+"""The arm's controller: obeys frames, lets time pass, tells how it is.
+
+No clock, no thread, no bus: `on_frame` and `step` are all there is. Behaviour follows the
+protocol text and what is known of the maker's firmware.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Sequence
+from typing import Final
+
+from armui.arm.limits import JOINTS, check_joint
+from armui.protocol.addressing import Addressing
+from armui.protocol.codec import Codec, Oddity, OddityKind
+from armui.protocol.codes import (
+    ALL_JOINTS,
+    ArmStatusCode,
+    ControlMode,
+    MotionState,
+    MotorAction,
+    MoveMode,
+    SettingIndex,
+    SilenceMode,
+    StopCommand,
+    TeachingState,
+)
+from armui.protocol.database import Generation
+from armui.protocol.frame import Frame
+from armui.sim.body import Body
+from armui.sim.condition import Condition
+from armui.sim.desk import SettingsDesk, Signals
+from armui.sim.drivers import Drivers
+from armui.sim.feedback import Feedback
+from armui.sim.gripper import Gripper
+from armui.sim.limp import Limp
+from armui.sim.motion import JOINT_COUNT, SixValues
+from armui.sim.schedule import Schedule
+from armui.sim.settings import Settings
+
+_NS_PER_S: Final = 1_000_000_000
+_ALL_INDICES: Final = range(JOINT_COUNT)
+_TARGET_FRAMES: Final = 3
+_VERSION_PREFIX: Final = "PiPER "
+_VERSION_REQUEST: Final = 1
+
+
+class Firmware:
+    """A simulated arm.
+
+    Attributes:
+        generation: The protocol it speaks.
+        condition: Modes, flags and faults, as 0x2A1 tells them.
+        body: Joints and motors.
+        drivers: What the motor drivers measure.
+        gripper: The gripper.
+        settings: The values the arm keeps.
+        ignored: How many frames were not understood, by kind.
+        targets_deg: The last joint targets it took on.
+    """
+
+    def __init__(
+        self,
+        generation: Generation,
+        *,
+        seed: int = 0,
+        joints_deg: Sequence[float] = (0.0,) * JOINT_COUNT,
+        version: str = "S-V1.8-5",
+    ) -> None:
+        """An arm just switched on: motors off, standby, supported where it lies.
+
+        Args:
+            generation: The protocol it speaks.
+            seed: Of the little noise there is; the same seed and calls give the same frames.
+            joints_deg: Where it lies, joint 1 first.
+            version: What it answers to 0x4AF (generation 2).
+        """
+        self.generation = generation
+        self.condition = Condition()
+        self.body = Body(float(angle) for angle in joints_deg)
+        self.drivers = Drivers(seed)
+        self.gripper = Gripper()
+        self.settings = Settings()
+        self.ignored: Counter[OddityKind] = Counter()
+        self.targets_deg: SixValues = self.body.positions_deg
+        self._version = version
+        self._silent = False
+        self._now_ns = 0
+        self._schedule = Schedule(generation)
+        self._readdressing: Addressing | None = None
+        self._staged = list(self.body.positions_deg)
+        self._fresh: set[str] = set()
+        self._waiting: SixValues | None = None
+        self._goal: SixValues | None = None
+        self._speak(Addressing())
+        self._handlers: dict[str, Callable[[Signals], list[Frame]]] = {
+            "MotionCommand": self._motion_command,
+            "ModeControl": self._mode_control,
+            "JointTarget12": lambda signals: self._joint_target("12", signals),
+            "JointTarget34": lambda signals: self._joint_target("34", signals),
+            "JointTarget56": lambda signals: self._joint_target("56", signals),
+            "GripperCommand": self._gripper_command,
+            "LinkageSetting": self._linkage_setting,
+            "MotorEnable": self._motor_enable,
+            "BusSilence": self._bus_silence,
+            "FirmwareVersion": self._firmware_version,
+        }
+
+    @property
+    def joints_deg(self) -> SixValues:
+        """Where the joints are."""
+        return self.body.positions_deg
+
+    @property
+    def enabled(self) -> tuple[bool, ...]:
+        """Which motors have power."""
+        return self.body.powered
+
+    @property
+    def status(self) -> ArmStatusCode:
+        """As 0x2A1 byte 1 tells it."""
+        return self.condition.status
+
+    @property
+    def stopped(self) -> bool:
+        """Whether an emergency stop is in force."""
+        return self.condition.stopped
+
+    @property
+    def control_mode(self) -> ControlMode:
+        """Who commands the arm."""
+        return self.condition.control_mode
+
+    @property
+    def move_mode(self) -> MoveMode:
+        """Which kind of motion targets ask for."""
+        return self.condition.move_mode
+
+    @property
+    def speed_percent(self) -> int:
+        """Share of the joints' highest speeds."""
+        return self.condition.speed_percent
+
+    @property
+    def motion_state(self) -> MotionState:
+        """Whether the last target is reached."""
+        return self.condition.motion_state
+
+    @property
+    def teaching_state(self) -> TeachingState:
+        """What drag teaching does."""
+        return self.condition.teaching_state
+
+    @property
+    def silent(self) -> bool:
+        """Whether the bus silence of 0x422 is in force."""
+        return self._silent
+
+    @property
+    def time_s(self) -> float:
+        """How long the arm has been on."""
+        return self._now_ns / _NS_PER_S
+
+    @property
+    def addressing(self) -> Addressing:
+        """The identifier offsets in force."""
+        return self._codec.addressing
+
+    def on_frame(self, frame: Frame) -> list[Frame]:
+        """Obeys or answers a frame at once.
+
+        Args:
+            frame: Anything that is on the bus; what the arm does not know it counts and ignores.
+
+        Returns:
+            The answers, in order.
+        """
+        message = self._codec.decode(frame)
+        if isinstance(message, Oddity):
+            self.ignored[message.kind] += 1
+            return []
+        handler = self._handlers.get(message.name)
+        if handler is not None:
+            answers = handler(message.signals)
+        else:
+            answers = self._desk.handle(message.name, message.signals) or []
+        return [] if self._silent else answers
+
+    def step(self, dt_s: float) -> list[Frame]:
+        """Lets time pass.
+
+        Args:
+            dt_s: How much, from 0 up.
+
+        Returns:
+            The feedback due in that time, in order.
+
+        Raises:
+            ValueError: Time cannot run backwards.
+        """
+        if not dt_s >= 0.0:
+            raise ValueError(f"dt_s is {dt_s}; give a time from 0 up")
+        end_ns = self._now_ns + round(dt_s * _NS_PER_S)
+        frames: list[Frame] = []
+        while self._schedule.next_ns <= end_ns:
+            self._advance(self._schedule.next_ns)
+            names = self._schedule.pop()
+            self._measure(names)
+            if not self._silent:
+                frames += self._feedback.frames(names)
+        self._advance(end_ns)
+        return frames
+
+    def set_communication_fault(self, joint: int, *, present: bool) -> None:
+        """Breaks or mends the connection between the controller and a joint (1–6)."""
+        self.condition.communication_fault[joint - 1] = present
+        if present:
+            self._cut_motion_short()
+
+    def _advance(self, to_ns: int) -> None:
+        dt_s = (to_ns - self._now_ns) / _NS_PER_S
+        if dt_s <= 0.0:
+            return
+        self._now_ns = to_ns
+        self.body.advance(dt_s, self.settings.limits)
+        self.gripper.advance(dt_s)
+        if self._goal is not None and self.body.positions_deg == self._goal:
+            self._goal = None
+            self.condition.motion_state = MotionState.REACHED
+
+    def _measure(self, names: list[str]) -> None:
+        """Lets the drivers measure before the frames of these names are made."""
+        body = self.body
+        self.drivers.measure(
+            body.positions_deg, body.speeds_deg_s, body.accelerations_deg_s2, body.powered
+        )
+        for joint in JOINTS:
+            name = f"DriverSlow{joint}"
+            if name in names:
+                self.drivers.warm(joint - 1, self._schedule.periods_ns[name] / _NS_PER_S)
+
+    def _speak(self, addressing: Addressing) -> None:
+        self._codec = Codec(self.generation, addressing)
+        self._desk = SettingsDesk(self._codec, self.settings)
+        self._feedback = Feedback(self._codec, self)
+
+    # -- motion ----------------------------------------------------------------------------
+
+    def _motion_command(self, signals: Signals) -> list[Frame]:
+        if signals["EmergencyStop"] == StopCommand.EMERGENCY_STOP:
+            self._forget_targets()
+            self.body.power_off(_ALL_INDICES, Limp.DAMPED)
+            self.condition.stopped = True
+        elif signals["EmergencyStop"] == StopCommand.RESUME:
+            self._forget_targets()
+            self.body.power_off(_ALL_INDICES, Limp.FREE)
+            self.condition.clear_errors()
+            self._enter(ControlMode.STANDBY)
+        return []
+
+    def _mode_control(self, signals: Signals) -> list[Frame]:
+        if self.condition.stopped:
+            return []
+        self.condition.move_mode = MoveMode(int(signals["MoveMode"]))
+        self.condition.speed_percent = int(signals["SpeedPercent"])
+        self._enter(ControlMode(int(signals["ControlMode"])))
+        if not self.condition.obeys_joint_targets:
+            self._cut_motion_short()
+        elif self._waiting is not None:
+            self._pursue(self._waiting)
+        elif self._goal is not None:
+            self._drive()
+        return []
+
+    def _enter(self, control_mode: ControlMode) -> None:
+        self.condition.control_mode = control_mode
+        if control_mode is ControlMode.STANDBY and self._readdressing is not None:
+            self._speak(self._readdressing)
+            self._readdressing = None
+
+    def _joint_target(self, joints: str, signals: Signals) -> list[Frame]:
+        """Takes a third of a target; nothing is kept for an arm that cannot move.
+
+        So neither enabling the motors nor ending a stop ever sets an arm in motion.
+        """
+        if not self._may_move():
+            return []
+        for joint in joints:
+            self._staged[int(joint) - 1] = signals[f"J{joint}"]
+        self._fresh.add(joints)
+        if len(self._fresh) == _TARGET_FRAMES:
+            self._fresh.clear()
+            self._waiting = tuple(self._staged)
+            if self.condition.obeys_joint_targets:
+                self._pursue(self._waiting)
+        return []
+
+    def _may_move(self) -> bool:
+        condition = self.condition
+        return (
+            all(self.body.powered)
+            and not condition.stopped
+            and not any(condition.communication_fault)
+        )
+
+    def _pursue(self, target_deg: SixValues) -> None:
+        """Takes on a complete target, or refuses it and stays."""
+        self._waiting = None
+        self.condition.beyond_limit = [
+            check_joint(joint, angle_deg, limits) is not None
+            for joint, angle_deg, limits in zip(
+                JOINTS, target_deg, self.settings.limits, strict=True
+            )
+        ]
+        if any(self.condition.beyond_limit):
+            self._cut_motion_short()
+            return
+        self.targets_deg = target_deg
+        self._goal = target_deg
+        self._drive()
+
+    def _drive(self) -> None:
+        """Plans towards the goal with the present speed percentage; at 0 % there is no motion."""
+        if self._goal is None:
+            return
+        accelerations = self.settings.accelerations_deg_s2
+        share = self.condition.speed_percent / 100.0
+        if not share:
+            self.body.brake(accelerations)
+            return
+        speeds = [share * limits.max_speed_deg_s for limits in self.settings.limits]
+        self.body.move_to(self._goal, speeds, accelerations)
+        if self.body.moving:
+            self.condition.motion_state = MotionState.NOT_REACHED
+        else:
+            self._goal = None
+            self.condition.motion_state = MotionState.REACHED
+
+    def _cut_motion_short(self) -> None:
+        self._goal = None
+        self.body.brake(self.settings.accelerations_deg_s2)
+
+    def _forget_targets(self) -> None:
+        self._goal = None
+        self._waiting = None
+        self._fresh.clear()
+
+    # -- power, gripper, bus ---------------------------------------------------------------
+
+    def _motor_enable(self, signals: Signals) -> list[Frame]:
+        joint = int(signals["Joint"])
+        indices = _ALL_INDICES if joint == ALL_JOINTS else range(joint - 1, joint)
+        if signals["Action"] == MotorAction.DISABLE:
+            self._forget_targets()
+            self._cut_motion_short()
+            self.body.power_off(indices, Limp.FREE)
+        elif not self.condition.stopped:
+            self.body.power_on(indices)
+        return [self._desk.answer(SettingIndex.MOTOR_ENABLE)]
+
+    def _gripper_command(self, signals: Signals) -> list[Frame]:
+        if not self.condition.stopped:
+            self.gripper.command(signals)
+        return []
+
+    def _linkage_setting(self, signals: Signals) -> list[Frame]:
+        """Takes the identifier offsets over at once in standby, else as soon as it is reached."""
+        answer = self._desk.answer(SettingIndex.LINKAGE_SETTING)
+        self._readdressing = Addressing(
+            feedback_offset=int(signals["FeedbackOffset"]),
+            control_offset=int(signals["ControlOffset"]),
+        )
+        if self.condition.control_mode is ControlMode.STANDBY:
+            self._enter(ControlMode.STANDBY)
+        return [answer]
+
+    def _bus_silence(self, signals: Signals) -> list[Frame]:
+        self._silent = signals["Mode"] != SilenceMode.LEAVE_SILENCE
+        return []
+
+    def _firmware_version(self, signals: Signals) -> list[Frame]:
+        """Answers with text cut into frames; a neighbour's answer is no question."""
+        if signals["Byte0"] != _VERSION_REQUEST:
+            return []
+        text = (_VERSION_PREFIX + self._version).encode("ascii", "replace")
+        chunks = [text[start : start + 8].ljust(8, b"\0") for start in range(0, len(text), 8)]
+        return [
+            self._codec.encode(
+                "FirmwareVersion", **{f"Byte{i}": byte for i, byte in enumerate(chunk)}
+            )
+            for chunk in chunks
+        ]

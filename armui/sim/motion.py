@@ -1,0 +1,149 @@
+"""How six powered joints move: limited in speed and acceleration, planned by ruckig.
+
+The joints start and arrive together. Only the speed follows the speed percentage; the
+acceleration stays the joints' own, so that an arm slowed down in the middle of a motion brakes
+as hard as before and never runs past a target that lay at a limit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Final
+
+from ruckig import (
+    ControlInterface,
+    InputParameter,
+    Result,
+    Ruckig,
+    RuckigError,
+    Synchronization,
+    Trajectory,
+)
+
+JOINT_COUNT: Final = 6
+
+SixValues = tuple[float, ...]
+"""Six values, joint 1 first."""
+
+STANDSTILL: Final[SixValues] = (0.0,) * JOINT_COUNT
+
+SLOWEST_DEG_S: Final = 0.05
+"""No plan is slower: ruckig refuses motions that take more than two hours."""
+
+
+class MotionError(RuntimeError):
+    """The planner refused its input: a fault of this program, not of the host's frames."""
+
+
+class JointMotion:
+    """The motion of six joints through time, with no clock of its own.
+
+    Attributes:
+        positions_deg: Where the joints are.
+        speeds_deg_s: How fast they turn.
+        accelerations_deg_s2: How their speeds change.
+        moving: Whether a plan is under way.
+    """
+
+    def __init__(self, positions_deg: Iterable[float]) -> None:
+        self._planner = Ruckig(JOINT_COUNT)
+        self._plan = Trajectory(JOINT_COUNT)
+        self._elapsed_s = 0.0
+        self._end_deg: SixValues | None = None
+        self._acceleration_deg_s2 = STANDSTILL
+        self.positions_deg: SixValues = tuple(positions_deg)
+        self.speeds_deg_s: SixValues = STANDSTILL
+        self.accelerations_deg_s2: SixValues = STANDSTILL
+        self.moving = False
+
+    def place(self, positions_deg: Iterable[float]) -> None:
+        """Puts the joints somewhere at once, standing still; a plan under way is forgotten."""
+        self.positions_deg = tuple(positions_deg)
+        self.speeds_deg_s = STANDSTILL
+        self.accelerations_deg_s2 = STANDSTILL
+        self.moving = False
+
+    def move_to(
+        self,
+        targets_deg: Iterable[float],
+        speeds_deg_s: Sequence[float],
+        accelerations_deg_s2: Sequence[float],
+    ) -> None:
+        """Plans from the present position and speed to a target; a plan under way is replaced.
+
+        Args:
+            targets_deg: Where to go.
+            speeds_deg_s: Highest speed of each joint, taken as `SLOWEST_DEG_S` where it is less.
+            accelerations_deg_s2: Highest acceleration of each joint, above 0.
+
+        Raises:
+            MotionError: An acceleration that is not above 0, or a value that is not finite.
+        """
+        request = self._request(accelerations_deg_s2)
+        request.target_position = list(targets_deg)
+        request.max_velocity = [max(speed, SLOWEST_DEG_S) for speed in speeds_deg_s]
+        self._start(request, end_deg=tuple(request.target_position))
+
+    def brake(self, accelerations_deg_s2: Sequence[float]) -> None:
+        """Brings every joint to a standstill as fast as its acceleration allows."""
+        if not self.moving:
+            return
+        request = self._request(accelerations_deg_s2)
+        request.control_interface = ControlInterface.Velocity
+        request.synchronization = Synchronization.No
+        request.target_velocity = list(STANDSTILL)
+        request.max_velocity = [max(abs(v), SLOWEST_DEG_S) for v in self.speeds_deg_s]
+        self._start(request, end_deg=None)
+
+    def advance(self, dt_s: float) -> None:
+        """Lets time pass along the plan."""
+        if not self.moving:
+            return
+        self._elapsed_s += dt_s
+        plan = self._plan
+        if self._elapsed_s < plan.duration:
+            positions, speeds, accelerations = plan.at_time(self._elapsed_s)
+            self.positions_deg = tuple(positions)
+            self.speeds_deg_s = tuple(speeds)
+            self.accelerations_deg_s2 = tuple(accelerations)
+        else:
+            self.place(self._end_deg or plan.at_time(plan.duration)[0])
+
+    def _request(self, accelerations_deg_s2: Sequence[float]) -> InputParameter:
+        """What any plan starts from.
+
+        While the joints turn, the acceleration of their plan stays available: with less of it
+        they could not stop before a target that lies at a limit.
+        """
+        if self.moving:
+            accelerations_deg_s2 = tuple(map(max, accelerations_deg_s2, self._acceleration_deg_s2))
+        self._acceleration_deg_s2 = tuple(accelerations_deg_s2)
+        request = InputParameter(JOINT_COUNT)
+        request.current_position = list(self.positions_deg)
+        request.current_velocity = list(self.speeds_deg_s)
+        request.max_acceleration = list(accelerations_deg_s2)
+        return request
+
+    def _start(self, request: InputParameter, end_deg: SixValues | None) -> None:
+        plan = self._planned(request)
+        if plan is None and request.synchronization is not Synchronization.No:
+            # Ruckig cannot always stretch a joint that turns very slowly to a long common
+            # duration; each joint for itself has a closed solution.
+            request.synchronization = Synchronization.No
+            plan = self._planned(request)
+        if plan is None:
+            raise MotionError(f"ruckig cannot plan {request}")
+        self._plan = plan
+        self._elapsed_s = 0.0
+        self._end_deg = end_deg
+        self.moving = plan.duration > 0.0
+        if not self.moving and end_deg is not None:
+            self.place(end_deg)
+
+    def _planned(self, request: InputParameter) -> Trajectory | None:
+        plan = Trajectory(JOINT_COUNT)
+        try:
+            result = self._planner.calculate(request, plan)
+        except (RuckigError, ValueError):  # ValueError: a result code the binding has no name for
+            return None
+        return plan if result in (Result.Working, Result.Finished) else None

@@ -1,0 +1,144 @@
+"""Runs the simulated arm on any python-can bus, by hand or in real time."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections import deque
+from types import TracebackType
+from typing import Final, Self
+
+import can
+
+from armui.protocol.frame import Frame
+from armui.sim.firmware import Firmware
+
+PERIOD_S: Final = 0.005
+"""How often the thread runs: it wakes 200 times a second, not for each of 3,000 frames."""
+
+_LONGEST_CATCH_UP_S: Final = 0.25
+"""After a longer pause (a computer that slept) the arm does not live through the time missed."""
+
+_MOST_A_POLL: Final = 1_000
+"""A bus carries some 40 frames in a period; a flood must not keep the arm from sending."""
+
+_BUS_ERRORS: Final = (can.CanError, OSError)
+
+
+class Node:
+    """One simulated arm on one bus. The bus stays the caller's, who closes it after `stop`.
+
+    Attributes:
+        firmware: The arm. While the thread runs, only read it.
+        heard: The frames received, newest last.
+        sent: How many frames went out.
+        lost: How many frames the bus did not take (full, down, unplugged).
+        receive_errors: How often the bus failed to receive.
+        worst_lateness_s: The most the thread was behind its clock.
+    """
+
+    def __init__(self, firmware: Firmware, bus: can.BusABC, *, remember: int = 10_000) -> None:
+        """Puts an arm on a bus.
+
+        Args:
+            firmware: The arm.
+            bus: An open bus that does not return what is sent on it.
+            remember: How many received frames `heard` keeps.
+        """
+        self.firmware = firmware
+        self.heard: deque[Frame] = deque(maxlen=remember)
+        self.sent = 0
+        self.received = 0
+        self.lost = 0
+        self.receive_errors = 0
+        self.worst_lateness_s = 0.0
+        self._bus = bus
+        self._ending = threading.Event()
+        self._thread: threading.Thread | None = None
+
+    def __enter__(self) -> Self:
+        self.start()
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.stop()
+
+    def poll(self, dt_s: float) -> None:
+        """Lets the arm hear what has arrived, then lets time pass and sends what is due.
+
+        Args:
+            dt_s: How much time passes.
+        """
+        frames: list[Frame] = []
+        for frame in self._receive():
+            frames += self.firmware.on_frame(frame)
+        frames += self.firmware.step(dt_s)
+        self._send(frames)
+
+    def start(self) -> None:
+        """Starts the thread that lets the arm live in real time.
+
+        Raises:
+            RuntimeError: It runs already.
+        """
+        if self._thread is not None:
+            raise RuntimeError("the node runs already; stop it first")
+        self._ending.clear()
+        self._thread = threading.Thread(target=self._run, name="simulated-arm", daemon=True)
+        self._thread.start()
+
+    def stop(self) -> None:
+        """Ends the thread and waits for it; harmless when none runs."""
+        if self._thread is not None:
+            self._ending.set()
+            self._thread.join()
+            self._thread = None
+
+    def _run(self) -> None:
+        """Polls on a grid of the monotonic clock; what was missed is caught up in one poll."""
+        due_s = time.monotonic() + PERIOD_S
+        while not self._ending.wait(max(due_s - time.monotonic(), 0.0)):
+            late_s = time.monotonic() - due_s
+            self.worst_lateness_s = max(self.worst_lateness_s, late_s)
+            periods = 1 + int(late_s / PERIOD_S)
+            self.poll(min(periods * PERIOD_S, _LONGEST_CATCH_UP_S))
+            due_s += periods * PERIOD_S
+
+    def _receive(self) -> list[Frame]:
+        frames: list[Frame] = []
+        try:
+            for _ in range(_MOST_A_POLL):
+                message = self._bus.recv(timeout=0.0)
+                if message is None:
+                    break
+                if _is_classic_data_frame(message):
+                    frames.append(Frame(message.arbitration_id, bytes(message.data)))
+        except _BUS_ERRORS:
+            self.receive_errors += 1
+        self.heard.extend(frames)
+        self.received += len(frames)
+        return frames
+
+    def _send(self, frames: list[Frame]) -> None:
+        """Sends a burst; when the bus refuses a frame, the rest of the burst is lost with it."""
+        for index, frame in enumerate(frames):
+            message = can.Message(
+                arbitration_id=frame.arbitration_id, data=frame.data, is_extended_id=False
+            )
+            try:
+                self._bus.send(message)
+            except _BUS_ERRORS:
+                self.lost += len(frames) - index
+                return
+            self.sent += 1
+
+
+def _is_classic_data_frame(message: can.Message) -> bool:
+    return not (
+        message.is_error_frame or message.is_remote_frame or message.is_extended_id or message.is_fd
+    )
