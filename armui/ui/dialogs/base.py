@@ -1,0 +1,88 @@
+"""What every dialog of the program shares: the emergency stop, and a change of language."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+
+from armui.ui.widgets.stop_button import StopButton
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_MARGIN_PX: Final = 20
+_GAP_PX: Final = 14
+
+
+class ArmDialog(QDialog):
+    """A dialog with its title and an emergency stop at the top.
+
+    It never blocks the main window: the stop there stays within reach too. Escape closes it.
+
+    Args:
+        controller: Whom the emergency stop tells.
+        parent: The window it belongs to and stays in front of.
+        may_resume: Whether its stop button also offers recovery once the arm has stopped.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        parent: QWidget | None = None,
+        *,
+        may_resume: bool = True,
+    ) -> None:
+        super().__init__(parent)
+        self.setModal(False)
+        self._heading = QLabel()
+        self._heading.setProperty("rank", "title")
+        self._heading.setTextFormat(Qt.TextFormat.PlainText)
+        self._heading.setWordWrap(True)
+        self.stop_button = StopButton(controller, self, may_resume=may_resume)
+
+        header = QHBoxLayout()
+        header.setSpacing(_GAP_PX)
+        header.addWidget(self._heading, 1)
+        header.addWidget(self.stop_button, 0, Qt.AlignmentFlag.AlignTop)
+        self._body = QVBoxLayout()
+        self._body.setSpacing(_GAP_PX)
+        self._footer = QHBoxLayout()
+        self._footer.setSpacing(_GAP_PX // 2)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(_MARGIN_PX, _MARGIN_PX, _MARGIN_PX, _MARGIN_PX)
+        layout.setSpacing(_GAP_PX)
+        layout.addLayout(header)
+        layout.addLayout(self._body, 1)
+        layout.addLayout(self._footer)
+
+    @property
+    def body(self) -> QVBoxLayout:
+        """Where the dialog's own content goes."""
+        return self._body
+
+    @property
+    def footer(self) -> QHBoxLayout:
+        """Where its buttons go, from left to right."""
+        return self._footer
+
+    def set_title(self, title: str) -> None:
+        """Name the dialog, in its frame and at its top."""
+        self.setWindowTitle(title)
+        self._heading.setText(title)
+
+    def open(self) -> None:
+        """Show the dialog in front; unlike Qt's own, without blocking the window behind it."""
+        self.show()
+        self.raise_()
+        self.activateWindow()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language; called anew when that changes."""
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)

@@ -1,0 +1,118 @@
+"""A question before something that the operator might regret."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QWidget
+
+from armui.ui.dialogs.base import ArmDialog
+from armui.ui.theme import colors_of
+from armui.ui.widgets import icons
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_SIGN_PX: Final = 36
+_TEXT_WIDTH_PX: Final = 400
+
+
+class ConfirmDialog(ArmDialog):
+    """Says what is going to happen; nothing does unless the button that names it is pressed.
+
+    Enter and Escape both mean no. Its emergency stop stops, and never asks a question itself.
+
+    Args:
+        controller: Whom the emergency stop tells.
+        parent: The window that asks.
+        title: The question in a few words.
+        text: What will physically happen, and what to do before.
+        action_label: What the button does, in a word.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        parent: QWidget | None = None,
+        *,
+        title: str,
+        text: str,
+        action_label: str,
+    ) -> None:
+        super().__init__(controller, parent, may_resume=False)
+        self.set_title(title)
+        self._sign = QLabel()
+        self._text = QLabel(text)
+        self._text.setTextFormat(Qt.TextFormat.PlainText)
+        self._text.setWordWrap(True)
+        self._text.setMinimumWidth(_TEXT_WIDTH_PX)
+        content = QHBoxLayout()
+        content.setSpacing(16)
+        content.addWidget(self._sign, 0, Qt.AlignmentFlag.AlignTop)
+        content.addWidget(self._text, 1, Qt.AlignmentFlag.AlignTop)
+        self.body.addLayout(content)
+
+        self.action_button = QPushButton(action_label)
+        self.action_button.setAutoDefault(False)
+        self.action_button.clicked.connect(self.accept)
+        self.cancel_button = QPushButton()
+        self.cancel_button.setDefault(True)
+        self.cancel_button.clicked.connect(self.reject)
+        self.footer.addStretch(1)
+        self.footer.addWidget(self.action_button)
+        self.footer.addWidget(self.cancel_button)
+        self.cancel_button.setFocus()
+        self._draw_sign()
+        self.retranslate_ui()
+
+    def text(self) -> str:
+        """What it says."""
+        return self._text.text()
+
+    def retranslate_ui(self) -> None:
+        """Only the cancel button is this dialog's own word."""
+        self.cancel_button.setText(self.tr("Cancel"))
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the theme and the language."""
+        if event.type() == QEvent.Type.PaletteChange:
+            self._draw_sign()
+        super().changeEvent(event)
+
+    def _draw_sign(self) -> None:
+        ink = colors_of(self).warn
+        self._sign.setPixmap(icons.pixmap("warning", ink, _SIGN_PX, self.devicePixelRatioF()))
+
+
+def confirm(
+    parent: QWidget,
+    controller: ArmController,
+    *,
+    title: str,
+    text: str,
+    action_label: str,
+    on_confirmed: Callable[[], object],
+) -> ConfirmDialog:
+    """Ask, without holding up anything; an older question of the same title is withdrawn.
+
+    Args:
+        parent: The window that asks.
+        controller: Whom the emergency stop in the question tells.
+        title: The question in a few words.
+        text: What will physically happen, and what to do before.
+        action_label: What the button does, in a word.
+        on_confirmed: Called when the operator agrees.
+
+    Returns:
+        The open question; it deletes itself once answered.
+    """
+    for older in parent.findChildren(ConfirmDialog):
+        if older.windowTitle() == title:
+            older.reject()
+    dialog = ConfirmDialog(controller, parent, title=title, text=text, action_label=action_label)
+    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    dialog.accepted.connect(on_confirmed)
+    dialog.open()
+    return dialog

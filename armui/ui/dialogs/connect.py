@@ -1,0 +1,300 @@
+"""The window 连接机械臂: which devices are there, connect and disconnect (manual 1.0.1)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QItemSelectionModel, QModelIndex, Qt
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QComboBox,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QSizePolicy,
+    QTableView,
+    QWidget,
+)
+
+from armui.bus.adapters import DEFAULT_BITRATE, Device, bitrate_is_ours, interfaces
+from armui.control.situation import Level, LinkState, Situation
+from armui.ui import words
+from armui.ui.dialogs.base import ArmDialog
+from armui.ui.dialogs.confirm import confirm
+from armui.ui.dialogs.device_model import CHANNEL, STATE, DeviceModel, bitrate_text, same_device
+from armui.ui.dialogs.manual_entry import ManualEntry
+from armui.ui.widgets.message_line import MessageLine
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_BITRATES: Final = (DEFAULT_BITRATE, 500_000)
+"""Today's hardware, and what generation 1's protocol text says."""
+
+_SIZE_PX: Final = (820, 560)
+
+
+class ConnectDialog(ArmDialog):
+    """Lists the devices, searches whenever it is opened, connects and disconnects.
+
+    Args:
+        controller: Searches and connects.
+        parent: The main window.
+    """
+
+    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+        super().__init__(controller, parent)
+        self._controller = controller
+        self._situation = controller.situation
+        self._model = DeviceModel()
+        self._searching = False
+        self._build()
+        self.resize(*_SIZE_PX)
+
+        self._model.modelAboutToBeReset.connect(self._keep_selection)
+        self._model.modelReset.connect(self._restore_selection)
+        self._table.selectionModel().currentRowChanged.connect(self._on_row_changed)
+        self._table.doubleClicked.connect(self._on_connect)
+        self.connect_button.clicked.connect(self._on_connect)
+        self.disconnect_button.clicked.connect(self._on_disconnect)
+        self.refresh_button.clicked.connect(controller.search_devices)
+        self.close_button.clicked.connect(self.close)
+        self._manual.entered.connect(self._on_entered)
+        controller.devices_found.connect(self._on_devices_found)
+        controller.searching_changed.connect(self._on_searching_changed)
+        controller.situation_changed.connect(self._on_situation_changed)
+        self._on_situation_changed(controller.situation)
+        self.retranslate_ui()
+
+    # Layout -----------------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        self._kept: Device | None = None
+        self._message = MessageLine()
+        self._table = QTableView()
+        self._table.setModel(self._model)
+        self._table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self._table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self._table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self._table.setShowGrid(False)
+        self._table.setTabKeyNavigation(False)
+        self._table.verticalHeader().hide()
+        header = self._table.horizontalHeader()
+        header.setHighlightSections(False)
+        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(CHANNEL, QHeaderView.ResizeMode.Stretch)
+        self._progress = QProgressBar()
+        self._progress.setRange(0, 0)
+        self._progress.setTextVisible(False)
+        _keep_room(self._progress)
+        self._progress.hide()
+        self.body.addWidget(self._message)
+        self.body.addWidget(self._table, 1)
+        self.body.addWidget(self._progress)
+        self.body.addLayout(self._build_bitrate())
+        self._manual = ManualEntry(interfaces())
+        self._manual_label = QLabel()
+        self._manual_label.setProperty("rank", "muted")
+        self.body.addWidget(self._manual_label)
+        self.body.addWidget(self._manual)
+        self._build_buttons()
+
+    def _build_bitrate(self) -> QHBoxLayout:
+        self._bitrate_label = QLabel()
+        self.bitrate_box = QComboBox()
+        for bitrate in _BITRATES:
+            self.bitrate_box.addItem("", bitrate)
+        self._bitrate_label.setBuddy(self.bitrate_box)
+        self._bitrate_hint = QLabel()
+        self._bitrate_hint.setProperty("rank", "muted")
+        row = QHBoxLayout()
+        row.addWidget(self._bitrate_label)
+        row.addWidget(self.bitrate_box)
+        row.addSpacing(8)
+        row.addWidget(self._bitrate_hint, 1)
+        return row
+
+    def _build_buttons(self) -> None:
+        self.refresh_button = QPushButton()
+        self.disconnect_button = QPushButton()
+        self.connect_button = QPushButton()
+        self.close_button = QPushButton()
+        self.connect_button.setProperty("primary", "true")
+        for button in (self.refresh_button, self.disconnect_button, self.close_button):
+            button.setAutoDefault(False)
+        self.connect_button.setDefault(True)
+        self.footer.addWidget(self.refresh_button)
+        self.footer.addStretch(1)
+        self.footer.addWidget(self.disconnect_button)
+        self.footer.addWidget(self.connect_button)
+        self.footer.addWidget(self.close_button)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.tr("Connect arm"))
+        self._table.setAccessibleName(self.tr("CAN devices"))
+        self.refresh_button.setText(self.tr("Refresh"))
+        self.connect_button.setText(self.tr("Connect"))
+        self.disconnect_button.setText(self.tr("Disconnect"))
+        self.close_button.setText(self.tr("Close"))
+        self._bitrate_label.setText(self.tr("Bit rate"))
+        self.bitrate_box.setItemText(0, bitrate_text(_BITRATES[0]))
+        generation_1 = self.tr("{bitrate} (generation 1)")
+        self.bitrate_box.setItemText(1, generation_1.format(bitrate=bitrate_text(_BITRATES[1])))
+        self._manual_label.setText(self.tr("The device is not in the list? Name it:"))
+        self._model.retranslate()
+        self._refresh()
+
+    # What the operator does -------------------------------------------------------------------
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Search at each opening, as the manual has it."""
+        super().showEvent(event)
+        if not event.spontaneous():
+            self._table.setFocus()
+            self._controller.search_devices()
+
+    def _on_connect(self) -> None:
+        device = self._selected()
+        if device is None or self._is_connected(device):
+            return
+        if bitrate_is_ours(device.interface) and not device.simulated:
+            device = replace(device, bitrate=self.bitrate_box.currentData())
+        chosen = device
+        self._leave_then(lambda: self._controller.connect_device(chosen))
+
+    def _on_disconnect(self) -> None:
+        self._leave_then(self._controller.disconnect_device)
+
+    def _leave_then(self, action: Callable[[], object]) -> None:
+        """Do it; but ask before, if a moving arm would be left to itself."""
+        if not self._situation.moving:
+            action()
+            return
+        confirm(
+            self,
+            self._controller,
+            title=self.tr("The arm is moving"),
+            text=self.tr(
+                "Without the connection the arm goes on to its target, and the emergency stop of "
+                "this program cannot reach it."
+            ),
+            action_label=self.tr("Disconnect"),
+            on_confirmed=action,
+        )
+
+    def _on_entered(self, device: Device) -> None:
+        self._table.selectRow(self._model.add(device))
+        self._table.setFocus()
+
+    def _on_row_changed(self, _now: QModelIndex, _before: QModelIndex) -> None:
+        device = self._selected()
+        if device is not None and device.bitrate is not None:
+            index = self.bitrate_box.findData(device.bitrate)
+            self.bitrate_box.setCurrentIndex(max(0, index))
+        self._refresh()
+
+    # What the controller tells ----------------------------------------------------------------
+
+    def _on_devices_found(self, devices: Sequence[Device]) -> None:
+        self._model.show_found(devices)
+        if self._selected() is None:
+            self._select(self._situation.device or self._model.device(0))
+
+    def _on_searching_changed(self, searching: bool) -> None:
+        self._searching = searching
+        self._progress.setVisible(searching)
+        self._refresh()
+
+    def _on_situation_changed(self, situation: Situation) -> None:
+        self._situation = situation
+        self._model.show_connected(situation.device, situation.link)
+        self._refresh()
+
+    # How it looks -----------------------------------------------------------------------------
+
+    def _selected(self) -> Device | None:
+        return self._model.device(self._table.currentIndex().row())
+
+    def _select(self, device: Device | None) -> None:
+        row = self._model.row_of(device)
+        if row >= 0:
+            flags = QItemSelectionModel.SelectionFlag
+            index = self._model.index(row, STATE)
+            self._table.selectionModel().setCurrentIndex(index, flags.ClearAndSelect | flags.Rows)
+
+    def _keep_selection(self) -> None:
+        self._kept = self._selected()
+
+    def _restore_selection(self) -> None:
+        self._select(self._kept)
+
+    def _is_connected(self, device: Device) -> bool:
+        return same_device(device, self._situation.device)
+
+    def _refresh(self) -> None:
+        self._refresh_message()
+        self._refresh_bitrate()
+        device = self._selected()
+        if device is None:
+            reason = self.tr("Choose a device in the list first.")
+        elif self._is_connected(device):
+            reason = self.tr("This device is connected.")
+        else:
+            reason = ""
+        _allow(self.connect_button, reason)
+        nothing = self._situation.device is None
+        _allow(self.disconnect_button, self.tr("No device is connected.") if nothing else "")
+        _allow(self.refresh_button, self.tr("The search is under way.") if self._searching else "")
+
+    def _refresh_message(self) -> None:
+        situation = self._situation
+        name = situation.device.name if situation.device is not None else ""
+        if situation.link_problem is not None:
+            self._message.show_message(words.refusal(situation.link_problem), Level.FAULT)
+        elif situation.link is LinkState.OFFLINE and situation.cannot_move is not None:
+            self._message.show_message(words.refusal(situation.cannot_move), Level.WARNING)
+        elif situation.link is LinkState.OPENING:
+            self._message.show_message(self.tr("Connecting to {device}…").format(device=name))
+        elif situation.link is LinkState.ONLINE:
+            text = self.tr("The arm is online on {device}.").format(device=name)
+            self._message.show_message(text, Level.DONE)
+        elif self._searching:
+            self._message.show_message(self.tr("Searching for devices…"))
+        else:
+            self._message.show_message(self.tr("Choose a device and press Connect."))
+
+    def _refresh_bitrate(self) -> None:
+        device = self._selected()
+        if device is None:
+            reason = ""
+        elif device.simulated:
+            reason = self.tr("The simulated arm has no bit rate.")
+        elif not bitrate_is_ours(device.interface):
+            reason = self.tr("Set by the operating system, not by this program.")
+        elif self._is_connected(device):
+            reason = self.tr("Disconnect to change it.")
+        else:
+            reason = ""
+        self.bitrate_box.setEnabled(device is not None and not reason)
+        self.bitrate_box.setToolTip(reason)
+        self._bitrate_hint.setText(reason)
+
+
+def _allow(button: QPushButton, reason_against: str) -> None:
+    """Switch a button on, or off with the reason in its tooltip."""
+    button.setEnabled(not reason_against)
+    button.setToolTip(reason_against)
+
+
+def _keep_room(widget: QWidget) -> None:
+    """Let a widget keep its place while it is hidden, so that nothing below it jumps."""
+    policy: QSizePolicy = widget.sizePolicy()
+    policy.setRetainSizeWhenHidden(True)
+    widget.setSizePolicy(policy)

@@ -1,0 +1,180 @@
+"""The devices of the connect dialog as a table."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Final
+
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
+
+from armui.bus.adapters import Device
+from armui.control.situation import LinkState
+from armui.ui.format import NOTHING
+
+STATE, KIND, CHANNEL, SERIAL, BITRATE = range(5)
+
+_KINDS: Final = {
+    "socketcan": "SocketCAN",
+    "gs_usb": "candleLight (gs_usb)",
+    "slcan": "slcan",
+    "udp_multicast": "UDP multicast",
+    "pcan": "PCAN",
+}
+"""How the world knows a back-end, where that is not python-can's own name for it."""
+
+_Index = QModelIndex | QPersistentModelIndex
+
+
+def same_device(one: Device, other: Device | None) -> bool:
+    """Whether two entries are one device: the bit rate chosen does not make it another."""
+    return other is not None and _key(one) == _key(other)
+
+
+def _key(device: Device) -> tuple[object, ...]:
+    return (device.interface, str(device.channel), device.simulated, device.generation)
+
+
+class DeviceModel(QAbstractTableModel):
+    """Found, typed-in and connected devices, each once; a row a device."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._found: list[Device] = []
+        self._typed: list[Device] = []
+        self._rows: list[Device] = []
+        self._connected: Device | None = None
+        self._link = LinkState.NO_DEVICE
+
+    def show_found(self, devices: Sequence[Device]) -> None:
+        """Replace what the last search found."""
+        self._found = list(devices)
+        self._rebuild()
+
+    def add(self, device: Device) -> int:
+        """Add a device that was typed in; its row."""
+        if all(not same_device(device, known) for known in self._rows):
+            self._typed.append(device)
+            self._rebuild()
+        return self.row_of(device)
+
+    def show_connected(self, device: Device | None, link: LinkState) -> None:
+        """Mark the device that is connected."""
+        if (device, link) == (self._connected, self._link):
+            return
+        is_other = device is not None and not same_device(device, self._connected)
+        self._connected, self._link = device, link
+        if is_other or device is None:
+            self._rebuild()
+        else:
+            self._refresh()
+
+    def device(self, row: int) -> Device | None:
+        """The device of a row; ``None`` if there is no such row."""
+        return self._rows[row] if 0 <= row < len(self._rows) else None
+
+    def row_of(self, device: Device | None) -> int:
+        """The row of a device; −1 if it has none."""
+        rows = (row for row, known in enumerate(self._rows) if same_device(known, device))
+        return next(rows, -1)
+
+    def retranslate(self) -> None:
+        """Every word anew: the language has changed."""
+        self._refresh()
+        self.headerDataChanged.emit(Qt.Orientation.Horizontal, STATE, BITRATE)
+
+    def _rebuild(self) -> None:
+        rows: list[Device] = []
+        connected = [self._connected] if self._connected is not None else []
+        for device in [*self._found, *self._typed, *connected]:
+            if all(not same_device(device, known) for known in rows):
+                rows.append(device)
+        if rows == self._rows:
+            self._refresh()
+            return
+        self.beginResetModel()
+        self._rows = rows
+        self.endResetModel()
+
+    def _refresh(self) -> None:
+        if self._rows:
+            self.dataChanged.emit(self.index(0, STATE), self.index(len(self._rows) - 1, BITRATE))
+
+    # What Qt asks -----------------------------------------------------------------------------
+
+    def rowCount(self, parent: _Index | None = None) -> int:  # noqa: N802 - the name Qt calls
+        """One row a device."""
+        return 0 if parent is not None and parent.isValid() else len(self._rows)
+
+    def columnCount(self, parent: _Index | None = None) -> int:  # noqa: N802 - the name Qt calls
+        """State, kind, channel, serial number, bit rate."""
+        return 0 if parent is not None and parent.isValid() else BITRATE + 1
+
+    def headerData(  # noqa: N802 - the name Qt calls
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        """What a column holds."""
+        if orientation is not Qt.Orientation.Horizontal or role != Qt.ItemDataRole.DisplayRole:
+            return None
+        return (
+            self.tr("State"),
+            self.tr("Kind"),
+            self.tr("Channel"),
+            self.tr("Serial number"),
+            self.tr("Bit rate"),
+        )[section]
+
+    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """The words of a cell; under ``UserRole`` whether its device is connected."""
+        device = self.device(index.row())
+        if device is None:
+            return None
+        if role == Qt.ItemDataRole.DisplayRole:
+            return self._text(device, index.column())
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return device.name
+        if role == Qt.ItemDataRole.UserRole:
+            return same_device(device, self._connected)
+        return None
+
+    def _text(self, device: Device, column: int) -> str:
+        if column == STATE:
+            return self._state_text(device)
+        if column == KIND:
+            return self._kind_text(device)
+        if column == CHANNEL:
+            return str(device.channel)
+        if column == SERIAL:
+            return device.serial or NOTHING
+        return bitrate_text(self._bitrate(device))
+
+    def _bitrate(self, device: Device) -> int | None:
+        """What the device runs at if it is connected, else what it would be opened with."""
+        if self._connected is not None and same_device(device, self._connected):
+            return self._connected.bitrate
+        return device.bitrate
+
+    def _kind_text(self, device: Device) -> str:
+        if not device.simulated:
+            return _KINDS.get(device.interface, device.interface)
+        text = self.tr("Simulated arm, generation {generation}")
+        return text.format(generation=device.generation)
+
+    def _state_text(self, device: Device) -> str:
+        if not same_device(device, self._connected):
+            return ""
+        return {
+            LinkState.NO_DEVICE: "",
+            LinkState.OPENING: self.tr("Connecting…"),
+            LinkState.OFFLINE: self.tr("Offline"),
+            LinkState.ONLINE: self.tr("Online"),
+            LinkState.LOST: self.tr("Connection lost"),
+        }[self._link]
+
+
+def bitrate_text(bitrate: int | None) -> str:
+    """A bit rate as CAN people write it."""
+    if bitrate is None:
+        return NOTHING
+    if bitrate % 1_000_000 == 0:
+        return f"{bitrate // 1_000_000} Mbit/s"
+    return f"{bitrate / 1000:g} kbit/s"

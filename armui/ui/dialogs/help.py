@@ -1,0 +1,158 @@
+"""The window 使用帮助: how to use the 3D area (manual 1.0.8 ①)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Qt
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QScrollArea, QWidget
+
+from armui.ui.dialogs.base import ArmDialog
+from armui.ui.dialogs.keycap import KeyCap
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_SIZE_PX: Final = (640, 600)
+_SECTION_GAP_PX: Final = 14
+
+
+@dataclass(frozen=True, slots=True)
+class _Section:
+    """A heading and its lines: what to do or see, and what it does or means."""
+
+    heading: object
+    lines: tuple[tuple[object, object], ...]
+
+
+_SECTIONS: Final = (
+    _Section(
+        QT_TRANSLATE_NOOP("Help", "Mouse"),
+        (
+            (
+                QT_TRANSLATE_NOOP("Help", "Left drag"),
+                QT_TRANSLATE_NOOP("Help", "Turn the view around the arm"),
+            ),
+            (
+                QT_TRANSLATE_NOOP("Help", "Middle drag, Shift + left drag"),
+                QT_TRANSLATE_NOOP("Help", "Move the view"),
+            ),
+            (QT_TRANSLATE_NOOP("Help", "Wheel"), QT_TRANSLATE_NOOP("Help", "Zoom in and out")),
+            (
+                QT_TRANSLATE_NOOP("Help", "Double click on a link"),
+                QT_TRANSLATE_NOOP("Help", "Mark the joint that moves it, here and in its row"),
+            ),
+        ),
+    ),
+    _Section(
+        QT_TRANSLATE_NOOP("Help", "Keyboard"),
+        (
+            (QT_TRANSLATE_NOOP("Help", "← → ↑ ↓"), QT_TRANSLATE_NOOP("Help", "Turn the view")),
+            (QT_TRANSLATE_NOOP("Help", "+  −"), QT_TRANSLATE_NOOP("Help", "Zoom in and out")),
+            (QT_TRANSLATE_NOOP("Help", "Home"), QT_TRANSLATE_NOOP("Help", "The first view again")),
+            (
+                QT_TRANSLATE_NOOP("Help", "F12, Pause"),
+                QT_TRANSLATE_NOOP("Help", "Emergency stop, from every window of the program"),
+            ),
+        ),
+    ),
+    _Section(
+        QT_TRANSLATE_NOOP("Help", "Figures at the top left"),
+        (
+            (
+                QT_TRANSLATE_NOOP("Help", "X  Y  Z"),
+                QT_TRANSLATE_NOOP("Help", "Measured place of the flange, in mm"),
+            ),
+            (
+                QT_TRANSLATE_NOOP("Help", "RX  RY  RZ"),
+                QT_TRANSLATE_NOOP("Help", "Its measured rotation: roll, pitch, yaw, in degrees"),
+            ),
+            (
+                QT_TRANSLATE_NOOP("Help", "J1 … J6"),
+                QT_TRANSLATE_NOOP("Help", "Measured joint angles in degrees, J1 the lowest joint"),
+            ),
+        ),
+    ),
+    _Section(
+        QT_TRANSLATE_NOOP("Help", "What the picture says"),
+        (
+            (
+                QT_TRANSLATE_NOOP("Help", "—"),
+                QT_TRANSLATE_NOOP("Help", "Not heard from the arm yet: no figure is made up"),
+            ),
+            (
+                QT_TRANSLATE_NOOP("Help", "Muted figures, faded arm"),
+                QT_TRANSLATE_NOOP(
+                    "Help", "Older than half a second: where the arm was, not where it is"
+                ),
+            ),
+            (
+                QT_TRANSLATE_NOOP("Help", "Red, green, blue axis"),
+                QT_TRANSLATE_NOOP("Help", "X, Y and Z of the base, from the middle of its foot"),
+            ),
+        ),
+    ),
+)
+
+
+class HelpDialog(ArmDialog):
+    """Explains mouse, keyboard and figures of the 3D picture.
+
+    Args:
+        controller: Whom the emergency stop tells.
+        parent: The main window.
+    """
+
+    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+        super().__init__(controller, parent)
+        self._labels: list[tuple[QLabel, object]] = []
+        self.body.addWidget(self._build_page(), 1)
+        self.close_button = QPushButton()
+        self.close_button.setDefault(True)
+        self.close_button.clicked.connect(self.close)
+        self.footer.addStretch(1)
+        self.footer.addWidget(self.close_button)
+        self.resize(*_SIZE_PX)
+        self.retranslate_ui()
+
+    def _build_page(self) -> QScrollArea:
+        page = QWidget()
+        grid = QGridLayout(page)
+        grid.setContentsMargins(0, 0, 8, 0)
+        grid.setHorizontalSpacing(18)
+        grid.setVerticalSpacing(7)
+        grid.setColumnStretch(1, 1)
+        for section in _SECTIONS:
+            self._add_section(grid, section)
+        grid.setRowStretch(grid.rowCount(), 1)
+        area = QScrollArea()
+        area.setWidget(page)
+        area.setWidgetResizable(True)
+        area.setFrameShape(QFrame.Shape.NoFrame)
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        return area
+
+    def _add_section(self, grid: QGridLayout, section: _Section) -> None:
+        row = grid.rowCount()
+        if self._labels:
+            grid.setRowMinimumHeight(row, _SECTION_GAP_PX)
+            row += 1
+        heading = QLabel()
+        heading.setProperty("rank", "muted")
+        grid.addWidget(heading, row, 0, 1, 2)
+        self._labels.append((heading, section.heading))
+        for what, meaning in section.lines:
+            row += 1
+            key, text = KeyCap(), QLabel()
+            text.setWordWrap(True)
+            grid.addWidget(key, row, 0, Qt.AlignmentFlag.AlignLeft)
+            grid.addWidget(text, row, 1, Qt.AlignmentFlag.AlignVCenter)
+            self._labels += [(key, what), (text, meaning)]
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.tr("Help: 3D view"))
+        self.close_button.setText(self.tr("Close"))
+        for label, source in self._labels:
+            label.setText(QCoreApplication.translate("Help", str(source)))

@@ -1,0 +1,220 @@
+"""The window 设置: language, theme, jog step, robot description (manual 1.0.8 ③)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import (
+    QComboBox,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QWidget,
+)
+
+from armui import settings
+from armui.arm.refusal import Refusal
+from armui.control.situation import Level
+from armui.settings import SettingsStore
+from armui.ui import format as fmt
+from armui.ui import words
+from armui.ui.dialogs.base import ArmDialog
+from armui.ui.dialogs.files import choose_file
+from armui.ui.widgets.elided_label import ElidedLabel
+from armui.ui.widgets.message_line import MessageLine
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_SIZE_PX: Final = (680, 460)
+_STEP_WIDTH_PX: Final = 110
+_LANGUAGES: Final = (("zh", "中文"), ("en", "English"))
+"""Each in its own words: who cannot read the present language must find their own."""
+
+
+class SettingsDialog(ArmDialog):
+    """Changes the program's settings; each holds at once and is saved.
+
+    Args:
+        store: The settings.
+        controller: Whom the emergency stop tells.
+        parent: The main window.
+    """
+
+    def __init__(
+        self, store: SettingsStore, controller: ArmController, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(controller, parent)
+        self._store = store
+        self._controller = controller
+        self._problem: Refusal | str | None = next(iter(store.problems), None)
+        self._build()
+        self.resize(*_SIZE_PX)
+        self.language_box.activated.connect(self._on_language)
+        self.theme_box.activated.connect(self._on_theme)
+        self.jog_step_edit.editingFinished.connect(self._on_jog_step)
+        self.browse_button.clicked.connect(self._on_browse)
+        self.built_in_button.clicked.connect(self._on_built_in)
+        self.close_button.clicked.connect(self.close)
+        self.retranslate_ui()
+
+    def show_robot_problem(self, text: str) -> None:
+        """Say why the robot description chosen cannot be shown; the old one stays in view."""
+        self._show_problem(text or None)
+
+    # Layout -----------------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        self._language_label, self.language_box = QLabel(), QComboBox()
+        self._theme_label, self.theme_box = QLabel(), QComboBox()
+        self._jog_label, self.jog_step_edit, self._jog_hint = QLabel(), QLineEdit(), QLabel()
+        self._urdf_label, self._urdf_name = QLabel(), ElidedLabel()
+        self.browse_button, self.built_in_button = QPushButton(), QPushButton()
+        self.close_button = QPushButton()
+        for code, name in _LANGUAGES:
+            self.language_box.addItem(name, code)
+        for code in ("light", "dark", "system"):
+            self.theme_box.addItem("", code)
+        self.jog_step_edit.setFixedWidth(_STEP_WIDTH_PX)
+        self.jog_step_edit.setAlignment(Qt.AlignmentFlag.AlignRight)
+        self._jog_hint.setProperty("rank", "muted")
+        for button in (self.browse_button, self.built_in_button, self.close_button):
+            button.setAutoDefault(False)
+
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(18)
+        grid.setVerticalSpacing(12)
+        grid.setColumnStretch(1, 1)
+        _add_row(grid, self._language_label, self.language_box)
+        _add_row(grid, self._theme_label, self.theme_box)
+        _add_row(grid, self._jog_label, self.jog_step_edit, self._jog_hint)
+        _add_row(grid, self._urdf_label, self._urdf_name)
+        row = QHBoxLayout()
+        row.addWidget(self.browse_button)
+        row.addWidget(self.built_in_button)
+        row.addStretch(1)
+        grid.addLayout(row, grid.rowCount(), 1)
+        self._message = MessageLine()
+        self.body.addLayout(grid)
+        self.body.addStretch(1)
+        self.body.addWidget(self._message)
+        self.footer.addStretch(1)
+        self.footer.addWidget(self.close_button)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.tr("Settings"))
+        self._language_label.setText(self.tr("Language"))
+        self._theme_label.setText(self.tr("Theme"))
+        for index, text in enumerate((self.tr("Light"), self.tr("Dark"), self.tr("As the system"))):
+            self.theme_box.setItemText(index, text)
+        self._jog_label.setText(self.tr("Jog step"))
+        self._jog_hint.setText(
+            self.tr("{minimum}° to {maximum}°: how far − and + move a joint").format(
+                minimum=f"{settings.JOG_STEP_MIN_DEG:g}", maximum=f"{settings.JOG_STEP_MAX_DEG:g}"
+            )
+        )
+        self._urdf_label.setText(self.tr("Robot description (URDF)"))
+        self.browse_button.setText(self.tr("Browse…"))
+        self.built_in_button.setText(self.tr("Use the built-in one"))
+        self.close_button.setText(self.tr("Close"))
+        self._refresh()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Show what holds now."""
+        super().showEvent(event)
+        if not event.spontaneous():
+            self._refresh()
+
+    def _refresh(self) -> None:
+        now = self._store.settings
+        self.language_box.setCurrentIndex(self.language_box.findData(now.language))
+        self.theme_box.setCurrentIndex(self.theme_box.findData(now.theme))
+        self.jog_step_edit.setText(f"{now.jog_step_deg:g}°")
+        self._urdf_name.show_text(now.urdf_path or self.tr("Built-in model of the PiPER"))
+        built_in = now.urdf_path is None
+        self.built_in_button.setEnabled(not built_in)
+        tip = self.tr("The built-in robot description is in use.") if built_in else ""
+        self.built_in_button.setToolTip(tip)
+        self._show_problem(self._problem)
+
+    def _show_problem(self, problem: Refusal | str | None) -> None:
+        self._problem = problem
+        text = words.refusal(problem) if isinstance(problem, Refusal) else problem or ""
+        self._message.show_message(text, Level.WARNING)
+
+    # What the operator does -------------------------------------------------------------------
+
+    def _on_language(self) -> None:
+        self._show_problem(self._store.change(language=self.language_box.currentData()))
+
+    def _on_theme(self) -> None:
+        self._show_problem(self._store.change(theme=self.theme_box.currentData()))
+
+    def _on_jog_step(self) -> None:
+        text = self.jog_step_edit.text()
+        step_deg = fmt.parse_number(text)
+        if step_deg is None:
+            self._refuse_jog_step(Refusal("jog_step_not_a_number", {"value": text.strip()}))
+            return
+        problem = self._store.change(jog_step_deg=step_deg)
+        if self._store.settings.jog_step_deg != step_deg:
+            self._refuse_jog_step(problem)
+            return
+        self._mark_jog_step(wrong=False)
+        self.jog_step_edit.setText(f"{step_deg:g}°")
+        self._show_problem(problem)
+
+    def _refuse_jog_step(self, problem: Refusal | None) -> None:
+        """Say why, and leave what was typed to be mended."""
+        self._mark_jog_step(wrong=True)
+        self._show_problem(problem)
+
+    def _mark_jog_step(self, *, wrong: bool) -> None:
+        self.jog_step_edit.setProperty("attention", wrong)
+        style = self.jog_step_edit.style()
+        style.unpolish(self.jog_step_edit)
+        style.polish(self.jog_step_edit)
+
+    def _on_browse(self) -> None:
+        now = self._store.settings.urdf_path
+        choose_file(
+            self,
+            self._controller,
+            title=self.tr("Choose a robot description"),
+            name_filter=self.tr("Robot description") + " (*.urdf)",
+            start=Path(now) if now else Path.home(),
+            on_chosen=self._on_urdf_chosen,
+        )
+
+    def _on_urdf_chosen(self, path: Path) -> None:
+        if not path.is_file():
+            self._show_problem(Refusal("urdf_missing", {"path": str(path)}))
+            return
+        self._problem = None
+        problem = self._store.change(urdf_path=str(path))
+        # whoever shows the robot may have found fault with it meanwhile
+        self._problem = problem or self._problem
+        self._refresh()
+
+    def _on_built_in(self) -> None:
+        self._problem = self._store.change(urdf_path=None)
+        self._refresh()
+
+
+def _add_row(grid: QGridLayout, label: QLabel, field: QWidget, hint: QLabel | None = None) -> None:
+    label.setBuddy(field)
+    row = grid.rowCount()
+    grid.addWidget(label, row, 0)
+    if hint is None:
+        grid.addWidget(field, row, 1)
+        return
+    line = QHBoxLayout()
+    line.addWidget(field)
+    line.addWidget(hint, 1)
+    grid.addLayout(line, row, 1)
