@@ -20,6 +20,11 @@ FRESH_FOR_S: Final = 0.5
 """A value older than this is stale; an arm silent for longer is offline."""
 
 
+def is_fresh(at_s: float | None, now_s: float) -> bool:
+    """Whether something heard at ``at_s`` may stand for the present."""
+    return at_s is not None and now_s - at_s <= FRESH_FOR_S
+
+
 @dataclass(frozen=True, slots=True)
 class Heard(Generic[T]):
     """A value and when it was heard.
@@ -34,7 +39,7 @@ class Heard(Generic[T]):
 
     def fresh(self, now_s: float) -> bool:
         """Whether the value is young enough to stand for the present."""
-        return now_s - self.at_s <= FRESH_FOR_S
+        return is_fresh(self.at_s, now_s)
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,7 +152,7 @@ class ArmState:
 
     def online(self, now_s: float) -> bool:
         """Whether the arm has been heard within the last half second."""
-        return self.last_feedback_s is not None and now_s - self.last_feedback_s <= FRESH_FOR_S
+        return is_fresh(self.last_feedback_s, now_s)
 
     def angles_deg(self) -> Six[float] | None:
         """Six joint angles, or ``None`` while one of them has never been heard."""

@@ -43,6 +43,11 @@ class Outbox:
         """How many ordinary frames were given up, by a stop or by age."""
         return self._dropped
 
+    @property
+    def empty(self) -> bool:
+        """Whether nothing waits."""
+        return not self._waiting and not self._urgent
+
     def attach(self, bus: can.BusABC) -> None:
         """Frames may go out on this bus from now on. What was left from before is dropped."""
         with self._lock:

@@ -53,6 +53,7 @@ class BusWorker(QThread):
         device: What to open.
         opener: How to open it.
         codec: Protocol to begin with; see :meth:`use_codec`.
+        clock: Monotonic time in seconds.
 
     Signals:
         reported: A :class:`BusReport`, whenever the state of the device changes.
@@ -63,19 +64,30 @@ class BusWorker(QThread):
     answered = Signal(object)
 
     def __init__(
-        self, device: Device, opener: Opener, codec: Codec, parent: QObject | None = None
+        self,
+        device: Device,
+        opener: Opener,
+        codec: Codec,
+        clock: Callable[[], float] = time.monotonic,
+        parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
         self.setObjectName(f"bus {device.name}")
         self._device = device
         self._opener = opener
+        self._clock = clock
         self._codec = codec
         self._tracker = Tracker(codec)
         self._next_codec: Codec | None = None
         self._state = ArmState()
         self._pictured_s = 0.0
-        self._outbox = Outbox()
+        self._outbox = Outbox(clock)
         self._closing = threading.Event()
+
+    @property
+    def idle(self) -> bool:
+        """Whether nothing waits to be sent."""
+        return self._outbox.empty
 
     @property
     def state(self) -> ArmState:
@@ -129,7 +141,7 @@ class BusWorker(QThread):
 
     def _receive_burst(self, bus: can.BusABC) -> None:
         message = bus.recv(_RECEIVE_S)
-        now_s = time.monotonic()
+        now_s = self._clock()
         taken = 0
         while message is not None:
             self._take_in(message, now_s)

@@ -97,7 +97,7 @@ class ArmController(QObject):
         self._timer = QTimer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.setInterval(_TICK_MS)
-        self._timer.timeout.connect(self._on_tick)
+        self._timer.timeout.connect(self.tick)
 
     @property
     def state(self) -> ArmState:
@@ -224,7 +224,9 @@ class ArmController(QObject):
     def jog(self, joint: int, delta_deg: float) -> Refusal | None:
         """Move one joint by a step at once; the other five stay where they are or were going."""
         blocked = self._why_no_motion()
-        base_deg = self._setpoint.jog_base_deg(self._state, moving=self._situation.moving)
+        base_deg = self._setpoint.jog_base_deg(
+            self._state, self._clock(), moving=self._situation.moving
+        )
         if blocked is not None or base_deg is None:
             return self._refuse(blocked or Refusal("joints_unknown"))
         target_deg = list(base_deg)
@@ -273,7 +275,7 @@ class ArmController(QObject):
         )
         if not self._connection.send(frames):
             return self._refuse(Refusal("link_lost"))
-        self._setpoint.set(angles_deg)
+        self._setpoint.set(angles_deg, self._clock())
         return None
 
     def _switch_motors(self, *, on: bool) -> Refusal | None:
@@ -315,7 +317,8 @@ class ArmController(QObject):
 
     # What time and the arm bring ----------------------------------------------------------------
 
-    def _on_tick(self) -> None:
+    def tick(self) -> None:
+        """Take in what was heard and move on what is under way; the controller's timer calls it."""
         now_s = self._clock()
         heard = self._connection.advance(now_s)
         changed = heard is not self._state

@@ -58,7 +58,9 @@ def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
         ),
         limits_read=(r1, r2, r3, r4, r5, r6),
         speed_percent=around.speed_percent,
+        # a motion that a stop cut short stays «not reached» for good
         moving=around.link is LinkState.ONLINE
+        and around.stop is StopState.RUNNING
         and state.status is not None
         and not state.status.value.reached,
         generation=around.generation,

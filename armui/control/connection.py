@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from PySide6.QtCore import QObject, Signal
 
 from armui.arm.refusal import Refusal
-from armui.arm.state import ArmState
+from armui.arm.state import ArmState, is_fresh
 from armui.bus.adapters import Device
 from armui.bus.link import BusReport, BusState
 from armui.bus.worker import BusWorker, Opener
@@ -38,6 +38,7 @@ class Connection(QObject):
         self._worker: BusWorker | None = None
         self._bus_state = BusState.CLOSED
         self._online = False
+        self._last_feedback_s: float | None = None
         self.device: Device | None = None
         self.problem: Refusal | None = None
         self.handshake: Handshake | None = None
@@ -55,6 +56,11 @@ class Connection(QObject):
         return LinkState.ONLINE if self._online else LinkState.OFFLINE
 
     @property
+    def idle(self) -> bool:
+        """Whether everything sent has been handed to the device."""
+        return self._worker is None or self._worker.idle
+
+    @property
     def generation(self) -> Generation | None:
         """Which protocol the arm speaks, once it is known."""
         return self.handshake.generation if self.handshake is not None else None
@@ -65,7 +71,7 @@ class Connection(QObject):
         self.problem = None
         self.codec = Codec(Generation.TWO)
         self._bus_state = BusState.OPENING
-        self._worker = BusWorker(device, self._opener, self.codec, self)
+        self._worker = BusWorker(device, self._opener, self.codec, self._clock, self)
         self._worker.reported.connect(self._on_report)
         self._worker.answered.connect(self.answered)
         self._worker.start()
@@ -79,6 +85,7 @@ class Connection(QObject):
         self._worker = None
         self._bus_state = BusState.CLOSED
         self._online = False
+        self._last_feedback_s = None
         self.device = None
         self.problem = None
         self.handshake = None
@@ -96,7 +103,9 @@ class Connection(QObject):
         if self._worker is None:
             return ArmState()
         state = self._worker.state
-        online = self._bus_state is BusState.OPEN and state.online(now_s)
+        # A handshake starts with an empty picture of the arm: that is no silence.
+        self._last_feedback_s = state.last_feedback_s or self._last_feedback_s
+        online = self._bus_state is BusState.OPEN and is_fresh(self._last_feedback_s, now_s)
         if online and not self._online:
             self.handshake = Handshake(self._worker, now_s)
             self.codec = self.handshake.codec

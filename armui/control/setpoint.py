@@ -10,6 +10,9 @@ from armui.arm.state import ArmState
 _SAME_PLACE_DEG: Final = 0.5
 """Measured this close to the setpoint, a joint is where it was sent."""
 
+_UNDER_WAY_S: Final = 0.3
+"""So long after it was sent a motion counts as under way, whatever the arm's last word was."""
+
 _LAG_STEPS: Final = 2
 
 
@@ -18,16 +21,20 @@ class Setpoint:
 
     def __init__(self) -> None:
         self.angles_deg: tuple[float, ...] | None = None
+        self._sent_s = 0.0
 
-    def set(self, angles_deg: Sequence[float]) -> None:
+    def set(self, angles_deg: Sequence[float], now_s: float) -> None:
         """The arm has been sent to these six angles."""
         self.angles_deg = tuple(angles_deg)
+        self._sent_s = now_s
 
     def clear(self) -> None:
         """The arm is no longer where it was sent: stopped, limp, lost."""
         self.angles_deg = None
 
-    def jog_base_deg(self, state: ArmState, *, moving: bool) -> tuple[float, ...] | None:
+    def jog_base_deg(
+        self, state: ArmState, now_s: float, *, moving: bool
+    ) -> tuple[float, ...] | None:
         """Six angles a step is added to, or ``None`` while the arm's angles are not known.
 
         A moving arm, and a joint that has arrived, step from the setpoint, so that steps add up
@@ -36,7 +43,7 @@ class Setpoint:
         measured_deg = state.angles_deg()
         if measured_deg is None or self.angles_deg is None:
             return measured_deg
-        if moving:
+        if moving or now_s - self._sent_s < _UNDER_WAY_S:
             return self.angles_deg
         return tuple(
             asked if abs(asked - measured) < _SAME_PLACE_DEG else measured

@@ -56,7 +56,7 @@ class Situation:
         cannot_move, cannot_enable: Why not, or ``None``: it may.
         limits: Of each joint, as read from the arm where ``limits_read``, else the factory's.
         speed_percent: What motions are sent with.
-        moving: The arm says that it has not reached its target.
+        moving: The arm says that it has not reached its target, and is not stopped.
         generation: The protocol the arm speaks, once that is known.
     """
 

@@ -37,13 +37,9 @@ def test_what_goes_wrong_with_a_device_is_told_apart(error, code):
 
 
 def test_the_reason_is_found_behind_the_exception_a_backend_wraps_it_in():
-    try:
-        try:
-            raise OSError(errno.EBUSY, "busy")
-        except OSError as cause:
-            raise can.CanInitializationError("could not open") from cause
-    except can.CanInitializationError as error:
-        assert explain(CAN0, error).code == "bus_busy"
+    wrapper = can.CanInitializationError("could not open")
+    wrapper.__cause__ = OSError(errno.EBUSY, "busy")
+    assert explain(CAN0, wrapper).code == "bus_busy"
 
 
 def test_a_missing_backend_names_the_package_to_install():

@@ -1,0 +1,98 @@
+"""The commands: the program itself, ``armui sim`` and ``armui decode``."""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import os
+import sys
+from collections.abc import Sequence
+from typing import Final
+
+from armui import __version__
+from armui.start import StartOptions
+
+_COMMANDS: Final = {
+    "decode": ("armui.decode", "print a recorded CAN log frame by frame, in words and units"),
+    "sim": ("armui.sim.command", "run the simulated arm on a CAN bus until Ctrl-C"),
+}
+"""Command to its module, which has ``add_arguments(parser)`` and ``run(options)``, and its purpose.
+
+Imported only when asked for: the window starts without them."""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run a command.
+
+    Returns:
+        The exit code: 0 for success, 2 where the command could not begin.
+    """
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    if words and words[0] in _COMMANDS:
+        return _run_command(words[0], words[1:])
+    parser = _parser()
+    return _run_window(parser, parser.parse_args(words))
+
+
+def _run_command(name: str, words: Sequence[str]) -> int:
+    module_name, purpose = _COMMANDS[name]
+    module = importlib.import_module(module_name)
+    parser = argparse.ArgumentParser(prog=f"armui {name}", description=purpose)
+    module.add_arguments(parser)
+    code: int = module.run(parser.parse_args(words))
+    return code
+
+
+def _run_window(parser: argparse.ArgumentParser, options: argparse.Namespace) -> int:
+    if (options.interface is None) != (options.channel is None):
+        parser.error("--interface and --channel go together")
+    if options.sim and options.interface is not None:
+        parser.error("--sim is a device of its own: leave out --interface")
+    if options.generation is not None and not options.sim:
+        parser.error("--generation belongs to --sim: a real arm says for itself which it is")
+    if _no_display():
+        print(
+            "armui: no display found. Start it in a desktop session, or set DISPLAY or "
+            "WAYLAND_DISPLAY.",
+            file=sys.stderr,
+        )
+        return 2
+    from armui import app  # noqa: PLC0415 - Qt is loaded only for the window
+
+    return app.run(
+        StartOptions(
+            sim_generation=(options.generation or 2) if options.sim else None,
+            interface=options.interface,
+            channel=options.channel,
+            bitrate=options.bitrate,
+            language=options.lang,
+        )
+    )
+
+
+def _no_display() -> bool:
+    if sys.platform in {"win32", "darwin"} or os.environ.get("QT_QPA_PLATFORM"):
+        return False
+    return not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="armui",
+        description="Host program for the AgileX PiPER arm on a CAN bus.",
+        epilog="Further commands (armui COMMAND --help tells more): "
+        + "; ".join(f"{name}: {purpose}" for name, (_module, purpose) in _COMMANDS.items()),
+    )
+    parser.add_argument("--version", action="version", version=f"armui {__version__}")
+    parser.add_argument("--sim", action="store_true", help="connect to the simulated arm")
+    parser.add_argument(
+        "--generation",
+        type=int,
+        choices=(1, 2),
+        help="protocol of the simulated arm (2)",
+    )
+    parser.add_argument("--interface", help="python-can's name of the adapter, e.g. socketcan")
+    parser.add_argument("--channel", help="the adapter's channel, e.g. can0")
+    parser.add_argument("--bitrate", type=int, help="bit/s, where the program sets it (1000000)")
+    parser.add_argument("--lang", choices=("zh", "en"), help="language of the windows")
+    return parser

@@ -1,0 +1,22 @@
+"""What a start of the window can be told on the command line."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class StartOptions:
+    """How to begin.
+
+    Attributes:
+        sim_generation: Connect to the simulated arm that speaks this generation.
+        interface, channel, bitrate: Connect to this device.
+        language: Instead of the one in the settings, for this run.
+    """
+
+    sim_generation: int | None = None
+    interface: str | None = None
+    channel: str | None = None
+    bitrate: int | None = None
+    language: str | None = None

@@ -1,0 +1,163 @@
+"""A simulated arm and the real controller on a virtual bus, with time in the test's hand.
+
+The firmware's clock is the only clock: the bus thread and the controller read it, so half a
+second of silence takes no half second, and nothing ever sleeps.
+"""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+import can
+from PySide6.QtCore import QCoreApplication, QDeadlineTimer
+
+from armui.bus.adapters import Device
+from armui.control.arm_controller import ArmController
+from armui.control.situation import LinkState
+from armui.protocol.codec import Codec, Message
+from armui.protocol.database import Generation
+from armui.protocol.frame import Frame
+from armui.sim.firmware import Firmware
+from armui.sim.node import Node
+
+STEP_S = 0.02
+TIMEOUT_MS = 5000
+_POLL_S = 0.0005
+_LOOKS = 2
+
+
+class Bench:
+    """What a test holds in its hands.
+
+    Attributes:
+        firmware: The simulated arm.
+        controller: The program's own controller, connected to it on request.
+        notices: Every notice so far.
+    """
+
+    def __init__(self, channel: str, generation: Generation = Generation.TWO) -> None:
+        self._channel = channel
+        self.time_s = 1000.0
+        self.firmware = Firmware(generation)
+        self._arm_bus = can.Bus(interface="virtual", channel=channel)
+        self.node = Node(self.firmware, self._arm_bus)
+        self.powered = True
+        self.broken: Exception | None = None
+        self._host_bus: can.BusABC | None = None
+        self._empty_looks = 0
+        self._ear = can.Bus(interface="virtual", channel=channel)
+        self._codec = Codec(generation)
+        self.device = Device("virtual", channel, None, simulated=True, generation=int(generation))
+        self.controller = ArmController(
+            self._open, [self.device], find=list, clock=lambda: self.time_s
+        )
+        self.notices: list = []
+        self.controller.noticed.connect(self.notices.append)
+
+    @contextmanager
+    def _open(self, device: Device) -> Iterator[can.BusABC]:
+        if self.broken is not None:
+            raise self.broken
+        with can.Bus(interface="virtual", channel=device.channel) as bus:
+            self._listen_closely(bus)
+            yield bus
+
+    def _listen_closely(self, bus: can.BusABC) -> None:
+        """Have the bus tell how often the bus thread has found it empty."""
+        receive = bus.recv
+
+        def recv(timeout: float | None = None) -> can.Message | None:
+            message = receive(timeout and _POLL_S)
+            self._empty_looks = 0 if message is not None else self._empty_looks + bool(timeout)
+            return message
+
+        bus.recv = recv
+        self._host_bus = bus
+
+    def unplug(self, error: Exception) -> None:
+        """The adapter is gone: using it, and opening it again, fails."""
+        self.broken = error
+
+        def broken(*_args, **_kwargs):
+            raise error
+
+        self._host_bus.recv = broken
+
+    def plug_in(self) -> None:
+        """The adapter is back."""
+        self.broken = None
+
+    def connect(self) -> None:
+        """Connect as an operator would, and wait until the arm has been asked everything."""
+        self.controller.connect_device(self.device)
+        self.run_until(lambda: "limits_read" in self.codes())
+        self.run_until(lambda: None not in self.controller.situation.enabled)
+
+    def step(self, dt_s: float = STEP_S) -> None:
+        """Let time pass on both sides until each has heard what the other said."""
+        self._settle()
+        self.time_s += dt_s
+        if self.powered:
+            self.node.poll(dt_s)
+        self._settle()
+        self.controller.tick()
+        self._settle()
+
+    def _settle(self) -> None:
+        """Until nothing is on its way any more, in either direction."""
+        if self.controller.situation.link in {LinkState.NO_DEVICE, LinkState.LOST} or self.broken:
+            return
+        self._empty_looks = 0
+        deadline = QDeadlineTimer(TIMEOUT_MS)
+        # One empty look may be from before; after the second all is taken in and shown.
+        while not (self._empty_looks >= _LOOKS and self.controller._connection.idle):
+            QCoreApplication.processEvents()
+            assert not deadline.hasExpired(), "the bus thread does not come to rest"
+        QCoreApplication.processEvents()
+
+    def run(self, seconds: float) -> None:
+        """Let so much time pass."""
+        for _ in range(round(seconds / STEP_S)):
+            self.step()
+
+    def run_until(self, condition: Callable[[], bool], seconds: float = 20.0) -> None:
+        """Let time pass until something is so; fails after ``seconds`` of the arm's time."""
+        for _ in range(round(seconds / STEP_S)):
+            if condition():
+                return
+            self.step()
+        raise AssertionError(f"not within {seconds} s of simulated time: {self.codes()}")
+
+    def ready(self) -> None:
+        """Connect and enable: the arm may move."""
+        self.connect()
+        assert self.controller.enable_motors() is None
+        self.run_until(lambda: self.controller.situation.cannot_move is None)
+
+    def codes(self) -> list[str]:
+        """The codes of all notices so far."""
+        return [notice.code for notice in self.notices]
+
+    def heard(self) -> list[Frame]:
+        """What went over the bus towards the arm since the last call."""
+        frames = []
+        while (message := self._ear.recv(0)) is not None:
+            decoded = self._codec.decode(Frame(message.arbitration_id, bytes(message.data)))
+            if isinstance(decoded, Message) and decoded.name in _COMMANDS:
+                frames.append(Frame(message.arbitration_id, bytes(message.data)))
+        return frames
+
+    def close(self) -> None:
+        """End every thread and bus."""
+        self.controller.shutdown()
+        self._arm_bus.shutdown()
+        self._ear.shutdown()
+
+
+_COMMANDS = {
+    "MotionCommand",
+    "ModeControl",
+    "JointTarget12",
+    "JointTarget34",
+    "JointTarget56",
+    "MotorEnable",
+}

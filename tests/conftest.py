@@ -1,0 +1,37 @@
+"""What every test may use; and what none may leave behind."""
+
+import threading
+
+import pytest
+
+from armui.protocol.database import Generation
+from tests.bench import Bench
+
+
+@pytest.fixture(params=[Generation.ONE, Generation.TWO], ids=["gen1", "gen2"])
+def generation(request):
+    return request.param
+
+
+@pytest.fixture
+def bench(qapp, request):
+    """A simulated arm of generation 2 and the controller, not connected yet."""
+    bench = Bench(request.node.nodeid)
+    yield bench
+    bench.close()
+
+
+@pytest.fixture
+def any_bench(qapp, request, generation):
+    """The same, in both generations."""
+    bench = Bench(request.node.nodeid, generation)
+    yield bench
+    bench.close()
+
+
+@pytest.fixture(autouse=True)
+def no_thread_outlives_the_test():
+    before = set(threading.enumerate())
+    yield
+    left = [thread for thread in set(threading.enumerate()) - before if not thread.daemon]
+    assert not left, f"left running: {left}"
