@@ -237,8 +237,8 @@ def _outside_table(layout: MessageLayout, arbitration_id: int, raw: dict[str, fl
     odd = [layout.signals[name] for name, legal in layout.checked if raw[name] not in legal]
     signals = {name: signal.to_physical(raw[name]) for name, signal in layout.signals.items()}
     detail = "; ".join(
-        f"{layout.name}.{signal.name} is {number(signals[signal.name], signal)}, "
-        f"allowed: {allowed(signal)}"
+        f"{layout.name}.{signal.name} is {number(signals[signal.name], signal)}, not "
+        + ("in its table" if signal.exhaustive else f"within {allowed(signal)}")
         for signal in odd
     )
     message = Message(layout.name, signals)
