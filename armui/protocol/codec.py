@@ -130,7 +130,7 @@ class Codec:
         """
         layout = self._message(name)
         if not signals.keys() <= layout.signals.keys():
-            raise unknown_signal(layout, next(iter(signals.keys() - layout.signals.keys())))
+            raise unknown_signal(layout, next(s for s in signals if s not in layout.signals))
         raw = {
             signal.name: raw_value(layout, signal, signals[signal.name])
             if signal.name in signals
