@@ -53,6 +53,7 @@ class Node:
         self.receive_errors = 0
         self.worst_lateness_s = 0.0
         self._bus = bus
+        self._feedback_ids: set[int] = set()
         self._ending = threading.Event()
         self._thread: threading.Thread | None = None
 
@@ -77,8 +78,9 @@ class Node:
         frames: list[Frame] = []
         for frame in self._receive():
             frames += self.firmware.on_frame(frame)
-        frames += self.firmware.step(dt_s)
-        self._send(frames)
+        feedback = self.firmware.step(dt_s)
+        self._feedback_ids.update(frame.arbitration_id for frame in feedback)
+        self._send(frames + feedback)
 
     def start(self) -> None:
         """Starts the thread that lets the arm live in real time.
@@ -116,13 +118,23 @@ class Node:
                 message = self._bus.recv(timeout=0.0)
                 if message is None:
                     break
-                if _is_classic_data_frame(message):
+                if self._is_worth_hearing(message):
                     frames.append(Frame(message.arbitration_id, bytes(message.data)))
         except _BUS_ERRORS:
             self.receive_errors += 1
         self.heard.extend(frames)
         self.received += len(frames)
         return frames
+
+    def _is_worth_hearing(self, message: can.Message) -> bool:
+        """Whether it is a classic data frame, and not the arm's own (udp_multicast echoes)."""
+        return not (
+            message.arbitration_id in self._feedback_ids
+            or message.is_error_frame
+            or message.is_remote_frame
+            or message.is_extended_id
+            or message.is_fd
+        )
 
     def _send(self, frames: list[Frame]) -> None:
         """Sends a burst; when the bus refuses a frame, the rest of the burst is lost with it."""
@@ -136,9 +148,3 @@ class Node:
                 self.lost += len(frames) - index
                 return
             self.sent += 1
-
-
-def _is_classic_data_frame(message: can.Message) -> bool:
-    return not (
-        message.is_error_frame or message.is_remote_frame or message.is_extended_id or message.is_fd
-    )
