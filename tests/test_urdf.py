@@ -1,4 +1,4 @@
-"""The robot description against the arm's Denavit–Hartenberg table, and the meshes against their sizes."""
+"""The robot description against the arm's Denavit–Hartenberg table."""
 
 from __future__ import annotations
 

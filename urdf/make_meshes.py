@@ -1,12 +1,13 @@
 """Makes the meshes that piper.urdf shows: `python urdf/make_meshes.py [FOLDER]`.
 
-Each link has up to two files: `<link>_shell.stl`, the white covers, and `<link>_joint.stl`, the dark
-motors, rings and pads. A file holds one or more closed solids in the frame of its link, in metres.
-The same numbers always give the same bytes.
+Each link has up to two files: `<link>_shell.stl`, the white covers, and `<link>_joint.stl`, the
+dark motors, rings and pads. A file holds one or more closed solids in the frame of its link, in
+metres. The same numbers always give the same bytes.
 
-Everything is made of two ideas. A *section* is the hull of a few circles, sampled at fixed directions:
-a disc, a rounded rectangle and a teardrop are sections with the same number of points, in the same
-order. A *loft* joins sections into a closed skin. Sizes are outer dimensions of the arm in millimetres.
+Everything is made of two ideas. A *section* is the hull of a few circles, sampled at fixed
+directions: a disc, a rounded rectangle and a teardrop are sections with the same number of points,
+in the same order. A *loft* joins sections into a closed skin. Sizes are outer dimensions of the
+arm in millimetres.
 """
 
 from __future__ import annotations
@@ -81,6 +82,7 @@ def prism(
     high: float,
     fillet: float = 1.5,
     axes: Array = ALONG_Z,
+    *,
     points: int = _POINTS,
 ) -> trimesh.Trimesh:
     """A section pushed from `low` to `high`, with rounded rims."""
@@ -103,11 +105,12 @@ def disc(
     high: float,
     fillet: float = 1.5,
     axes: Array = ALONG_Z,
+    *,
     centre: tuple[float, float] = (0.0, 0.0),
 ) -> trimesh.Trimesh:
     """A round prism; `centre` in the section's own plane."""
     points = _POINTS if radius > 10.0 else _POINTS_OF_SMALL_PARTS
-    return prism([(*centre, radius)], low, high, fillet, axes, points)
+    return prism([(*centre, radius)], low, high, fillet, axes, points=points)
 
 
 def smooth_loft(stations: list[Array]) -> trimesh.Trimesh:
@@ -118,7 +121,7 @@ def smooth_loft(stations: list[Array]) -> trimesh.Trimesh:
 
 
 def across_x(x: float, y: float, tilt_deg: float, half_height: float, half_width: float) -> Array:
-    """Ring of the upper arm: a rounded rectangle across the direction `tilt_deg` in the xy plane."""
+    """Ring of the upper arm: a rounded rectangle across a direction in the xy plane."""
     outline = section(rectangle(half_height, half_width, 11.0))
     tilt = math.radians(tilt_deg)
     return np.column_stack(
@@ -158,9 +161,9 @@ def base_link() -> Parts:
         ],
         "joint": [
             disc(33.0, 80.0, 86.0, 0.8),
-            disc(9.0, -58.5, -50.0, 1.0, ALONG_X, (0.0, 21.0)),
+            disc(9.0, -58.5, -50.0, 1.0, ALONG_X, centre=(0.0, 21.0)),
             *(
-                disc(3.2, 2.0, 4.6, 0.6, ALONG_Z, (x, y))
+                disc(3.2, 2.0, 4.6, 0.6, ALONG_Z, centre=(x, y))
                 for x in (-45.0, 30.0)
                 for y in (-35.0, 35.0)
             ),
@@ -212,8 +215,7 @@ def link2() -> Parts:
             prism([(0.0, 0.0, 31.5), (46.0, -9.0, 20.0)], 38.0, 47.0, 3.0, outward),
             prism([(elbow, 0.0, 31.5), (250.0, -24.0, 22.0)], 38.0, 47.0, 3.0, outward),
         ]
-        for x in (0.0, elbow):
-            joint.append(disc(23.0, 45.0, 48.5, 1.5, outward, (x, 0.0)))
+        joint += [disc(23.0, 45.0, 48.5, 1.5, outward, centre=(x, 0.0)) for x in (0.0, elbow)]
     return {"shell": shell, "joint": joint}
 
 
@@ -238,11 +240,11 @@ def link3() -> Parts:
                     across_y(-168.0, axis_x - 28.5, axis_x + 28.5, 28.5, 28.5),
                 ]
             ),
-            disc(28.5, -208.5, -164.0, 1.0, ALONG_Y, (axis_x, 0.0)),
+            disc(28.5, -208.5, -164.0, 1.0, ALONG_Y, centre=(axis_x, 0.0)),
         ],
         "joint": [
             disc(30.0, -36.6, 36.6, 2.0),
-            disc(27.3, -214.8, -205.0, 1.0, ALONG_Y, (axis_x, 0.0)),
+            disc(27.3, -214.8, -205.0, 1.0, ALONG_Y, centre=(axis_x, 0.0)),
         ],
     }
 
@@ -313,14 +315,14 @@ def gripper_base() -> Parts:
 
 
 def mirrored(solid: trimesh.Trimesh) -> trimesh.Trimesh:
-    """The mirror image of a solid on the other side of the xz plane, its faces turned outward again."""
+    """The mirror image of a solid on the other side of the xz plane."""
     image = trimesh.Trimesh(solid.vertices * [1.0, -1.0, 1.0], solid.faces, process=False)
     image.invert()
     return image
 
 
 def finger_left() -> Parts:
-    """The finger on the side of +y: wide at the carriage, slim at the tip, with a dark pad inside."""
+    """The finger on the side of +y: wide at the carriage, slim at the tip, with a dark pad."""
     shape = (  # z, half width in x, thickness in y
         (66.0, 27.0, 22.0),
         (68.0, 28.0, 23.0),

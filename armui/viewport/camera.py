@@ -36,7 +36,7 @@ class OrbitCamera:
     elevation_deg: float = 20.0
 
     def orbit(self, dx_px: float, dy_px: float) -> OrbitCamera:
-        """The camera after a drag that turns: right turns the scene right, down looks from above."""
+        """The camera after a drag that turns: the scene follows the pointer."""
         elevation_deg = self.elevation_deg + dy_px * _DEG_PER_PIXEL
         return replace(
             self,
@@ -78,5 +78,5 @@ class OrbitCamera:
         return outward, right, np.cross(outward, right)
 
 
-HOME_CAMERA = OrbitCamera(focus_m=(0.06, 0.0, 0.22), distance_m=1.75)
+HOME_CAMERA = OrbitCamera(focus_m=(0.06, 0.0, 0.22), distance_m=1.6)
 """The first view: the arm at rest in the middle, room for it to rise."""

@@ -1,11 +1,13 @@
-"""Turns wishes into pictures: what the view should show, and the one who draws it when it has changed.
+"""Turns wishes into pictures: what the view should show, and the one who draws it.
 
-No Qt, and VTK is imported with the first picture: that takes most of a second, and happens in the thread
-that draws.
+No Qt, and VTK is imported with the first picture: that takes most of a second, and happens in the
+thread that draws.
 """
 
 from __future__ import annotations
 
+import math
+import time
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -19,6 +21,9 @@ if TYPE_CHECKING:
 
     from armui.viewport.offscreen import Pixels
     from armui.viewport.scene import Scene
+
+_CHEAP_FRAME_S = 0.010
+"""A smooth frame that takes less is drawn while the arm moves, too."""
 
 
 @dataclass(frozen=True)
@@ -72,6 +77,10 @@ class ViewState:
 class FramePainter:
     """Owns the scene; lives and dies in one thread.
 
+    Smooth edges cost little on a graphics card, but more than double the time of a frame drawn by
+    the processor. So something that moves is drawn with rough edges where smoothing was measured to
+    be slow, and `refine` draws it once more when it has come to rest.
+
     Args:
         on_load_failed: told in words why a robot can't be shown; the one before stays.
         on_picked: told the joint number seen at a pick, or None.
@@ -84,6 +93,18 @@ class FramePainter:
         self._on_picked = on_picked
         self._scene: Scene | None = None
         self._shown: ViewState | None = None
+        self._smooth_frame_s = math.inf
+        self._is_rough = False
+
+    @property
+    def is_rough(self) -> bool:
+        """Whether the last picture would look better refined."""
+        return self._is_rough
+
+    @property
+    def pixel_ratio(self) -> float:
+        """Device pixels a logical pixel of the last picture."""
+        return 1.0 if self._shown is None else self._shown.pixel_ratio
 
     def paint(self, state: ViewState) -> Pixels | None:
         """Draw a state; None when the picture is still the same.
@@ -100,7 +121,13 @@ class FramePainter:
             self._on_picked(scene.pick(state.pick.x_px, state.pick.y_px))
         if before is not None and replace(state, pick=before.pick) == before:
             return None
-        return scene.render()
+        return self._render(scene, smooth=self._smooth_frame_s < _CHEAP_FRAME_S)
+
+    def refine(self) -> Pixels | None:
+        """Draw the last state with smooth edges; None when that is done already."""
+        if self._scene is None or not self._is_rough:
+            return None
+        return self._render(self._scene, smooth=True)
 
     def close(self) -> None:
         """Give the scene back."""
@@ -108,8 +135,17 @@ class FramePainter:
             self._scene.close()
             self._scene = None
 
+    def _render(self, scene: Scene, *, smooth: bool) -> Pixels:
+        started_s = time.perf_counter()
+        pixels = scene.render(smooth=smooth)
+        if smooth:
+            self._smooth_frame_s = time.perf_counter() - started_s
+        self._is_rough = not smooth
+        return pixels
+
     def _open(self) -> Scene:
-        from armui.viewport.scene import Scene  # noqa: PLC0415 - VTK: slow, and only this thread waits
+        # VTK takes most of a second to import, and only this thread has to wait for it.
+        from armui.viewport.scene import Scene  # noqa: PLC0415 - see above
 
         self._scene = Scene()
         return self._scene

@@ -22,7 +22,7 @@ _VTK_READS = frozenset({".stl", ".ply", ".obj"})
 
 
 def picture_of(visual: Visual) -> pv.PolyData:
-    """The triangles of one visual in the frame of its link, metres, with normals for smooth shading.
+    """Triangles of one visual in the frame of its link, metres, with normals for smooth shading.
 
     Raises:
         SceneError: the mesh file can't be read or holds no surface.
@@ -38,7 +38,8 @@ def picture_of(visual: Visual) -> pv.PolyData:
     else:
         surface = pv.Sphere(radius=visual.size[0])
     surface = surface.transform(visual.pose, inplace=False)
-    # STL files repeat each corner; merged corners are what lets normals run smoothly over a surface.
+    # STL files repeat each corner; merged corners are what lets normals run smoothly over a
+    # surface.
     smooth: pv.PolyData = (
         surface.triangulate()
         .clean()
@@ -55,7 +56,7 @@ def _read(path: Path) -> pv.PolyData:
             import trimesh  # noqa: PLC0415 - half a second that only the rarer formats should cost
 
             surface = pv.wrap(trimesh.load(path, force="mesh"))
-    except Exception as error:  # noqa: BLE001 - readers of eight formats raise whatever they like
+    except Exception as error:
         raise SceneError(f"{path}: the mesh can't be read ({error}); export it again.") from error
     if not isinstance(surface, pv.PolyData) or surface.n_cells == 0:
         raise SceneError(f"{path}: the mesh holds no surface; export it again.")
@@ -66,7 +67,8 @@ def floor_lines(radius_m: float, step_m: float) -> tuple[pv.PolyData, np.ndarray
     """A square grid on the floor, cut out round.
 
     Returns:
-        The lines, in short pieces, and for each of their points how far out it lies (0 centre, 1 rim).
+        The lines, in short pieces, and for each of their points how far out it lies (0 centre, 1
+        rim).
     """
     offsets = np.arange(-np.floor(radius_m / step_m), np.floor(radius_m / step_m) + 1) * step_m
     starts, ends = [], []

@@ -11,8 +11,9 @@ T = TypeVar("T")
 class Mailbox(Generic[T]):
     """Holds the newest item only.
 
-    After each item that led to a result the reader waits until that result was `acknowledged`; items put
-    in meanwhile replace each other. So a slow receiver slows the reader down instead of filling a queue.
+    After each item that led to a result the reader waits until that result was `acknowledged`;
+    items put in meanwhile replace each other. So a slow receiver slows the reader down instead of
+    filling a queue.
     """
 
     def __init__(self) -> None:
@@ -27,10 +28,36 @@ class Mailbox(Generic[T]):
             self._item = item
             self._changed.notify_all()
 
-    def take(self) -> T | None:
-        """Sleep until there is an item and no result is pending; None once the box is closed."""
+    @property
+    def is_closed(self) -> bool:
+        """Whether `close` was called."""
         with self._changed:
-            self._changed.wait_for(lambda: self._closed or self._may_take())
+            return self._closed
+
+    @property
+    def has_item(self) -> bool:
+        """Whether an item waits."""
+        with self._changed:
+            return self._item is not None
+
+    @property
+    def is_result_pending(self) -> bool:
+        """Whether a result was sent and not acknowledged yet."""
+        with self._changed:
+            return self._result_pending
+
+    def take(self, timeout_s: float | None = None) -> T | None:
+        """Sleep until no result is pending, then until there is an item.
+
+        Args:
+            timeout_s: how long to wait for an item; by default for ever.
+
+        Returns:
+            The item; None once the box is closed, or when time is up.
+        """
+        with self._changed:
+            self._changed.wait_for(lambda: self._closed or not self._result_pending)
+            self._changed.wait_for(lambda: self._closed or self._may_take(), timeout_s)
             return None if self._closed else self._pop()
 
     def take_at_once(self) -> T | None:
@@ -43,12 +70,11 @@ class Mailbox(Generic[T]):
         with self._changed:
             self._result_pending = True
 
-    def acknowledge(self) -> bool:
-        """The receiver has used the result. True when one was pending."""
+    def acknowledge(self) -> None:
+        """The receiver has used the result."""
         with self._changed:
-            was_pending, self._result_pending = self._result_pending, False
+            self._result_pending = False
             self._changed.notify_all()
-            return was_pending
 
     def close(self) -> None:
         """Wake the reader for the last time."""

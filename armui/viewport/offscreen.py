@@ -1,8 +1,8 @@
 """A window without a screen: opens it safely and reads its pixels.
 
-VTK looks for a way to draw by itself (EGL, X, OSMesa, or Windows' own) and ends the whole process if it
-finds none. A host program of an arm must not die of a missing graphics library, so that case is found out
-before the first drawing call.
+VTK looks for a way to draw by itself (EGL, X, OSMesa, or Windows' own) and ends the whole process
+if it finds none. A host program of an arm must not die of a missing graphics library, so that case
+is found out before the first drawing call.
 """
 
 from __future__ import annotations
@@ -73,7 +73,11 @@ class Canvas:
         self._window.SetSize(max(width_px, 1), max(height_px, 1))
 
     def draw(self) -> Pixels:
-        """Draw: height × width × 4 bytes (red, green, blue, unused), top row first, the caller's own."""
+        """Draw.
+
+        Returns:
+            height × width × 4 bytes (red, green, blue, unused), top row first, the caller's own.
+        """
         self._window.Render()
         width, height = self._window.GetSize()
         raw = vtkUnsignedCharArray()

@@ -10,7 +10,8 @@ class ScenePalette:
     """Colours as "#rrggbb".
 
     Attributes:
-        background: behind everything; floor lines fade into it, an arm not measured is mixed with it.
+        background: behind everything; floor lines fade into it, an arm not measured is mixed with
+            it.
         grid: floor lines.
         text: figures over the picture.
         muted: figures that are stale or not heard.

@@ -1,9 +1,9 @@
 """Draws the 3D picture beside the user interface.
 
-The thread that draws owns everything of OpenGL from first to last. It sleeps until something has changed,
-and starts no new picture before the last one was used. VTK releases Python's global lock while it draws, so
-the user interface keeps running. On macOS windows belong to the main thread, drawing too: there the same
-class draws between two events instead.
+The thread that draws owns everything of OpenGL from first to last. It sleeps until something has
+changed, and starts no new picture before the last one was used. VTK releases Python's global lock
+while it draws, so the user interface keeps running. On macOS windows belong to the main thread,
+drawing too: there the same class draws between two events instead.
 """
 
 from __future__ import annotations
@@ -21,6 +21,8 @@ from armui.viewport.mailbox import Mailbox
 
 _LOG = logging.getLogger(__name__)
 _JOIN_LIMIT_S = 10.0
+_REST_MS = 150
+"""The picture has come to rest when nothing has changed for so long."""
 
 
 class RenderThread(QObject):
@@ -33,7 +35,7 @@ class RenderThread(QObject):
         failed: why nothing can be drawn at all; no pictures follow.
 
     Args:
-        threaded: False draws in the calling thread, between two events; by default so on macOS only.
+        threaded: False draws in the calling thread, between two events; by default on macOS only.
     """
 
     frame_ready = Signal(QImage)
@@ -66,21 +68,22 @@ class RenderThread(QObject):
             self._thread.start()
         else:
             self._inline_painter = self._new_painter()
-            self._inline_timer.start()
+            self._inline_timer.start(0)
 
     def show(self, state: ViewState) -> None:
         """Ask for a picture; replaces a state that was not drawn yet."""
         self._mailbox.put(state)
         if self._inline_painter is not None:
-            self._inline_timer.start()
+            self._inline_timer.start(0)
 
     def frame_taken(self) -> None:
         """The last picture is on the screen: the next one may be drawn."""
-        if self._mailbox.acknowledge() and self._inline_painter is not None:
-            self._inline_timer.start()
+        self._mailbox.acknowledge()
+        if self._inline_painter is not None and not self._inline_timer.isActive():
+            self._inline_timer.start(0 if self._mailbox.has_item else _REST_MS)
 
     def stop(self) -> None:
-        """End drawing and wait until the thread has given everything back; may be called twice."""
+        """End drawing and wait until everything is given back; may be called twice."""
         self._mailbox.close()
         self._inline_timer.stop()
         if self._inline_painter is not None:
@@ -89,10 +92,7 @@ class RenderThread(QObject):
         if self._thread is not None:
             self._thread.join(_JOIN_LIMIT_S)
             if self._thread.is_alive():
-                _LOG.error(
-                    "The 3D view did not end within %.0f s: the graphics driver hangs.",
-                    _JOIN_LIMIT_S,
-                )
+                _LOG.error("The 3D view did not end in %.0f s: the driver hangs.", _JOIN_LIMIT_S)
             self._thread = None
 
     def _new_painter(self) -> FramePainter:
@@ -101,33 +101,37 @@ class RenderThread(QObject):
     def _run(self) -> None:
         painter = self._new_painter()
         try:
-            while (state := self._mailbox.take()) is not None and self._draw(painter, state):
-                pass
+            while True:
+                state = self._mailbox.take(_REST_MS / 1000.0 if painter.is_rough else None)
+                if self._mailbox.is_closed or not self._draw(painter, state):
+                    break
         finally:
             painter.close()
 
     def _draw_inline(self) -> None:
-        state = self._mailbox.take_at_once()
-        if self._inline_painter is not None and state is not None:
-            self._draw(self._inline_painter, state)
+        if self._inline_painter is None or self._mailbox.is_result_pending:
+            return
+        if not self._draw(self._inline_painter, self._mailbox.take_at_once()):
+            self.stop()
 
-    def _draw(self, painter: FramePainter, state: ViewState) -> bool:
-        """Draw and hand over one picture; False when drawing can't go on."""
+    def _draw(self, painter: FramePainter, state: ViewState | None) -> bool:
+        """Draw a state, or without one refine the last picture; False when drawing can't go on."""
         try:
-            pixels = painter.paint(state)
+            pixels = painter.refine() if state is None else painter.paint(state)
         except SceneError as error:
             self.failed.emit(str(error))
             return False
-        except Exception as error:
-            # The last line of defence: a picture that fails must not take the arm's controls with it.
+        except Exception as error:  # noqa: BLE001 - a picture must not take the controls with it
             _LOG.exception("The 3D view stopped")
             self.failed.emit(f"{type(error).__name__}: {error}")
             return False
         if pixels is not None:
             height, width, depth = pixels.shape
-            view = QImage(pixels.data, width, height, width * depth, QImage.Format.Format_RGBX8888)
-            image = view.copy()
-            image.setDevicePixelRatio(state.pixel_ratio)
+            shared = QImage(
+                pixels.data, width, height, width * depth, QImage.Format.Format_RGBX8888
+            )
+            image = shared.copy()
+            image.setDevicePixelRatio(painter.pixel_ratio)
             self._mailbox.result_sent()
             self.frame_ready.emit(image)
         return True

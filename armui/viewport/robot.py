@@ -1,8 +1,8 @@
 """A six-joint arm as a URDF file describes it, and where its links are.
 
-Pure data and numpy: nothing is drawn here, and nothing is imported that would slow the program's start.
-Lengths are metres and angles radians as in URDF; the joint angles handed in are the arm's own, in degrees,
-and the gripper opening in millimetres.
+Pure data and numpy: nothing is drawn here, and nothing is imported that would slow the program's
+start. Lengths are metres and angles radians as in URDF; the joint angles handed in are the arm's
+own, in degrees, and the gripper opening in millimetres.
 """
 
 from __future__ import annotations
@@ -78,7 +78,7 @@ class Joint:
         return self.origin
 
     def opened(self, travel_m: float) -> float:
-        """Value of a slider that has left its closed end (zero) by `travel_m`, no further than its limit."""
+        """Value of a slider this far from its closed end (zero), but within its limit."""
         if abs(self.lower) > abs(self.upper):
             return -min(travel_m, -self.lower)
         return min(travel_m, self.upper)
@@ -94,8 +94,8 @@ class Robot:
         visuals: the pictures of each link.
         joints: every joint, parents before children, leaders before those that mimic them.
         arm_joints: names of the six hinges of the arm, base first.
-        joint_number_of_link: by link name, the number (1–6) of the arm joint that moves it last; the
-            links before joint 1 are absent.
+        joint_number_of_link: by link name, the number (1–6) of the arm joint that moves it last;
+            the links before joint 1 are absent.
     """
 
     path: Path

@@ -56,7 +56,8 @@ class RobotActors:
 
         Args:
             palette: the theme.
-            fresh: False fades the arm into the background: this pose is not what the arm reports now.
+            fresh: False fades the arm into the background: this pose is not what the arm reports
+                now.
             highlighted_joint: its links take the accent colour.
         """
         for link, actor, own_color in self._parts:
@@ -70,7 +71,7 @@ class RobotActors:
             actor.prop.specular = 0.25 if fresh else 0.0
 
     def joint_of(self, picked: object) -> int | None:
-        """Number (1–6) of the joint that moves an actor; None for the base and for things not ours."""
+        """Number (1–6) of the joint that moves an actor; None for the base and the unknown."""
         for link, actor, _ in self._parts:
             if actor is picked:
                 return self._robot.joint_number_of_link.get(link)

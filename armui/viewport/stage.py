@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 import pyvista as pv
 from vtkmodules.vtkRenderingCore import vtkFollower, vtkPolyDataMapper
@@ -75,15 +73,15 @@ class Stage:
         return follower
 
     def _add(self, actor: pv.Actor | vtkFollower) -> None:
-        actor.SetPickable(False)
+        actor.PickableOff()
         self._renderer.AddActor(actor)
 
     def _light(self) -> None:
-        """A soft head light, a key light over the left shoulder and a faint one from below right."""
+        """A soft head light, a key light over the left shoulder, a faint one from the right."""
         for position, intensity in (
-            ((0, 0, 1), 0.35),
-            ((-0.8, 1.2, 0.9), 0.65),
-            ((0.9, -0.5, 0.4), 0.18),
+            ((0, 0, 1), 0.42),
+            ((-0.6, 1.2, 0.9), 0.62),
+            ((0.9, 0.1, 0.5), 0.2),
         ):
             light = pv.Light(light_type="camera light", intensity=intensity)
             light.position = position

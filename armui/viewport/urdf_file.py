@@ -1,7 +1,7 @@
 """Reads a URDF file into a `Robot`: any file of the arm's kind, six hinges in a row.
 
-Written on the standard library's XML reader instead of a URDF package: those load the meshes with the
-description and take longer to import than everything else the picture needs.
+Written on the standard library's XML reader instead of a URDF package: those load the meshes with
+the description and take longer to import than everything else the picture needs.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from armui.viewport.robot import (
     ARM_JOINT_COUNT,
     HINGES,
     Joint,
-    Mimic,
     Matrix,
+    Mimic,
     Rgb,
     Robot,
     Visual,
@@ -37,12 +37,12 @@ def load_robot(path: Path) -> Robot:
     """Read a URDF file of a six-joint arm.
 
     Args:
-        path: the URDF file. Mesh names in it may be relative to its folder, absolute, `file://…`, or
-            `package://…`, which is looked for in the file's folder and the folders above.
+        path: the URDF file. Mesh names in it may be relative to its folder, absolute, `file://…`,
+            or `package://…`, which is looked for in the file's folder and the folders above.
 
     Raises:
-        SceneError: the file can't be read or is no URDF, a mesh is missing, or the file has no chain of
-            six revolute joints. The text names file, reason and remedy.
+        SceneError: the file can't be read or is no URDF, a mesh is missing, or the file has no
+            chain of six revolute joints. The text names file, reason and remedy.
     """
     return _Reader(path).robot()
 
@@ -249,7 +249,7 @@ class _Reader:
         return tuple(ordered)
 
     def _arm_joints(self, joints: tuple[Joint, ...]) -> tuple[str, ...]:
-        """Names of the hinges that all long branches share: the arm without the fingers at its end."""
+        """Names of the hinges that all long branches share: the arm without its fingers."""
         hinges_to: dict[str, tuple[str, ...]] = {}
         for joint in joints:
             before = hinges_to.get(joint.parent, ())

@@ -43,9 +43,9 @@ _WHEEL_STEP = 120.0
 class ArmView(QWidget):
     """The arm in 3D with the measured figures over it.
 
-    Left drag turns, middle drag or shift with left drag moves, the wheel zooms, a double click on a link
-    picks its joint. With the focus: arrow keys turn, + and − zoom, Home resets. Nothing is drawn while the
-    widget can't be seen.
+    Left drag turns, middle drag or shift with left drag moves, the wheel zooms, a double click on
+    a link picks its joint. With the focus: arrow keys turn, + and − zoom, Home resets. Nothing is
+    drawn while the widget can't be seen.
 
     Signals:
         joint_picked: a link was double-clicked; its joint number, 1–6.
@@ -111,7 +111,8 @@ class ArmView(QWidget):
         """Show measured joint angles.
 
         Args:
-            angles_deg: six angles as on the bus; None: never heard, the arm is shown at zero and faded.
+            angles_deg: six angles as on the bus; None: never heard, the arm is shown at zero and
+                faded.
             gripper_mm: opening; None: never heard, shown closed.
             stale: the values are no longer fresh: the figures turn muted, the arm fades.
         """
