@@ -1,0 +1,54 @@
+"""How figures are written, in one place, so that columns of them stand still."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+NOTHING: Final = "—"
+"""Stands where nothing has been heard from the arm."""
+
+DECIMALS: Final = 3
+"""Of angles and lengths: the resolution of the bus."""
+
+
+def number(value: float | None, decimals: int = DECIMALS) -> str:
+    """A figure without its unit, with a fixed number of decimals and never a negative zero."""
+    if value is None or not math.isfinite(value):
+        return NOTHING
+    text = f"{value:.{decimals}f}"
+    return text.lstrip("-") if float(text) == 0 else text
+
+
+def angle(value_deg: float | None) -> str:
+    """An angle with its unit."""
+    return NOTHING if value_deg is None else f"{number(value_deg)}°"
+
+
+def short_angle(value_deg: float) -> str:
+    """An angle with as many decimals as it needs, for the ends of a scale."""
+    text = number(value_deg)
+    return f"{text.rstrip('0').rstrip('.')}°"
+
+
+def percent(value: float | None) -> str:
+    """A percentage without decimals."""
+    return NOTHING if value is None else f"{number(value, 0)} %"
+
+
+def joints(numbers: list[int]) -> str:
+    """Joint numbers as they are listed in a sentence: ``J1, J3``."""
+    return ", ".join(f"J{joint}" for joint in numbers)
+
+
+def parse_number(text: str) -> float | None:
+    """The figure an operator typed, or ``None`` if it is none.
+
+    A unit sign behind it, a decimal comma and the typographic minus are understood.
+    """
+    plain = text.strip().removesuffix("°").strip().replace("−", "-").replace(",", ".")
+    try:
+        value = float(plain)
+    except ValueError:
+        return None
+    return value if math.isfinite(value) else None

@@ -1,0 +1,255 @@
+"""The main window: the regions of the manual's figure 1-1, and what is wired between them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QEvent, QSize, Qt
+from PySide6.QtGui import QCloseEvent, QShowEvent
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QMainWindow,
+    QScrollArea,
+    QSplitter,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from armui.arm.state import ArmState
+from armui.control.situation import LinkState, Situation
+from armui.paths import URDF
+from armui.ui.dialogs.confirm import confirm
+from armui.ui.panels.motion_panel import MotionPanel
+from armui.ui.side_menu import MenuEntry, SideMenu
+from armui.ui.status_bar import StatusBar
+from armui.ui.theme import DARK, colors_of
+from armui.ui.top_bar import TopBar
+from armui.ui.widgets.view_region import ViewRegion
+from armui.viewport import palette as scene_palette
+
+if TYPE_CHECKING:
+    from PySide6.QtWidgets import QDialog
+
+    from armui.control.arm_controller import ArmController
+    from armui.settings import Settings, SettingsStore
+    from armui.viewport.view import ArmView
+
+_BUILT_IN_ROBOT: Final = URDF / "piper.urdf"
+_FIRST_SIZE: Final = QSize(1440, 900)
+_SMALLEST_SIZE: Final = QSize(1180, 720)
+_PANEL_WIDTH_PX: Final = 440
+
+
+class MainWindow(QMainWindow):
+    """Shows the arm and takes the operator's wishes; knows nothing of the bus.
+
+    Args:
+        controller: Whom the regions tell, and who tells them.
+        view: The 3D picture.
+        preferences: What the operator chose; changes reach the window at once.
+    """
+
+    def __init__(
+        self, controller: ArmController, view: ArmView, preferences: SettingsStore
+    ) -> None:
+        super().__init__()
+        self._controller = controller
+        self._view = view
+        self._preferences = preferences
+        self._settings = preferences.settings
+        self._dialogs: dict[str, QDialog] = {}
+        self._may_close = False
+        self._motion_panel: MotionPanel | None = None
+        self._entries = (
+            MenuEntry(
+                "motion",
+                str(QT_TRANSLATE_NOOP("SideMenu", "Motion control")),
+                "motion",
+                self._make_motion_panel,
+            ),
+        )
+        self._view_region = ViewRegion(view)
+        self._lay_out()
+        self._connect()
+        self.resize(_FIRST_SIZE)
+        self.setMinimumSize(_SMALLEST_SIZE)
+        self.retranslate_ui()
+        self._color_view()
+
+    # -- layout -------------------------------------------------------------------------------
+
+    def _lay_out(self) -> None:
+        self._menu = SideMenu(self._entries)
+        self._panels = QStackedWidget()
+        self._panels.setObjectName("operation_area")
+        for entry in self._entries:
+            self._panels.addWidget(_scrolled(entry.make_panel()))
+        self._panels.setMinimumWidth(_PANEL_WIDTH_PX - 40)
+
+        splitter = QSplitter(Qt.Orientation.Horizontal)
+        splitter.setObjectName("splitter")
+        splitter.setHandleWidth(1)
+        splitter.addWidget(self._panels)
+        splitter.addWidget(self._view_region)
+        splitter.setChildrenCollapsible(False)
+        splitter.setStretchFactor(0, 0)
+        splitter.setStretchFactor(1, 1)
+        splitter.setSizes([_PANEL_WIDTH_PX, _FIRST_SIZE.width() - _PANEL_WIDTH_PX])
+
+        middle = QHBoxLayout()
+        middle.setSpacing(0)
+        middle.addWidget(self._menu)
+        middle.addWidget(splitter, 1)
+
+        central = QWidget()
+        whole = QVBoxLayout(central)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(0)
+        whole.addWidget(TopBar(self._controller, self.open_connect_dialog))
+        whole.addLayout(middle, 1)
+        whole.addWidget(StatusBar(self._controller))
+        self.setCentralWidget(central)
+
+    def _make_motion_panel(self) -> QWidget:
+        self._motion_panel = MotionPanel(self._controller, self._settings.jog_step_deg)
+        return self._motion_panel
+
+    def _connect(self) -> None:
+        self._menu.chosen.connect(self._panels.setCurrentIndex)
+        self._view_region.help_wanted.connect(self.open_help_dialog)
+        self._view_region.reset_wanted.connect(self._view.reset_view)
+        self._view_region.settings_wanted.connect(self.open_settings_dialog)
+        self._controller.state_changed.connect(self._show_in_view)
+        self._controller.situation_changed.connect(self._on_situation_changed)
+        self._unsubscribe = self._preferences.subscribe(self._on_settings_changed)
+
+    # -- the arm in 3D ------------------------------------------------------------------------
+
+    def _on_situation_changed(self, _situation: Situation) -> None:
+        self._show_in_view(self._controller.state)
+
+    def _show_in_view(self, state: ArmState) -> None:
+        if not self.isVisible():
+            return
+        now_s = state.last_feedback_s
+        offline = self._controller.situation.link is not LinkState.ONLINE
+
+        def stale(heard: tuple[object | None, ...], times_s: list[float]) -> bool:
+            return bool(heard) and (offline or now_s is None or now_s - min(times_s) > 0.5)
+
+        joints = [heard for heard in state.joints_deg if heard is not None]
+        gripper_mm = None if state.gripper is None else state.gripper.value.opening_mm
+        self._view.set_joints(
+            state.angles_deg(),
+            gripper_mm,
+            stale=stale(tuple(joints), [heard.at_s for heard in joints]),
+        )
+        parts = [heard for heard in state.pose if heard is not None]
+        self._view.set_pose(
+            state.end_pose(), stale=stale(tuple(parts), [heard.at_s for heard in parts])
+        )
+
+    def _color_view(self) -> None:
+        dark = colors_of(self) is DARK
+        self._view.set_theme(scene_palette.DARK if dark else scene_palette.LIGHT)
+
+    # -- settings and dialogs -----------------------------------------------------------------
+
+    def _on_settings_changed(self, settings: Settings) -> None:
+        old, self._settings = self._settings, settings
+        if old.jog_step_deg != settings.jog_step_deg and self._motion_panel is not None:
+            self._motion_panel.set_jog_step(settings.jog_step_deg)
+        if old.urdf_path != settings.urdf_path:
+            self._view.set_robot(Path(settings.urdf_path or _BUILT_IN_ROBOT))
+
+    def open_connect_dialog(self) -> None:
+        """Show the window 连接机械臂 (manual 1.0.1)."""
+
+        def make() -> QDialog:
+            from armui.ui.dialogs.connect import ConnectDialog  # noqa: PLC0415 - faster start
+
+            return ConnectDialog(self._controller, self)
+
+        self._open("connect", make)
+
+    def open_help_dialog(self) -> None:
+        """Show how the 3D view is used."""
+
+        def make() -> QDialog:
+            from armui.ui.dialogs.help import HelpDialog  # noqa: PLC0415 - faster start
+
+            return HelpDialog(self._controller, self)
+
+        self._open("help", make)
+
+    def open_settings_dialog(self) -> None:
+        """Show the program's settings."""
+
+        def make() -> QDialog:
+            from armui.ui.dialogs.settings import SettingsDialog  # noqa: PLC0415 - faster start
+
+            return SettingsDialog(self._preferences, self._controller, self)
+
+        self._open("settings", make)
+
+    def _open(self, name: str, make: Callable[[], QDialog]) -> None:
+        """Show a dialog, made at the first time."""
+        if name not in self._dialogs:
+            self._dialogs[name] = make()
+        self._dialogs[name].open()
+
+    # -- window -------------------------------------------------------------------------------
+
+    def retranslate_ui(self) -> None:
+        """Put the title into the operator's language."""
+        self.setWindowTitle(self.tr("armui – PiPER arm"))
+        self._view.setAccessibleName(self.tr("3D view of the arm"))
+
+    def changeEvent(self, event: QEvent) -> None:
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        elif event.type() == QEvent.Type.PaletteChange:
+            self._color_view()
+        super().changeEvent(event)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with what went by while the window was hidden."""
+        super().showEvent(event)
+        self._show_in_view(self._controller.state)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Ask first while the arm moves: closing the program doesn't stop it."""
+        if self._controller.situation.moving and not self._may_close:
+            event.ignore()
+            confirm(
+                self,
+                self._controller,
+                title=self.tr("The arm is moving"),
+                text=self.tr(
+                    "Closing the program does not stop the arm: it goes on to its target. "
+                    "Press the emergency stop if it must not."
+                ),
+                action_label=self.tr("Close anyway"),
+                on_confirmed=self._close_now,
+            )
+            return
+        self._unsubscribe()
+        super().closeEvent(event)
+
+    def _close_now(self) -> None:
+        self._may_close = True
+        self.close()
+
+
+def _scrolled(panel: QWidget) -> QScrollArea:
+    """A panel that scrolls where the screen is too small for it, instead of being squeezed."""
+    area = QScrollArea()
+    area.setFrameShape(QFrame.Shape.NoFrame)
+    area.setWidgetResizable(True)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    area.setWidget(panel)
+    return area

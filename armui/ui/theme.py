@@ -1,0 +1,230 @@
+"""Colours, fonts and the style sheet: the one place that says what the program looks like.
+
+Red stands for stop and fault and for nothing else. Widgets that paint themselves ask
+:func:`colors_of` at every paint, so a theme switched while running reaches them by itself.
+"""
+
+from __future__ import annotations
+
+import enum
+import string
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Final
+
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtGui import QColor, QFont, QFontDatabase, QPalette
+from PySide6.QtWidgets import QApplication, QWidget
+
+_HERE: Final = Path(__file__).parent
+
+
+class Theme(enum.StrEnum):
+    """What the operator can choose."""
+
+    LIGHT = "light"
+    DARK = "dark"
+    SYSTEM = "system"
+
+
+@dataclass(frozen=True, slots=True)
+class Colors:
+    """The colours of one theme, as ``#rrggbb``.
+
+    Attributes:
+        window: Behind everything.
+        surface: Bars, panels, fields.
+        sunken: Grooves and disabled fields.
+        border: Lines of one pixel.
+        text, muted, faint: What is read, what accompanies it, what can't be used now.
+        accent, accent_strong, accent_pale: The clear blue; pressed; the chosen menu entry.
+        on_accent: Text on the accent.
+        ok, warn, stop: Good; attention; stop and fault. ``…_pale`` is a ground for text.
+        on_stop: Text on the stop colour.
+    """
+
+    window: str
+    surface: str
+    sunken: str
+    border: str
+    text: str
+    muted: str
+    faint: str
+    accent: str
+    accent_strong: str
+    accent_pale: str
+    on_accent: str
+    ok: str
+    warn: str
+    warn_pale: str
+    stop: str
+    stop_strong: str
+    stop_pale: str
+    on_stop: str
+
+
+LIGHT: Final = Colors(
+    window="#f3f5f8",
+    surface="#ffffff",
+    sunken="#e8ecf1",
+    border="#d5dce5",
+    text="#1a2330",
+    muted="#5f6b7c",
+    faint="#a3adba",
+    accent="#1c6be0",
+    accent_strong="#1557ba",
+    accent_pale="#e2edfd",
+    on_accent="#ffffff",
+    ok="#18864a",
+    warn="#9a5b00",
+    warn_pale="#fff3dc",
+    stop="#d3291d",
+    stop_strong="#ab1e14",
+    stop_pale="#fdeceb",
+    on_stop="#ffffff",
+)
+
+DARK: Final = Colors(
+    window="#11151b",
+    surface="#191f27",
+    sunken="#252d38",
+    border="#333d4a",
+    text="#e5eaf1",
+    muted="#98a5b6",
+    faint="#5d6979",
+    accent="#5a9cff",
+    accent_strong="#7fb3ff",
+    accent_pale="#1b3152",
+    on_accent="#071325",
+    ok="#45c47b",
+    warn="#f0b252",
+    warn_pale="#392c13",
+    stop="#dc3b2f",
+    stop_strong="#b92d22",
+    stop_pale="#401d1b",
+    on_stop="#ffffff",
+)
+
+_CJK_FAMILIES: Final = (
+    "Microsoft YaHei UI",
+    "PingFang SC",
+    "Noto Sans CJK SC",
+    "Source Han Sans SC",
+    "WenQuanYi Micro Hei",
+)
+
+_SMALLEST_FONT_PT: Final = 10.0
+
+
+def colors_of(widget: QWidget) -> Colors:
+    """The colours of the theme a widget is shown in."""
+    return DARK if widget.palette().color(QPalette.ColorRole.Window).lightness() < 128 else LIGHT
+
+
+def ui_font() -> QFont:
+    """The system's font, followed by fonts with Chinese glyphs; figures all of one width."""
+    font = QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont)
+    font.setFamilies([*font.families(), *_CJK_FAMILIES])
+    font.setPointSizeF(max(font.pointSizeF(), _SMALLEST_FONT_PT))
+    font.setFeature(QFont.Tag.fromString("tnum"), 1)
+    return font
+
+
+def scaled_font(widget: QWidget, scale: float, *, bold: bool = False) -> QFont:
+    """The widget's font, larger or smaller, for text of another rank."""
+    font = QFont(widget.font())
+    font.setPointSizeF(font.pointSizeF() * scale)
+    font.setWeight(QFont.Weight.DemiBold if bold else QFont.Weight.Normal)
+    return font
+
+
+def apply_theme(app: QApplication, theme: Theme) -> None:
+    """Show the whole program in a theme, now.
+
+    Args:
+        app: The application; open windows change at once.
+        theme: ``SYSTEM`` goes with the system's colour scheme, and goes on following it.
+    """
+    follower = app.findChild(_SchemeFollower)
+    if follower is None:
+        app.setStyle("Fusion")
+        app.setFont(ui_font())
+        follower = _SchemeFollower(app)
+    follower.show(theme)
+
+
+class _SchemeFollower(QObject):
+    """Paints the program anew when the system turns dark or light; lives as long as the program."""
+
+    def __init__(self, app: QApplication) -> None:
+        super().__init__(app)
+        self._app = app
+        self._theme = Theme.SYSTEM
+        self._shown: Colors | None = None
+        app.styleHints().colorSchemeChanged.connect(self._on_scheme_changed)
+
+    def show(self, theme: Theme) -> None:
+        """Choose the theme; the system is told, so that window frames and its dialogs match."""
+        self._theme = theme
+        scheme = {
+            Theme.LIGHT: Qt.ColorScheme.Light,
+            Theme.DARK: Qt.ColorScheme.Dark,
+            Theme.SYSTEM: Qt.ColorScheme.Unknown,
+        }
+        self._app.styleHints().setColorScheme(scheme[theme])
+        self._paint()
+
+    def _on_scheme_changed(self) -> None:
+        if self._theme is Theme.SYSTEM:
+            self._paint()
+
+    def _paint(self) -> None:
+        dark = self._theme is Theme.DARK or (
+            self._theme is Theme.SYSTEM
+            and self._app.styleHints().colorScheme() is Qt.ColorScheme.Dark
+        )
+        colors = DARK if dark else LIGHT
+        if colors is self._shown:
+            return
+        self._shown = colors
+        self._app.setPalette(palette(colors))
+        self._app.setStyleSheet(style_sheet(colors))
+
+
+def palette(colors: Colors) -> QPalette:
+    """The colours as Qt's roles, for all that the style sheet leaves to the style."""
+    role = QPalette.ColorRole
+    roles = {
+        role.Window: colors.window,
+        role.WindowText: colors.text,
+        role.Base: colors.surface,
+        role.AlternateBase: colors.window,
+        role.Text: colors.text,
+        role.Button: colors.surface,
+        role.ButtonText: colors.text,
+        role.BrightText: colors.on_accent,
+        role.PlaceholderText: colors.muted,
+        role.ToolTipBase: colors.surface,
+        role.ToolTipText: colors.text,
+        role.Highlight: colors.accent,
+        role.HighlightedText: colors.on_accent,
+        role.Accent: colors.accent,
+        role.Link: colors.accent,
+        role.Light: colors.surface,
+        role.Midlight: colors.sunken,
+        role.Mid: colors.border,
+        role.Dark: colors.faint,
+        role.Shadow: colors.border,
+    }
+    result = QPalette()
+    for color_role, color in roles.items():
+        result.setColor(color_role, QColor(color))
+    for color_role in (role.WindowText, role.Text, role.ButtonText):
+        result.setColor(QPalette.ColorGroup.Disabled, color_role, QColor(colors.faint))
+    return result
+
+
+def style_sheet(colors: Colors) -> str:
+    """The style sheet ``theme.qss`` with the colours of a theme in it."""
+    template = string.Template((_HERE / "theme.qss").read_text(encoding="utf-8"))
+    return template.substitute(asdict(colors), icons=(_HERE / "icons").as_posix())

@@ -1,0 +1,86 @@
+"""Regions 1, 3, 4 and 5: communication, speed, enable, emergency stop."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QEvent
+from PySide6.QtWidgets import QHBoxLayout, QWidget
+
+from armui.control.situation import Situation
+from armui.ui import words
+from armui.ui.dialogs.confirm import confirm
+from armui.ui.widgets.communication_button import CommunicationButton
+from armui.ui.widgets.enable_button import EnableButton
+from armui.ui.widgets.speed_control import SpeedControl
+from armui.ui.widgets.stop_button import StopButton
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+
+class TopBar(QWidget):
+    """What must be seen and reached whatever panel is open.
+
+    Args:
+        controller: Whom to tell.
+        open_connection: Opens the window in which a CAN device is chosen.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        open_connection: Callable[[], None],
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName("top_bar")
+        self._controller = controller
+        self._communication = CommunicationButton()
+        self._enable = EnableButton()
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(12, 8, 12, 8)
+        layout.setSpacing(20)
+        layout.addWidget(self._communication)
+        layout.addWidget(SpeedControl(controller), 1)
+        layout.addWidget(self._enable)
+        layout.addWidget(StopButton(controller))
+        self._communication.clicked.connect(open_connection)
+        self._enable.clicked.connect(self._on_enable)
+        controller.situation_changed.connect(self._show_situation)
+        self._show_situation(controller.situation)
+
+    def _show_situation(self, situation: Situation) -> None:
+        self._communication.show_situation(situation)
+        self._enable.show_situation(situation)
+        self._describe_enable(situation)
+
+    def _describe_enable(self, situation: Situation) -> None:
+        blocked = situation.cannot_enable
+        self._enable.setEnabled(blocked is None)
+        if blocked is not None:
+            tip = words.refusal(blocked)
+        elif self._enable.turns_off:
+            tip = self.tr("Disables all six motors: the arm will drop, so hold it first.")
+        else:
+            tip = self.tr("Enables all six motors.")
+        self._enable.setToolTip(tip)
+
+    def _on_enable(self) -> None:
+        if not self._enable.turns_off:
+            self._controller.enable_motors()
+            return
+        confirm(
+            self.window(),
+            self._controller,
+            title=self.tr("Disable the motors"),
+            text=self.tr("The arm will drop when its motors are disabled. Hold the arm."),
+            action_label=self.tr("Disable"),
+            on_confirmed=self._controller.disable_motors,
+        )
+
+    def changeEvent(self, event: QEvent) -> None:
+        if event.type() == QEvent.Type.LanguageChange:
+            self._describe_enable(self._controller.situation)
+        super().changeEvent(event)

@@ -1,0 +1,154 @@
+"""The communication button: which device is connected, and whether an arm answers on it."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
+
+from armui.control.situation import LinkState, Situation
+from armui.ui.theme import Colors, colors_of, scaled_font
+from armui.ui.widgets import painting
+
+_SIGN_PX: Final = 8.0
+_WIDTH_PX: Final = 196
+
+
+class CommunicationButton(QAbstractButton):
+    """A sign, a word and the device's name; each state has a sign of its own shape."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("communication_button")
+        self._link = LinkState.NO_DEVICE
+        self._device_name = ""
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.setAttribute(Qt.WidgetAttribute.WA_Hover)
+        self.retranslate_ui()
+
+    @property
+    def link(self) -> LinkState:
+        """The state shown."""
+        return self._link
+
+    @property
+    def device_name(self) -> str:
+        """The device shown; empty if there is none."""
+        return self._device_name
+
+    def show_situation(self, situation: Situation) -> None:
+        """Show how the program stands to its arm."""
+        name = "" if situation.device is None else situation.device.name
+        if (situation.link, name) != (self._link, self._device_name):
+            self._link, self._device_name = situation.link, name
+            self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Put the word into the operator's language."""
+        words = {
+            LinkState.NO_DEVICE: self.tr("Not connected"),
+            LinkState.OPENING: self.tr("Connecting…"),
+            LinkState.OFFLINE: self.tr("Offline"),
+            LinkState.ONLINE: self.tr("Online"),
+            LinkState.LOST: self.tr("Connection lost"),
+        }
+        tips = {
+            LinkState.NO_DEVICE: self.tr("No CAN device is connected. Press to choose one."),
+            LinkState.OPENING: self.tr("The CAN device is being opened."),
+            LinkState.OFFLINE: self.tr(
+                "The CAN device is open, but no arm is heard on it. "
+                "Check the arm's power, the cable and the bit rate."
+            ),
+            LinkState.ONLINE: self.tr("The arm is heard. Press to disconnect or choose another."),
+            LinkState.LOST: self.tr(
+                "The CAN device is gone. Plug it in again: it is reconnected by itself."
+            ),
+        }
+        self.setText(words[self._link])
+        self.setToolTip("\n".join(filter(None, (self._device_name, tips[self._link]))))
+        self.setAccessibleName(f"{self.text()} {self._device_name}".strip())
+        self.update()
+
+    def changeEvent(self, event: QEvent) -> None:
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)
+
+    def sizeHint(self) -> QSize:
+        return QSize(_WIDTH_PX, 48)
+
+    def minimumSizeHint(self) -> QSize:
+        return self.sizeHint()
+
+    def _second_line(self) -> str:
+        return self._device_name or self.tr("Choose a device")
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        colors = colors_of(self)
+        painter = painting.begin(self)
+        active = self.underMouse() or self.isDown()
+        fill = colors.accent_pale if active else colors.surface
+        line = colors.accent if active or self.hasFocus() else colors.border
+        painting.panel(painter, QRectF(self.rect()), fill, line, 2 if self.hasFocus() else 1)
+        _draw_sign(painter, colors, QPointF(12 + _SIGN_PX, self.height() / 2), self._link)
+        left = 12 + 2 * _SIGN_PX + 12
+        width = self.width() - left - 10
+        half = self.height() / 2
+        for font, color, text, top, where in (
+            (
+                scaled_font(self, 1.05, bold=True),
+                colors.text,
+                self.text(),
+                3.0,
+                Qt.AlignmentFlag.AlignBottom,
+            ),
+            (
+                scaled_font(self, 0.88),
+                colors.muted,
+                self._second_line(),
+                half + 1,
+                Qt.AlignmentFlag.AlignTop,
+            ),
+        ):
+            painter.setFont(font)
+            painter.setPen(QColor(color))
+            elided = QFontMetrics(font).elidedText(text, Qt.TextElideMode.ElideRight, int(width))
+            painter.drawText(QRectF(left, top, width, half - 3), where, elided)
+        painter.end()
+
+
+def _draw_sign(painter: QPainter, colors: Colors, center: QPointF, link: LinkState) -> None:
+    """Disc with a tick: online. Ring: offline. Dashed ring: nothing. Arc: opening. Triangle: lost."""
+    round_cap = Qt.PenCapStyle.RoundCap
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    box = QRectF(
+        center.x() - _SIGN_PX + 1, center.y() - _SIGN_PX + 1, 2 * _SIGN_PX - 2, 2 * _SIGN_PX - 2
+    )
+    if link is LinkState.ONLINE:
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(colors.ok))
+        painter.drawEllipse(center, _SIGN_PX, _SIGN_PX)
+        painter.setPen(QPen(QColor(colors.surface), 2, c=round_cap))
+        painter.drawLine(center + QPointF(-3.5, 0.3), center + QPointF(-1.0, 3.0))
+        painter.drawLine(center + QPointF(-1.0, 3.0), center + QPointF(3.8, -2.8))
+    elif link is LinkState.OFFLINE:
+        painter.setPen(QPen(QColor(colors.warn), 2.4))
+        painter.drawEllipse(box)
+        painter.setPen(QPen(QColor(colors.warn), 2.4, c=round_cap))
+        painter.drawLine(center + QPointF(-2.6, 0), center + QPointF(2.6, 0))
+    elif link is LinkState.OPENING:
+        painter.setPen(QPen(QColor(colors.accent), 2.4, c=round_cap))
+        painter.drawArc(box, 30 * 16, 240 * 16)
+    elif link is LinkState.LOST:
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(colors.stop))
+        painter.drawPolygon(painting.triangle(center + QPointF(0, 1.5), _SIGN_PX + 1.5))
+        painter.setPen(QPen(QColor(colors.surface), 1.8, c=round_cap))
+        painter.drawLine(center + QPointF(0, -2.5), center + QPointF(0, 1.8))
+        painter.drawPoint(center + QPointF(0, 4.6))
+    else:
+        painter.setPen(QPen(QColor(colors.muted), 1.6, Qt.PenStyle.DotLine))
+        painter.drawEllipse(box)

@@ -1,0 +1,41 @@
+"""The program's own line icons, in the colour of the moment."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Final
+
+from PySide6.QtCore import QByteArray, QRectF, QSize, Qt
+from PySide6.QtGui import QIcon, QPainter, QPixmap
+from PySide6.QtSvg import QSvgRenderer
+
+_FOLDER: Final = Path(__file__).parent.parent / "icons"
+_DRAWN_IN: Final = "#000000"
+_PIXEL_RATIOS: Final = (1.0, 1.5, 2.0, 3.0)
+
+
+def pixmap(name: str, color: str, size: int, pixel_ratio: float) -> QPixmap:
+    """One icon as a picture.
+
+    Args:
+        name: File name in ``armui/ui/icons`` without its ending.
+        color: ``#rrggbb``.
+        size: Edge in device-independent pixels.
+        pixel_ratio: Screen pixels to one of those.
+    """
+    drawing = (_FOLDER / f"{name}.svg").read_text(encoding="utf-8").replace(_DRAWN_IN, color)
+    result = QPixmap(QSize(size, size) * pixel_ratio)
+    result.setDevicePixelRatio(pixel_ratio)
+    result.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(result)
+    QSvgRenderer(QByteArray(drawing.encode())).render(painter, QRectF(0, 0, size, size))
+    painter.end()
+    return result
+
+
+def icon(name: str, color: str, size: int = 20) -> QIcon:
+    """One icon, sharp on every usual screen; made anew when the theme changes."""
+    result = QIcon()
+    for ratio in _PIXEL_RATIOS:
+        result.addPixmap(pixmap(name, color, size, ratio))
+    return result

@@ -1,0 +1,203 @@
+"""One joint of the motion panel: target, jog buttons, measured angle and limits."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
+
+from armui.arm.limits import ANGLE_STEP_DEG, JointLimits, check_joint
+from armui.arm.refusal import Refusal
+from armui.ui import format as fmt
+from armui.ui.theme import scaled_font
+from armui.ui.widgets.angle_field import AngleField
+from armui.ui.widgets.jog_button import JogButton
+from armui.ui.widgets.track_slider import TrackSlider
+from armui.ui.widgets.value_label import ValueLabel
+
+_WIDEST_ANGLE: Final = "-000.000°"
+_WIDEST_LIMIT: Final = "-000.00°"
+
+
+class JointRow(QWidget):
+    """The controls of one joint.
+
+    Args:
+        joint: Its number, 1–6.
+        limits: Its range until the arm tells another.
+    """
+
+    stepped = Signal(int, int, bool)
+    """Jog: the joint, +1 or −1, and whether it is a repetition of a held button."""
+    edited = Signal(int)
+    """The operator changed the target of the joint; nothing is sent."""
+
+    def __init__(self, joint: int, limits: JointLimits, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.joint = joint
+        self._limits = limits
+        self._limits_read = False
+        self._name = QLabel(f"J{joint}")
+        self._name.setFont(scaled_font(self._name, 1.15, bold=True))
+        self.minus = JogButton("−")
+        self.minus.setObjectName(f"jog_minus_{joint}")
+        self.plus = JogButton("+")
+        self.plus.setObjectName(f"jog_plus_{joint}")
+        self.field = AngleField()
+        self.field.setObjectName(f"target_field_{joint}")
+        self.measured = ValueLabel(_WIDEST_ANGLE)
+        self.measured.setObjectName(f"measured_{joint}")
+        self.slider = TrackSlider(ANGLE_STEP_DEG)
+        self.slider.setObjectName(f"target_slider_{joint}")
+        self.slider.setSingleStep(round(1.0 / ANGLE_STEP_DEG))
+        self.slider.setPageStep(round(10.0 / ANGLE_STEP_DEG))
+        self._minimum = ValueLabel(_WIDEST_LIMIT)
+        self._maximum = ValueLabel(_WIDEST_LIMIT, alignment=Qt.AlignmentFlag.AlignLeft)
+        for label in (self._minimum, self._maximum):
+            label.setFont(scaled_font(label, 0.88))
+        self._lay_out()
+        self.minus.stepped.connect(lambda repeated: self.stepped.emit(joint, -1, repeated))
+        self.plus.stepped.connect(lambda repeated: self.stepped.emit(joint, 1, repeated))
+        self.field.value_edited.connect(self._on_field_edited)
+        self.slider.valueChanged.connect(self._on_slider_moved)
+        self.show_target(None)
+        self.retranslate_ui()
+
+    def _lay_out(self) -> None:
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setHorizontalSpacing(8)
+        grid.setVerticalSpacing(2)
+        grid.addWidget(self._name, 0, 0)
+        grid.addWidget(self.minus, 0, 1)
+        grid.addWidget(self.field, 0, 2)
+        grid.addWidget(self.plus, 0, 3)
+        grid.addWidget(self.measured, 0, 4, Qt.AlignmentFlag.AlignRight)
+        grid.addWidget(self._minimum, 1, 0, 1, 2, Qt.AlignmentFlag.AlignRight)
+        grid.addWidget(self.slider, 1, 2, 1, 2)
+        grid.addWidget(self._maximum, 1, 4, Qt.AlignmentFlag.AlignLeft)
+        grid.setColumnMinimumWidth(0, 30)
+        grid.setColumnMinimumWidth(4, self.measured.sizeHint().width() + 6)
+        grid.setColumnStretch(2, 1)
+
+    # -- target -------------------------------------------------------------------------------
+
+    @property
+    def target_deg(self) -> float | None:
+        """The figure in the field, or ``None``."""
+        return self.field.value_deg
+
+    def beyond_limits(self) -> Refusal | None:
+        """What is to be said against the figure in the field, if it is out of limits."""
+        target = self.target_deg
+        return None if target is None else check_joint(self.joint, target, self._limits)
+
+    def show_target(self, target_deg: float | None) -> None:
+        """Put a target into field and slider; ``None`` empties them."""
+        self.field.show_value(target_deg)
+        self._after_target()
+
+    def _on_field_edited(self) -> None:
+        self._after_target()
+        self.edited.emit(self.joint)
+
+    def _on_slider_moved(self) -> None:
+        self.field.show_value(self.slider.wish)
+        self._after_target()
+        self.edited.emit(self.joint)
+
+    def _after_target(self) -> None:
+        """Slider, marks and colours go with the figure in the field."""
+        beyond = self.beyond_limits() is not None
+        self.slider.show_wish(self.target_deg, attention=beyond)
+        self.field.show_attention(wanted=beyond or self.field.is_nonsense())
+        self._show_limits()
+
+    # -- what the arm says --------------------------------------------------------------------
+
+    def show_measured(self, angle_deg: float | None, *, stale: bool) -> None:
+        """Show the measured angle as figure and as mark on the slider."""
+        self.measured.show_text(fmt.angle(angle_deg), stale=stale)
+        self.slider.show_measured(None if stale else angle_deg)
+
+    def set_limits(self, limits: JointLimits, *, read: bool) -> None:
+        """Take other limits.
+
+        Args:
+            limits: The range.
+            read: Whether the arm told it; otherwise it is the factory's.
+        """
+        if (limits, read) == (self._limits, self._limits_read):
+            return
+        self._limits, self._limits_read = limits, read
+        self._after_target()
+        self.retranslate_ui()
+
+    def _show_limits(self) -> None:
+        limits, target = self._limits, self.target_deg
+        self.slider.set_limits(limits.min_deg, limits.max_deg)
+        beyond = self.beyond_limits() is not None
+        below = beyond and target is not None and target < limits.min_deg
+        above = beyond and not below
+        for label, bound_deg, sign, broken in (
+            (self._minimum, limits.min_deg, "≥ ", below),
+            (self._maximum, limits.max_deg, "≤ ", above),
+        ):
+            text = fmt.short_angle(bound_deg)
+            label.show_text(sign + text if broken else text, stale=not self._limits_read)
+            label.show_attention(wanted=broken)
+
+    # -- use ----------------------------------------------------------------------------------
+
+    def set_step(self, step_deg: float) -> None:
+        """How far one press of − or + goes."""
+        self.field.step_deg = step_deg
+        self._describe_jog("", step_deg)
+
+    def allow_jog(self, why_not: str) -> None:
+        """Enable − and +, or disable them and say why."""
+        for button in (self.minus, self.plus):
+            button.setEnabled(not why_not)
+        self._describe_jog(why_not, self.field.step_deg)
+
+    def _describe_jog(self, why_not: str, step_deg: float) -> None:
+        step = fmt.short_angle(step_deg)
+        for button, tip in (
+            (self.minus, self.tr("Moves joint {joint} by −{step} at once. Hold to go on.")),
+            (self.plus, self.tr("Moves joint {joint} by +{step} at once. Hold to go on.")),
+        ):
+            button.setToolTip(why_not or tip.format(joint=self.joint, step=step))
+
+    def retranslate_ui(self) -> None:
+        """Put names and tooltips into the operator's language."""
+        joint = self.joint
+        self.minus.setAccessibleName(self.tr("Joint {joint} minus").format(joint=joint))
+        self.plus.setAccessibleName(self.tr("Joint {joint} plus").format(joint=joint))
+        self.field.setAccessibleName(self.tr("Target angle of joint {joint}").format(joint=joint))
+        self.slider.setAccessibleName(self.tr("Target slider of joint {joint}").format(joint=joint))
+        self.measured.setAccessibleName(
+            self.tr("Measured angle of joint {joint}").format(joint=joint)
+        )
+        self.measured.setToolTip(self.tr("Measured by the arm"))
+        target = self.tr(
+            "Target of joint {joint}: {minimum} to {maximum}. Not sent before you press Send."
+        ).format(
+            joint=joint,
+            minimum=fmt.short_angle(self._limits.min_deg),
+            maximum=fmt.short_angle(self._limits.max_deg),
+        )
+        self.field.setToolTip(target)
+        self.slider.setToolTip(target)
+        origin = (
+            self.tr("Limit read from the arm")
+            if self._limits_read
+            else self.tr("Factory limit: not read from the arm yet")
+        )
+        self._minimum.setToolTip(origin)
+        self._maximum.setToolTip(origin)
+
+    def changeEvent(self, event: QEvent) -> None:
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)

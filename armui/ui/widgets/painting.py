@@ -1,0 +1,38 @@
+"""Shapes that more than one self-painted widget draws."""
+
+from __future__ import annotations
+
+import math
+
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
+from PySide6.QtWidgets import QWidget
+
+CORNER_PX = 7.0
+
+
+def begin(widget: QWidget) -> QPainter:
+    """A painter on a widget, with smooth edges; end it when done."""
+    painter = QPainter(widget)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    return painter
+
+
+def panel(painter: QPainter, rect: QRectF, fill: str, line: str, line_px: float = 1.0) -> None:
+    """A rounded box with a line inside its edge."""
+    inset = line_px / 2
+    painter.setPen(QPen(QColor(line), line_px))
+    painter.setBrush(QColor(fill))
+    painter.drawRoundedRect(rect.adjusted(inset, inset, -inset, -inset), CORNER_PX, CORNER_PX)
+
+
+def octagon(center: QPointF, radius: float) -> QPolygonF:
+    """The shape of a stop sign."""
+    corners = (math.pi / 8 + n * math.pi / 4 for n in range(8))
+    return QPolygonF([center + QPointF(math.cos(a), math.sin(a)) * radius for a in corners])
+
+
+def triangle(center: QPointF, radius: float) -> QPolygonF:
+    """The shape of a warning sign, its point upwards."""
+    corners = (-math.pi / 2 + n * 2 * math.pi / 3 for n in range(3))
+    return QPolygonF([center + QPointF(math.cos(a), math.sin(a)) * radius for a in corners])

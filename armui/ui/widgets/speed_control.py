@@ -1,0 +1,116 @@
+"""The speed percentage: what is wanted, and beside it what the arm says it has."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QEvent, QSignalBlocker
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox, QWidget
+
+from armui.arm.state import ArmState
+from armui.control.situation import Situation
+from armui.protocol.database import Generation
+from armui.ui import format as fmt
+from armui.ui.widgets.track_slider import TrackSlider
+from armui.ui.widgets.value_label import ValueLabel
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+
+class SpeedControl(QWidget):
+    """Slider and field for 0–100 % of the arm's highest speed (manual 1.0.3, 0x151 byte 2).
+
+    Dragging sends when the handle is let go; keys, clicks and the field send at once.
+    """
+
+    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._controller = controller
+        self._label = QLabel()
+        self._slider = TrackSlider(1.0, jumps=False)
+        self._slider.setObjectName("speed_slider")
+        self._slider.setRange(0, 100)
+        self._slider.setPageStep(10)
+        self._slider.setTracking(False)
+        self._field = QSpinBox()
+        self._field.setObjectName("speed_field")
+        self._field.setRange(0, 100)
+        self._field.setSuffix(" %")
+        self._field.setKeyboardTracking(False)
+        self._field.setMinimumWidth(84)
+        self._field.setFixedHeight(34)
+        self._label.setBuddy(self._field)
+        self._arm_label = QLabel()
+        self._arm_label.setProperty("rank", "muted")
+        self._arm_value = ValueLabel(fmt.percent(100))
+        self._arm_value.setObjectName("arm_speed")
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(10)
+        layout.addWidget(self._label)
+        layout.addWidget(self._slider, 1)
+        layout.addWidget(self._field)
+        layout.addWidget(self._arm_label)
+        layout.addWidget(self._arm_value)
+        self._slider.valueChanged.connect(self._on_chosen)
+        self._slider.sliderMoved.connect(self._on_dragged)
+        self._field.valueChanged.connect(self._on_chosen)
+        controller.state_changed.connect(self._on_state_changed)
+        controller.situation_changed.connect(self._on_situation_changed)
+        self.retranslate_ui()
+        self._show_setpoint()
+
+    def _on_dragged(self, percent: int) -> None:
+        """While the handle is held the field only says where it is."""
+        with QSignalBlocker(self._field):
+            self._field.setValue(percent)
+
+    def _on_chosen(self, percent: int) -> None:
+        if percent != self._controller.situation.speed_percent:
+            self._controller.set_speed_percent(percent)
+        self._show_setpoint()
+
+    def _on_situation_changed(self, situation: Situation) -> None:
+        if not self._slider.isSliderDown():
+            self._show_setpoint()
+        self._explain(situation.generation)
+
+    def _show_setpoint(self) -> None:
+        percent = self._controller.situation.speed_percent
+        self._slider.show_wish(percent)
+        with QSignalBlocker(self._field):
+            self._field.setValue(percent)
+
+    def _on_state_changed(self, state: ArmState) -> None:
+        if not self.isVisible():
+            return
+        percent = None if state.status is None else state.status.value.speed_percent
+        now_s = state.last_feedback_s
+        stale = state.status is not None and now_s is not None and not state.status.fresh(now_s)
+        self._arm_value.show_text(fmt.percent(percent), stale=stale)
+        self._slider.show_measured(None if stale else percent)
+
+    def _explain(self, generation: Generation | None) -> None:
+        if generation is Generation.TWO:
+            tip = self.tr("This arm's firmware does not report its speed percentage.")
+        else:
+            tip = self.tr("The speed percentage the arm reports")
+        self._arm_label.setToolTip(tip)
+        self._arm_value.setToolTip(tip)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        tip = self.tr("Speed of motions, 0–100 % of the arm's highest; 0 % means no motion.")
+        self._label.setText(self.tr("Speed"))
+        self._arm_label.setText(self.tr("Arm"))
+        for widget in (self._slider, self._field):
+            widget.setAccessibleName(self.tr("Speed percentage"))
+            widget.setToolTip(tip)
+        self._arm_value.setAccessibleName(self.tr("Speed percentage reported by the arm"))
+        self._explain(self._controller.situation.generation)
+
+    def changeEvent(self, event: QEvent) -> None:
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)

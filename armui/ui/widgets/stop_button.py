@@ -1,0 +1,195 @@
+"""The emergency stop: in the top bar and in every dialog, never disabled, never asked about."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFontMetrics, QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QApplication, QPushButton, QSizePolicy, QWidget
+
+from armui.control.situation import Situation, StopState
+from armui.ui.theme import Colors, colors_of, scaled_font
+from armui.ui.widgets import painting
+from armui.ui.widgets.stop_shortcut import STOP_KEY_NAME
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_SIGN_PX: Final = 11.0
+
+
+class StopButton(QPushButton):
+    """Stops the arm when pressed down; pressed again once the arm has stopped, it recovers it.
+
+    Only a press on an arm that says it is stopped leads to recovery, which is asked about first
+    because the arm falls. Quick presses one after another all mean stop.
+
+    Args:
+        controller: Whom to tell.
+        may_resume: Whether the second press offers recovery; not in the window that asks about it.
+    """
+
+    def __init__(
+        self, controller: ArmController, parent: QWidget | None = None, *, may_resume: bool = True
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName("stop_button")
+        self._controller = controller
+        self._may_resume = may_resume
+        self._situation = controller.situation
+        self._last_press_ms: int | None = None
+        self._hurried = False
+        self.setAutoDefault(False)
+        self.setCursor(Qt.CursorShape.PointingHandCursor)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.pressed.connect(self._on_pressed)
+        controller.situation_changed.connect(self._on_situation_changed)
+        self.retranslate_ui()
+
+    # -- behaviour ----------------------------------------------------------------------------
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Tell a second press in earnest from the quick presses of someone alarmed."""
+        before, now = self._last_press_ms, event.timestamp()
+        interval = QApplication.styleHints().mouseDoubleClickInterval()
+        self._hurried = before is not None and now - before <= interval
+        self._last_press_ms = now
+        super().mousePressEvent(event)
+        self._hurried = False
+
+    def _on_pressed(self) -> None:
+        if self._offers_recovery() and not self._hurried:
+            self._ask_to_resume()
+        else:
+            self._controller.emergency_stop()
+
+    def _offers_recovery(self) -> bool:
+        return self._may_resume and self._situation.stop is StopState.STOPPED
+
+    def _ask_to_resume(self) -> None:
+        # the dialog holds a stop button itself
+        from armui.ui.dialogs.confirm import confirm  # noqa: PLC0415
+
+        confirm(
+            self.window(),
+            self._controller,
+            title=self.tr("Resume after the emergency stop"),
+            text=self.tr(
+                "Resuming cuts the power of the motors: the arm will drop. Hold the arm.\n"
+                "Afterwards the motors must be enabled again."
+            ),
+            action_label=self.tr("Resume"),
+            on_confirmed=self._controller.resume,
+        )
+
+    # -- appearance ---------------------------------------------------------------------------
+
+    def _on_situation_changed(self, situation: Situation) -> None:
+        old, self._situation = self._situation, situation
+        if (old.stop, old.stop_unconfirmed) != (situation.stop, situation.stop_unconfirmed):
+            self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Put the words of the moment into the operator's language."""
+        self.setText(self._words())
+        self.setAccessibleName(self.text())
+        if self._offers_recovery():
+            tip = self.tr("The arm has stopped. Press to resume: it will drop, so hold it first.")
+        else:
+            tip = self.tr("Stops the arm at once. Key: {key}").format(key=STOP_KEY_NAME)
+        self.setToolTip(tip)
+        self.updateGeometry()
+        self.update()
+
+    def _words(self) -> str:
+        stop = self._situation.stop
+        if stop is StopState.RESUMING:
+            return self.tr("Resuming…")
+        if self._offers_recovery():
+            return self.tr("Resume")
+        if stop is StopState.REQUESTED:
+            if self._situation.stop_unconfirmed:
+                return self.tr("Stop unconfirmed")
+            return self.tr("Stopping…")
+        return self.tr("Emergency stop")
+
+    def _all_words(self) -> list[str]:
+        return [
+            self.tr("Emergency stop"),
+            self.tr("Stopping…"),
+            self.tr("Stop unconfirmed"),
+            self.tr("Resume"),
+            self.tr("Resuming…"),
+        ]
+
+    def changeEvent(self, event: QEvent) -> None:
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)
+
+    def sizeHint(self) -> QSize:
+        """Room for the longest of its words, so that the bar stands still."""
+        metrics = QFontMetrics(scaled_font(self, 1.35, bold=True))
+        width = max(metrics.horizontalAdvance(word) for word in self._all_words())
+        return QSize(max(176, width + int(2 * _SIGN_PX) + 44), 48)
+
+    def minimumSizeHint(self) -> QSize:
+        return self.sizeHint()
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        colors = colors_of(self)
+        painter = painting.begin(self)
+        stopped = self._offers_recovery() or self._situation.stop is StopState.RESUMING
+        if stopped:
+            painting.panel(painter, QRectF(self.rect()), colors.warn_pale, colors.warn, 2)
+            ink = colors.warn
+        else:
+            fill = colors.stop_strong if self.isDown() or self.underMouse() else colors.stop
+            painting.panel(painter, QRectF(self.rect()), fill, fill)
+            ink = colors.on_stop
+        if self.hasFocus():
+            painter.setPen(QPen(QColor(ink), 1.5))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.drawRoundedRect(QRectF(self.rect()).adjusted(4, 4, -4, -4), 5, 5)
+        self._draw_face(painter, colors, ink, stopped=stopped)
+        painter.end()
+
+    def _draw_face(self, painter: QPainter, colors: Colors, ink: str, *, stopped: bool) -> None:
+        """Sign and word side by side, centred; the sign tells the state without its colour."""
+        font = scaled_font(self, 1.35, bold=True)
+        text_width = QFontMetrics(font).horizontalAdvance(self.text())
+        gap = 10.0
+        left = (self.width() - (2 * _SIGN_PX + gap + text_width)) / 2
+        center = QPointF(left + _SIGN_PX, self.height() / 2)
+        if stopped:
+            self._draw_recovery_sign(painter, center, ink)
+        else:
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(QColor(ink))
+            painter.drawPolygon(painting.octagon(center, _SIGN_PX))
+            painter.setPen(QPen(QColor(colors.stop), 3.2, c=Qt.PenCapStyle.RoundCap))
+            if self._situation.stop is StopState.REQUESTED:
+                painter.drawLine(center + QPointF(0, -5.5), center + QPointF(0, 0.5))
+                painter.drawPoint(center + QPointF(0, 5.5))
+            else:
+                painter.drawLine(center + QPointF(-5, 0), center + QPointF(5, 0))
+        painter.setPen(QColor(ink))
+        painter.setFont(font)
+        text_left = left + 2 * _SIGN_PX + gap
+        area = QRectF(text_left, 0, text_width + 4, self.height())
+        painter.drawText(
+            area, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, self.text()
+        )
+
+    @staticmethod
+    def _draw_recovery_sign(painter: QPainter, center: QPointF, ink: str) -> None:
+        """An arrow that goes round."""
+        radius = _SIGN_PX - 3
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QPen(QColor(ink), 2.6, c=Qt.PenCapStyle.RoundCap))
+        box = QRectF(center.x() - radius, center.y() - radius, 2 * radius, 2 * radius)
+        painter.drawArc(box, 60 * 16, 285 * 16)
+        tip = center + QPointF(radius * 0.55, -radius * 0.85)
+        painter.drawLine(tip, tip + QPointF(-5.5, -1.0))
+        painter.drawLine(tip, tip + QPointF(-1.5, 5.2))

@@ -1,0 +1,204 @@
+"""A slider for what is wanted, with a mark for what is measured on the same track."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import (
+    QColor,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QPolygonF,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QSizePolicy, QSlider, QWidget
+
+from armui.ui.theme import Colors, colors_of
+from armui.ui.widgets import painting
+
+_HANDLE_PX: Final = 7.0
+_MARK_PX: Final = 5.0
+_EDGE_PX: Final = _HANDLE_PX + 2
+_GROOVE_PX: Final = 4.0
+
+
+class TrackSlider(QSlider):
+    """A horizontal slider whose handle is the wish and whose mark below the track is the fact.
+
+    The slider counts in whole steps, as Qt's sliders do; a step is ``resolution`` of the
+    quantity's unit. Without a wish there is no handle, without a fact no mark.
+
+    Args:
+        resolution: How much one step of the slider is.
+        jumps: Whether a click beside the handle brings the handle there; otherwise it goes a
+            page in that direction, for quantities that act at once.
+    """
+
+    def __init__(
+        self, resolution: float, parent: QWidget | None = None, *, jumps: bool = True
+    ) -> None:
+        super().__init__(Qt.Orientation.Horizontal, parent)
+        self._resolution = resolution
+        self._jumps = jumps
+        self._grabbed_at: float | None = None
+        self._wish_known = True
+        self._attention = False
+        self._measured: float | None = None
+        self._mark_px: float | None = None
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+
+    # -- values -------------------------------------------------------------------------------
+
+    @property
+    def wish(self) -> float:
+        """The handle's place in the quantity's unit."""
+        return self.value() * self._resolution
+
+    @property
+    def measured(self) -> float | None:
+        """What the mark stands at."""
+        return self._measured
+
+    def set_limits(self, minimum: float, maximum: float) -> None:
+        """The ends of the track, without telling anyone of a value that moves with them."""
+        blocked = self.blockSignals(True)
+        self.setRange(round(minimum / self._resolution), round(maximum / self._resolution))
+        self.blockSignals(blocked)
+        self._mark_px = self._place(self._measured)
+        self.update()
+
+    def show_wish(self, value: float | None, *, attention: bool = False) -> None:
+        """Put the handle somewhere without telling anyone; ``None`` takes it away.
+
+        Args:
+            value: In the quantity's unit; beyond the track it stands at the end.
+            attention: Draw it in the colour for something out of order.
+        """
+        blocked = self.blockSignals(True)
+        self._wish_known = value is not None
+        self._attention = attention
+        if value is not None:
+            self.setValue(round(value / self._resolution))
+        self.blockSignals(blocked)
+        self.update()
+
+    def show_measured(self, value: float | None) -> None:
+        """Put the mark somewhere; repaints only if it moves on the screen."""
+        self._measured = value
+        place = self._place(value)
+        if place != self._mark_px:
+            self._mark_px = place
+            self.update()
+
+    # -- geometry -----------------------------------------------------------------------------
+
+    def sizeHint(self) -> QSize:
+        return QSize(160, 24)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(80, 24)
+
+    def _place(self, value: float | None) -> float | None:
+        """Where a value stands on the track, in half pixels: finer can't be seen."""
+        if value is None or self.maximum() == self.minimum():
+            return None
+        steps = min(max(value / self._resolution, self.minimum()), self.maximum())
+        share = (steps - self.minimum()) / (self.maximum() - self.minimum())
+        return round(2 * (_EDGE_PX + share * (self.width() - 2 * _EDGE_PX))) / 2
+
+    def _value_at(self, x: float) -> int:
+        share = (x - _EDGE_PX) / max(1.0, self.width() - 2 * _EDGE_PX)
+        share = min(max(share, 0.0), 1.0)
+        return round(self.minimum() + share * (self.maximum() - self.minimum()))
+
+    # -- input --------------------------------------------------------------------------------
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() is not Qt.MouseButton.LeftButton:
+            event.ignore()
+            return
+        x = event.position().x()
+        handle = self._place(self.wish) if self._wish_known else None
+        if handle is not None and abs(x - handle) <= _HANDLE_PX + 2:
+            self._grabbed_at = x - handle
+        elif self._jumps:
+            self._grabbed_at = 0.0
+            self._wish_known = True
+            self.setValue(self._value_at(x))
+        else:
+            step = self.pageStep() if handle is None or x > handle else -self.pageStep()
+            self.setValue(self.value() + step)
+            return
+        self.setSliderDown(True)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self._grabbed_at is not None:
+            self.setValue(self._value_at(event.position().x() - self._grabbed_at))
+
+    def mouseReleaseEvent(self, _event: QMouseEvent) -> None:
+        if self._grabbed_at is not None:
+            self._grabbed_at = None
+            self.setSliderDown(False)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Turn only what was chosen before, not what happens to lie under the mouse."""
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
+
+    # -- picture ------------------------------------------------------------------------------
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        colors = colors_of(self)
+        painter = painting.begin(self)
+        middle = self.height() / 2 - 2
+        self._mark_px = self._place(self._measured)
+        handle = self._place(self.wish) if self._wish_known else None
+        self._draw_track(painter, colors, middle, handle)
+        if self._mark_px is not None:
+            tip = QPointF(self._mark_px, middle + _GROOVE_PX / 2 + 2)
+            foot = _MARK_PX * 0.8
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(QColor(colors.text if self.isEnabled() else colors.faint))
+            painter.drawPolygon(
+                QPolygonF(
+                    [tip, tip + QPointF(foot, _MARK_PX + 1), tip + QPointF(-foot, _MARK_PX + 1)]
+                )
+            )
+        if handle is not None:
+            self._draw_handle(painter, colors, QPointF(handle, middle))
+        painter.end()
+
+    def _draw_track(
+        self, painter: QPainter, colors: Colors, middle: float, handle: float | None
+    ) -> None:
+        top = middle - _GROOVE_PX / 2
+        groove = QRectF(_EDGE_PX, top, self.width() - 2 * _EDGE_PX, _GROOVE_PX)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(colors.border if self.isEnabled() else colors.sunken))
+        painter.drawRoundedRect(groove, _GROOVE_PX / 2, _GROOVE_PX / 2)
+        start = self._mark_px if self._mark_px is not None else self._place(0.0)
+        if handle is None or start is None or not self.isEnabled():
+            return
+        painter.setBrush(QColor(colors.warn if self._attention else colors.accent))
+        way = QRectF(min(start, handle), top, abs(handle - start), _GROOVE_PX)
+        painter.drawRoundedRect(way, _GROOVE_PX / 2, _GROOVE_PX / 2)
+
+    def _draw_handle(self, painter: QPainter, colors: Colors, center: QPointF) -> None:
+        color = QColor(colors.warn if self._attention else colors.accent)
+        if not self.isEnabled():
+            color = QColor(colors.faint)
+        if self.hasFocus():
+            halo = QColor(color)
+            halo.setAlpha(70)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(halo)
+            painter.drawEllipse(center, _HANDLE_PX + 2.5, _HANDLE_PX + 2.5)
+        painter.setPen(QPen(color, 2))
+        painter.setBrush(color if self.isSliderDown() else QColor(colors.surface))
+        painter.drawEllipse(center, _HANDLE_PX - 1, _HANDLE_PX - 1)

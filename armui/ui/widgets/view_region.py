@@ -1,0 +1,74 @@
+"""Region 8: the 3D picture with its three buttons at the lower right."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QPushButton, QWidget
+
+from armui.ui.theme import colors_of
+from armui.ui.widgets import icons
+
+
+class ViewRegion(QWidget):
+    """Lays 使用帮助, 视角还原 and 设置 over whatever widget shows the arm (manual 1.0.8)."""
+
+    help_wanted = Signal()
+    reset_wanted = Signal()
+    settings_wanted = Signal()
+
+    def __init__(self, view: QWidget, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._help = QPushButton()
+        self._reset = QPushButton()
+        self._settings = QPushButton()
+        self._buttons = {
+            "help": self._help,
+            "reset_view": self._reset,
+            "settings": self._settings,
+        }
+        row = QHBoxLayout()
+        row.setContentsMargins(14, 14, 14, 14)
+        row.setSpacing(8)
+        for name, button in self._buttons.items():
+            button.setObjectName(f"{name}_button")
+            button.setAutoDefault(False)
+            row.addWidget(button)
+        # two items in one cell lie over each other: the buttons in a corner of the picture
+        layout = QGridLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(view, 0, 0)
+        layout.addLayout(row, 0, 0, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom)
+        for button in self._buttons.values():
+            button.raise_()
+        self._help.setShortcut("F1")
+        self._settings.setShortcut("Ctrl+,")
+        self._reset.setShortcut("Ctrl+0")
+        self._help.clicked.connect(self.help_wanted)
+        self._reset.clicked.connect(self.reset_wanted)
+        self._settings.clicked.connect(self.settings_wanted)
+        self.retranslate_ui()
+        self._draw_icons()
+
+    def retranslate_ui(self) -> None:
+        """Put the words into the operator's language."""
+        for button, text, tip in (
+            (self._help, self.tr("Help"), self.tr("How to use the 3D view")),
+            (self._reset, self.tr("Reset view"), self.tr("Shows the arm as at the beginning")),
+            (self._settings, self.tr("Settings"), self.tr("Language, theme, jog step, 3D model")),
+        ):
+            shortcut = button.shortcut()
+            button.setText(text)
+            button.setShortcut(shortcut)
+            button.setAccessibleName(text)
+            button.setToolTip(f"{tip} ({shortcut.toString(shortcut.SequenceFormat.NativeText)})")
+
+    def _draw_icons(self) -> None:
+        for name, button in self._buttons.items():
+            button.setIcon(icons.icon(name, colors_of(self).muted))
+
+    def changeEvent(self, event: QEvent) -> None:
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        elif event.type() == QEvent.Type.PaletteChange:
+            self._draw_icons()
+        super().changeEvent(event)

@@ -1,0 +1,158 @@
+"""A controller without an arm: it records what it is asked and shows what a test makes it show."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QApplication
+
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState, DriverSlow, Heard, Status
+from armui.bus.adapters import Device
+from armui.control.situation import LinkState, Situation
+from armui.ui.theme import Theme, apply_theme
+
+NOW_S = 100.0
+SIX_FALSE = (False,) * 6
+
+
+def status(**changes: Any) -> Status:
+    """An arm under CAN control that has nothing to complain of."""
+    normal = Status(
+        control_mode=1,
+        arm_status=0,
+        move_mode=1,
+        teaching=0,
+        reached=True,
+        speed_percent=30,
+        trajectory_point=None,
+        limit_exceeded=SIX_FALSE,
+        communication_fault=SIX_FALSE,
+    )
+    return replace(normal, **changes)
+
+
+def arm_state(
+    angles_deg: Sequence[float] = (0.0,) * 6,
+    at_s: float = NOW_S,
+    sequence: int = 1,
+    **status_changes: Any,
+) -> ArmState:
+    """An arm heard completely and just now."""
+    pose = (56.128, 0.0, 213.266, 0.0, 85.0, 0.0)
+    return ArmState(
+        sequence=sequence,
+        last_feedback_s=at_s,
+        status=Heard(status(**status_changes), at_s),
+        joints_deg=tuple(Heard(angle, at_s) for angle in angles_deg),
+        pose=tuple(Heard(value, at_s) for value in pose),
+    )
+
+
+def situation(**changes: Any) -> Situation:
+    """Online, enabled, free to move."""
+    ready = Situation(
+        link=LinkState.ONLINE,
+        device=Device("virtual", "test", label="Simulated arm", simulated=True, generation=1),
+        enabled=(True,) * 6,
+        cannot_move=None,
+        cannot_enable=None,
+        limits_read=(True,) * 6,
+        speed_percent=30,
+    )
+    return replace(ready, **changes)
+
+
+class FakeController(QObject):
+    """Has the signals and methods of ``ArmController``; ``calls`` holds what was asked."""
+
+    state_changed = Signal(object)
+    situation_changed = Signal(object)
+    noticed = Signal(object)
+    devices_found = Signal(object)
+    searching_changed = Signal(bool)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.state = ArmState()
+        self.situation = Situation(speed_percent=30)
+        self.setpoint_deg: tuple[float, ...] | None = None
+        self.calls: list[tuple[Any, ...]] = []
+        self.answer: Refusal | None = None
+        self.lagging = False
+
+    # what a test makes it show
+
+    def hear(self, state: ArmState) -> None:
+        self.state = state
+        self.state_changed.emit(state)
+
+    def be(self, new: Situation) -> None:
+        self.situation = new
+        self.situation_changed.emit(new)
+
+    def be_ready(self, angles_deg: Sequence[float] = (0.0,) * 6) -> None:
+        self.be(situation())
+        self.hear(arm_state(angles_deg))
+
+    # what the windows ask
+
+    def search_devices(self) -> None:
+        self.calls.append(("search_devices",))
+
+    def connect_device(self, device: Device) -> None:
+        self.calls.append(("connect_device", device))
+
+    def disconnect_device(self) -> None:
+        self.calls.append(("disconnect_device",))
+
+    def emergency_stop(self) -> None:
+        self.calls.append(("emergency_stop",))
+
+    def resume(self) -> Refusal | None:
+        return self._asked("resume")
+
+    def enable_motors(self) -> Refusal | None:
+        return self._asked("enable_motors")
+
+    def disable_motors(self) -> Refusal | None:
+        return self._asked("disable_motors")
+
+    def set_speed_percent(self, percent: float) -> Refusal | None:
+        refusal = self._asked("set_speed_percent", percent)
+        if refusal is None:
+            self.be(replace(self.situation, speed_percent=round(percent)))
+        return refusal
+
+    def jog(self, joint: int, delta_deg: float) -> Refusal | None:
+        refusal = self._asked("jog", joint, delta_deg)
+        if refusal is None:
+            base = list(self.setpoint_deg or self.state.angles_deg() or (0.0,) * 6)
+            base[joint - 1] = round(base[joint - 1] + delta_deg, 3)
+            self.setpoint_deg = tuple(base)
+        return refusal
+
+    def send_joints(self, angles_deg: Sequence[float]) -> Refusal | None:
+        return self._asked("send_joints", tuple(angles_deg))
+
+    def go_home(self) -> Refusal | None:
+        return self._asked("go_home")
+
+    def jog_lagging(self, joint: int, step_deg: float) -> bool:
+        return self.lagging
+
+    def _asked(self, *call: Any) -> Refusal | None:
+        self.calls.append(call)
+        return self.answer
+
+
+@pytest.fixture
+def controller(qapp: QApplication) -> Iterator[FakeController]:
+    apply_theme(qapp, Theme.LIGHT)
+    fake = FakeController()
+    yield fake
+    fake.deleteLater()
