@@ -33,14 +33,14 @@ _NOTICES: Final[Mapping[str, object]] = {
         "power if it moves.",
     ),
     "resume_sent": QT_TRANSLATE_NOOP(
-        "Notice", "Recovery sent. The motors lose power and the arm drops: hold the arm."
+        "Notice", "Resume sent. The motors lose power and the arm drops: hold the arm."
     ),
     "resumed": QT_TRANSLATE_NOOP(
         "Notice", "The emergency stop is over. Enable the motors to go on."
     ),
     "resume_failed": QT_TRANSLATE_NOOP(
         "Notice",
-        "The arm stays in emergency stop. Check it, then press Recover again.",
+        "The arm stays in emergency stop. Check it, then press Resume again.",
     ),
     "enable_sent": QT_TRANSLATE_NOOP("Notice", "Enable sent to all six motors"),
     "enabled": QT_TRANSLATE_NOOP("Notice", "All six motors are enabled."),

@@ -27,7 +27,7 @@ _REFUSALS: Final[Mapping[str, object]] = {
     ),
     "stopped": QT_TRANSLATE_NOOP(
         "Refusal",
-        "The arm is in emergency stop. Hold the arm, press Recover, then enable the motors.",
+        "The arm is in emergency stop. Hold the arm, press Resume, then enable the motors.",
     ),
     "stop_requested": QT_TRANSLATE_NOOP(
         "Refusal",
@@ -36,7 +36,7 @@ _REFUSALS: Final[Mapping[str, object]] = {
     ),
     "not_stopped": QT_TRANSLATE_NOOP(
         "Refusal",
-        "The arm is not in emergency stop: there is nothing to recover from.",
+        "The arm is not in emergency stop: there is nothing to resume from.",
     ),
     "busy": QT_TRANSLATE_NOOP("Refusal", "Still under way: {what}. Wait until it is done."),
     "not_enabled": QT_TRANSLATE_NOOP(
@@ -76,7 +76,7 @@ _REFUSALS: Final[Mapping[str, object]] = {
     "arm_fault": QT_TRANSLATE_NOOP(
         "Refusal",
         "The arm reports: {status}. Remove the cause. If the report stays: emergency stop, hold "
-        "the arm, Recover.",
+        "the arm, Resume.",
     ),
     "bus_gone": QT_TRANSLATE_NOOP(
         "Refusal",
@@ -151,7 +151,7 @@ _REFUSALS: Final[Mapping[str, object]] = {
 _UNDER_WAY: Final[Mapping[str, object]] = {
     "enabling": QT_TRANSLATE_NOOP("UnderWay", "enabling the motors"),
     "disabling": QT_TRANSLATE_NOOP("UnderWay", "disabling the motors"),
-    "resuming": QT_TRANSLATE_NOOP("UnderWay", "recovering from the emergency stop"),
+    "resuming": QT_TRANSLATE_NOOP("UnderWay", "resuming after the emergency stop"),
 }
 
 CODES: Final = frozenset(_REFUSALS)

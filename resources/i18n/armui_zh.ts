@@ -1,0 +1,1228 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN" sourcelanguage="en_US">
+<context>
+    <name>ArmStatus</name>
+    <message>
+        <source>Normal</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>No solution</source>
+        <translation>无解</translation>
+    </message>
+    <message>
+        <source>Singularity</source>
+        <translation>奇异点</translation>
+    </message>
+    <message>
+        <source>Target angle beyond limit</source>
+        <translation>目标角度超过限</translation>
+    </message>
+    <message>
+        <source>Joint communication fault</source>
+        <translation>关节通信异常</translation>
+    </message>
+    <message>
+        <source>Joint brake not released</source>
+        <translation>关节抱闸未打开</translation>
+    </message>
+    <message>
+        <source>Collision</source>
+        <translation>机械臂发生碰撞</translation>
+    </message>
+    <message>
+        <source>Overspeed in drag teaching</source>
+        <translation>拖动示教时超速</translation>
+    </message>
+    <message>
+        <source>Joint status fault</source>
+        <translation>关节状态异常</translation>
+    </message>
+    <message>
+        <source>Other fault</source>
+        <translation>其它异常</translation>
+    </message>
+    <message>
+        <source>Teaching: recording</source>
+        <translation>示教记录</translation>
+    </message>
+    <message>
+        <source>Teaching: replaying</source>
+        <translation>示教执行</translation>
+    </message>
+    <message>
+        <source>Teaching: paused</source>
+        <translation>示教暂停</translation>
+    </message>
+    <message>
+        <source>Main controller too hot</source>
+        <translation>主控过温</translation>
+    </message>
+    <message>
+        <source>Brake resistor too hot</source>
+        <translation>释放电阻过温</translation>
+    </message>
+</context>
+<context>
+    <name>ArmView</name>
+    <message>
+        <source>The 3D view is not available.</source>
+        <translation>3D 视图不可用。</translation>
+    </message>
+    <message>
+        <source>Loading the 3D model …</source>
+        <translation>正在加载 3D 模型…</translation>
+    </message>
+</context>
+<context>
+    <name>CommunicationButton</name>
+    <message>
+        <source>Not connected</source>
+        <translation>未连接</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>连接中…</translation>
+    </message>
+    <message>
+        <source>Offline</source>
+        <translation>离线</translation>
+    </message>
+    <message>
+        <source>Online</source>
+        <translation>在线</translation>
+    </message>
+    <message>
+        <source>Connection lost</source>
+        <translation>连接断开</translation>
+    </message>
+    <message>
+        <source>No CAN device is connected. Press to choose one.</source>
+        <translation>没有连接 CAN 设备。点击选择设备。</translation>
+    </message>
+    <message>
+        <source>The CAN device is being opened.</source>
+        <translation>正在打开 CAN 设备。</translation>
+    </message>
+    <message>
+        <source>The CAN device is open, but no arm is heard on it. Check the arm&apos;s power, the cable and the bit rate.</source>
+        <translation>CAN 设备已打开，但没有收到机械臂的反馈。请检查机械臂电源、线缆和波特率。</translation>
+    </message>
+    <message>
+        <source>The arm is heard. Press to disconnect or choose another.</source>
+        <translation>正在接收机械臂的反馈。点击可断开或选择其它设备。</translation>
+    </message>
+    <message>
+        <source>The CAN device is gone. Plug it in again: it is reconnected by itself.</source>
+        <translation>CAN 设备已断开。重新插好后会自动连接。</translation>
+    </message>
+    <message>
+        <source>Choose a device</source>
+        <translation>选择设备</translation>
+    </message>
+</context>
+<context>
+    <name>ConfirmDialog</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>ConnectDialog</name>
+    <message>
+        <source>Connect arm</source>
+        <translation>连接机械臂</translation>
+    </message>
+    <message>
+        <source>CAN devices</source>
+        <translation>CAN 设备</translation>
+    </message>
+    <message>
+        <source>Refresh</source>
+        <translation>刷新</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>断开</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Bit rate</source>
+        <translation>波特率</translation>
+    </message>
+    <message>
+        <source>{bitrate} (generation 1)</source>
+        <translation>{bitrate}（第 1 代）</translation>
+    </message>
+    <message>
+        <source>The device is not in the list? Name it:</source>
+        <translation>列表中没有设备？请手动输入：</translation>
+    </message>
+    <message>
+        <source>The arm is moving</source>
+        <translation>机械臂正在运动</translation>
+    </message>
+    <message>
+        <source>Without the connection the arm goes on to its target, and the emergency stop of this program cannot reach it.</source>
+        <translation>断开后机械臂会继续运动到目标点，本程序的急停也无法再使其停止。</translation>
+    </message>
+    <message>
+        <source>Choose a device in the list first.</source>
+        <translation>请先在列表中选择设备。</translation>
+    </message>
+    <message>
+        <source>This device is connected.</source>
+        <translation>该设备已连接。</translation>
+    </message>
+    <message>
+        <source>No device is connected.</source>
+        <translation>没有已连接的设备。</translation>
+    </message>
+    <message>
+        <source>The search is under way.</source>
+        <translation>正在搜索。</translation>
+    </message>
+    <message>
+        <source>Connecting to {device}…</source>
+        <translation>正在连接 {device}…</translation>
+    </message>
+    <message>
+        <source>The arm is online on {device}.</source>
+        <translation>机械臂在线：{device}。</translation>
+    </message>
+    <message>
+        <source>Searching for devices…</source>
+        <translation>正在搜索设备…</translation>
+    </message>
+    <message>
+        <source>Choose a device and press Connect.</source>
+        <translation>请选择设备，然后按“连接”。</translation>
+    </message>
+    <message>
+        <source>The simulated arm has no bit rate.</source>
+        <translation>仿真机械臂没有波特率。</translation>
+    </message>
+    <message>
+        <source>Set by the operating system, not by this program.</source>
+        <translation>由操作系统设置，本程序不能更改。</translation>
+    </message>
+    <message>
+        <source>Disconnect to change it.</source>
+        <translation>断开后可更改。</translation>
+    </message>
+</context>
+<context>
+    <name>ControlMode</name>
+    <message>
+        <source>Standby mode</source>
+        <translation>待机模式</translation>
+    </message>
+    <message>
+        <source>CAN command control mode</source>
+        <translation>CAN 指令控制模式</translation>
+    </message>
+    <message>
+        <source>Teaching mode</source>
+        <translation>示教模式</translation>
+    </message>
+    <message>
+        <source>Ethernet control mode</source>
+        <translation>以太网控制模式</translation>
+    </message>
+    <message>
+        <source>Wi-Fi control mode</source>
+        <translation>wifi 控制模式</translation>
+    </message>
+    <message>
+        <source>Remote controller mode</source>
+        <translation>遥控器控制模式</translation>
+    </message>
+    <message>
+        <source>Linked teaching input mode</source>
+        <translation>联动示教输入模式</translation>
+    </message>
+    <message>
+        <source>Offline trajectory mode</source>
+        <translation>离线轨迹模式</translation>
+    </message>
+</context>
+<context>
+    <name>ControlModeShort</name>
+    <message>
+        <source>Standby</source>
+        <translation>待机</translation>
+    </message>
+    <message>
+        <source>CAN commands</source>
+        <translation>CAN 指令</translation>
+    </message>
+    <message>
+        <source>Teaching</source>
+        <translation>示教</translation>
+    </message>
+    <message>
+        <source>Ethernet</source>
+        <translation>以太网</translation>
+    </message>
+    <message>
+        <source>Wi-Fi</source>
+        <translation>wifi</translation>
+    </message>
+    <message>
+        <source>Remote controller</source>
+        <translation>遥控器</translation>
+    </message>
+    <message>
+        <source>Linked teaching input</source>
+        <translation>联动示教输入</translation>
+    </message>
+    <message>
+        <source>Offline trajectory</source>
+        <translation>离线轨迹</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceModel</name>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>序列号</translation>
+    </message>
+    <message>
+        <source>Bit rate</source>
+        <translation>波特率</translation>
+    </message>
+    <message>
+        <source>Simulated arm, generation {generation}</source>
+        <translation>仿真机械臂（第 {generation} 代）</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>连接中…</translation>
+    </message>
+    <message>
+        <source>Offline</source>
+        <translation>离线</translation>
+    </message>
+    <message>
+        <source>Online</source>
+        <translation>在线</translation>
+    </message>
+    <message>
+        <source>Connection lost</source>
+        <translation>连接断开</translation>
+    </message>
+</context>
+<context>
+    <name>EnableButton</name>
+    <message>
+        <source>Enabling…</source>
+        <translation>使能中…</translation>
+    </message>
+    <message>
+        <source>Disabling…</source>
+        <translation>失能中…</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Partly enabled</source>
+        <translation>部分使能</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Disabled</source>
+        <translation>失能</translation>
+    </message>
+</context>
+<context>
+    <name>Help</name>
+    <message>
+        <source>Mouse</source>
+        <translation>鼠标</translation>
+    </message>
+    <message>
+        <source>Left drag</source>
+        <translation>左键拖动</translation>
+    </message>
+    <message>
+        <source>Turn the view around the arm</source>
+        <translation>绕机械臂旋转视角</translation>
+    </message>
+    <message>
+        <source>Middle drag, Shift + left drag</source>
+        <translation>中键拖动，Shift + 左键拖动</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>平移视角</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>滚轮</translation>
+    </message>
+    <message>
+        <source>Zoom in and out</source>
+        <translation>放大、缩小</translation>
+    </message>
+    <message>
+        <source>Double click on a link</source>
+        <translation>双击连杆</translation>
+    </message>
+    <message>
+        <source>Mark the joint that moves it, here and in its row</source>
+        <translation>标出带动该连杆的关节，对应的操作行同时标出</translation>
+    </message>
+    <message>
+        <source>Keyboard</source>
+        <translation>键盘</translation>
+    </message>
+    <message>
+        <source>← → ↑ ↓</source>
+        <translation>← → ↑ ↓</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>旋转视角</translation>
+    </message>
+    <message>
+        <source>+  −</source>
+        <translation>+  −</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>The first view again</source>
+        <translation>还原最初的视角</translation>
+    </message>
+    <message>
+        <source>F12, Pause</source>
+        <translation>F12、Pause</translation>
+    </message>
+    <message>
+        <source>Emergency stop, from every window of the program</source>
+        <translation>急停，在本程序的任何窗口中都有效</translation>
+    </message>
+    <message>
+        <source>Figures at the top left</source>
+        <translation>左上方的数值</translation>
+    </message>
+    <message>
+        <source>X  Y  Z</source>
+        <translation>X  Y  Z</translation>
+    </message>
+    <message>
+        <source>Measured place of the flange, in mm</source>
+        <translation>法兰的实测位置，单位 mm</translation>
+    </message>
+    <message>
+        <source>RX  RY  RZ</source>
+        <translation>RX  RY  RZ</translation>
+    </message>
+    <message>
+        <source>Its measured rotation: roll, pitch, yaw, in degrees</source>
+        <translation>法兰的实测姿态：横滚、俯仰、偏航，单位 °</translation>
+    </message>
+    <message>
+        <source>J1 … J6</source>
+        <translation>J1 … J6</translation>
+    </message>
+    <message>
+        <source>Measured joint angles in degrees, J1 the lowest joint</source>
+        <translation>各关节的实测角度，单位 °，由下到上为 J1～J6</translation>
+    </message>
+    <message>
+        <source>What the picture says</source>
+        <translation>画面的含义</translation>
+    </message>
+    <message>
+        <source>—</source>
+        <translation>—</translation>
+    </message>
+    <message>
+        <source>Not heard from the arm yet: no figure is made up</source>
+        <translation>尚未收到机械臂的反馈，不显示虚构的数值</translation>
+    </message>
+    <message>
+        <source>Muted figures, faded arm</source>
+        <translation>数值变灰，模型变淡</translation>
+    </message>
+    <message>
+        <source>Older than half a second: where the arm was, not where it is</source>
+        <translation>反馈已超过 0.5 秒：这是机械臂之前的位置，不一定是现在的位置</translation>
+    </message>
+    <message>
+        <source>Red, green, blue axis</source>
+        <translation>红、绿、蓝轴</translation>
+    </message>
+    <message>
+        <source>X, Y and Z of the base, from the middle of its foot</source>
+        <translation>基座坐标系的 X、Y、Z 轴，原点在底座中心</translation>
+    </message>
+</context>
+<context>
+    <name>HelpDialog</name>
+    <message>
+        <source>Help: 3D view</source>
+        <translation>使用帮助</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>JointFault</name>
+    <message>
+        <source>Joint {joint}: communication fault</source>
+        <translation>{joint} 号关节通信异常</translation>
+    </message>
+    <message>
+        <source>Joint {joint}: beyond its angle limit</source>
+        <translation>{joint} 号关节角度超限位</translation>
+    </message>
+</context>
+<context>
+    <name>JointRow</name>
+    <message>
+        <source>Moves joint {joint} by −{step} at once. Hold to go on.</source>
+        <translation>关节 {joint} 立即转动 −{step}。按住可连续运动。</translation>
+    </message>
+    <message>
+        <source>Moves joint {joint} by +{step} at once. Hold to go on.</source>
+        <translation>关节 {joint} 立即转动 +{step}。按住可连续运动。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} minus</source>
+        <translation>关节 {joint} 减</translation>
+    </message>
+    <message>
+        <source>Joint {joint} plus</source>
+        <translation>关节 {joint} 加</translation>
+    </message>
+    <message>
+        <source>Target angle of joint {joint}</source>
+        <translation>关节 {joint} 目标角度</translation>
+    </message>
+    <message>
+        <source>Target slider of joint {joint}</source>
+        <translation>关节 {joint} 目标滑块</translation>
+    </message>
+    <message>
+        <source>Measured angle of joint {joint}</source>
+        <translation>关节 {joint} 测量角度</translation>
+    </message>
+    <message>
+        <source>Measured by the arm</source>
+        <translation>机械臂的测量值</translation>
+    </message>
+    <message>
+        <source>Target of joint {joint}: {minimum} to {maximum}. Not sent before you press Send.</source>
+        <translation>关节 {joint} 的目标：{minimum} 至 {maximum}。按“发送”后才会发出。</translation>
+    </message>
+    <message>
+        <source>Limit read from the arm</source>
+        <translation>从机械臂读取的限位</translation>
+    </message>
+    <message>
+        <source>Factory limit: not read from the arm yet</source>
+        <translation>出厂限位：尚未从机械臂读取</translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
+    <message>
+        <source>armui – PiPER arm</source>
+        <translation>armui – PiPER 机械臂</translation>
+    </message>
+    <message>
+        <source>3D view of the arm</source>
+        <translation>机械臂 3D 视图</translation>
+    </message>
+    <message>
+        <source>The arm is moving</source>
+        <translation>机械臂正在运动</translation>
+    </message>
+    <message>
+        <source>Closing the program does not stop the arm: it goes on to its target. Press the emergency stop if it must not.</source>
+        <translation>关闭程序不会使机械臂停止，它会继续运动到目标点。若不允许，请按急停。</translation>
+    </message>
+    <message>
+        <source>Close anyway</source>
+        <translation>仍然关闭</translation>
+    </message>
+</context>
+<context>
+    <name>ManualEntry</name>
+    <message>
+        <source>Interface</source>
+        <translation>接口</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>e.g. COM5, /dev/ttyACM0, 239.0.0.1</source>
+        <translation>例如 COM5、/dev/ttyACM0、239.0.0.1</translation>
+    </message>
+    <message>
+        <source>Add to the list</source>
+        <translation>添加到列表</translation>
+    </message>
+    <message>
+        <source>Enter the interface and its channel first.</source>
+        <translation>请先输入接口和通道。</translation>
+    </message>
+</context>
+<context>
+    <name>MotionPanel</name>
+    <message>
+        <source>Moves all joints to 0°.</source>
+        <translation>各关节运动到 0°。</translation>
+    </message>
+    <message>
+        <source>Fills the fields with the measured angles; nothing moves.</source>
+        <translation>将当前测量角度填入编辑栏，机械臂不动。</translation>
+    </message>
+    <message>
+        <source>Moves the arm to the angles in the fields.</source>
+        <translation>使机械臂运动到编辑栏中的角度。</translation>
+    </message>
+    <message>
+        <source>Motion control</source>
+        <translation>运动控制</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步长</translation>
+    </message>
+    <message>
+        <source>Step of − and +</source>
+        <translation>− 与 + 的步长</translation>
+    </message>
+    <message>
+        <source>How far one press of − or + moves a joint</source>
+        <translation>每按一次 − 或 + 关节转动的角度</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>回零</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>装载</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>发送</translation>
+    </message>
+</context>
+<context>
+    <name>MoveMode</name>
+    <message>
+        <source>Point mode</source>
+        <translation>点位模式</translation>
+    </message>
+    <message>
+        <source>Joint mode</source>
+        <translation>关节模式</translation>
+    </message>
+    <message>
+        <source>Linear mode</source>
+        <translation>直线模式</translation>
+    </message>
+    <message>
+        <source>Arc mode</source>
+        <translation>圆弧模式</translation>
+    </message>
+    <message>
+        <source>MIT mode</source>
+        <translation>MIT 模式</translation>
+    </message>
+    <message>
+        <source>CPV mode</source>
+        <translation>CPV 模式</translation>
+    </message>
+</context>
+<context>
+    <name>Notice</name>
+    <message>
+        <source>Sent J1 {j1}°  J2 {j2}°  J3 {j3}°  J4 {j4}°  J5 {j5}°  J6 {j6}°</source>
+        <translation>已发送 J1 {j1}°  J2 {j2}°  J3 {j3}°  J4 {j4}°  J5 {j5}°  J6 {j6}°</translation>
+    </message>
+    <message>
+        <source>Sent J{joint} {target}°</source>
+        <translation>已发送 J{joint} {target}°</translation>
+    </message>
+    <message>
+        <source>Home sent: all joints to 0°</source>
+        <translation>已发送回零：各关节运动到 0°</translation>
+    </message>
+    <message>
+        <source>Sent speed {percent} %</source>
+        <translation>已发送速度 {percent} %</translation>
+    </message>
+    <message>
+        <source>Emergency stop sent. The motors go limp and the arm sinks: hold the arm.</source>
+        <translation>急停已发送。电机失去力矩，机械臂会缓慢下沉，请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>The emergency stop could NOT be sent: no device is open. Cut the arm&apos;s power if it moves.</source>
+        <translation>急停未能发送：没有打开的设备。若机械臂在运动，请切断其电源。</translation>
+    </message>
+    <message>
+        <source>The arm has confirmed the emergency stop.</source>
+        <translation>机械臂已确认急停。</translation>
+    </message>
+    <message>
+        <source>The arm has NOT confirmed the emergency stop; it is sent again and again. Cut the arm&apos;s power if it moves.</source>
+        <translation>机械臂尚未确认急停，正在反复发送。若机械臂仍在运动，请切断其电源。</translation>
+    </message>
+    <message>
+        <source>The emergency stop is over. Enable the motors to go on.</source>
+        <translation>急停已恢复。使能电机后可继续使用。</translation>
+    </message>
+    <message>
+        <source>Resume sent. The motors lose power and the arm drops: hold the arm.</source>
+        <translation>恢复已发送。电机断电，机械臂会下落，请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>The arm stays in emergency stop. Check it, then press Resume again.</source>
+        <translation>机械臂仍处于急停状态。请检查机械臂，然后再按“恢复”。</translation>
+    </message>
+    <message>
+        <source>Enable sent to all six motors</source>
+        <translation>已向 6 个电机发送使能</translation>
+    </message>
+    <message>
+        <source>All six motors are enabled.</source>
+        <translation>6 个电机均已使能。</translation>
+    </message>
+    <message>
+        <source>These joints did not enable: {joints}. Press Enable again; if that fails, check their drivers and the arm&apos;s power.</source>
+        <translation>以下关节未能使能：{joints}。请再按一次“使能”；若仍失败，请检查其驱动器和机械臂电源。</translation>
+    </message>
+    <message>
+        <source>Disable sent to all six motors. The arm drops: hold the arm.</source>
+        <translation>已向 6 个电机发送失能。机械臂会下落，请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>All six motors are disabled.</source>
+        <translation>6 个电机均已失能。</translation>
+    </message>
+    <message>
+        <source>These joints did not disable: {joints}. Press Disable again, or use the emergency stop.</source>
+        <translation>以下关节未能失能：{joints}。请再按一次“失能”，或使用急停。</translation>
+    </message>
+    <message>
+        <source>Device open: {device}</source>
+        <translation>设备已打开：{device}</translation>
+    </message>
+    <message>
+        <source>Not connected. {reason}</source>
+        <translation>未能连接。{reason}</translation>
+    </message>
+    <message>
+        <source>Disconnected from {device}</source>
+        <translation>已断开 {device}</translation>
+    </message>
+    <message>
+        <source>Connection to {device} lost; the program keeps trying to reconnect. {reason}</source>
+        <translation>与 {device} 的连接已断开，程序正在尝试重新连接。{reason}</translation>
+    </message>
+    <message>
+        <source>Connected to {device} again</source>
+        <translation>已重新连接 {device}</translation>
+    </message>
+    <message>
+        <source>The arm is online.</source>
+        <translation>机械臂在线。</translation>
+    </message>
+    <message>
+        <source>The arm is offline: nothing is heard from it. Check its power, the CAN cable and the bit rate.</source>
+        <translation>机械臂离线：没有收到反馈。请检查机械臂电源、CAN 线和波特率。</translation>
+    </message>
+    <message>
+        <source>The arm speaks protocol generation {generation}. Firmware: {firmware}</source>
+        <translation>机械臂使用第 {generation} 代协议，固件版本：{firmware}</translation>
+    </message>
+    <message>
+        <source>Joint limits read from the arm</source>
+        <translation>已读取机械臂的关节限位</translation>
+    </message>
+    <message>
+        <source>The arm did not tell the limits of these joints: {joints}. The factory limits hold; connect again to ask once more.</source>
+        <translation>未读到以下关节的限位：{joints}。现按出厂限位检查；重新连接可再次读取。</translation>
+    </message>
+    <message>
+        <source>Joint {joint}: the limits stored in the arm cannot be true. The factory limits hold; set the joint&apos;s limits anew.</source>
+        <translation>关节 {joint}：机械臂中保存的限位不合理。现按出厂限位检查；请重新设置该关节的限位。</translation>
+    </message>
+    <message>
+        <source>Not sent. {reason}</source>
+        <translation>未发送。{reason}</translation>
+    </message>
+    <message>
+        <source>Event: {code}</source>
+        <translation>事件：{code}</translation>
+    </message>
+</context>
+<context>
+    <name>Reached</name>
+    <message>
+        <source>Target reached</source>
+        <translation>已达指定点</translation>
+    </message>
+    <message>
+        <source>Target not reached</source>
+        <translation>未达指定点</translation>
+    </message>
+</context>
+<context>
+    <name>Refusal</name>
+    <message>
+        <source>No arm is connected. Click the button at the top left, choose a device and connect it.</source>
+        <translation>尚未连接机械臂。请点击左上角的通讯按钮，选择设备并连接。</translation>
+    </message>
+    <message>
+        <source>The device is open, but nothing is heard from the arm. Check its power, the CAN cable and the bit rate.</source>
+        <translation>CAN 设备已打开，但没有收到机械臂的反馈。请检查机械臂电源、CAN 线和波特率。</translation>
+    </message>
+    <message>
+        <source>The CAN device is gone. Plug it in again: the program reconnects by itself.</source>
+        <translation>CAN 设备已断开。请重新插好设备，程序会自动重新连接。</translation>
+    </message>
+    <message>
+        <source>The emergency stop has been sent and the arm has not confirmed it yet. Wait for the confirmation.</source>
+        <translation>急停已发送，机械臂尚未确认。请等待确认。</translation>
+    </message>
+    <message>
+        <source>Still under way: {what}. Wait until it is done.</source>
+        <translation>正在进行：{what}。请等待完成。</translation>
+    </message>
+    <message>
+        <source>The motors of these joints are not enabled: {joints}. Press Enable first.</source>
+        <translation>以下关节的电机未使能：{joints}。请先按“使能”。</translation>
+    </message>
+    <message>
+        <source>Not every motor has reported yet whether it is enabled. Wait a moment; if it stays so, check the arm&apos;s power and the CAN cable.</source>
+        <translation>尚未收到全部电机的使能状态。请稍候；若一直如此，请检查机械臂电源和 CAN 线。</translation>
+    </message>
+    <message>
+        <source>The speed is set to 0 %: the arm would not move. Set a speed from 1 to 100 % at the top.</source>
+        <translation>速度百分比为 0 %，机械臂不会运动。请在窗口上方设置 1～100 % 的速度。</translation>
+    </message>
+    <message>
+        <source>Speed {value} % is out of range. Enter a value from 0 to 100 %.</source>
+        <translation>速度 {value} % 超出范围。请输入 0～100 %。</translation>
+    </message>
+    <message>
+        <source>Joint {joint}: {value}° is beyond its limits of {minimum}° to {maximum}°. Enter an angle within them.</source>
+        <translation>关节 {joint}：{value}° 超出限位 {minimum}° 至 {maximum}°。请输入限位以内的角度。</translation>
+    </message>
+    <message>
+        <source>Joint {joint}: “{value}” is not an angle. Enter degrees in figures, for example 12.5.</source>
+        <translation>关节 {joint}：“{value}”不是角度。请输入以度为单位的数字，例如 12.5。</translation>
+    </message>
+    <message>
+        <source>The arm has not reported all of its joint angles yet. Wait until all six are shown.</source>
+        <translation>尚未收到全部关节角度。请等待 6 个关节的角度都显示出来。</translation>
+    </message>
+    <message>
+        <source>The arm takes its commands from elsewhere: {mode}. Leave that mode first.</source>
+        <translation>机械臂当前不由本程序控制：{mode}。请先退出该模式。</translation>
+    </message>
+    <message>
+        <source>The arm is in emergency stop. Hold the arm, press Resume, then enable the motors.</source>
+        <translation>机械臂处于急停状态。请扶住机械臂，按“恢复”，然后使能电机。</translation>
+    </message>
+    <message>
+        <source>The arm is not in emergency stop: there is nothing to resume from.</source>
+        <translation>机械臂不在急停状态，无需恢复。</translation>
+    </message>
+    <message>
+        <source>The arm reports: {status}. Remove the cause. If the report stays: emergency stop, hold the arm, Resume.</source>
+        <translation>机械臂状态：{status}。请先排除原因；若状态仍在，请按“急停”，扶住机械臂，再按“恢复”。</translation>
+    </message>
+    <message>
+        <source>{device} is not there. Check that it is plugged in and its cable is sound.</source>
+        <translation>找不到设备 {device}。请检查设备是否插好、线缆是否完好。</translation>
+    </message>
+    <message>
+        <source>{device} is in use by another program. Close that program, then connect again.</source>
+        <translation>设备 {device} 正被其它程序占用。请关闭该程序后重新连接。</translation>
+    </message>
+    <message>
+        <source>{device} is switched off in the system. Switch it on in a terminal (with your interface&apos;s name for can0): sudo ip link set can0 up type can bitrate 1000000</source>
+        <translation>设备 {device} 在系统中未启用。请在终端中启用（将 can0 换成实际的接口名）：sudo ip link set can0 up type can bitrate 1000000</translation>
+    </message>
+    <message>
+        <source>You may not open {device}. On Linux add your account to the group dialout (serial adapters) or install the adapter&apos;s udev rule (USB adapters), then log in again.</source>
+        <translation>没有权限打开设备 {device}。Linux 下：串口适配器请将当前用户加入 dialout 组，USB 适配器请安装其 udev 规则，然后重新登录。</translation>
+    </message>
+    <message>
+        <source>{device} needs a Python package that is not installed. Install it in a terminal: pip install {package}</source>
+        <translation>设备 {device} 需要的 Python 软件包尚未安装。请在终端中安装：pip install {package}</translation>
+    </message>
+    <message>
+        <source>The driver for {device} ({interface}) is missing. Install the driver of the adapter&apos;s maker; for socketcan load the kernel&apos;s modules: sudo modprobe can_raw</source>
+        <translation>缺少设备 {device}（{interface}）的驱动。请安装适配器厂家的驱动；使用 socketcan 时请加载内核模块：sudo modprobe can_raw</translation>
+    </message>
+    <message>
+        <source>{device} does not accept these settings: {text}. Check interface, channel and bit rate.</source>
+        <translation>设备 {device} 不接受这些参数：{text}。请检查接口、通道和波特率。</translation>
+    </message>
+    <message>
+        <source>{device} could not be opened: {text}. Check the device and its driver, then connect again.</source>
+        <translation>无法打开设备 {device}：{text}。请检查设备及其驱动，然后重新连接。</translation>
+    </message>
+    <message>
+        <source>The settings file could not be read and was put aside as {kept}. The program starts with its first settings.</source>
+        <translation>设置文件无法读取，已另存为 {kept}。程序以默认设置启动。</translation>
+    </message>
+    <message>
+        <source>The settings file {path} could not be read: {text}. The program starts with its first settings.</source>
+        <translation>设置文件 {path} 无法读取：{text}。程序以默认设置启动。</translation>
+    </message>
+    <message>
+        <source>The settings could not be saved in {path}: {text}. They hold until the program ends.</source>
+        <translation>设置无法保存到 {path}：{text}。本次运行期间仍然有效。</translation>
+    </message>
+    <message>
+        <source>Setting {field}: “{value}” is not possible. Its first setting is used instead.</source>
+        <translation>设置项 {field}：“{value}”无效，已使用默认值。</translation>
+    </message>
+    <message>
+        <source>Jog step {value}° is out of range. Enter a value from {minimum}° to {maximum}°.</source>
+        <translation>点动步长 {value}° 超出范围。请输入 {minimum}° 至 {maximum}°。</translation>
+    </message>
+    <message>
+        <source>Jog step: “{value}” is not an angle. Enter degrees in figures, for example 0.5.</source>
+        <translation>点动步长：“{value}”不是角度。请输入以度为单位的数字，例如 0.5。</translation>
+    </message>
+    <message>
+        <source>Robot description: the file {path} is not there. Choose another file, or use the built-in one.</source>
+        <translation>机器人模型：找不到文件 {path}。请选择其它文件，或使用内置模型。</translation>
+    </message>
+    <message>
+        <source>Not possible now: {reason}.</source>
+        <translation>现在无法执行：{reason}。</translation>
+    </message>
+</context>
+<context>
+    <name>SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>跟随系统</translation>
+    </message>
+    <message>
+        <source>Jog step</source>
+        <translation>点动步长</translation>
+    </message>
+    <message>
+        <source>{minimum}° to {maximum}°: how far − and + move a joint</source>
+        <translation>{minimum}° 至 {maximum}°，即每按一次 − 或 + 关节转动的角度</translation>
+    </message>
+    <message>
+        <source>Robot description (URDF)</source>
+        <translation>机器人模型（URDF）</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>浏览…</translation>
+    </message>
+    <message>
+        <source>Use the built-in one</source>
+        <translation>使用内置模型</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Built-in model of the PiPER</source>
+        <translation>PiPER 内置模型</translation>
+    </message>
+    <message>
+        <source>The built-in robot description is in use.</source>
+        <translation>当前使用的就是内置模型。</translation>
+    </message>
+    <message>
+        <source>Choose a robot description</source>
+        <translation>选择机器人模型</translation>
+    </message>
+    <message>
+        <source>Robot description</source>
+        <translation>机器人模型</translation>
+    </message>
+</context>
+<context>
+    <name>SideMenu</name>
+    <message>
+        <source>Motion control</source>
+        <translation>运动控制</translation>
+    </message>
+</context>
+<context>
+    <name>SpeedControl</name>
+    <message>
+        <source>This arm&apos;s firmware does not report its speed percentage.</source>
+        <translation>该机械臂的固件不反馈速度百分比。</translation>
+    </message>
+    <message>
+        <source>The speed percentage the arm reports</source>
+        <translation>机械臂反馈的速度百分比</translation>
+    </message>
+    <message>
+        <source>Speed of motions, 0–100 % of the arm&apos;s highest; 0 % means no motion.</source>
+        <translation>运动速度，为最大速度的 0～100 %；0 % 时不运动。</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>机械臂</translation>
+    </message>
+    <message>
+        <source>Speed percentage</source>
+        <translation>速度百分比</translation>
+    </message>
+    <message>
+        <source>Speed percentage reported by the arm</source>
+        <translation>机械臂反馈的速度百分比</translation>
+    </message>
+</context>
+<context>
+    <name>StatusBar</name>
+    <message>
+        <source>Control: {mode}</source>
+        <translation>控制: {mode}</translation>
+    </message>
+    <message>
+        <source>Status: {status}</source>
+        <translation>状态: {status}</translation>
+    </message>
+    <message>
+        <source>No communication: {joints}</source>
+        <translation>通信异常: {joints}</translation>
+    </message>
+    <message>
+        <source>Beyond limit: {joints}</source>
+        <translation>超限位: {joints}</translation>
+    </message>
+    <message>
+        <source>Last event</source>
+        <translation>最近事件</translation>
+    </message>
+</context>
+<context>
+    <name>StopButton</name>
+    <message>
+        <source>Resume after the emergency stop</source>
+        <translation>急停恢复</translation>
+    </message>
+    <message>
+        <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
+Afterwards the motors must be enabled again.</source>
+        <translation>恢复会切断电机电源，机械臂会下落，请扶住机械臂。
+恢复后需重新使能电机。</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>The arm has stopped. Press to resume: it will drop, so hold it first.</source>
+        <translation>机械臂已急停。点击恢复：机械臂会下落，请先扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>Stops the arm at once. Key: {key}</source>
+        <translation>使机械臂立即停止。按键：{key}</translation>
+    </message>
+    <message>
+        <source>Resuming…</source>
+        <translation>恢复中…</translation>
+    </message>
+    <message>
+        <source>Stop unconfirmed</source>
+        <translation>急停未确认</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>急停中…</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>急停</translation>
+    </message>
+</context>
+<context>
+    <name>Teaching</name>
+    <message>
+        <source>Off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Start of recording (drag teaching on)</source>
+        <translation>开始示教记录（进入拖动示教模式）</translation>
+    </message>
+    <message>
+        <source>End of recording (drag teaching off)</source>
+        <translation>结束示教记录（退出拖动示教模式）</translation>
+    </message>
+    <message>
+        <source>Replaying the taught trajectory</source>
+        <translation>执行示教轨迹（拖动示教轨迹复现）</translation>
+    </message>
+    <message>
+        <source>Replay paused</source>
+        <translation>暂停执行</translation>
+    </message>
+    <message>
+        <source>Replay resumed</source>
+        <translation>继续执行（轨迹复现继续）</translation>
+    </message>
+    <message>
+        <source>Replay terminated</source>
+        <translation>终止执行</translation>
+    </message>
+    <message>
+        <source>Moving to the start of the trajectory</source>
+        <translation>运动到轨迹起点</translation>
+    </message>
+</context>
+<context>
+    <name>TopBar</name>
+    <message>
+        <source>Disables all six motors: the arm will drop, so hold it first.</source>
+        <translation>6 个电机全部失能：机械臂会下落，请先扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>Enables all six motors.</source>
+        <translation>6 个电机全部使能。</translation>
+    </message>
+    <message>
+        <source>Disable the motors</source>
+        <translation>失能电机</translation>
+    </message>
+    <message>
+        <source>The arm will drop when its motors are disabled. Hold the arm.</source>
+        <translation>失能后机械臂会下落，请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation>失能</translation>
+    </message>
+</context>
+<context>
+    <name>UnderWay</name>
+    <message>
+        <source>enabling the motors</source>
+        <translation>使能电机</translation>
+    </message>
+    <message>
+        <source>disabling the motors</source>
+        <translation>失能电机</translation>
+    </message>
+    <message>
+        <source>resuming after the emergency stop</source>
+        <translation>急停恢复</translation>
+    </message>
+</context>
+<context>
+    <name>UnknownCode</name>
+    <message>
+        <source>unknown ({code})</source>
+        <translation>未知 ({code})</translation>
+    </message>
+</context>
+<context>
+    <name>ViewRegion</name>
+    <message>
+        <source>Help</source>
+        <translation>使用帮助</translation>
+    </message>
+    <message>
+        <source>How to use the 3D view</source>
+        <translation>3D 区域的使用方法</translation>
+    </message>
+    <message>
+        <source>Reset view</source>
+        <translation>视角还原</translation>
+    </message>
+    <message>
+        <source>Shows the arm as at the beginning</source>
+        <translation>还原最初的 3D 显示视角</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Language, theme, jog step, 3D model</source>
+        <translation>语言、主题、点动步长、3D 模型</translation>
+    </message>
+</context>
+</TS>
