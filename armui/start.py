@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from armui.settings import Language
+
 
 @dataclass(frozen=True, slots=True)
 class StartOptions:
@@ -19,4 +21,4 @@ class StartOptions:
     interface: str | None = None
     channel: str | None = None
     bitrate: int | None = None
-    language: str | None = None
+    language: Language | None = None

@@ -126,7 +126,7 @@ class ArmController(QObject):
             self._search = DeviceSearch(self._simulated, self._find, parent=self)
         self._search.found.connect(self.devices_found)
         self._search.finished.connect(self._on_search_finished)
-        self.searching_changed.emit(True)  # noqa: FBT003 - Qt's signals take no keywords
+        self.searching_changed.emit(True)
         self._search.start()
 
     def connect_device(self, device: Device) -> None:
@@ -405,7 +405,7 @@ class ArmController(QObject):
         if self._search is not None:
             self._search.deleteLater()
             self._search = None
-        self.searching_changed.emit(False)  # noqa: FBT003 - see above
+        self.searching_changed.emit(False)
 
     def _forget_arm(self) -> None:
         self._stop.forget()

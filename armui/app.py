@@ -1,0 +1,136 @@
+"""The only place where the program's objects are wired together."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Final
+
+import can
+from PySide6.QtCore import QCoreApplication, QTimer
+from PySide6.QtWidgets import QApplication
+
+from armui.bus.adapters import DEFAULT_BITRATE, Device, bitrate_is_ours, open_bus
+from armui.bus.worker import Opener
+from armui.control.arm_controller import ArmController
+from armui.protocol.database import Generation
+from armui.settings import Language, Settings, SettingsStore, default_path
+from armui.start import StartOptions
+from armui.ui.main_window import MainWindow
+from armui.ui.theme import Theme, apply_theme
+from armui.ui.translation import Translator
+from armui.ui.widgets.stop_shortcut import StopShortcut
+from armui.viewport.view import ArmView
+
+_SWITCH_INTERVAL_S: Final = 0.0005
+"""How long a thread may keep Python's lock while another wants it. The default of 5 ms, once for
+the bus thread and once for the simulated arm's, is what a pressed stop would wait."""
+
+
+class Program:
+    """Everything that makes up one running program.
+
+    Args:
+        app: Qt's application.
+        store: The operator's settings.
+        language: Instead of the one in the settings.
+        opener: How devices are opened.
+        simulated: Arms made of software to list.
+
+    Attributes:
+        controller, view, window: What its parts are.
+    """
+
+    def __init__(
+        self,
+        app: QApplication,
+        store: SettingsStore,
+        *,
+        language: Language | None = None,
+        opener: Opener | None = None,
+        simulated: Sequence[Device] | None = None,
+    ) -> None:
+        self._app = app
+        self._store = store
+        self._translator = Translator(app)
+        settings = store.settings
+        self._settings = settings
+        self._translator.set_language(language or settings.language)
+        apply_theme(app, Theme(settings.theme))
+        self.controller = ArmController(
+            opener or open_device, SIMULATED if simulated is None else simulated
+        )
+        self.view = ArmView(Path(settings.urdf_path) if settings.urdf_path else None)
+        self.window = MainWindow(self.controller, self.view, store)
+        self._stop_shortcut = StopShortcut(app, self.controller)
+        self._unsubscribe = store.subscribe(self._on_settings_changed)
+
+    def shutdown(self) -> None:
+        """End every thread; the arm goes on with what it was told last."""
+        self._unsubscribe()
+        self._app.removeEventFilter(self._stop_shortcut)
+        self.controller.shutdown()
+        self.view.shutdown()
+
+    def _on_settings_changed(self, settings: Settings) -> None:
+        apply_theme(self._app, Theme(settings.theme))
+        if settings.language != self._settings.language:
+            self._translator.set_language(settings.language)
+        self._settings = settings
+
+
+def run(options: StartOptions) -> int:
+    """Open the window and stay until it is closed; returns the exit code."""
+    sys.setswitchinterval(_SWITCH_INTERVAL_S)
+    QCoreApplication.setApplicationName("armui")
+    QApplication.setDesktopFileName("armui")
+    app = QApplication(sys.argv[:1])
+    program = Program(app, SettingsStore(default_path()), language=options.language)
+    app.aboutToQuit.connect(program.shutdown)
+    program.window.show()
+    device = chosen_device(options)
+    if device is not None:
+        QTimer.singleShot(0, lambda: program.controller.connect_device(device))
+    return app.exec()
+
+
+def chosen_device(options: StartOptions) -> Device | None:
+    """The device to connect to at the start, or ``None``."""
+    if options.sim_generation is not None:
+        return next(device for device in SIMULATED if device.generation == options.sim_generation)
+    if options.interface is None or options.channel is None:
+        return None
+    ours = bitrate_is_ours(options.interface)
+    return Device(
+        interface=options.interface,
+        channel=options.channel,
+        bitrate=(options.bitrate or DEFAULT_BITRATE) if ours else None,
+    )
+
+
+SIMULATED: Final = tuple(
+    Device("virtual", f"armui-simulated-{generation}", None, simulated=True, generation=generation)
+    for generation in (2, 1)
+)
+"""The arms made of software; today's protocol first."""
+
+
+@contextmanager
+def open_device(device: Device) -> Iterator[can.BusABC]:
+    """Open a device; behind a simulated one an arm comes to life until it is closed again."""
+    if not device.simulated:
+        with open_bus(device) as bus:
+            yield bus
+        return
+    # loaded only for those who drive it
+    from armui.sim.firmware import Firmware  # noqa: PLC0415
+    from armui.sim.node import Node  # noqa: PLC0415
+
+    with (
+        open_bus(device) as arm_side,
+        open_bus(device) as bus,
+        Node(Firmware(Generation(device.generation or 2)), arm_side),
+    ):
+        yield bus
