@@ -1,0 +1,195 @@
+"""The settings: kept between runs, checked field by field, never lost in a half-written file."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from armui.settings import Settings, SettingsStore, check, default_path
+
+
+@pytest.fixture
+def path(tmp_path: Path) -> Path:
+    return tmp_path / "deep" / "settings.json"
+
+
+def written(path: Path, text: str) -> Path:
+    path.parent.mkdir(parents=True)
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def test_first_run_has_the_first_settings_and_no_file(path: Path) -> None:
+    store = SettingsStore(path)
+
+    assert store.settings == Settings("zh", "light", 1.0, None)
+    assert store.problems == ()
+    assert not path.exists()
+
+
+def test_a_change_is_there_in_the_next_run(path: Path) -> None:
+    assert SettingsStore(path).change(language="en", jog_step_deg=0.25) is None
+
+    assert SettingsStore(path).settings == Settings("en", "light", 0.25, None)
+    assert json.loads(path.read_text(encoding="utf-8")) == {
+        "language": "en",
+        "theme": "light",
+        "jog_step_deg": 0.25,
+        "urdf_path": None,
+    }
+
+
+def test_nothing_but_the_file_itself_is_left_in_the_folder(path: Path) -> None:
+    store = SettingsStore(path)
+    store.change(theme="dark")
+    store.change(theme="system")
+
+    assert [entry.name for entry in path.parent.iterdir()] == ["settings.json"]
+
+
+def test_subscribers_hear_each_change_once_until_they_leave(path: Path) -> None:
+    store = SettingsStore(path)
+    heard: list[Settings] = []
+    leave = store.subscribe(heard.append)
+
+    store.change(theme="dark")
+    store.change(theme="dark")
+    leave()
+    leave()
+    store.change(theme="light")
+
+    assert [settings.theme for settings in heard] == ["dark"]
+
+
+@pytest.mark.parametrize("text", ["{", '"light"', "[1]", ""])
+def test_a_broken_file_is_put_aside_and_said(path: Path, text: str) -> None:
+    store = SettingsStore(written(path, text))
+
+    assert store.settings == Settings()
+    assert [problem.code for problem in store.problems] == ["settings_broken"]
+    kept = path.with_name("settings.json.broken")
+    assert kept.read_text(encoding="utf-8") == text
+    assert store.problems[0].params == {"kept": str(kept)}
+    assert not path.exists()
+
+
+def test_a_file_that_is_no_text_is_put_aside(path: Path) -> None:
+    path.parent.mkdir(parents=True)
+    path.write_bytes(b"\xff\xfe\x00")
+
+    assert [problem.code for problem in SettingsStore(path).problems] == ["settings_broken"]
+
+
+def test_a_path_that_cannot_be_read_is_said(path: Path) -> None:
+    path.mkdir(parents=True)
+
+    store = SettingsStore(path)
+
+    assert store.settings == Settings()
+    assert [problem.code for problem in store.problems] == ["settings_unreadable"]
+    assert store.problems[0].params["path"] == str(path)
+
+
+@pytest.mark.parametrize(
+    ("field", "value"),
+    [
+        ("language", "fr"),
+        ("language", None),
+        ("theme", "pink"),
+        ("theme", ["dark"]),
+        ("jog_step_deg", 0.0),
+        ("jog_step_deg", 30.001),
+        ("jog_step_deg", "1"),
+        ("jog_step_deg", True),
+        ("urdf_path", 7),
+        ("urdf_path", ""),
+    ],
+)
+def test_a_value_that_is_not_possible_falls_back_alone(
+    path: Path, field: str, value: object
+) -> None:
+    good = {"language": "en", "theme": "dark", "jog_step_deg": 2.5, "urdf_path": "/arm.urdf"}
+    store = SettingsStore(written(path, json.dumps(good | {field: value, "unknown": 1})))
+
+    expected = good | {field: getattr(Settings(), field)}
+    assert {name: getattr(store.settings, name) for name in good} == expected
+    assert [(problem.code, problem.params) for problem in store.problems] == [
+        ("setting_bad", {"field": field, "value": str(value)})
+    ]
+
+
+@pytest.mark.parametrize("step_deg", [0.001, 0.5, 30.0, 5])
+def test_jog_steps_that_are_possible(step_deg: float) -> None:
+    assert check("jog_step_deg", step_deg) is None
+
+
+@pytest.mark.parametrize("step_deg", [0.0009, 0, -1.0, 30.0001])
+def test_a_jog_step_out_of_range_names_value_and_limits(step_deg: float) -> None:
+    refusal = check("jog_step_deg", step_deg)
+
+    assert refusal is not None
+    assert refusal.code == "jog_step_out_of_range"
+    assert refusal.params == {"value": step_deg, "minimum": 0.001, "maximum": 30.0}
+
+
+@pytest.mark.parametrize("step_deg", [float("nan"), float("inf"), "1", None, True])
+def test_a_jog_step_that_is_no_number(step_deg: object) -> None:
+    refusal = check("jog_step_deg", step_deg)
+
+    assert refusal is not None
+    assert refusal.code == "jog_step_not_a_number"
+
+
+def test_a_refused_change_changes_nothing(path: Path) -> None:
+    store = SettingsStore(path)
+    heard: list[Settings] = []
+    store.subscribe(heard.append)
+
+    refusal = store.change(theme="dark", jog_step_deg=99.0)
+
+    assert refusal is not None
+    assert refusal.code == "jog_step_out_of_range"
+    assert store.settings == Settings()
+    assert heard == []
+    assert not path.exists()
+
+
+def test_settings_that_cannot_be_saved_hold_for_this_run(tmp_path: Path) -> None:
+    in_the_way = tmp_path / "file"
+    in_the_way.touch()
+    store = SettingsStore(in_the_way / "settings.json")
+    heard: list[Settings] = []
+    store.subscribe(heard.append)
+
+    problem = store.change(theme="dark")
+
+    assert problem is not None
+    assert problem.code == "settings_not_saved"
+    assert problem.params["path"] == str(in_the_way / "settings.json")
+    assert store.settings.theme == "dark"
+    assert heard == [store.settings]
+
+
+def test_a_failed_write_leaves_the_old_file_whole(
+    path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    SettingsStore(path).change(theme="dark")
+    before = path.read_bytes()
+
+    def disk_full(_descriptor: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("armui.settings.os.fsync", disk_full)
+    problem = SettingsStore(path).change(theme="system")
+
+    assert problem is not None
+    assert problem.params["text"] == "No space left on device"
+    assert path.read_bytes() == before
+    assert [entry.name for entry in path.parent.iterdir()] == ["settings.json"]
+
+
+def test_the_file_is_in_the_users_own_folder() -> None:
+    assert default_path().name == "settings.json"
+    assert default_path().parent.name == "armui"
