@@ -92,15 +92,17 @@ class SettingsStore:
 
     Args:
         path: The file; it need not exist.
+        for_this_run: Settings that go before those of the file, and are not saved.
 
     Attributes:
         problems: What was wrong with the file when it was read.
     """
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, for_this_run: Choices | None = None) -> None:
         self._path = path
         self._subscribers: list[Subscriber] = []
-        self._settings, self.problems = _read(path)
+        self._kept, self.problems = _read(path)
+        self._settings = replace(self._kept, **(for_this_run or {}))
 
     @property
     def settings(self) -> Settings:
@@ -118,13 +120,13 @@ class SettingsStore:
             refusal = check(name, value)
             if refusal is not None:
                 return refusal
-        changed = replace(self._settings, **choices)
-        if changed == self._settings:
-            return None
-        self._settings = changed
-        problem = self._save()
-        for subscriber in list(self._subscribers):
-            subscriber(changed)
+        kept, before = self._kept, self._settings
+        self._kept = replace(kept, **choices)
+        self._settings = replace(before, **choices)
+        problem = self._save() if self._kept != kept else None
+        if self._settings != before:
+            for subscriber in list(self._subscribers):
+                subscriber(self._settings)
         return problem
 
     def subscribe(self, subscriber: Subscriber) -> Callable[[], None]:
@@ -143,7 +145,7 @@ class SettingsStore:
 
     def _save(self) -> Refusal | None:
         try:
-            _write_whole(self._path, json.dumps(asdict(self._settings), indent=2) + "\n")
+            _write_whole(self._path, json.dumps(asdict(self._kept), indent=2) + "\n")
         except OSError as error:
             text = error.strerror or str(error)
             return Refusal("settings_not_saved", {"path": str(self._path), "text": text})

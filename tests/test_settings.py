@@ -63,6 +63,24 @@ def test_subscribers_hear_each_change_once_until_they_leave(path: Path) -> None:
     assert [settings.theme for settings in heard] == ["dark"]
 
 
+def test_what_holds_for_one_run_only_is_not_saved(path: Path) -> None:
+    store = SettingsStore(path, {"language": "en"})
+    store.change(theme="dark")
+
+    assert store.settings == Settings("en", "dark")
+    assert SettingsStore(path).settings == Settings("zh", "dark")
+
+
+def test_the_operators_choice_goes_before_that_of_the_run(path: Path) -> None:
+    store = SettingsStore(path, {"language": "en"})
+    heard: list[Settings] = []
+    store.subscribe(heard.append)
+
+    store.change(language="zh")
+
+    assert [settings.language for settings in heard] == ["zh"]
+
+
 @pytest.mark.parametrize("text", ["{", '"light"', "[1]", ""])
 def test_a_broken_file_is_put_aside_and_said(path: Path, text: str) -> None:
     store = SettingsStore(written(path, text))

@@ -255,7 +255,7 @@ class ConnectDialog(ArmDialog):
 
     def _refresh_message(self) -> None:
         situation = self._situation
-        name = situation.device.name if situation.device is not None else ""
+        name = words.device_name(situation.device) if situation.device is not None else ""
         if situation.link_problem is not None:
             self._message.show_message(words.refusal(situation.link_problem), Level.FAULT)
         elif situation.link is LinkState.OFFLINE and situation.cannot_move is not None:

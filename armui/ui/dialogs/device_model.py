@@ -9,6 +9,7 @@ from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelInd
 
 from armui.bus.adapters import Device
 from armui.control.situation import LinkState
+from armui.ui import words
 from armui.ui.format import NOTHING
 
 STATE, KIND, CHANNEL, SERIAL, BITRATE = range(5)
@@ -131,7 +132,7 @@ class DeviceModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.DisplayRole:
             return self._text(device, index.column())
         if role == Qt.ItemDataRole.ToolTipRole:
-            return device.name
+            return words.device_name(device)
         if role == Qt.ItemDataRole.UserRole:
             return same_device(device, self._connected)
         return None
@@ -140,9 +141,10 @@ class DeviceModel(QAbstractTableModel):
         if column == STATE:
             return self._state_text(device)
         if column == KIND:
-            return self._kind_text(device)
+            kind = _KINDS.get(device.interface, device.interface)
+            return words.device_name(device) if device.simulated else kind
         if column == CHANNEL:
-            return str(device.channel)
+            return NOTHING if device.simulated else str(device.channel)
         if column == SERIAL:
             return device.serial or NOTHING
         return bitrate_text(self._bitrate(device))
@@ -152,12 +154,6 @@ class DeviceModel(QAbstractTableModel):
         if self._connected is not None and same_device(device, self._connected):
             return self._connected.bitrate
         return device.bitrate
-
-    def _kind_text(self, device: Device) -> str:
-        if not device.simulated:
-            return _KINDS.get(device.interface, device.interface)
-        text = self.tr("Simulated arm, generation {generation}")
-        return text.format(generation=device.generation)
 
     def _state_text(self, device: Device) -> str:
         if not same_device(device, self._connected):

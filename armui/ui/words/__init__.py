@@ -4,13 +4,13 @@ The words are looked up at every call, so a caller that asks again after the lan
 (``QEvent.LanguageChange``) shows the new one.
 """
 
+from armui.ui.words.devices import device_name
 from armui.ui.words.notices import notice
 from armui.ui.words.refusals import refusal
 from armui.ui.words.status import (
     arm_status,
     control_mode,
     control_mode_short,
-    joint_faults,
     move_mode,
     reached,
     teaching,
@@ -20,7 +20,7 @@ __all__ = [
     "arm_status",
     "control_mode",
     "control_mode_short",
-    "joint_faults",
+    "device_name",
     "move_mode",
     "notice",
     "reached",

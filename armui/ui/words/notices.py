@@ -8,7 +8,9 @@ from typing import Final
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.arm.refusal import Refusal
+from armui.bus.adapters import Device
 from armui.control.situation import Notice
+from armui.ui.words.devices import device_name
 from armui.ui.words.refusals import refusal
 from armui.ui.words.text import sentence
 
@@ -98,7 +100,9 @@ def notice(event: Notice) -> str:
     reason = params.get("reason")
     params["reason"] = refusal(reason) if isinstance(reason, Refusal) else ""
     if not params.get("firmware"):
-        params.pop("firmware", None)
+        params.pop("firmware", None)  # generation 1 has none
+    if isinstance(device := params.get("device"), Device):
+        params["device"] = device_name(device)
     source = _NOTICES.get(event.code)
     if source is None:
         source = QT_TRANSLATE_NOOP("Notice", "Event: {code}")

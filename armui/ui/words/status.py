@@ -7,15 +7,11 @@ no table is shown as unknown with its number, never as its nearest neighbour.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
-from armui.arm.limits import JOINTS
 from armui.ui.words.text import sentence
-
-if TYPE_CHECKING:
-    from armui.arm.state import Status
 
 _CONTROL_MODES: Final[Mapping[int, object]] = {
     0x00: QT_TRANSLATE_NOOP("ControlMode", "Standby mode"),
@@ -109,20 +105,6 @@ def reached(is_reached: bool) -> str:
     if is_reached:
         return QCoreApplication.translate("Reached", "Target reached")
     return QCoreApplication.translate("Reached", "Target not reached")
-
-
-def joint_faults(status: Status) -> list[str]:
-    """What the status frame says against single joints, bytes 6 and 7; empty when nothing."""
-    faults = []
-    for joint, lost in zip(JOINTS, status.communication_fault, strict=True):
-        if lost:
-            source = QT_TRANSLATE_NOOP("JointFault", "Joint {joint}: communication fault")
-            faults.append(sentence("JointFault", source, {"joint": joint}))
-    for joint, exceeded in zip(JOINTS, status.limit_exceeded, strict=True):
-        if exceeded:
-            source = QT_TRANSLATE_NOOP("JointFault", "Joint {joint}: beyond its angle limit")
-            faults.append(sentence("JointFault", source, {"joint": joint}))
-    return faults
 
 
 def _word(context: str, table: Mapping[int, object], code: int) -> str:
