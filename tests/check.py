@@ -1,0 +1,37 @@
+"""Every check of the project, one after the other: ``python -m tests.check``.
+
+Needs no display. Ends at the first check that fails, with its exit code.
+"""
+
+import os
+import subprocess
+import sys
+import sysconfig
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+SCRIPTS = Path(sysconfig.get_path("scripts"))
+
+CHECKS = (
+    (SCRIPTS / "ruff", "check"),
+    (SCRIPTS / "ruff", "format", "--check"),
+    (SCRIPTS / "mypy",),
+    (SCRIPTS / "lint-imports",),
+    (sys.executable, "-m", "pytest"),
+)
+
+
+def main() -> int:
+    """Run the checks; returns the exit code of the first that fails, or 0."""
+    environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen"}
+    for command in CHECKS:
+        words = [str(word) for word in command]
+        print("$", Path(words[0]).name, *words[1:], flush=True)
+        code = subprocess.run(words, cwd=ROOT, env=environment, check=False).returncode
+        if code:
+            return code
+    return 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
