@@ -79,6 +79,8 @@ class MainWindow(QMainWindow):
         self.setMinimumSize(_SMALLEST_SIZE)
         self.retranslate_ui()
         self._color_view()
+        # no control has the focus before the operator takes one
+        self.centralWidget().setFocus()
 
     # -- layout -------------------------------------------------------------------------------
 
@@ -210,6 +212,7 @@ class MainWindow(QMainWindow):
         self._view.setAccessibleName(self.tr("3D view of the arm"))
 
     def changeEvent(self, event: QEvent) -> None:
+        """Follow the language and the colours."""
         if event.type() == QEvent.Type.LanguageChange:
             self.retranslate_ui()
         elif event.type() == QEvent.Type.PaletteChange:

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Final
 
 from PySide6.QtCore import QCoreApplication, QEvent, QSize, Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
+
+_WIDTH_PX: Final = 176
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,16 +44,17 @@ class SideMenu(QWidget):
     def __init__(self, entries: Sequence[MenuEntry], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("side_menu")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._entries = tuple(entries)
         self._group = QButtonGroup(self)
-        self.setFixedWidth(152)
+        self.setFixedWidth(_WIDTH_PX)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(8, 14, 8, 14)
         layout.setSpacing(4)
         for place, entry in enumerate(self._entries):
             button = QToolButton()
             button.setObjectName(f"menu_{entry.key}")
-            button.setProperty("entry", True)  # noqa: FBT003 - the style sheet's switch
+            button.setProperty("entry", True)
             button.setCheckable(True)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             button.setIconSize(QSize(20, 20))
@@ -77,6 +81,7 @@ class SideMenu(QWidget):
             self._group.button(place).setIcon(icons.icon(entry.icon, color))
 
     def changeEvent(self, event: QEvent) -> None:
+        """Follow the language and the colours."""
         if event.type() == QEvent.Type.LanguageChange:
             self.retranslate_ui()
         elif event.type() == QEvent.Type.PaletteChange:

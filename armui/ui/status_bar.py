@@ -46,6 +46,7 @@ class StatusBar(QWidget):
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("status_bar")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._controller = controller
         self._notice: Notice | None = None
         self._shown: tuple[Status | None, bool] | None = None
@@ -117,7 +118,7 @@ class StatusBar(QWidget):
             self._shown = shown
             self._spell_out(*shown)
 
-    def _spell_out(self, status: Status | None, stale: bool) -> None:  # noqa: FBT001
+    def _spell_out(self, status: Status | None, stale: bool) -> None:
         """Put the codes into words; ``None`` is a status that has never been heard."""
         if status is None:
             texts = dict.fromkeys(("control", "arm", "mode", "reached"), fmt.NOTHING)
@@ -183,6 +184,7 @@ class StatusBar(QWidget):
         self._show_status(self._controller.state)
 
     def changeEvent(self, event: QEvent) -> None:
+        """Follow the language and the colours."""
         if event.type() in {QEvent.Type.LanguageChange, QEvent.Type.PaletteChange}:
             self.retranslate_ui()
         super().changeEvent(event)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from armui.control.situation import Situation
@@ -36,14 +36,16 @@ class TopBar(QWidget):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("top_bar")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._controller = controller
         self._communication = CommunicationButton()
         self._enable = EnableButton()
         layout = QHBoxLayout(self)
-        layout.setContentsMargins(12, 8, 12, 8)
+        layout.setContentsMargins(12, 6, 12, 6)
         layout.setSpacing(20)
         layout.addWidget(self._communication)
         layout.addWidget(SpeedControl(controller), 1)
+        layout.addStretch(0)
         layout.addWidget(self._enable)
         layout.addWidget(StopButton(controller))
         self._communication.clicked.connect(open_connection)
@@ -81,6 +83,7 @@ class TopBar(QWidget):
         )
 
     def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
         if event.type() == QEvent.Type.LanguageChange:
             self._describe_enable(self._controller.situation)
         super().changeEvent(event)

@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QApplication
 
 from armui.arm.refusal import Refusal
-from armui.arm.state import ArmState, DriverSlow, Heard, Status
+from armui.arm.state import ArmState, Heard, Status
 from armui.bus.adapters import Device
 from armui.control.situation import LinkState, Situation
 from armui.ui.theme import Theme, apply_theme

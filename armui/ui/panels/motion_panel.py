@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 _STEPS_DEG: Final = (0.1, 1.0, 5.0, 10.0)
 _FAULTS: Final = frozenset({"stopped", "stop_requested", "arm_fault", "link_lost"})
 _FIELD_INDENT_PX: Final = 80
+_TALLEST_CARD_PX: Final = 600
 _HOME_KEY, _LOAD_KEY, _SEND_KEY = "Ctrl+Home", "Ctrl+L", "Ctrl+Return"
 
 
@@ -84,7 +85,7 @@ class MotionPanel(QWidget):
             button.setObjectName(name)
             button.setShortcut(QKeySequence(key))
             button.setMinimumHeight(38)
-        self._send.setProperty("primary", True)  # noqa: FBT003 - the style sheet's switch
+        self._send.setProperty("primary", True)
 
     def _lay_out(self) -> None:
         head = QHBoxLayout()
@@ -107,7 +108,6 @@ class MotionPanel(QWidget):
         columns.addWidget(self._measured_head)
         rows.addLayout(columns)
         for row in self._rows:
-            row.setMaximumHeight(84)
             rows.addWidget(row, 1)
 
         buttons = QHBoxLayout()
@@ -119,14 +119,16 @@ class MotionPanel(QWidget):
         layout.setContentsMargins(16, 14, 16, 14)
         layout.setSpacing(12)
         layout.addLayout(head)
-        layout.addWidget(card, 6)
+        card.setMaximumHeight(_TALLEST_CARD_PX)
+        layout.addWidget(card, 1)
         layout.addLayout(buttons)
         layout.addWidget(self._message)
-        layout.addStretch(1)
+        layout.addStretch(0)
 
     def _connect(self) -> None:
         for row in self._rows:
             row.stepped.connect(self._on_stepped)
+            row.repeated.connect(self._on_repeated)
             row.edited.connect(self._on_edited)
         self._step_box.currentIndexChanged.connect(self._on_step_chosen)
         self._home.clicked.connect(self._on_home)
@@ -144,7 +146,7 @@ class MotionPanel(QWidget):
 
     def set_jog_step(self, step_deg: float) -> None:
         """Take the step of the settings; the usual ones can still be chosen."""
-        blocked = self._step_box.blockSignals(True)  # noqa: FBT003 - Qt's order of arguments
+        blocked = self._step_box.blockSignals(True)
         self._step_box.clear()
         for step in sorted({*_STEPS_DEG, step_deg}):
             self._step_box.addItem(fmt.short_angle(step), step)
@@ -159,11 +161,13 @@ class MotionPanel(QWidget):
 
     # -- actions ------------------------------------------------------------------------------
 
-    def _on_stepped(self, joint: int, direction: int, repeated: bool) -> None:  # noqa: FBT001
-        delta_deg = direction * self.jog_step_deg
-        if repeated and self._controller.jog_lagging(joint, self.jog_step_deg):
-            return
-        if self._took(self._controller.jog(joint, delta_deg)):
+    def _on_repeated(self, joint: int, direction: int) -> None:
+        """A held button waits for an arm that doesn't keep up: letting go must end the motion."""
+        if not self._controller.jog_lagging(joint, self.jog_step_deg):
+            self._on_stepped(joint, direction)
+
+    def _on_stepped(self, joint: int, direction: int) -> None:
+        if self._took(self._controller.jog(joint, direction * self.jog_step_deg)):
             setpoint_deg = self._controller.setpoint_deg
             if setpoint_deg is not None:
                 self._rows[joint - 1].show_target(setpoint_deg[joint - 1])
@@ -325,6 +329,7 @@ class MotionPanel(QWidget):
         self._show_message()
 
     def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
         if event.type() == QEvent.Type.LanguageChange:
             self.retranslate_ui()
         super().changeEvent(event)

@@ -28,7 +28,7 @@ class AngleField(QLineEdit):
         self._committed = ""
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.setPlaceholderText(fmt.NOTHING)
-        self.setTextMargins(0, 0, 8, 0)
+        self.setTextMargins(0, 0, 5, 0)
         self.setFixedHeight(32)
         self.setMaxLength(16)
         self.textEdited.connect(self.value_edited)
@@ -63,7 +63,8 @@ class AngleField(QLineEdit):
         elif not self.text().strip():
             self.show_value(None)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Arrow keys and Escape; all else edits the text."""
         steps = {Qt.Key.Key_Up: 1, Qt.Key.Key_Down: -1}.get(Qt.Key(event.key()))
         value = self.value_deg
         if event.key() == Qt.Key.Key_Escape and self.text() != self._committed:
@@ -76,11 +77,13 @@ class AngleField(QLineEdit):
             super().keyPressEvent(event)
 
     def focusInEvent(self, event: QFocusEvent) -> None:
+        """Tab chooses the whole figure, to be typed over."""
         super().focusInEvent(event)
         if event.reason() in {Qt.FocusReason.TabFocusReason, Qt.FocusReason.BacktabFocusReason}:
             self.selectAll()
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Draw the unit behind the figure."""
         super().paintEvent(event)
         if not self.text():
             return

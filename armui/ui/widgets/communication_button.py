@@ -13,7 +13,7 @@ from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import painting
 
 _SIGN_PX: Final = 8.0
-_WIDTH_PX: Final = 196
+_WIDTH_PX: Final = 188
 
 
 class CommunicationButton(QAbstractButton):
@@ -73,20 +73,24 @@ class CommunicationButton(QAbstractButton):
         self.update()
 
     def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
         if event.type() == QEvent.Type.LanguageChange:
             self.retranslate_ui()
         super().changeEvent(event)
 
     def sizeHint(self) -> QSize:
-        return QSize(_WIDTH_PX, 48)
+        """As large as it wants to be."""
+        return QSize(_WIDTH_PX, 46)
 
     def minimumSizeHint(self) -> QSize:
+        """No smaller than that."""
         return self.sizeHint()
 
     def _second_line(self) -> str:
         return self._device_name or self.tr("Choose a device")
 
     def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw it."""
         colors = colors_of(self)
         painter = painting.begin(self)
         active = self.underMouse() or self.isDown()
@@ -121,7 +125,7 @@ class CommunicationButton(QAbstractButton):
 
 
 def _draw_sign(painter: QPainter, colors: Colors, center: QPointF, link: LinkState) -> None:
-    """Disc with a tick: online. Ring: offline. Dashed ring: nothing. Arc: opening. Triangle: lost."""
+    """Tick: online. Ring: offline. Dotted ring: nothing. Arc: opening. Triangle: lost."""
     round_cap = Qt.PenCapStyle.RoundCap
     painter.setBrush(Qt.BrushStyle.NoBrush)
     box = QRectF(

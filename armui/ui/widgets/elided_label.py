@@ -20,13 +20,16 @@ class ElidedLabel(QLabel):
         self._update_tooltip()
 
     def minimumSizeHint(self) -> QSize:
+        """None of its width is necessary."""
         return QSize(0, super().minimumSizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Fit the text into the new width."""
         super().resizeEvent(event)
         self._update_tooltip()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw as much of the line as fits."""
         painter = QPainter(self)
         painter.setPen(self.palette().color(self.foregroundRole()))
         painter.drawText(self.contentsRect(), self.alignment(), self._elided())

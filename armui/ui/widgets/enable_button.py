@@ -80,6 +80,7 @@ class EnableButton(QAbstractButton):
         ]
 
     def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
         if event.type() == QEvent.Type.LanguageChange:
             self.retranslate_ui()
         super().changeEvent(event)
@@ -89,13 +90,16 @@ class EnableButton(QAbstractButton):
         return max(metrics.horizontalAdvance(word) for word in self._all_words())
 
     def sizeHint(self) -> QSize:
+        """As large as it wants to be."""
         marks = len(JOINTS) * (_MARK_PX + _GAP_PX) - _GAP_PX
         return QSize(int(2 * _PAD_PX + self._word_width() + 12 + marks), 40)
 
     def minimumSizeHint(self) -> QSize:
+        """No smaller than that."""
         return self.sizeHint()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw it."""
         colors = colors_of(self)
         painter = painting.begin(self)
         active = self.isEnabled() and (self.underMouse() or self.isDown())

@@ -12,17 +12,19 @@ _REPEAT_MS: Final = 100
 
 
 class JogButton(QPushButton):
-    """Emits :attr:`stepped` on press and while held.
+    """Emits :attr:`stepped` on press and :attr:`repeated` while held.
 
     Letting go, losing the focus, being disabled and being hidden all end the repetition.
     """
 
-    stepped = Signal(bool)
-    """One step is wanted; true if it is a repetition."""
+    stepped = Signal()
+    """The button was pressed: one step."""
+    repeated = Signal()
+    """The button is still held: another step."""
 
     def __init__(self, sign: str, parent: QWidget | None = None) -> None:
         super().__init__(sign, parent)
-        self.setProperty("step", True)  # noqa: FBT003 - Qt's name for a style sheet's switch
+        self.setProperty("step", True)
         self.setAutoDefault(False)
         self.setFixedSize(34, 32)
         self._timer = QTimer(self)
@@ -32,11 +34,11 @@ class JogButton(QPushButton):
 
     def _on_pressed(self) -> None:
         self._timer.start(_FIRST_REPEAT_MS)
-        self.stepped.emit(False)
+        self.stepped.emit()
 
     def _on_timeout(self) -> None:
         if not (self.isDown() and self.isEnabled() and self.isVisible()):
             self._timer.stop()
             return
         self._timer.setInterval(_REPEAT_MS)
-        self.stepped.emit(True)
+        self.repeated.emit()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Final
 
 from PySide6.QtCore import QEvent, Qt, Signal
@@ -28,8 +29,10 @@ class JointRow(QWidget):
         limits: Its range until the arm tells another.
     """
 
-    stepped = Signal(int, int, bool)
-    """Jog: the joint, +1 or −1, and whether it is a repetition of a held button."""
+    stepped = Signal(int, int)
+    """Jog: the joint, and +1 or −1."""
+    repeated = Signal(int, int)
+    """The same, from a button that is still held."""
     edited = Signal(int)
     """The operator changed the target of the joint; nothing is sent."""
 
@@ -57,8 +60,9 @@ class JointRow(QWidget):
         for label in (self._minimum, self._maximum):
             label.setFont(scaled_font(label, 0.88))
         self._lay_out()
-        self.minus.stepped.connect(lambda repeated: self.stepped.emit(joint, -1, repeated))
-        self.plus.stepped.connect(lambda repeated: self.stepped.emit(joint, 1, repeated))
+        for button, direction in ((self.minus, -1), (self.plus, 1)):
+            button.stepped.connect(partial(self.stepped.emit, joint, direction))
+            button.repeated.connect(partial(self.repeated.emit, joint, direction))
         self.field.value_edited.connect(self._on_field_edited)
         self.slider.valueChanged.connect(self._on_slider_moved)
         self.show_target(None)
@@ -66,6 +70,7 @@ class JointRow(QWidget):
 
     def _lay_out(self) -> None:
         grid = QGridLayout(self)
+        top = Qt.AlignmentFlag.AlignTop
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(8)
         grid.setVerticalSpacing(2)
@@ -74,9 +79,9 @@ class JointRow(QWidget):
         grid.addWidget(self.field, 0, 2)
         grid.addWidget(self.plus, 0, 3)
         grid.addWidget(self.measured, 0, 4, Qt.AlignmentFlag.AlignRight)
-        grid.addWidget(self._minimum, 1, 0, 1, 2, Qt.AlignmentFlag.AlignRight)
-        grid.addWidget(self.slider, 1, 2, 1, 2)
-        grid.addWidget(self._maximum, 1, 4, Qt.AlignmentFlag.AlignLeft)
+        grid.addWidget(self._minimum, 1, 0, 1, 2, Qt.AlignmentFlag.AlignRight | top)
+        grid.addWidget(self.slider, 1, 2, 1, 2, top)
+        grid.addWidget(self._maximum, 1, 4, Qt.AlignmentFlag.AlignLeft | top)
         grid.setColumnMinimumWidth(0, 30)
         grid.setColumnMinimumWidth(4, self.measured.sizeHint().width() + 6)
         grid.setColumnStretch(2, 1)
@@ -198,6 +203,7 @@ class JointRow(QWidget):
         self._maximum.setToolTip(origin)
 
     def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
         if event.type() == QEvent.Type.LanguageChange:
             self.retranslate_ui()
         super().changeEvent(event)

@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt
-from PySide6.QtGui import QPaintEvent
+from typing import Final
+
+from PySide6.QtCore import QEvent, QRect, QRectF, QSize, Qt
+from PySide6.QtGui import QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from armui.control.situation import Level
 from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import icons, painting
 
-_ICON_PX = 20
-_LINES = 2
+_ICON_PX: Final = 20
+_SIDE_PX: Final = 12
+_TOP_PX: Final = 8
+_GAP_PX: Final = 10
+_TWO_LINES: Final = "急\n急"
+"""Chinese glyphs may stand higher than the others."""
+_UNBOUNDED_PX: Final = 10_000
 
 
 class MessageLine(QWidget):
@@ -25,13 +32,13 @@ class MessageLine(QWidget):
         self._label = QLabel()
         self._label.setWordWrap(True)
         self._label.setTextFormat(Qt.TextFormat.PlainText)
-        self._label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
         layout = QHBoxLayout(self)
-        layout.setContentsMargins(12, 8, 12, 8)
-        layout.setSpacing(10)
+        layout.setContentsMargins(_SIDE_PX, _TOP_PX, _SIDE_PX, _TOP_PX)
+        layout.setSpacing(_GAP_PX)
         layout.addWidget(self._icon, 0, Qt.AlignmentFlag.AlignVCenter)
         layout.addWidget(self._label, 1)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.show_message("")
 
     def text(self) -> str:
@@ -44,20 +51,37 @@ class MessageLine(QWidget):
         self._label.setText(text)
         self.setAccessibleName(text)
         self._update_icon()
+        self.updateGeometry()
         self.update()
 
-    def minimumSizeHint(self) -> QSize:
-        return QSize(120, _LINES * self.fontMetrics().lineSpacing() + 18)
-
     def sizeHint(self) -> QSize:
-        return self.minimumSizeHint().expandedTo(super().sizeHint())
+        """Room for two lines, and for more where the message needs them."""
+        metrics = self.fontMetrics()
+        width = max(1, self.width() - 2 * _SIDE_PX - _GAP_PX - _ICON_PX)
+        wrap = int(Qt.TextFlag.TextWordWrap)
+        room = QRect(0, 0, width, _UNBOUNDED_PX)
+        texts = (self.text(), _TWO_LINES)
+        height = max(metrics.boundingRect(room, wrap, text).height() for text in texts)
+        return QSize(200, height + 2 * _TOP_PX)
+
+    def minimumSizeHint(self) -> QSize:
+        """No smaller than that."""
+        return self.sizeHint()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Fit the text into the new width."""
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width():
+            self.updateGeometry()
 
     def changeEvent(self, event: QEvent) -> None:
+        """Follow the colours."""
         if event.type() == QEvent.Type.PaletteChange:
             self._update_icon()
         super().changeEvent(event)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw the ground of the message."""
         if not self.text():
             return
         colors = colors_of(self)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QSignalBlocker
+from PySide6.QtCore import QEvent, QSignalBlocker, Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox, QWidget
 
 from armui.arm.state import ArmState
@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
 
+_WIDEST_PX: Final = 620
+
+
 class SpeedControl(QWidget):
     """Slider and field for 0–100 % of the arm's highest speed (manual 1.0.3, 0x151 byte 2).
 
@@ -27,8 +30,9 @@ class SpeedControl(QWidget):
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._controller = controller
+        self.setMaximumWidth(_WIDEST_PX)
         self._label = QLabel()
-        self._slider = TrackSlider(1.0, jumps=False)
+        self._slider = TrackSlider(1.0, origin=0.0, jumps=False)
         self._slider.setObjectName("speed_slider")
         self._slider.setRange(0, 100)
         self._slider.setPageStep(10)
@@ -38,6 +42,7 @@ class SpeedControl(QWidget):
         self._field.setRange(0, 100)
         self._field.setSuffix(" %")
         self._field.setKeyboardTracking(False)
+        self._field.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._field.setMinimumWidth(84)
         self._field.setFixedHeight(34)
         self._label.setBuddy(self._field)
@@ -111,6 +116,7 @@ class SpeedControl(QWidget):
         self._explain(self._controller.situation.generation)
 
     def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
         if event.type() == QEvent.Type.LanguageChange:
             self.retranslate_ui()
         super().changeEvent(event)

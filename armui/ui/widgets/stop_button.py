@@ -16,7 +16,12 @@ from armui.ui.widgets.stop_shortcut import STOP_KEY_NAME
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
-_SIGN_PX: Final = 11.0
+_SIGN_PX: Final = 13.0
+_WIDTH_PX: Final = 196
+_HEIGHT_PX: Final = 52
+_WORD_SCALE: Final = 1.35
+_CAPTION_SCALE: Final = 0.82
+_SIGN_GAP_PX: Final = 12.0
 
 
 class StopButton(QPushButton):
@@ -114,6 +119,15 @@ class StopButton(QPushButton):
             return self.tr("Stopping…")
         return self.tr("Emergency stop")
 
+    def _caption(self) -> str:
+        """What stands below the word, smaller."""
+        if self._offers_recovery():
+            return self.tr("The arm is stopped")
+        return {
+            StopState.REQUESTED: self.tr("Waiting for the arm"),
+            StopState.RESUMING: self.tr("Hold the arm"),
+        }.get(self._situation.stop, STOP_KEY_NAME)
+
     def _all_words(self) -> list[str]:
         return [
             self.tr("Emergency stop"),
@@ -124,20 +138,23 @@ class StopButton(QPushButton):
         ]
 
     def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
         if event.type() == QEvent.Type.LanguageChange:
             self.retranslate_ui()
         super().changeEvent(event)
 
     def sizeHint(self) -> QSize:
         """Room for the longest of its words, so that the bar stands still."""
-        metrics = QFontMetrics(scaled_font(self, 1.35, bold=True))
+        metrics = QFontMetrics(scaled_font(self, _WORD_SCALE, bold=True))
         width = max(metrics.horizontalAdvance(word) for word in self._all_words())
-        return QSize(max(176, width + int(2 * _SIGN_PX) + 44), 48)
+        return QSize(max(_WIDTH_PX, width + int(2 * _SIGN_PX) + 48), _HEIGHT_PX)
 
     def minimumSizeHint(self) -> QSize:
+        """No smaller than that."""
         return self.sizeHint()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw it."""
         colors = colors_of(self)
         painter = painting.begin(self)
         stopped = self._offers_recovery() or self._situation.stop is StopState.RESUMING
@@ -156,31 +173,39 @@ class StopButton(QPushButton):
         painter.end()
 
     def _draw_face(self, painter: QPainter, colors: Colors, ink: str, *, stopped: bool) -> None:
-        """Sign and word side by side, centred; the sign tells the state without its colour."""
-        font = scaled_font(self, 1.35, bold=True)
-        text_width = QFontMetrics(font).horizontalAdvance(self.text())
-        gap = 10.0
-        left = (self.width() - (2 * _SIGN_PX + gap + text_width)) / 2
+        """Sign, word and caption, centred; the sign tells the state without its colour."""
+        word_font = scaled_font(self, _WORD_SCALE, bold=True)
+        caption_font = scaled_font(self, _CAPTION_SCALE)
+        word, caption = QFontMetrics(word_font), QFontMetrics(caption_font)
+        text_width = max(
+            word.horizontalAdvance(self.text()), caption.horizontalAdvance(self._caption())
+        )
+        left = (self.width() - (2 * _SIGN_PX + _SIGN_GAP_PX + text_width)) / 2
         center = QPointF(left + _SIGN_PX, self.height() / 2)
         if stopped:
             self._draw_recovery_sign(painter, center, ink)
         else:
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(QColor(ink))
-            painter.drawPolygon(painting.octagon(center, _SIGN_PX))
-            painter.setPen(QPen(QColor(colors.stop), 3.2, c=Qt.PenCapStyle.RoundCap))
-            if self._situation.stop is StopState.REQUESTED:
-                painter.drawLine(center + QPointF(0, -5.5), center + QPointF(0, 0.5))
-                painter.drawPoint(center + QPointF(0, 5.5))
-            else:
-                painter.drawLine(center + QPointF(-5, 0), center + QPointF(5, 0))
+            self._draw_stop_sign(painter, center, ink, colors.stop)
+        text_left = left + 2 * _SIGN_PX + _SIGN_GAP_PX
+        top = (self.height() - word.height() - caption.height()) / 2
         painter.setPen(QColor(ink))
-        painter.setFont(font)
-        text_left = left + 2 * _SIGN_PX + gap
-        area = QRectF(text_left, 0, text_width + 4, self.height())
-        painter.drawText(
-            area, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, self.text()
-        )
+        painter.setFont(word_font)
+        painter.drawText(QPointF(text_left, top + word.ascent()), self.text())
+        painter.setFont(caption_font)
+        baseline = top + word.height() + caption.ascent()
+        painter.drawText(QPointF(text_left, baseline), self._caption())
+
+    def _draw_stop_sign(self, painter: QPainter, center: QPointF, ink: str, ground: str) -> None:
+        """An octagon; with an exclamation mark while the arm has not said that it stopped."""
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(ink))
+        painter.drawPolygon(painting.octagon(center, _SIGN_PX))
+        painter.setPen(QPen(QColor(ground), 3.4, c=Qt.PenCapStyle.RoundCap))
+        if self._situation.stop is StopState.REQUESTED:
+            painter.drawLine(center + QPointF(0, -6.5), center + QPointF(0, 0.5))
+            painter.drawPoint(center + QPointF(0, 6.5))
+        else:
+            painter.drawLine(center + QPointF(-6, 0), center + QPointF(6, 0))
 
     @staticmethod
     def _draw_recovery_sign(painter: QPainter, center: QPointF, ink: str) -> None:

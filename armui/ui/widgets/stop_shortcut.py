@@ -29,7 +29,8 @@ class StopShortcut(QObject):
         self._controller = controller
         app.installEventFilter(self)
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
+        """Take the stop keys, whichever window they were meant for."""
         # A key press passes its window first and its widgets after; the first one is taken.
         if event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent):
             if event.key() not in STOP_KEYS:

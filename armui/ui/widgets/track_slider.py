@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QPointF, QRectF, QSignalBlocker, QSize, Qt
 from PySide6.QtGui import (
     QColor,
     QMouseEvent,
@@ -33,15 +33,22 @@ class TrackSlider(QSlider):
 
     Args:
         resolution: How much one step of the slider is.
+        origin: Where the coloured part of the track begins; ``None``: at the mark.
         jumps: Whether a click beside the handle brings the handle there; otherwise it goes a
             page in that direction, for quantities that act at once.
     """
 
     def __init__(
-        self, resolution: float, parent: QWidget | None = None, *, jumps: bool = True
+        self,
+        resolution: float,
+        parent: QWidget | None = None,
+        *,
+        origin: float | None = None,
+        jumps: bool = True,
     ) -> None:
         super().__init__(Qt.Orientation.Horizontal, parent)
         self._resolution = resolution
+        self._origin = origin
         self._jumps = jumps
         self._grabbed_at: float | None = None
         self._wish_known = True
@@ -65,9 +72,8 @@ class TrackSlider(QSlider):
 
     def set_limits(self, minimum: float, maximum: float) -> None:
         """The ends of the track, without telling anyone of a value that moves with them."""
-        blocked = self.blockSignals(True)
-        self.setRange(round(minimum / self._resolution), round(maximum / self._resolution))
-        self.blockSignals(blocked)
+        with QSignalBlocker(self):
+            self.setRange(round(minimum / self._resolution), round(maximum / self._resolution))
         self._mark_px = self._place(self._measured)
         self.update()
 
@@ -78,12 +84,11 @@ class TrackSlider(QSlider):
             value: In the quantity's unit; beyond the track it stands at the end.
             attention: Draw it in the colour for something out of order.
         """
-        blocked = self.blockSignals(True)
         self._wish_known = value is not None
         self._attention = attention
         if value is not None:
-            self.setValue(round(value / self._resolution))
-        self.blockSignals(blocked)
+            with QSignalBlocker(self):
+                self.setValue(round(value / self._resolution))
         self.update()
 
     def show_measured(self, value: float | None) -> None:
@@ -97,9 +102,11 @@ class TrackSlider(QSlider):
     # -- geometry -----------------------------------------------------------------------------
 
     def sizeHint(self) -> QSize:
+        """As large as it wants to be."""
         return QSize(160, 24)
 
     def minimumSizeHint(self) -> QSize:
+        """No smaller than that."""
         return QSize(80, 24)
 
     def _place(self, value: float | None) -> float | None:
@@ -118,6 +125,7 @@ class TrackSlider(QSlider):
     # -- input --------------------------------------------------------------------------------
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Grab the handle, or go where the click is."""
         if event.button() is not Qt.MouseButton.LeftButton:
             event.ignore()
             return
@@ -136,10 +144,12 @@ class TrackSlider(QSlider):
         self.setSliderDown(True)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Drag the handle."""
         if self._grabbed_at is not None:
             self.setValue(self._value_at(event.position().x() - self._grabbed_at))
 
     def mouseReleaseEvent(self, _event: QMouseEvent) -> None:
+        """Let the handle go."""
         if self._grabbed_at is not None:
             self._grabbed_at = None
             self.setSliderDown(False)
@@ -154,22 +164,15 @@ class TrackSlider(QSlider):
     # -- picture ------------------------------------------------------------------------------
 
     def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw it."""
         colors = colors_of(self)
         painter = painting.begin(self)
-        middle = self.height() / 2 - 2
+        middle = self.height() / 2 - 3
         self._mark_px = self._place(self._measured)
         handle = self._place(self.wish) if self._wish_known else None
         self._draw_track(painter, colors, middle, handle)
         if self._mark_px is not None:
-            tip = QPointF(self._mark_px, middle + _GROOVE_PX / 2 + 2)
-            foot = _MARK_PX * 0.8
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(QColor(colors.text if self.isEnabled() else colors.faint))
-            painter.drawPolygon(
-                QPolygonF(
-                    [tip, tip + QPointF(foot, _MARK_PX + 1), tip + QPointF(-foot, _MARK_PX + 1)]
-                )
-            )
+            self._draw_mark(painter, colors, QPointF(self._mark_px, middle))
         if handle is not None:
             self._draw_handle(painter, colors, QPointF(handle, middle))
         painter.end()
@@ -182,12 +185,24 @@ class TrackSlider(QSlider):
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(colors.border if self.isEnabled() else colors.sunken))
         painter.drawRoundedRect(groove, _GROOVE_PX / 2, _GROOVE_PX / 2)
-        start = self._mark_px if self._mark_px is not None else self._place(0.0)
+        start = self._mark_px if self._origin is None else self._place(self._origin)
         if handle is None or start is None or not self.isEnabled():
             return
         painter.setBrush(QColor(colors.warn if self._attention else colors.accent))
         way = QRectF(min(start, handle), top, abs(handle - start), _GROOVE_PX)
         painter.drawRoundedRect(way, _GROOVE_PX / 2, _GROOVE_PX / 2)
+
+    def _draw_mark(self, painter: QPainter, colors: Colors, center: QPointF) -> None:
+        """A tick on the track and a pointer below, which no handle covers."""
+        color = QColor(colors.text if self.isEnabled() else colors.faint)
+        painter.setPen(QPen(color, 2))
+        painter.drawLine(center - QPointF(0, _GROOVE_PX), center + QPointF(0, _GROOVE_PX))
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(color)
+        tip = center + QPointF(0, _HANDLE_PX)
+        foot = QPointF(_MARK_PX * 0.9, 0)
+        down = QPointF(0, _MARK_PX)
+        painter.drawPolygon(QPolygonF([tip, tip + down + foot, tip + down - foot]))
 
     def _draw_handle(self, painter: QPainter, colors: Colors, center: QPointF) -> None:
         color = QColor(colors.warn if self._attention else colors.accent)

@@ -54,15 +54,18 @@ class ValueLabel(QWidget):
             self.update()
 
     def sizeHint(self) -> QSize:
+        """As large as it wants to be."""
         metrics = self.fontMetrics()
         return QSize(metrics.horizontalAdvance(self._widest) + 2, metrics.height() + 4)
 
     def changeEvent(self, event: QEvent) -> None:
+        """Follow the font."""
         if event.type() == QEvent.Type.FontChange:
             self.updateGeometry()
         super().changeEvent(event)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw it."""
         colors = colors_of(self)
         dim = self._stale or self._text == fmt.NOTHING or not self.isEnabled()
         painter = QPainter(self)

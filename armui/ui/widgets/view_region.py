@@ -67,6 +67,7 @@ class ViewRegion(QWidget):
             button.setIcon(icons.icon(name, colors_of(self).muted))
 
     def changeEvent(self, event: QEvent) -> None:
+        """Follow the language and the colours."""
         if event.type() == QEvent.Type.LanguageChange:
             self.retranslate_ui()
         elif event.type() == QEvent.Type.PaletteChange:
