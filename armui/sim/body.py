@@ -70,6 +70,11 @@ class Body:
         """Brings a motion to its end as fast as the joints allow."""
         self._motion.brake(accelerations_deg_s2)
 
+    def halt(self) -> None:
+        """Stands at once, without regard for what the joints can do."""
+        self._motion.place(self.positions_deg)
+        self._read_motion()
+
     def advance(self, dt_s: float, limits: Sequence[JointLimits]) -> None:
         """Lets time pass."""
         was_moving = self._motion.moving

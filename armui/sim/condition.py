@@ -29,6 +29,7 @@ class Condition:
         teaching_state: What drag teaching does.
         motion_state: Whether the last target is reached; a motion cut short leaves it unreached.
         stopped: Whether an emergency stop is in force.
+        no_solution: Whether no way to the last target was found.
         beyond_limit: The joints whose last target was refused.
         communication_fault: The joints the controller cannot talk to.
     """
@@ -39,6 +40,7 @@ class Condition:
     teaching_state: TeachingState = TeachingState.OFF
     motion_state: MotionState = MotionState.REACHED
     stopped: bool = False
+    no_solution: bool = False
     beyond_limit: list[bool] = field(default_factory=_no_joint)
     communication_fault: list[bool] = field(default_factory=_no_joint)
 
@@ -51,6 +53,8 @@ class Condition:
             return ArmStatusCode.JOINT_COMMUNICATION_FAULT
         if any(self.beyond_limit):
             return ArmStatusCode.TARGET_BEYOND_LIMIT
+        if self.no_solution:
+            return ArmStatusCode.NO_SOLUTION
         return ArmStatusCode.NORMAL
 
     @property
@@ -61,5 +65,6 @@ class Condition:
     def clear_errors(self) -> None:
         """What a resume clears; a broken connection to a joint is still broken."""
         self.stopped = False
+        self.no_solution = False
         self.beyond_limit = _no_joint()
         self.motion_state = MotionState.REACHED

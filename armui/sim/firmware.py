@@ -34,7 +34,7 @@ from armui.sim.drivers import Drivers
 from armui.sim.feedback import Feedback
 from armui.sim.gripper import Gripper
 from armui.sim.limp import Limp
-from armui.sim.motion import JOINT_COUNT, SixValues
+from armui.sim.motion import JOINT_COUNT, MotionError, SixValues
 from armui.sim.schedule import Schedule
 from armui.sim.settings import Settings
 
@@ -315,6 +315,7 @@ class Firmware:
         if any(self.condition.beyond_limit):
             self._cut_motion_short()
             return
+        self.condition.no_solution = False
         self.targets_deg = target_deg
         self._goal = target_deg
         self._drive()
@@ -329,7 +330,13 @@ class Firmware:
             self.body.brake(accelerations)
             return
         speeds = [share * limits.max_speed_deg_s for limits in self.settings.limits]
-        self.body.move_to(self._goal, speeds, accelerations)
+        try:
+            self.body.move_to(self._goal, speeds, accelerations)
+        except MotionError:
+            self.body.halt()
+            self._goal = None
+            self.condition.no_solution = True
+            return
         if self.body.moving:
             self.condition.motion_state = MotionState.NOT_REACHED
         else:

@@ -15,8 +15,8 @@ _LONGEST_STEP_S: Final = 0.005
 _SETTLING_TIME_S: Final = 0.1
 """Time constant with which a joint takes up the speed its torque gives it."""
 
-_STICTION_NM: Final = 0.03
-"""Less torque than this turns no joint."""
+_STICTION_NM: Final = 0.4
+"""Less torque than this turns no joint: the gears hold a wrist that carries nothing."""
 
 _STANDING_DEG_S: Final = 0.05
 

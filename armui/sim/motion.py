@@ -31,6 +31,10 @@ SLOWEST_DEG_S: Final = 0.05
 """No plan is slower: ruckig refuses motions that take more than two hours."""
 
 
+_SLACKS: Final = (1.0, 1.0 + 1e-7, 1.0 + 1e-5)
+"""Factors on the acceleration, tried in this order."""
+
+
 class MotionError(RuntimeError):
     """The planner refused its input: a fault of this program, not of the host's frames."""
 
@@ -50,6 +54,7 @@ class JointMotion:
         self._plan = Trajectory(JOINT_COUNT)
         self._elapsed_s = 0.0
         self._end_deg: SixValues | None = None
+        self._asked: tuple[SixValues, SixValues, SixValues] | None = None
         self._acceleration_deg_s2 = STANDSTILL
         self.positions_deg: SixValues = tuple(positions_deg)
         self.speeds_deg_s: SixValues = STANDSTILL
@@ -79,10 +84,15 @@ class JointMotion:
         Raises:
             MotionError: An acceleration that is not above 0, or a value that is not finite.
         """
+        end_deg = tuple(targets_deg)
+        asked = end_deg, tuple(speeds_deg_s), tuple(accelerations_deg_s2)
+        if self.moving and asked == self._asked:
+            return  # hosts repeat themselves at 200 Hz
         request = self._request(accelerations_deg_s2)
-        request.target_position = list(targets_deg)
+        request.target_position = list(end_deg)
         request.max_velocity = [max(speed, SLOWEST_DEG_S) for speed in speeds_deg_s]
-        self._start(request, end_deg=tuple(request.target_position))
+        self._start(request, end_deg)
+        self._asked = asked
 
     def brake(self, accelerations_deg_s2: Sequence[float]) -> None:
         """Brings every joint to a standstill as fast as its acceleration allows."""
@@ -94,6 +104,7 @@ class JointMotion:
         request.target_velocity = list(STANDSTILL)
         request.max_velocity = [max(abs(v), SLOWEST_DEG_S) for v in self.speeds_deg_s]
         self._start(request, end_deg=None)
+        self._asked = None
 
     def advance(self, dt_s: float) -> None:
         """Lets time pass along the plan."""
@@ -125,20 +136,30 @@ class JointMotion:
         return request
 
     def _start(self, request: InputParameter, end_deg: SixValues | None) -> None:
-        plan = self._planned(request)
-        if plan is None and request.synchronization is not Synchronization.No:
-            # Ruckig cannot always stretch a joint that turns very slowly to a long common
-            # duration; each joint for itself has a closed solution.
-            request.synchronization = Synchronization.No
-            plan = self._planned(request)
-        if plan is None:
-            raise MotionError(f"ruckig cannot plan {request}")
+        plan = self._first_plan(request)
         self._plan = plan
         self._elapsed_s = 0.0
         self._end_deg = end_deg
         self.moving = plan.duration > 0.0
         if not self.moving and end_deg is not None:
             self.place(end_deg)
+
+    def _first_plan(self, request: InputParameter) -> Trajectory:
+        """The plan of the least concession to ruckig's rounding.
+
+        A joint that is braking already, and has just the way it needs, has no solution in floating
+        point; a trace more acceleration gives it one. A joint that turns very slowly cannot
+        always be stretched to a long common duration; each joint for itself can be planned.
+        """
+        accelerations = request.max_acceleration
+        for synchronization in (request.synchronization, Synchronization.No):
+            request.synchronization = synchronization
+            for slack in _SLACKS:
+                request.max_acceleration = [slack * value for value in accelerations]
+                plan = self._planned(request)
+                if plan is not None:
+                    return plan
+        raise MotionError(f"ruckig cannot plan {request}")
 
     def _planned(self, request: InputParameter) -> Trajectory | None:
         plan = Trajectory(JOINT_COUNT)

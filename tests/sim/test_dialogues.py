@@ -245,7 +245,11 @@ DIALOGUES = {
 
 @pytest.mark.parametrize(
     ("name", "generation"),
-    [(name, generation) for name, (generations, _) in DIALOGUES.items() for generation in generations],
+    [
+        (name, generation)
+        for name, (generations, _) in DIALOGUES.items()
+        for generation in generations
+    ],
 )
 def test_dialogue(name: str, generation: Generation) -> None:
     lines = [line.strip() for line in DIALOGUES[name][1].strip().splitlines()]
@@ -268,9 +272,7 @@ def test_dialogue(name: str, generation: Generation) -> None:
         ("160#0100000000000000", OddityKind.UNKNOWN_ID),  # another arm's stop
     ],
 )
-def test_what_is_not_understood_is_counted_and_changes_nothing(
-    line: str, kind: OddityKind
-) -> None:
+def test_what_is_not_understood_is_counted_and_changes_nothing(line: str, kind: OddityKind) -> None:
     arm, other = Firmware(TWO), Firmware(TWO)
     assert tell(arm, line) == []
     assert arm.ignored == {kind: 1}
