@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 VIEW_ANGLE_DEG = 30.0
-"""Vertical opening angle."""
+"""Opening angle of the shorter side of the picture."""
 
 _DEG_PER_PIXEL = 0.4
 _ZOOM_PER_STEP = 0.88
@@ -44,10 +44,10 @@ class OrbitCamera:
             elevation_deg=min(_STEEPEST_DEG, max(-_STEEPEST_DEG, elevation_deg)),
         )
 
-    def pan(self, dx_px: float, dy_px: float, view_height_px: float) -> OrbitCamera:
+    def pan(self, dx_px: float, dy_px: float, shorter_side_px: float) -> OrbitCamera:
         """The camera after a drag that moves: what is under the pointer stays under it."""
         visible_m = 2.0 * self.distance_m * math.tan(math.radians(VIEW_ANGLE_DEG / 2.0))
-        metres_per_px = visible_m / max(view_height_px, 1.0)
+        metres_per_px = visible_m / max(shorter_side_px, 1.0)
         _, right, up = self._axes()
         x, y, z = np.asarray(self.focus_m) + (-right * dx_px + up * dy_px) * metres_per_px
         return replace(self, focus_m=(float(x), float(y), float(z)))
@@ -78,5 +78,5 @@ class OrbitCamera:
         return outward, right, np.cross(outward, right)
 
 
-HOME_CAMERA = OrbitCamera(focus_m=(0.06, 0.0, 0.22), distance_m=1.6)
+HOME_CAMERA = OrbitCamera(focus_m=(0.06, 0.0, 0.25), distance_m=1.7)
 """The first view: the arm at rest in the middle, room for it to rise."""

@@ -64,9 +64,10 @@ class Canvas:
         self._window.SetMultiSamples(0)
 
     @property
-    def height_px(self) -> int:
-        """Height of the picture."""
-        return int(self._window.GetSize()[1])
+    def size_px(self) -> tuple[int, int]:
+        """Width and height of the picture."""
+        width, height = self._window.GetSize()
+        return int(width), int(height)
 
     def resize(self, width_px: int, height_px: int) -> None:
         """Change the size of the picture."""

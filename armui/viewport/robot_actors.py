@@ -37,7 +37,6 @@ class RobotActors:
                 # One matrix a link, shared by its actors: a pose is set once and moves them all.
                 actor.SetUserMatrix(self._matrices[link])
                 actor.prop.interpolation = "phong"
-                actor.prop.ambient = 0.12
                 actor.prop.specular_power = 30.0
                 self._parts.append((link, actor, visual.color or _PLAIN))
 
@@ -68,7 +67,10 @@ class RobotActors:
             if not fresh:
                 color = mix(color, rgb(palette.background), _FADED_SHARE)
             actor.prop.color = color
-            actor.prop.specular = 0.25 if fresh else 0.0
+            # Faded is flat, too: on a light background a white shell fades by losing its shades.
+            actor.prop.ambient, actor.prop.diffuse, actor.prop.specular = (
+                (0.12, 1.0, 0.25) if fresh else (0.7, 0.35, 0.0)
+            )
 
     def joint_of(self, picked: object) -> int | None:
         """Number (1–6) of the joint that moves an actor; None for the base and the unknown."""

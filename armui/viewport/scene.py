@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
     from armui.viewport.frame_painter import ViewState
 
+_FAR_BEHIND_FOCUS_M = 5.0
 _ZERO_DEG = (0.0,) * 6
 
 
@@ -137,7 +138,8 @@ class Scene:
     def pick(self, x_px: float, y_px: float) -> int | None:
         """Number (1–6) of the joint whose link is seen at a pixel from the top left, else None."""
         self._aim()
-        hit = self._picker.Pick(x_px, self._canvas.height_px - 1 - y_px, 0.0, self._canvas.renderer)
+        _, height_px = self._canvas.size_px
+        hit = self._picker.Pick(x_px, height_px - 1 - y_px, 0.0, self._canvas.renderer)
         if not hit or self._robot is None:
             return None
         return self._robot.joint_of(self._picker.GetActor())
@@ -148,11 +150,16 @@ class Scene:
 
     def _aim(self) -> None:
         camera = self._canvas.renderer.GetActiveCamera()
+        width_px, height_px = self._canvas.size_px
+        camera.SetUseHorizontalViewAngle(width_px < height_px)
         camera.SetViewAngle(VIEW_ANGLE_DEG)
         camera.SetFocalPoint(self.camera.focus_m)
         camera.SetPosition(self.camera.eye_m)
         camera.SetViewUp(0.0, 0.0, 1.0)
-        self._canvas.renderer.ResetCameraClippingRange()
+        # Fixed by the camera alone: were it fitted to the arm, each motion would shift all depths
+        # a little and edges far from the motion would flicker.
+        distance_m = self.camera.distance_m
+        camera.SetClippingRange(0.05 * distance_m, distance_m + _FAR_BEHIND_FOCUS_M)
 
     def _paint_robot(self) -> None:
         if self._robot is not None:

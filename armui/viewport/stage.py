@@ -79,8 +79,8 @@ class Stage:
     def _light(self) -> None:
         """A soft head light, a key light over the left shoulder, a faint one from the right."""
         for position, intensity in (
-            ((0, 0, 1), 0.42),
-            ((-0.6, 1.2, 0.9), 0.62),
+            ((0, 0, 1), 0.40),
+            ((-0.6, 1.2, 0.9), 0.56),
             ((0.9, 0.1, 0.5), 0.2),
         ):
             light = pv.Light(light_type="camera light", intensity=intensity)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import xml.etree.ElementTree as ET
+from collections import Counter
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -26,7 +27,7 @@ from armui.viewport.robot import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Collection, Iterable
     from pathlib import Path
 
 _SOLIDS = {"box": ("size",), "cylinder": ("radius", "length"), "sphere": ("radius",)}
@@ -65,13 +66,7 @@ class _Reader:
             for link in self._root.findall("link")
         }
         unordered = [self._joint(element) for element in self._root.findall("joint")]
-        for joint in unordered:
-            for link in (joint.parent, joint.child):
-                if link not in links:
-                    raise self._error(
-                        f"joint “{joint.name}” names a link “{link}” that is not there",
-                        "add the link",
-                    )
+        self._check_names(links, unordered)
         root = self._root_link(links.keys(), unordered)
         joints = self._in_order(root, unordered)
         arm_joints = self._arm_joints(joints)
@@ -216,6 +211,25 @@ class _Reader:
         (multiplier,) = self._numbers(element.get("multiplier", "1"), 1)
         (offset,) = self._numbers(element.get("offset", "0"), 1)
         return Mimic(self._attribute(element, "joint"), multiplier, offset)
+
+    def _check_names(self, links: Collection[str], joints: list[Joint]) -> None:
+        names, children = Counter[str](), Counter[str]()
+        for joint in joints:
+            names[joint.name] += 1
+            children[joint.child] += 1
+            for link in (joint.parent, joint.child):
+                if link not in links:
+                    raise self._error(
+                        f"joint “{joint.name}” names a link “{link}” that is not there",
+                        "add the link",
+                    )
+        for counter, mistake in (
+            (names, "more than one joint is called"),
+            (children, "more than one parent has link"),
+        ):
+            for name, count in counter.items():
+                if count > 1:
+                    raise self._error(f"{mistake} “{name}”", "keep one")
 
     def _root_link(self, links: Iterable[str], joints: Iterable[Joint]) -> str:
         children = {joint.child for joint in joints}

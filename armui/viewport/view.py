@@ -17,6 +17,7 @@ from armui.viewport.frame_painter import PickRequest, RobotChoice, ViewState
 from armui.viewport.hud import HudValues, paint_hud
 from armui.viewport.palette import LIGHT, ScenePalette
 from armui.viewport.render_thread import RenderThread
+from armui.viewport.robot import ARM_JOINT_COUNT
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -74,6 +75,7 @@ class ArmView(QWidget):
         self._state = ViewState(RobotChoice(robot or URDF / "piper.urdf"), palette=palette)
         self._hud = HudValues()
         self._image: QImage | None = None
+        self._is_frame_new = False
         self._failure = ""
         self._drag_from: QPointF | None = None
         self._pick_serial = 0
@@ -115,7 +117,12 @@ class ArmView(QWidget):
                 faded.
             gripper_mm: opening; None: never heard, shown closed.
             stale: the values are no longer fresh: the figures turn muted, the arm fades.
+
+        Raises:
+            ValueError: there are not six angles.
         """
+        if angles_deg is not None and len(angles_deg) != ARM_JOINT_COUNT:
+            raise ValueError(f"{len(angles_deg)} joint angles instead of {ARM_JOINT_COUNT}")
         angles = None if angles_deg is None else tuple(angles_deg)
         self._set_hud(replace(self._hud, angles_deg=angles, angles_stale=stale))
         self._show(replace(self._state, angles_deg=angles, gripper_mm=gripper_mm, stale=stale))
@@ -178,6 +185,7 @@ class ArmView(QWidget):
     def _on_frame_ready(self, image: QImage) -> None:
         is_first = self._image is None
         self._image = image
+        self._is_frame_new = True
         self.update()
         if is_first:
             self.first_frame_shown.emit()
@@ -238,8 +246,10 @@ class ArmView(QWidget):
             painter.setPen(QPen(QColor(palette.accent), 1.0))
             painter.drawRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5))
         painter.end()
-        # Only a picture that was shown makes room for the next: a covered window draws nothing.
-        self._renderer.frame_taken()
+        if self._is_frame_new:
+            # Only a picture on the screen makes room for the next: a covered window draws nothing.
+            self._is_frame_new = False
+            self._renderer.frame_taken()
         if not math.isclose(self._state.pixel_ratio, self.devicePixelRatioF()):
             self._fit()
 
@@ -275,7 +285,9 @@ class ArmView(QWidget):
         self._drag_from = event.position()
         shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
         if shift or event.buttons() & Qt.MouseButton.MiddleButton:
-            camera = self._state.camera.pan(delta.x(), delta.y(), float(self.height()))
+            camera = self._state.camera.pan(
+                delta.x(), delta.y(), float(min(self.width(), self.height()))
+            )
         else:
             camera = self._state.camera.orbit(delta.x(), delta.y())
         self._show(replace(self._state, camera=camera))

@@ -1,0 +1,57 @@
+"""The committed meshes: closed, of the arm's sizes, and what the script makes."""
+
+import importlib.util
+
+import numpy as np
+import pytest
+import trimesh
+
+from armui.paths import URDF
+
+# Outer sizes in the frame of each link, mm, measured on the arm: low x y z, high x y z.
+SIZES_MM = {
+    "base_link": ((-58.5, -40, 0), (40, 40, 86)),
+    "link1": ((-36, -37, -43), (36, 37, 30)),
+    "link2": ((-31.5, -65, -48.5), (316.5, 31.5, 48.5)),
+    "link3": ((-50.5, -214.8, -40), (30, 30, 40)),
+    "link4": ((-30, -28.5, -36), (30, 34, 28.5)),
+    "link5": ((-30, -91, -31), (30, 23.5, 30)),
+    "gripper_base": ((-30, -72.5, 0), (30, 72.5, 67)),
+    "finger_left": ((-28, 0, 63.5), (28, 25, 140)),
+    "finger_right": ((-28, -25, 63.5), (28, 0, 140)),
+}
+
+
+@pytest.fixture(scope="module")
+def committed():
+    return {path.name: trimesh.load(path) for path in sorted((URDF / "meshes").glob("*.stl"))}
+
+
+@pytest.mark.parametrize("link", SIZES_MM)
+def test_each_link_has_the_size_of_the_arms(link, committed):
+    parts = [committed[f"{link}_shell.stl"], committed[f"{link}_joint.stl"]]
+    low = np.min([part.bounds[0] for part in parts], axis=0) * 1000.0
+    high = np.max([part.bounds[1] for part in parts], axis=0) * 1000.0
+    np.testing.assert_allclose([low, high], SIZES_MM[link], atol=3.0)
+
+
+def test_every_solid_is_closed_and_turned_outward(committed):
+    for name, mesh in committed.items():
+        assert mesh.is_watertight, name
+        for solid in mesh.split():
+            assert solid.volume > 0.0, name
+
+
+def test_the_whole_arm_is_light_enough_to_draw(committed):
+    assert 15_000 <= sum(len(mesh.faces) for mesh in committed.values()) <= 30_000
+
+
+def test_the_committed_files_are_what_the_script_makes(committed):
+    spec = importlib.util.spec_from_file_location("make_meshes", URDF / "make_meshes.py")
+    script = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(script)
+    made = script.all_meshes()
+    assert made.keys() == committed.keys()
+    for name, mesh in made.items():
+        # The last bits may differ between processors; a micrometre may not.
+        np.testing.assert_allclose(mesh.triangles, committed[name].triangles, atol=1e-6)
