@@ -61,7 +61,7 @@ def read_blf_log(stream: IO[bytes]) -> Iterator[LogFrame | Unreadable]:
             break
         except Exception as error:  # noqa: BLE001 - damaged bytes raise whatever they hit
             broken_at = meter.position if meter.broken_at is None else meter.broken_at
-            reason = f"damaged here ({error or type(error).__name__}), after {count} frames"
+            reason = f"damaged here ({str(error) or type(error).__name__}), after {count} frames"
             yield Unreadable(f"byte {broken_at}", reason)
             return
         count += 1

@@ -36,6 +36,7 @@ class TextFormat:
         silent: Lines that rightly yield no frame: comments, events, statistics.
         opening: Line that the reader swallows before its first frame. It is slipped in where the
             log lacks it and whenever the reader starts anew, so that no frame is swallowed instead.
+        sound: What a line with a frame looks like, where the reader is too easily content.
         is_error: Whether a line holds an error frame that the reader takes for a data frame.
     """
 
@@ -43,6 +44,7 @@ class TextFormat:
     header: str = _NEVER
     silent: str = _NEVER
     opening: str = ""
+    sound: str = ""
     is_error: Callable[[str], bool] = lambda _line: False
 
 
@@ -52,7 +54,11 @@ def _is_candump_error(line: str) -> bool:
 
 
 TEXT_FORMATS = {
-    ".log": TextFormat(can.CanutilsLogReader, is_error=_is_candump_error),
+    ".log": TextFormat(
+        can.CanutilsLogReader,
+        sound=r"\([\d.]+\)\s+\S+\s+[\da-f]+#[\da-fr#]*(\s+[rt])?$",
+        is_error=_is_candump_error,
+    ),
     ".csv": TextFormat(can.CSVReader, header=r"timestamp,", opening="timestamp,"),
     ".asc": TextFormat(
         can.ASCReader,
@@ -170,6 +176,7 @@ def read_text_log(lines: Lines, log_format: TextFormat) -> Iterator[LogFrame | U
         lines: The log.
         log_format: Its format.
     """
+    sound = re.compile(log_format.sound, re.IGNORECASE)
     reader = log_format.reader(lines)
     messages = iter(reader)
     restarted_at = -1
@@ -186,8 +193,9 @@ def read_text_log(lines: Lines, log_format: TextFormat) -> Iterator[LogFrame | U
             lines.restart()
             messages = iter(reader)
             continue
-        message.is_error_frame |= log_format.is_error(lines.pending or "")
-        entry = log_frame(message)
+        line = lines.pending or ""
+        message.is_error_frame |= log_format.is_error(line)
+        entry = log_frame(message) if sound.match(line) else None
         if entry is None:
             lines.skip()
         lines.pending = None
