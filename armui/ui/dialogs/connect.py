@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QItemSelectionModel, QModelIndex, Qt
+from PySide6.QtCore import QItemSelection, QItemSelectionModel, Qt
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -58,7 +58,7 @@ class ConnectDialog(ArmDialog):
 
         self._model.modelAboutToBeReset.connect(self._keep_selection)
         self._model.modelReset.connect(self._restore_selection)
-        self._table.selectionModel().currentRowChanged.connect(self._on_row_changed)
+        self._table.selectionModel().selectionChanged.connect(self._on_selection_changed)
         self._table.doubleClicked.connect(self._on_connect)
         self.connect_button.clicked.connect(self._on_connect)
         self.disconnect_button.clicked.connect(self._on_disconnect)
@@ -193,7 +193,7 @@ class ConnectDialog(ArmDialog):
         self._table.selectRow(self._model.add(device))
         self._table.setFocus()
 
-    def _on_row_changed(self, _now: QModelIndex, _before: QModelIndex) -> None:
+    def _on_selection_changed(self, _now: QItemSelection, _before: QItemSelection) -> None:
         device = self._selected()
         if device is not None and device.bitrate is not None:
             index = self.bitrate_box.findData(device.bitrate)
@@ -204,8 +204,7 @@ class ConnectDialog(ArmDialog):
 
     def _on_devices_found(self, devices: Sequence[Device]) -> None:
         self._model.show_found(devices)
-        if self._selected() is None:
-            self._select(self._situation.device or self._model.device(0))
+        self._restore_selection()
 
     def _on_searching_changed(self, searching: bool) -> None:
         self._searching = searching
@@ -220,7 +219,8 @@ class ConnectDialog(ArmDialog):
     # How it looks -----------------------------------------------------------------------------
 
     def _selected(self) -> Device | None:
-        return self._model.device(self._table.currentIndex().row())
+        rows = self._table.selectionModel().selectedRows()
+        return self._model.device(rows[0].row()) if rows else None
 
     def _select(self, device: Device | None) -> None:
         row = self._model.row_of(device)
@@ -233,7 +233,11 @@ class ConnectDialog(ArmDialog):
         self._kept = self._selected()
 
     def _restore_selection(self) -> None:
-        self._select(self._kept)
+        """Keep what was chosen; else choose the connected device, else the first."""
+        if self._selected() is None:
+            candidates = (self._kept, self._situation.device, self._model.device(0))
+            known = [device for device in candidates if self._model.row_of(device) >= 0]
+            self._select(known[0] if known else None)
 
     def _is_connected(self, device: Device) -> bool:
         return same_device(device, self._situation.device)
@@ -263,7 +267,7 @@ class ConnectDialog(ArmDialog):
         elif situation.link is LinkState.OPENING:
             self._message.show_message(self.tr("Connecting to {device}…").format(device=name))
         elif situation.link is LinkState.ONLINE:
-            text = self.tr("The arm is online on {device}.").format(device=name)
+            text = self.tr("Online: {device}").format(device=name)
             self._message.show_message(text, Level.DONE)
         elif self._searching:
             self._message.show_message(self.tr("Searching for devices…"))

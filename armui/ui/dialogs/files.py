@@ -4,15 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final, cast
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFileDialog, QGridLayout, QWidget
+from PySide6.QtWidgets import (
+    QFileDialog,
+    QGridLayout,
+    QHeaderView,
+    QLayout,
+    QLayoutItem,
+    QTreeView,
+    QWidget,
+)
 
 from armui.ui.widgets.stop_button import StopButton
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
+
+_SIZE_PX: Final = (780, 540)
 
 
 class FileDialog(QFileDialog):
@@ -42,11 +52,33 @@ class FileDialog(QFileDialog):
         self.setModal(False)
         if start is not None:
             self.setDirectory(str(start if start.is_dir() else start.parent))
+        # Qt's own translation has no words for these two
+        self.setLabelText(QFileDialog.DialogLabel.LookIn, self.tr("Folder"))
+        self.setLabelText(QFileDialog.DialogLabel.FileType, self.tr("Kind"))
         self.stop_button = StopButton(controller, self)
-        layout = self.layout()
-        if isinstance(layout, QGridLayout):
-            align = Qt.AlignmentFlag.AlignRight
-            layout.addWidget(self.stop_button, layout.rowCount(), 0, 1, -1, align)
+        _add_at_the_top(self.layout(), self.stop_button)
+        self._widen_columns()
+        self.resize(*_SIZE_PX)
+
+    def _widen_columns(self) -> None:
+        """Let the name of a file have the room that size, kind and date leave."""
+        for table in self.findChildren(QTreeView):
+            mode = QHeaderView.ResizeMode
+            table.header().setSectionResizeMode(mode.ResizeToContents)
+            table.header().setSectionResizeMode(0, mode.Stretch)
+            table.header().setStretchLastSection(False)
+
+
+def _add_at_the_top(layout: QLayout | None, widget: QWidget) -> None:
+    """Put a widget above everything in Qt's grid, at the right, as in the other dialogs."""
+    if not isinstance(layout, QGridLayout):
+        raise TypeError(f"Qt's file chooser is laid out by {layout!r}, not by a grid")
+    places = [layout.getItemPosition(index) for index in range(layout.count())]
+    items = [layout.takeAt(0) for _place in places]
+    for item, place in zip(items, places, strict=True):
+        row, column, rows, columns = cast("tuple[int, int, int, int]", place)
+        layout.addItem(cast("QLayoutItem", item), row + 1, column, rows, columns)
+    layout.addWidget(widget, 0, 0, 1, layout.columnCount(), Qt.AlignmentFlag.AlignRight)
 
 
 def choose_file(

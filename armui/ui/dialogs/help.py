@@ -6,28 +6,48 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Qt
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QScrollArea, QWidget
+from PySide6.QtWidgets import (
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QWidget,
+)
 
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.keycap import KeyCap
+from armui.ui.theme import scaled_font
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
-_SIZE_PX: Final = (640, 600)
-_SECTION_GAP_PX: Final = 14
+_SIZE_PX: Final = (980, 540)
+_COLUMN_GAP_PX: Final = 36
+_SECTION_GAP_PX: Final = 12
+_LINE_GAP_PX: Final = 8
 
 
 @dataclass(frozen=True, slots=True)
 class _Section:
-    """A heading and its lines: what to do or see, and what it does or means."""
+    """A heading and its lines: what to do or see, and what it does or means.
 
+    Attributes:
+        column: Where it stands, 0 or 1.
+        keys: What is on the left of a line is a key or a gesture.
+    """
+
+    column: int
+    keys: bool
     heading: object
     lines: tuple[tuple[object, object], ...]
 
 
 _SECTIONS: Final = (
     _Section(
+        0,
+        True,
         QT_TRANSLATE_NOOP("Help", "Mouse"),
         (
             (
@@ -41,11 +61,13 @@ _SECTIONS: Final = (
             (QT_TRANSLATE_NOOP("Help", "Wheel"), QT_TRANSLATE_NOOP("Help", "Zoom in and out")),
             (
                 QT_TRANSLATE_NOOP("Help", "Double click on a link"),
-                QT_TRANSLATE_NOOP("Help", "Mark the joint that moves it, here and in its row"),
+                QT_TRANSLATE_NOOP("Help", "Mark the joint that moves it"),
             ),
         ),
     ),
     _Section(
+        0,
+        True,
         QT_TRANSLATE_NOOP("Help", "Keyboard"),
         (
             (QT_TRANSLATE_NOOP("Help", "← → ↑ ↓"), QT_TRANSLATE_NOOP("Help", "Turn the view")),
@@ -58,6 +80,8 @@ _SECTIONS: Final = (
         ),
     ),
     _Section(
+        1,
+        False,
         QT_TRANSLATE_NOOP("Help", "Figures at the top left"),
         (
             (
@@ -75,6 +99,8 @@ _SECTIONS: Final = (
         ),
     ),
     _Section(
+        1,
+        False,
         QT_TRANSLATE_NOOP("Help", "What the picture says"),
         (
             (
@@ -118,14 +144,11 @@ class HelpDialog(ArmDialog):
 
     def _build_page(self) -> QScrollArea:
         page = QWidget()
-        grid = QGridLayout(page)
-        grid.setContentsMargins(0, 0, 8, 0)
-        grid.setHorizontalSpacing(18)
-        grid.setVerticalSpacing(7)
-        grid.setColumnStretch(1, 1)
-        for section in _SECTIONS:
-            self._add_section(grid, section)
-        grid.setRowStretch(grid.rowCount(), 1)
+        columns = QHBoxLayout(page)
+        columns.setContentsMargins(0, 0, 8, 0)
+        columns.setSpacing(_COLUMN_GAP_PX)
+        for number in (0, 1):
+            columns.addLayout(self._build_column(number), 1)
         area = QScrollArea()
         area.setWidget(page)
         area.setWidgetResizable(True)
@@ -133,22 +156,34 @@ class HelpDialog(ArmDialog):
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         return area
 
+    def _build_column(self, number: int) -> QGridLayout:
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(18)
+        grid.setVerticalSpacing(_LINE_GAP_PX)
+        grid.setColumnStretch(1, 1)
+        for section in _SECTIONS:
+            if section.column == number:
+                self._add_section(grid, section)
+        grid.setRowStretch(grid.rowCount(), 1)
+        return grid
+
     def _add_section(self, grid: QGridLayout, section: _Section) -> None:
         row = grid.rowCount()
-        if self._labels:
-            grid.setRowMinimumHeight(row, _SECTION_GAP_PX)
-            row += 1
+        grid.setRowMinimumHeight(row, _SECTION_GAP_PX if row > 1 else 0)
+        row += 1
         heading = QLabel()
         heading.setProperty("rank", "muted")
         grid.addWidget(heading, row, 0, 1, 2)
         self._labels.append((heading, section.heading))
+        align = Qt.AlignmentFlag.AlignVCenter if section.keys else Qt.AlignmentFlag.AlignTop
         for what, meaning in section.lines:
             row += 1
-            key, text = KeyCap(), QLabel()
-            text.setWordWrap(True)
-            grid.addWidget(key, row, 0, Qt.AlignmentFlag.AlignLeft)
-            grid.addWidget(text, row, 1, Qt.AlignmentFlag.AlignVCenter)
-            self._labels += [(key, what), (text, meaning)]
+            left, right = KeyCap() if section.keys else QLabel(), QLabel()
+            left.setFont(scaled_font(left, 1.0, bold=not section.keys))
+            right.setWordWrap(True)
+            grid.addWidget(left, row, 0, align | Qt.AlignmentFlag.AlignLeft)
+            grid.addWidget(right, row, 1, align)
+            self._labels += [(left, what), (right, meaning)]
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

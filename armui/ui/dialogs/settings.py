@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QShowEvent
+from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QGridLayout,
@@ -53,6 +53,7 @@ class SettingsDialog(ArmDialog):
         self._store = store
         self._controller = controller
         self._problem: Refusal | str | None = next(iter(store.problems), None)
+        self._jog_step_wrong = False
         self._build()
         self.resize(*_SIZE_PX)
         self.language_box.activated.connect(self._on_language)
@@ -61,6 +62,7 @@ class SettingsDialog(ArmDialog):
         self.browse_button.clicked.connect(self._on_browse)
         self.built_in_button.clicked.connect(self._on_built_in)
         self.close_button.clicked.connect(self.close)
+        self.language_box.setFocus()
         self.retranslate_ui()
 
     def show_robot_problem(self, text: str) -> None:
@@ -95,6 +97,7 @@ class SettingsDialog(ArmDialog):
         _add_row(grid, self._jog_label, self.jog_step_edit, self._jog_hint)
         _add_row(grid, self._urdf_label, self._urdf_name)
         row = QHBoxLayout()
+        row.setSpacing(8)
         row.addWidget(self.browse_button)
         row.addWidget(self.built_in_button)
         row.addStretch(1)
@@ -129,13 +132,21 @@ class SettingsDialog(ArmDialog):
         """Show what holds now."""
         super().showEvent(event)
         if not event.spontaneous():
+            self._mark_jog_step(wrong=False)
             self._refresh()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """What was said stands no longer at the next opening."""
+        super().hideEvent(event)
+        if not event.spontaneous():
+            self._problem = None
 
     def _refresh(self) -> None:
         now = self._store.settings
         self.language_box.setCurrentIndex(self.language_box.findData(now.language))
         self.theme_box.setCurrentIndex(self.theme_box.findData(now.theme))
-        self.jog_step_edit.setText(f"{now.jog_step_deg:g}°")
+        if not self._jog_step_wrong:
+            self.jog_step_edit.setText(f"{now.jog_step_deg:g}°")
         self._urdf_name.show_text(now.urdf_path or self.tr("Built-in model of the PiPER"))
         built_in = now.urdf_path is None
         self.built_in_button.setEnabled(not built_in)
@@ -176,6 +187,7 @@ class SettingsDialog(ArmDialog):
         self._show_problem(problem)
 
     def _mark_jog_step(self, *, wrong: bool) -> None:
+        self._jog_step_wrong = wrong
         self.jog_step_edit.setProperty("attention", wrong)
         style = self.jog_step_edit.style()
         style.unpolish(self.jog_step_edit)
@@ -215,6 +227,7 @@ def _add_row(grid: QGridLayout, label: QLabel, field: QWidget, hint: QLabel | No
         grid.addWidget(field, row, 1)
         return
     line = QHBoxLayout()
+    line.setSpacing(12)
     line.addWidget(field)
     line.addWidget(hint, 1)
     grid.addLayout(line, row, 1)
