@@ -200,8 +200,8 @@
         <translation>正在连接 {device}…</translation>
     </message>
     <message>
-        <source>The arm is online on {device}.</source>
-        <translation>机械臂在线：{device}。</translation>
+        <source>Online: {device}</source>
+        <translation>在线：{device}</translation>
     </message>
     <message>
         <source>Searching for devices…</source>
@@ -295,6 +295,13 @@
     </message>
 </context>
 <context>
+    <name>Device</name>
+    <message>
+        <source>Simulated arm, generation {generation}</source>
+        <translation>仿真机械臂（第 {generation} 代）</translation>
+    </message>
+</context>
+<context>
     <name>DeviceModel</name>
     <message>
         <source>State</source>
@@ -315,10 +322,6 @@
     <message>
         <source>Bit rate</source>
         <translation>波特率</translation>
-    </message>
-    <message>
-        <source>Simulated arm, generation {generation}</source>
-        <translation>仿真机械臂（第 {generation} 代）</translation>
     </message>
     <message>
         <source>Connecting…</source>
@@ -365,6 +368,17 @@
     </message>
 </context>
 <context>
+    <name>FileDialog</name>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+</context>
+<context>
     <name>Help</name>
     <message>
         <source>Mouse</source>
@@ -399,8 +413,8 @@
         <translation>双击连杆</translation>
     </message>
     <message>
-        <source>Mark the joint that moves it, here and in its row</source>
-        <translation>标出带动该连杆的关节，对应的操作行同时标出</translation>
+        <source>Mark the joint that moves it</source>
+        <translation>标出带动该连杆的关节</translation>
     </message>
     <message>
         <source>Keyboard</source>
@@ -500,17 +514,6 @@
     <message>
         <source>Close</source>
         <translation>关闭</translation>
-    </message>
-</context>
-<context>
-    <name>JointFault</name>
-    <message>
-        <source>Joint {joint}: communication fault</source>
-        <translation>{joint} 号关节通信异常</translation>
-    </message>
-    <message>
-        <source>Joint {joint}: beyond its angle limit</source>
-        <translation>{joint} 号关节角度超限位</translation>
     </message>
 </context>
 <context>
@@ -929,8 +932,8 @@
         <translation>设置无法保存到 {path}：{text}。本次运行期间仍然有效。</translation>
     </message>
     <message>
-        <source>Setting {field}: “{value}” is not possible. Its first setting is used instead.</source>
-        <translation>设置项 {field}：“{value}”无效，已使用默认值。</translation>
+        <source>Setting “{field}”: “{value}” is not possible. Its first setting is used instead.</source>
+        <translation>设置项“{field}”：“{value}”无效，已使用默认值。</translation>
     </message>
     <message>
         <source>Jog step {value}° is out of range. Enter a value from {minimum}° to {maximum}°.</source>
@@ -947,6 +950,25 @@
     <message>
         <source>Not possible now: {reason}.</source>
         <translation>现在无法执行：{reason}。</translation>
+    </message>
+</context>
+<context>
+    <name>SettingName</name>
+    <message>
+        <source>language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>jog step</source>
+        <translation>点动步长</translation>
+    </message>
+    <message>
+        <source>robot description</source>
+        <translation>机器人模型</translation>
     </message>
 </context>
 <context>
@@ -1116,6 +1138,18 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Emergency stop</source>
         <translation>急停</translation>
+    </message>
+    <message>
+        <source>The arm is stopped</source>
+        <translation>机械臂已急停</translation>
+    </message>
+    <message>
+        <source>Waiting for the arm</source>
+        <translation>等待机械臂确认</translation>
+    </message>
+    <message>
+        <source>Hold the arm</source>
+        <translation>请扶住机械臂</translation>
     </message>
 </context>
 <context>

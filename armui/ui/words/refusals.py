@@ -131,7 +131,7 @@ _REFUSALS: Final[Mapping[str, object]] = {
     ),
     "setting_bad": QT_TRANSLATE_NOOP(
         "Refusal",
-        "Setting {field}: “{value}” is not possible. Its first setting is used instead.",
+        "Setting “{field}”: “{value}” is not possible. Its first setting is used instead.",
     ),
     "jog_step_out_of_range": QT_TRANSLATE_NOOP(
         "Refusal",
@@ -154,6 +154,13 @@ _UNDER_WAY: Final[Mapping[str, object]] = {
     "resuming": QT_TRANSLATE_NOOP("UnderWay", "resuming after the emergency stop"),
 }
 
+_SETTINGS: Final[Mapping[str, object]] = {
+    "language": QT_TRANSLATE_NOOP("SettingName", "language"),
+    "theme": QT_TRANSLATE_NOOP("SettingName", "theme"),
+    "jog_step_deg": QT_TRANSLATE_NOOP("SettingName", "jog step"),
+    "urdf_path": QT_TRANSLATE_NOOP("SettingName", "robot description"),
+}
+
 CODES: Final = frozenset(_REFUSALS)
 """The refusals there is a sentence for."""
 
@@ -167,6 +174,8 @@ def refusal(reason: Refusal) -> str:
         params["status"] = status.arm_status(code)
     if isinstance(what := params.get("what"), str):
         params["what"] = sentence("UnderWay", _UNDER_WAY.get(what, what), {})
+    if isinstance(field := params.get("field"), str):
+        params["field"] = sentence("SettingName", _SETTINGS.get(field, field), {})
     source = _REFUSALS.get(reason.code)
     if source is None:
         return _unexpected(reason)

@@ -1,0 +1,286 @@
+"""Every code becomes words in both languages, and every figure finds its place in them."""
+
+from __future__ import annotations
+
+import string
+from collections.abc import Iterator, Mapping
+from datetime import datetime
+
+import pytest
+from PySide6.QtWidgets import QApplication
+
+from armui.arm.refusal import Refusal
+from armui.bus.adapters import Device
+from armui.control.notices import CODES, REFUSALS
+from armui.control.situation import Level, Notice
+from armui.settings import SettingsStore, check
+from armui.ui import words
+from armui.ui.translation import LANGUAGES, Translator
+from armui.ui.words import notices, refusals
+
+AT = datetime(2026, 1, 2, 3, 4, 5).astimezone()
+
+
+@pytest.fixture
+def translator(qapp: QApplication) -> Iterator[Translator]:
+    translator = Translator(qapp)
+    yield translator
+    translator.set_language("en")
+
+
+@pytest.fixture
+def chinese(translator: Translator) -> None:
+    translator.set_language("zh")
+
+
+def notice(code: str, **params: object) -> str:
+    return words.notice(Notice(AT, Level.INFO, code, params))
+
+
+def has_chinese(text: str) -> bool:
+    return any("\u4e00" <= character <= "\u9fff" for character in text)
+
+
+# Every code ---------------------------------------------------------------------------------------
+
+
+def test_there_is_a_sentence_for_every_notice_and_for_no_other() -> None:
+    assert set(CODES) == notices.CODES
+
+
+def test_there_is_a_sentence_for_every_refusal() -> None:
+    of_settings = {
+        "settings_broken",
+        "settings_unreadable",
+        "settings_not_saved",
+        "setting_bad",
+        "jog_step_out_of_range",
+        "jog_step_not_a_number",
+        "urdf_missing",
+    }
+    assert REFUSALS | of_settings == refusals.CODES
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("code", sorted(refusals.CODES))
+def test_a_refusal_reads_as_sentences(translator: Translator, language: str, code: str) -> None:
+    translator.set_language(language)
+
+    text = words.refusal(Refusal(code))
+
+    assert has_chinese(text) is (language == "zh")
+    assert code not in text
+    assert "{" not in text
+    assert text.endswith(("。", ".", "can_raw", "1000000", "pip install —"))
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("code", sorted(CODES))
+def test_a_notice_reads_as_words(translator: Translator, language: str, code: str) -> None:
+    translator.set_language(language)
+
+    text = notice(code)
+
+    assert not text.startswith(("Event:", "事件"))
+    assert "{" not in text
+    assert has_chinese(text) is (language == "zh")
+
+
+def test_what_nobody_foresaw_is_still_said(qapp: QApplication) -> None:
+    assert words.refusal(Refusal("odd", {"a": 1})) == "Not possible now: odd(a=1)."
+    assert notice("odd") == "Event: odd"
+
+
+# Figures ------------------------------------------------------------------------------------------
+
+
+def test_an_angle_out_of_limits_names_joint_value_and_limits(chinese: None) -> None:
+    limits = {"joint": 2, "value": 181.0, "minimum": 0.0, "maximum": 180.0}
+
+    assert words.refusal(Refusal("joint_out_of_limits", limits)) == (
+        "关节 2：181.000° 超出限位 0.000° 至 180.000°。请输入限位以内的角度。"
+    )
+
+
+@pytest.mark.parametrize(
+    ("refusal", "expected"),
+    [
+        (Refusal("not_enabled", {"joints": "1, 3"}), "1, 3"),
+        (Refusal("speed_out_of_range", {"value": 101}), "101 %"),
+        (Refusal("joint_not_a_number", {"joint": 4, "value": "abc"}), "“abc”"),
+        (Refusal("other_control", {"mode": 2}), "示教模式"),
+        (Refusal("other_control", {"mode": 0x2F}), "未知 (0x2F)"),
+        (Refusal("arm_fault", {"status": 7}), "机械臂发生碰撞"),
+        (Refusal("busy", {"what": "enabling"}), "使能电机"),
+        (Refusal("bus_down", {"device": "can0"}), "ip link set can0 up"),
+        (Refusal("bus_backend_missing", {"device": "a", "package": "gs_usb"}), "install gs_usb"),
+    ],
+)
+def test_a_refusal_names_what_it_is_about(chinese: None, refusal: Refusal, expected: str) -> None:
+    assert expected in words.refusal(refusal)
+
+
+def test_a_notice_holds_the_reason_in_the_same_language(chinese: None) -> None:
+    assert notice("refused", reason=Refusal("joints_unknown")) == (
+        "未发送。尚未收到全部关节角度。请等待 6 个关节的角度都显示出来。"
+    )
+
+
+def test_a_notice_without_its_reason_ends_cleanly(qapp: QApplication) -> None:
+    text = notice("link_lost", device="can0", reason=None)
+
+    assert text == "Connection to can0 lost; the program keeps trying to reconnect."
+
+
+def test_six_angles_sent(chinese: None) -> None:
+    angles = {f"j{n}": float(n) for n in range(1, 7)}
+
+    assert notice("sent_joints", **angles) == (
+        "已发送 J1 1.000°  J2 2.000°  J3 3.000°  J4 4.000°  J5 5.000°  J6 6.000°"
+    )
+
+
+def test_generation_1_has_no_firmware_text(qapp: QApplication) -> None:
+    assert notice("generation", generation=1, firmware="").endswith("Firmware: —")
+
+
+def test_a_simulated_arm_has_a_name_in_the_operators_language(chinese: None) -> None:
+    device = Device("virtual", "x", None, simulated=True, generation=1)
+
+    assert notice("disconnected", device=device) == "已断开 仿真机械臂（第 1 代）"
+    assert words.device_name(Device("socketcan", "can0")) == "socketcan can0"
+
+
+@pytest.mark.parametrize(
+    ("code", "danger"),
+    [
+        ("disable_sent", "机械臂会下落，请扶住机械臂"),
+        ("resume_sent", "机械臂会下落，请扶住机械臂"),
+        ("stop_sent", "请扶住机械臂"),
+        ("stop_unconfirmed", "请切断其电源"),
+        ("stop_not_sent", "请切断其电源"),
+    ],
+)
+def test_physical_danger_is_said_in_plain_words(chinese: None, code: str, danger: str) -> None:
+    assert danger in notice(code)
+
+
+# What the settings say ----------------------------------------------------------------------------
+
+
+def test_every_reason_the_settings_give_fills_its_sentence(
+    translator: Translator, tmp_path: pytest.TempPathFactory
+) -> None:
+    broken = tmp_path / "settings.json"
+    broken.write_text("{")
+    reasons = [
+        *SettingsStore(broken).problems,
+        check("jog_step_deg", 31.0),
+        check("jog_step_deg", None),
+        check("theme", "pink"),
+    ]
+    for language in LANGUAGES:
+        translator.set_language(language)
+        for reason in reasons:
+            assert reason is not None
+            assert "—" not in words.refusal(reason)
+
+
+def test_a_setting_that_is_not_possible_is_named(chinese: None) -> None:
+    assert words.refusal(check("theme", "pink")) == "设置项“主题”：“pink”无效，已使用默认值。"
+
+
+# 0x2A1 --------------------------------------------------------------------------------------------
+
+CONTROL_MODES = {
+    0x00: "待机模式",
+    0x01: "CAN 指令控制模式",
+    0x02: "示教模式",
+    0x03: "以太网控制模式",
+    0x04: "wifi 控制模式",
+    0x05: "遥控器控制模式",
+    0x06: "联动示教输入模式",
+    0x07: "离线轨迹模式",
+}
+ARM_STATUSES = {
+    0x00: "正常",
+    0x01: "急停",
+    0x02: "无解",
+    0x03: "奇异点",
+    0x04: "目标角度超过限",
+    0x05: "关节通信异常",
+    0x06: "关节抱闸未打开",
+    0x07: "机械臂发生碰撞",
+    0x08: "拖动示教时超速",
+    0x09: "关节状态异常",
+    0x0A: "其它异常",
+    0x0B: "示教记录",
+    0x0C: "示教执行",
+    0x0D: "示教暂停",
+    0x0E: "主控过温",
+    0x0F: "释放电阻过温",
+}
+MOVE_MODES = {
+    0x00: "点位模式",
+    0x01: "关节模式",
+    0x02: "直线模式",
+    0x03: "圆弧模式",
+    0x04: "MIT 模式",
+    0x05: "CPV 模式",
+}
+TEACHING = {
+    0x00: "关闭",
+    0x01: "开始示教记录（进入拖动示教模式）",
+    0x02: "结束示教记录（退出拖动示教模式）",
+    0x03: "执行示教轨迹（拖动示教轨迹复现）",
+    0x04: "暂停执行",
+    0x05: "继续执行（轨迹复现继续）",
+    0x06: "终止执行",
+    0x07: "运动到轨迹起点",
+}
+TABLES = {
+    words.control_mode: CONTROL_MODES,
+    words.arm_status: ARM_STATUSES,
+    words.move_mode: MOVE_MODES,
+    words.teaching: TEACHING,
+}
+
+
+@pytest.mark.parametrize("word", TABLES, ids=lambda word: word.__name__)
+def test_the_codes_of_the_status_in_the_protocols_words(chinese: None, word: object) -> None:
+    table: Mapping[int, str] = TABLES[word]
+
+    assert {code: word(code) for code in table} == table
+
+
+@pytest.mark.parametrize("word", [*TABLES, words.control_mode_short])
+def test_no_two_codes_share_a_word_in_english(qapp: QApplication, word: object) -> None:
+    table = TABLES.get(word, CONTROL_MODES)
+    spoken = {word(code) for code in table}
+
+    assert len(spoken) == len(table)
+    assert not any(has_chinese(text) for text in spoken)
+
+
+@pytest.mark.parametrize("word", [*TABLES, words.control_mode_short])
+def test_codes_of_no_table_are_shown_as_numbers(translator: Translator, word: object) -> None:
+    assert word(0x2F) == "unknown (0x2F)"
+    translator.set_language("zh")
+    assert word(0x2F) == "未知 (0x2F)"
+    assert word(0xFF) == "未知 (0xFF)"
+
+
+def test_the_manuals_status_bar(chinese: None) -> None:
+    assert (
+        f"控制: {words.control_mode_short(0)} 状态: {words.arm_status(0)} "
+        f"{words.move_mode(0)} {words.reached(True)}"
+    ) == "控制: 待机 状态: 正常 点位模式 已达指定点"
+    assert words.reached(False) == "未达指定点"
+
+
+def test_sentences_use_only_plain_placeholders() -> None:
+    for source in [*refusals._REFUSALS.values(), *notices._NOTICES.values()]:
+        for _text, name, spec, conversion in string.Formatter().parse(str(source)):
+            assert name is None or name.isidentifier()
+            assert not spec
+            assert conversion is None
