@@ -102,15 +102,11 @@ class Codec:
             if len(data) not in layout.lengths:
                 return _wrong_length(layout, frame)
             data = data[: layout.length].ljust(layout.length, b"\0")
-        signals = layout.unpack(data)
-        for name, legal in layout.checked:
-            if signals[name] not in legal:
-                return _outside_table(layout, arbitration_id, signals)
-        for name, divisor in layout.divided:
-            signals[name] /= divisor
-        for signal in layout.stretched:
-            signals[signal.name] = signal.to_physical(signals[signal.name])
-        return Message(layout.name, signals)
+        values = layout.read(data)
+        if values is None:
+            return _outside_table(layout, arbitration_id, layout.unpack(data))
+        # As Message(layout.name, values), at half the cost: it is the dearest step left.
+        return tuple.__new__(Message, (layout.name, values))
 
     def encode(self, name: str, **signals: float | None) -> Frame:
         """The frame that says this.

@@ -7,11 +7,15 @@ from typing import TYPE_CHECKING, Protocol
 
 from cantools.database.utils import create_encode_decode_formats
 
+from armui.protocol.reading import make_reader, whole_format
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Container, Mapping
 
     from cantools.database.can import Message as DbcMessage
     from cantools.database.can import Signal as DbcSignal
+
+    from armui.protocol.reading import Reader
 
 LEAVE_UNCHANGED = "Leave unchanged"
 """What the value tables call the raw value that leaves a setting as it is (generation 2)."""
@@ -96,8 +100,7 @@ class MessageLayout:
         signals: By name, in the order of bytes and, within a byte, of bits.
         unpack: Payload to raw values by name.
         pack: Raw values by name to payload.
-        divided: (name, divisor) of the signals that are scaled by a whole fraction.
-        stretched: Signals with any other scale or an offset.
+        read: Payload to physical values by name, None when one is outside its table.
         checked: (name, legal raw values) of the signals whose payload bits can hold illegal values.
     """
 
@@ -109,8 +112,7 @@ class MessageLayout:
     signals: Mapping[str, SignalLayout]
     unpack: Callable[[bytes], dict[str, float]]
     pack: Callable[[Mapping[str, int]], bytes]
-    divided: tuple[tuple[str, int], ...]
-    stretched: tuple[SignalLayout, ...]
+    read: Reader
     checked: tuple[tuple[str, Container[int]], ...]
 
 
@@ -124,7 +126,12 @@ def message_layout(message: DbcMessage) -> MessageLayout:
     packer: _Packer = formats.big_endian
     in_order = sorted(message.signals, key=_byte_and_bit)
     signals = {signal.name: _signal_layout(signal) for signal in in_order}
-    scaled = [signal for signal in signals.values() if signal.is_scaled]
+    checked = tuple(
+        (signal.name, signals[signal.name].legal_raw)
+        for signal in in_order
+        if _can_be_illegal(signal, signals[signal.name])
+    )
+    whole = whole_format(in_order, message.length)
     return MessageLayout(
         name=message.name,
         arbitration_id=message.frame_id,
@@ -134,17 +141,8 @@ def message_layout(message: DbcMessage) -> MessageLayout:
         signals=signals,
         unpack=packer.unpack,
         pack=packer.pack,
-        divided=tuple(
-            (signal.name, signal.divisor)
-            for signal in scaled
-            if signal.divisor is not None and not signal.offset
-        ),
-        stretched=tuple(signal for signal in scaled if signal.divisor is None or signal.offset),
-        checked=tuple(
-            (signal.name, signals[signal.name].legal_raw)
-            for signal in in_order
-            if _can_be_illegal(signal, signals[signal.name])
-        ),
+        read=make_reader(signals, packer.unpack, checked, whole),
+        checked=checked,
     )
 
 
