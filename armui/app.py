@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Final
@@ -13,10 +13,9 @@ from PySide6.QtCore import QCoreApplication, QTimer
 from PySide6.QtWidgets import QApplication
 
 from armui.bus.adapters import DEFAULT_BITRATE, Device, bitrate_is_ours, open_bus
-from armui.bus.worker import Opener
 from armui.control.arm_controller import ArmController
 from armui.protocol.database import Generation
-from armui.settings import Language, Settings, SettingsStore, default_path
+from armui.settings import Choices, Settings, SettingsStore, default_path
 from armui.start import StartOptions
 from armui.ui.main_window import MainWindow
 from armui.ui.theme import Theme, apply_theme
@@ -29,15 +28,16 @@ _SWITCH_INTERVAL_S: Final = 0.0005
 the bus thread and once for the simulated arm's, is what a pressed stop would wait."""
 
 
+_WITHOUT_PICTURE_MS: Final = 8000
+
+
 class Program:
     """Everything that makes up one running program.
 
     Args:
         app: Qt's application.
         store: The operator's settings.
-        language: Instead of the one in the settings.
-        opener: How devices are opened.
-        simulated: Arms made of software to list.
+        controller: Who speaks to the arm.
 
     Attributes:
         controller, view, window: What its parts are.
@@ -47,21 +47,14 @@ class Program:
         self,
         app: QApplication,
         store: SettingsStore,
-        *,
-        language: Language | None = None,
-        opener: Opener | None = None,
-        simulated: Sequence[Device] | None = None,
+        controller: ArmController,
     ) -> None:
         self._app = app
-        self._store = store
         self._translator = Translator(app)
-        settings = store.settings
-        self._settings = settings
-        self._translator.set_language(language or settings.language)
+        self._settings = settings = store.settings
+        self._translator.set_language(settings.language)
         apply_theme(app, Theme(settings.theme))
-        self.controller = ArmController(
-            opener or open_device, SIMULATED if simulated is None else simulated
-        )
+        self.controller = controller
         self.view = ArmView(Path(settings.urdf_path) if settings.urdf_path else None)
         self.window = MainWindow(self.controller, self.view, store)
         self._stop_shortcut = StopShortcut(app, self.controller)
@@ -73,6 +66,24 @@ class Program:
         self._app.removeEventFilter(self._stop_shortcut)
         self.controller.shutdown()
         self.view.shutdown()
+
+    def connect_when_drawn(self, device: Device) -> None:
+        """Connect as soon as the 3D picture stands.
+
+        Loading its libraries holds Python's lock for up to half a second at a stretch: time in
+        which neither feedback nor a stop could be handled.
+        """
+        waiting = [device]
+
+        def connect(*_reason: str) -> None:
+            if waiting and self.controller.situation.device is None:
+                self.controller.connect_device(waiting.pop())
+            waiting.clear()
+
+        self.view.first_frame_shown.connect(connect)
+        self.view.load_failed.connect(connect)
+        # a computer that can't draw at all drives the arm none the less
+        QTimer.singleShot(_WITHOUT_PICTURE_MS, self.view, connect)
 
     def _on_settings_changed(self, settings: Settings) -> None:
         apply_theme(self._app, Theme(settings.theme))
@@ -87,12 +98,14 @@ def run(options: StartOptions) -> int:
     QCoreApplication.setApplicationName("armui")
     QApplication.setDesktopFileName("armui")
     app = QApplication(sys.argv[:1])
-    program = Program(app, SettingsStore(default_path()), language=options.language)
+    chosen: Choices = {} if options.language is None else {"language": options.language}
+    store = SettingsStore(default_path(), for_this_run=chosen)
+    program = Program(app, store, ArmController(open_device, SIMULATED))
     app.aboutToQuit.connect(program.shutdown)
     program.window.show()
     device = chosen_device(options)
     if device is not None:
-        QTimer.singleShot(0, lambda: program.controller.connect_device(device))
+        program.connect_when_drawn(device)
     return app.exec()
 
 

@@ -6,6 +6,7 @@ import pytest
 
 from armui.protocol.database import Generation
 from tests.bench import Bench
+from tests.desk import Desk
 
 
 @pytest.fixture(params=[Generation.ONE, Generation.TWO], ids=["gen1", "gen2"])
@@ -27,6 +28,22 @@ def any_bench(qapp, request, generation):
     bench = Bench(request.node.nodeid, generation)
     yield bench
     bench.close()
+
+
+@pytest.fixture
+def desk(qapp, request, tmp_path):
+    """The main window before a simulated arm of generation 2, not connected yet, in English."""
+    desk = Desk(qapp, request.node.nodeid, tmp_path / "settings.json", Generation.TWO)
+    yield desk
+    desk.close()
+
+
+@pytest.fixture
+def any_desk(qapp, request, tmp_path, generation):
+    """The same, in both generations."""
+    desk = Desk(qapp, request.node.nodeid, tmp_path / "settings.json", generation)
+    yield desk
+    desk.close()
 
 
 @pytest.fixture(autouse=True)

@@ -145,7 +145,7 @@ class ArmController(QObject):
         self._connection.close()
         self._timer.stop()
         self._state = ArmState()
-        self._notice("disconnected", device=device.name)
+        self._notice("disconnected", device=device)
         self.state_changed.emit(self._state)
         self._refresh()
 
@@ -398,7 +398,7 @@ class ArmController(QObject):
         elif code == "connect_failed":
             self._timer.stop()
             self._forget_arm()
-        self._notice(code, device=report.device.name, reason=report.problem)
+        self._notice(code, device=report.device, reason=report.problem)
         self._refresh()
 
     def _on_search_finished(self) -> None:

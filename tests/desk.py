@@ -1,0 +1,117 @@
+"""The whole program on the bench, in the hands of an operator who clicks and reads."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QDialog, QTableView, QWidget
+
+from armui.app import Program
+from armui.protocol.database import Generation
+from armui.settings import SettingsStore
+from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.connect import ConnectDialog
+from tests.bench import Bench
+
+
+class Desk(Bench):
+    """A bench with the main window on it.
+
+    Attributes:
+        program: The program, wired as it is for the operator.
+        window: Its main window, shown.
+    """
+
+    def __init__(
+        self, app: QApplication, channel: str, settings: Path, generation: Generation
+    ) -> None:
+        super().__init__(channel, generation)
+        self.store = SettingsStore(settings, for_this_run={"language": "en"})
+        self.program = Program(app, self.store, self.controller)
+        self.window = self.program.window
+        self.window.resize(1280, 800)
+        self.window.show()
+
+    def find(self, name: str) -> QWidget:
+        """A widget of the main window by its object name."""
+        found = [
+            widget
+            for widget in self.window.findChildren(QWidget, name)
+            if widget.window() is self.window
+        ]
+        assert len(found) == 1, f"{name}: {found}"
+        return found[0]
+
+    def click(self, name_or_widget: str | QWidget) -> None:
+        """Press and release the left button over the middle of a widget."""
+        widget = self.find(name_or_widget) if isinstance(name_or_widget, str) else name_or_widget
+        QTest.mouseClick(widget, Qt.MouseButton.LeftButton, pos=_middle(widget))
+
+    def press(self, widget: QWidget) -> None:
+        """Press the left button over a widget and keep it down."""
+        QTest.mousePress(widget, Qt.MouseButton.LeftButton, pos=_middle(widget))
+
+    def type_into(self, name: str, text: str) -> None:
+        """Replace what stands in a field and leave it with Enter."""
+        field = self.find(name)
+        field.setFocus()
+        field.selectAll()
+        QTest.keyClicks(field, text)
+        QTest.keyClick(field, Qt.Key.Key_Return)
+
+    def read(self, name: str) -> str:
+        """The text a widget shows."""
+        return self.find(name).text()
+
+    def dialog(self, kind: type[QDialog]) -> QDialog:
+        """The one dialog of a kind that is open."""
+        found = [
+            widget
+            for widget in QApplication.topLevelWidgets()
+            if isinstance(widget, kind) and widget.isVisible()
+        ]
+        assert len(found) == 1, f"{kind.__name__}: {found}"
+        return found[0]
+
+    def connect_by_hand(self) -> None:
+        """Open 连接机械臂, choose the arm in the list, connect, close the window."""
+        self.click("communication_button")
+        dialog = self.dialog(ConnectDialog)
+        table = dialog.findChild(QTableView)
+        self.wait(lambda: table.model().rowCount() > 0)
+        table.selectRow(0)
+        self.click(dialog.connect_button)
+        self.run_until(lambda: "limits_read" in self.codes())
+        self.run_until(lambda: None not in self.controller.situation.enabled)
+        dialog.close()
+
+    def confirm(self) -> None:
+        """Press the button of the open question that does the deed."""
+        self.click(self.dialog(ConfirmDialog).action_button)
+
+    def enable_by_hand(self) -> None:
+        """Press 使能 and wait for the arm's word."""
+        self.click("enable_button")
+        self.run_until(lambda: self.controller.situation.cannot_move is None)
+
+    def wait(self, condition) -> None:
+        """Let Qt work until something is so."""
+        for _ in range(5000):
+            QApplication.processEvents()
+            if condition():
+                return
+            QTest.qWait(1)
+        raise AssertionError("it never came")
+
+    def close(self) -> None:
+        """End the program as it ends for the operator, then the bench."""
+        for widget in QApplication.topLevelWidgets():
+            if isinstance(widget, QDialog):
+                widget.close()
+        self.program.shutdown()
+        self.window.deleteLater()
+        super().close()
+
+
+def _middle(widget: QWidget) -> QPoint:
+    return widget.rect().center()
