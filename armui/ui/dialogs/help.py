@@ -149,7 +149,7 @@ class HelpDialog(ArmDialog):
         columns.setSpacing(_COLUMN_GAP_PX)
         for number in (0, 1):
             columns.addLayout(self._build_column(number), 1)
-        area = QScrollArea()
+        self.area = area = QScrollArea()
         area.setWidget(page)
         area.setWidgetResizable(True)
         area.setFrameShape(QFrame.Shape.NoFrame)
