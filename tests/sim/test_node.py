@@ -139,24 +139,27 @@ def test_a_flood_does_not_keep_the_arm_from_sending(open_bus: OpenBus) -> None:
 class BrokenBus:
     """A bus that takes some frames and then fails, as an unplugged adapter does."""
 
-    def __init__(self, takes: int) -> None:
+    def __init__(self, takes: int, fails: Callable[[], Exception]) -> None:
         self.takes = takes
-        self.error: Exception = can.CanOperationError("No buffer space available")
+        self.fails = fails
 
     def send(self, message: can.Message) -> None:
         if not self.takes:
-            raise self.error
+            raise self.fails()
         self.takes -= 1
 
     def recv(self, timeout: float) -> None:
         if not self.takes:
-            raise self.error
+            raise self.fails()
 
 
-@pytest.mark.parametrize("error", [can.CanOperationError("bus off"), OSError(19, "No such device")])
-def test_a_bus_that_fails_is_counted_and_survived(error: Exception) -> None:
-    bus = BrokenBus(takes=10)
-    bus.error = error
+@pytest.mark.parametrize(
+    "fails",
+    [lambda: can.CanOperationError("bus off"), lambda: OSError(19, "No such device")],
+    ids=["bus off", "unplugged"],
+)
+def test_a_bus_that_fails_is_counted_and_survived(fails: Callable[[], Exception]) -> None:
+    bus = BrokenBus(10, fails)
     node = Node(Firmware(Generation.TWO), bus)  # type: ignore[arg-type]  # only what a node uses
     node.poll(0.005)
     assert (node.sent, node.lost, node.receive_errors) == (10, 5, 0)
