@@ -79,8 +79,6 @@ class MainWindow(QMainWindow):
         self.setMinimumSize(_SMALLEST_SIZE)
         self.retranslate_ui()
         self._color_view()
-        # no control has the focus before the operator takes one
-        self.centralWidget().setFocus()
 
     # -- layout -------------------------------------------------------------------------------
 
@@ -115,6 +113,7 @@ class MainWindow(QMainWindow):
         whole.addLayout(middle, 1)
         whole.addWidget(StatusBar(self._controller))
         self.setCentralWidget(central)
+        central.setFocus()  # no control has it before the operator takes one
 
     def _make_motion_panel(self) -> QWidget:
         self._motion_panel = MotionPanel(self._controller, self._settings.jog_step_deg)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QShowEvent
+from PySide6.QtGui import QColor, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 
 from armui.arm.limits import JOINTS
@@ -144,7 +144,9 @@ class StatusBar(QWidget):
             if name in self._separators:
                 self._separators[name].setVisible(name in texts)
             loud = name == "joints" or (name == "arm" and alarm is not None)
-            label.setStyleSheet(f"color: {alarm if loud and alarm else ink}")
+            colored = label.palette()
+            colored.setColor(label.foregroundRole(), QColor(alarm if loud and alarm else ink))
+            label.setPalette(colored)
         self._status_icon.setVisible(alarm is not None)
         if alarm is not None:
             self._draw_warning(self._status_icon, alarm)

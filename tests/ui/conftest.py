@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Heard, Status
@@ -148,6 +148,33 @@ class FakeController(QObject):
     def _asked(self, *call: Any) -> Refusal | None:
         self.calls.append(call)
         return self.answer
+
+
+class FakeView(QWidget):
+    """Stands for the 3D view; remembers what it was last given."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.joints: tuple[Any, ...] | None = None
+        self.pose: tuple[Any, ...] | None = None
+        self.palette_shown: Any = None
+        self.robot: Any = None
+        self.resets = 0
+
+    def set_joints(self, angles_deg: Any, gripper_mm: Any, stale: bool = False) -> None:
+        self.joints = (angles_deg, gripper_mm, stale)
+
+    def set_pose(self, pose: Any, stale: bool = False) -> None:
+        self.pose = (pose, stale)
+
+    def set_theme(self, palette: Any) -> None:
+        self.palette_shown = palette
+
+    def set_robot(self, path: Any) -> None:
+        self.robot = path
+
+    def reset_view(self) -> None:
+        self.resets += 1
 
 
 @pytest.fixture

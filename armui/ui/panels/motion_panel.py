@@ -33,7 +33,7 @@ _STEPS_DEG: Final = (0.1, 1.0, 5.0, 10.0)
 _FAULTS: Final = frozenset({"stopped", "stop_requested", "arm_fault", "link_lost"})
 _FIELD_INDENT_PX: Final = 80
 _TALLEST_CARD_PX: Final = 600
-_HOME_KEY, _LOAD_KEY, _SEND_KEY = "Ctrl+Home", "Ctrl+L", "Ctrl+Return"
+_HOME_KEY, _LOAD_KEY, _SEND_KEY = "Ctrl+Shift+H", "Ctrl+L", "Ctrl+Return"
 
 
 class MotionPanel(QWidget):
@@ -55,7 +55,6 @@ class MotionPanel(QWidget):
         self._situation = controller.situation
         self._refusal: Refusal | None = None
         self._filled_for: Device | None = None
-        self._touched = False
         self._title = QLabel()
         self._title.setProperty("rank", "title")
         self._step_label = QLabel()
@@ -206,7 +205,6 @@ class MotionPanel(QWidget):
         return refusal is None
 
     def _on_edited(self) -> None:
-        self._touched = True
         self._refusal = None
         self._show_message()
 
@@ -228,19 +226,19 @@ class MotionPanel(QWidget):
                 row.show_measured(heard.value, stale=stale)
 
     def _fill_once(self, state: ArmState) -> None:
-        """Load the first angles heard from a device, unless the operator was there before."""
+        """Load the first angles heard from a device, where the operator has not typed one."""
         device = self._situation.device
         if device is None or device == self._filled_for:
             return
         angles_deg = state.angles_deg()
         if angles_deg is not None:
             self._filled_for = device
-            if not self._touched:
-                self._fill(angles_deg)
+            for row, angle_deg in zip(self._rows, angles_deg, strict=True):
+                if not row.field.text():
+                    row.show_target(angle_deg)
             self._show_possible()
 
     def _fill(self, angles_deg: tuple[float, ...] | None) -> None:
-        self._touched = False
         for row, angle_deg in zip(self._rows, angles_deg or (None,) * len(JOINTS), strict=True):
             row.show_target(angle_deg)
 

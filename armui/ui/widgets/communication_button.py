@@ -8,7 +8,9 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
+from armui.bus.adapters import Device
 from armui.control.situation import LinkState, Situation
+from armui.ui import words
 from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import painting
 
@@ -23,7 +25,7 @@ class CommunicationButton(QAbstractButton):
         super().__init__(parent)
         self.setObjectName("communication_button")
         self._link = LinkState.NO_DEVICE
-        self._device_name = ""
+        self._device: Device | None = None
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.setAttribute(Qt.WidgetAttribute.WA_Hover)
@@ -37,13 +39,12 @@ class CommunicationButton(QAbstractButton):
     @property
     def device_name(self) -> str:
         """The device shown; empty if there is none."""
-        return self._device_name
+        return "" if self._device is None else words.device_name(self._device)
 
     def show_situation(self, situation: Situation) -> None:
         """Show how the program stands to its arm."""
-        name = "" if situation.device is None else situation.device.name
-        if (situation.link, name) != (self._link, self._device_name):
-            self._link, self._device_name = situation.link, name
+        if (situation.link, situation.device) != (self._link, self._device):
+            self._link, self._device = situation.link, situation.device
             self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
@@ -68,8 +69,8 @@ class CommunicationButton(QAbstractButton):
             ),
         }
         self.setText(words[self._link])
-        self.setToolTip("\n".join(filter(None, (self._device_name, tips[self._link]))))
-        self.setAccessibleName(f"{self.text()} {self._device_name}".strip())
+        self.setToolTip("\n".join(filter(None, (self.device_name, tips[self._link]))))
+        self.setAccessibleName(f"{self.text()} {self.device_name}".strip())
         self.update()
 
     def changeEvent(self, event: QEvent) -> None:
@@ -87,7 +88,7 @@ class CommunicationButton(QAbstractButton):
         return self.sizeHint()
 
     def _second_line(self) -> str:
-        return self._device_name or self.tr("Choose a device")
+        return self.device_name or self.tr("Choose a device")
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw it."""

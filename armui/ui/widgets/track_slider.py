@@ -63,7 +63,7 @@ class TrackSlider(QSlider):
     @property
     def wish(self) -> float:
         """The handle's place in the quantity's unit."""
-        return self.value() * self._resolution
+        return self.sliderPosition() * self._resolution
 
     @property
     def measured(self) -> float | None:
@@ -146,7 +146,7 @@ class TrackSlider(QSlider):
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Drag the handle."""
         if self._grabbed_at is not None:
-            self.setValue(self._value_at(event.position().x() - self._grabbed_at))
+            self.setSliderPosition(self._value_at(event.position().x() - self._grabbed_at))
 
     def mouseReleaseEvent(self, _event: QMouseEvent) -> None:
         """Let the handle go."""

@@ -1,0 +1,46 @@
+import pytest
+
+from armui.ui import format as fmt
+
+
+def test_figures_keep_their_decimals():
+    assert fmt.angle(12) == "12.000°"
+    assert fmt.number(213.2664) == "213.266"
+    assert fmt.percent(30.0) == "30 %"
+
+
+@pytest.mark.parametrize("value", [None, float("nan"), float("inf")])
+def test_what_is_no_figure_is_a_dash(value):
+    assert fmt.number(value) == "—"
+
+
+def test_zero_has_no_sign():
+    assert fmt.angle(-0.0004) == "0.000°"
+    assert fmt.angle(-0.0006) == "-0.001°"
+
+
+def test_limits_are_short():
+    assert [fmt.short_angle(v) for v in (-150.0, 0.0, 100.0, 179.5)] == [
+        "-150°",
+        "0°",
+        "100°",
+        "179.5°",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("12.5", 12.5),
+        (" -3 ", -3.0),
+        ("−3,25°", -3.25),
+        ("1e2", 100.0),
+        ("", None),
+        ("abc", None),
+        ("nan", None),
+        ("inf", None),
+        ("1.2.3", None),
+    ],
+)
+def test_typed_figures(text, value):
+    assert fmt.parse_number(text) == value

@@ -1,0 +1,235 @@
+"""The window as a whole: wiring, settings, language, closing."""
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QAbstractButton, QLineEdit, QPushButton, QSlider, QSpinBox, QWidget
+
+from armui.control.situation import LinkState
+from armui.settings import SettingsStore
+from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.main_window import MainWindow
+from armui.ui.theme import Theme, apply_theme
+from armui.ui.translation import Translator
+from armui.viewport import palette
+from tests.ui.conftest import FakeView, arm_state, situation
+
+LEFT = Qt.MouseButton.LeftButton
+NAMED = [
+    "stop_button",
+    "enable_button",
+    "communication_button",
+    "speed_slider",
+    "speed_field",
+    "send_button",
+    "load_button",
+    "home_button",
+    "motion_message",
+    "status_control",
+    "status_arm",
+    "status_mode",
+    "status_reached",
+    "notice_label",
+    "menu_motion",
+    "help_button",
+    "reset_view_button",
+    "settings_button",
+    *(
+        f"{name}_{joint}"
+        for name in ("jog_minus", "jog_plus", "target_field", "target_slider", "measured")
+        for joint in range(1, 7)
+    ),
+]
+
+
+@pytest.fixture
+def store(tmp_path):
+    return SettingsStore(tmp_path / "settings.json")
+
+
+@pytest.fixture
+def view():
+    return FakeView()
+
+
+@pytest.fixture
+def window(qtbot, controller, view, store):
+    window = MainWindow(controller, view, store)
+    qtbot.addWidget(window, before_close_func=lambda window: setattr(window, "_may_close", True))
+    window.resize(1280, 800)
+    window.show()
+    return window
+
+
+@pytest.mark.parametrize("name", NAMED)
+def test_what_a_test_clicks_has_one_name(window, name):
+    assert len(window.findChildren(QWidget, name)) == 1
+
+
+def test_every_control_has_an_accessible_name(window):
+    controls = [
+        control
+        for kind in (QAbstractButton, QLineEdit, QSlider, QSpinBox)
+        for control in window.findChildren(kind)
+        if control.objectName() and not control.objectName().startswith("qt_")
+    ]
+    assert len(controls) > 30
+    assert [control.objectName() for control in controls if not control.accessibleName()] == []
+
+
+def test_the_stop_is_the_largest_control_of_its_bar(window):
+    def area(name):
+        size = window.findChild(QWidget, name).size()
+        return size.width() * size.height()
+
+    others = ("communication_button", "enable_button", "speed_field", "speed_slider")
+    assert all(area("stop_button") > area(name) for name in others)
+
+
+def test_the_arm_reaches_the_3d_view(controller, view, window):
+    assert view.joints == (None, None, False)
+    controller.be_ready((1.0, 2.0, -3.0, 4.0, 5.0, 6.0))
+    assert view.joints == ((1.0, 2.0, -3.0, 4.0, 5.0, 6.0), None, False)
+    assert view.pose == ((56.128, 0.0, 213.266, 0.0, 85.0, 0.0), False)
+    controller.be(situation(link=LinkState.OFFLINE))
+    assert view.joints[2]
+    assert view.pose[1]
+
+
+def test_a_hidden_window_does_no_work_and_catches_up(controller, view, window):
+    window.hide()
+    controller.be_ready((9.0,) * 6)
+    assert view.joints[0] is None
+    window.show()
+    assert view.joints[0] == (9.0,) * 6
+
+
+def test_reset_view(window, view, qtbot):
+    qtbot.mouseClick(window.findChild(QPushButton, "reset_view_button"), LEFT)
+    assert view.resets == 1
+
+
+@pytest.mark.parametrize(
+    ("button", "dialog"),
+    [
+        ("communication_button", "ConnectDialog"),
+        ("help_button", "HelpDialog"),
+        ("settings_button", "SettingsDialog"),
+    ],
+)
+def test_dialogs_open_once(window, qtbot, button, dialog):
+    for _ in range(2):
+        qtbot.mouseClick(window.findChild(QAbstractButton, button), LEFT)
+    shown = [
+        child
+        for child in window.findChildren(QWidget)
+        if type(child).__name__ == dialog and child.isVisible()
+    ]
+    assert len(shown) == 1
+    shown[0].close()
+
+
+def test_settings_reach_the_window(window, store, view, controller, qtbot):
+    controller.be_ready()
+    store.change(jog_step_deg=2.5)
+    qtbot.mouseClick(window.findChild(QPushButton, "jog_plus_3"), LEFT)
+    assert controller.calls == [("jog", 3, 2.5)]
+    store.change(urdf_path="/robots/other.urdf")
+    assert view.robot == Path("/robots/other.urdf")
+    store.change(urdf_path=None)
+    assert view.robot.name == "piper.urdf"
+
+
+def test_the_view_takes_the_theme(qapp, window, view):
+    assert view.palette_shown is palette.LIGHT
+    apply_theme(qapp, Theme.DARK)
+    assert view.palette_shown is palette.DARK
+    apply_theme(qapp, Theme.LIGHT)
+    assert view.palette_shown is palette.LIGHT
+
+
+def test_language_changes_while_running(qapp, window):
+    send = window.findChild(QPushButton, "send_button")
+    translator = Translator(qapp)
+    assert send.text() == "Send"
+    translator.set_language("zh")
+    qapp.processEvents()
+    try:
+        shown = {
+            name: window.findChild(QAbstractButton, name).text().strip()
+            for name in (
+                "home_button",
+                "load_button",
+                "send_button",
+                "stop_button",
+                "menu_motion",
+                "help_button",
+                "reset_view_button",
+                "settings_button",
+                "communication_button",
+            )
+        }
+        assert list(shown.values()) == [
+            "回零",
+            "装载",
+            "发送",
+            "急停",
+            "运动控制",
+            "使用帮助",
+            "视角还原",
+            "设置",
+            "未连接",
+        ]
+        assert send.shortcut().toString() == "Ctrl+Return"
+    finally:
+        translator.set_language("en")
+    qapp.processEvents()
+    assert send.text() == "Send"
+
+
+@pytest.mark.parametrize("language", ["zh", "en"])
+def test_nothing_is_cut_off_at_1280_by_800(qapp, window, controller, language):
+    translator = Translator(qapp)
+    translator.set_language(language)
+    controller.be_ready()
+    qapp.processEvents()
+    try:
+        cut = [
+            button.objectName()
+            for button in window.findChildren(QAbstractButton)
+            if button.isVisible()
+            and button.objectName() in NAMED
+            and button.width() < button.fontMetrics().horizontalAdvance(button.text())
+        ]
+        assert cut == []
+        assert window.size().toTuple() == (1280, 800)
+        message = window.findChild(QWidget, "motion_message")
+        bottom = message.mapTo(window, message.rect().bottomLeft()).y()
+        assert bottom < window.findChild(QWidget, "status_bar").geometry().top() + 1
+    finally:
+        translator.set_language("en")
+        qapp.processEvents()
+
+
+def questions(window):
+    return [child for child in window.findChildren(ConfirmDialog) if child.isVisible()]
+
+
+def test_closing_while_the_arm_moves_asks(window, controller, qtbot):
+    controller.be(situation(moving=True))
+    assert not window.close()
+    (question,) = questions(window)
+    assert "does not stop" in question.text()
+    qtbot.mouseClick(question.cancel_button, LEFT)
+    assert window.isVisible()
+    window.close()
+    qtbot.mouseClick(questions(window)[0].action_button, LEFT)
+    assert not window.isVisible()
+
+
+def test_closing_at_rest_just_closes(window, controller):
+    controller.be(situation())
+    controller.hear(arm_state())
+    assert window.close()
+    assert not questions(window)

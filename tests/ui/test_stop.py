@@ -1,0 +1,185 @@
+"""The emergency stop, M6: at the press, from everywhere, never asked about."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QDialog, QLineEdit, QVBoxLayout, QWidget
+
+from armui.control.situation import Situation, StopState
+from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.widgets.stop_button import StopButton
+from armui.ui.widgets.stop_shortcut import StopShortcut
+from tests.ui.conftest import situation
+
+LEFT = Qt.MouseButton.LeftButton
+
+
+@pytest.fixture
+def host(qtbot):
+    window = QWidget()
+    QVBoxLayout(window)
+    qtbot.addWidget(window)
+    return window
+
+
+@pytest.fixture
+def button(host, controller):
+    button = StopButton(controller)
+    host.layout().addWidget(button)
+    host.show()
+    return button
+
+
+def questions(host):
+    return [dialog for dialog in host.findChildren(ConfirmDialog) if dialog.isVisible()]
+
+
+def test_stops_when_pressed_not_when_let_go(button, controller, qtbot):
+    qtbot.mousePress(button, LEFT)
+    assert controller.calls == [("emergency_stop",)]
+    qtbot.mouseRelease(button, LEFT)
+    assert controller.calls == [("emergency_stop",)]
+
+
+def test_stops_by_space(button, controller, qtbot):
+    button.setFocus()
+    qtbot.keyClick(button, Qt.Key.Key_Space)
+    assert controller.calls == [("emergency_stop",)]
+
+
+@pytest.mark.parametrize(
+    "now",
+    [
+        Situation(),
+        situation(stop=StopState.RUNNING),
+        situation(stop=StopState.REQUESTED),
+        situation(stop=StopState.REQUESTED, stop_unconfirmed=True),
+        situation(stop=StopState.RESUMING),
+    ],
+)
+def test_always_enabled_and_stops_unless_the_arm_is_stopped(button, controller, host, qtbot, now):
+    controller.be(now)
+    assert button.isEnabled()
+    qtbot.mouseClick(button, LEFT)
+    assert controller.calls == [("emergency_stop",)]
+    assert not questions(host)
+
+
+def test_every_state_has_its_word(button, controller):
+    words = []
+    for now in (
+        situation(),
+        situation(stop=StopState.REQUESTED),
+        situation(stop=StopState.REQUESTED, stop_unconfirmed=True),
+        situation(stop=StopState.STOPPED),
+        situation(stop=StopState.RESUMING),
+    ):
+        controller.be(now)
+        words.append(button.text())
+    assert words == ["Emergency stop", "Stopping…", "Stop unconfirmed", "Resume", "Resuming…"]
+
+
+def test_recovery_is_asked_about_and_says_that_the_arm_drops(button, controller, host, qtbot):
+    controller.be(situation(stop=StopState.STOPPED))
+    qtbot.mouseClick(button, LEFT)
+    (question,) = questions(host)
+    assert controller.calls == []
+    assert "drop" in question.text()
+    assert "Hold the arm" in question.text()
+    qtbot.mouseClick(question.action_button, LEFT)
+    assert controller.calls == [("resume",)]
+
+
+def test_recovery_can_be_declined(button, controller, host, qtbot):
+    controller.be(situation(stop=StopState.STOPPED))
+    qtbot.mouseClick(button, LEFT)
+    (question,) = questions(host)
+    qtbot.keyClick(question, Qt.Key.Key_Escape)
+    assert controller.calls == []
+    assert not questions(host)
+
+
+def test_quick_presses_all_mean_stop(button, controller, host):
+    # the arm stops between the two presses of one alarmed hand
+    QTest.mousePress(button, LEFT)
+    controller.be(situation(stop=StopState.STOPPED))
+    QTest.mouseDClick(button, LEFT)
+    assert set(controller.calls) == {("emergency_stop",)}
+    assert len(controller.calls) >= 2
+    assert not questions(host)
+
+
+def test_the_stop_of_a_question_never_asks(host, controller, qtbot):
+    button = StopButton(controller, host, may_resume=False)
+    controller.be(situation(stop=StopState.STOPPED))
+    assert button.text() == "Emergency stop"
+    qtbot.mouseClick(button, LEFT)
+    assert controller.calls == [("emergency_stop",)]
+    assert not questions(host)
+
+
+def test_the_bar_stands_still(button, controller):
+    sizes = set()
+    for stop in StopState:
+        controller.be(situation(stop=stop))
+        sizes.add(button.sizeHint().toTuple())
+    assert len(sizes) == 1
+
+
+def test_stopped_looks_different(button, controller):
+    def middle():
+        return button.grab().toImage().pixelColor(6, button.height() // 2)
+
+    red = middle()
+    controller.be(situation(stop=StopState.STOPPED))
+    assert red.red() > 180
+    assert red.green() < 80
+    assert middle().green() > 200
+
+
+@pytest.fixture
+def shortcut(qapp, controller):
+    shortcut = StopShortcut(qapp, controller)
+    yield shortcut
+    qapp.removeEventFilter(shortcut)
+    shortcut.deleteLater()
+
+
+@pytest.mark.parametrize("key", [Qt.Key.Key_F12, Qt.Key.Key_Pause])
+def test_keys_stop_from_any_field(host, shortcut, controller, qtbot, key):
+    field = QLineEdit("text")
+    host.layout().addWidget(field)
+    host.show()
+    qtbot.keyClick(field, key)
+    assert controller.calls == [("emergency_stop",)]
+    assert field.text() == "text"
+
+
+@pytest.mark.usefixtures("shortcut")
+def test_keys_stop_under_a_modal_dialog(host, controller, qtbot):
+    host.show()
+    dialog = QDialog(host)
+    dialog.setModal(True)
+    dialog.show()
+    qtbot.keyClick(dialog, Qt.Key.Key_F12)
+    qtbot.keyClick(host, Qt.Key.Key_F12)
+    assert controller.calls == [("emergency_stop",)] * 2
+
+
+@pytest.mark.usefixtures("shortcut")
+def test_a_key_never_resumes(button, controller, host, qtbot):
+    controller.be(replace(situation(), stop=StopState.STOPPED))
+    qtbot.keyClick(button, Qt.Key.Key_F12)
+    assert controller.calls == [("emergency_stop",)]
+    assert not questions(host)
+
+
+@pytest.mark.usefixtures("shortcut")
+def test_other_keys_pass(host, controller, qtbot):
+    field = QLineEdit()
+    host.layout().addWidget(field)
+    qtbot.keyClicks(field, "12.5")
+    assert field.text() == "12.5"
+    assert controller.calls == []

@@ -1,0 +1,194 @@
+"""Regions 1, 3 and 4: communication, speed, enable (M1–M5)."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QSpinBox
+
+from armui.arm.refusal import Refusal
+from armui.control.situation import Busy, LinkState, Situation
+from armui.protocol.database import Generation
+from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.top_bar import TopBar
+from armui.ui.widgets.communication_button import CommunicationButton
+from armui.ui.widgets.enable_button import EnableButton
+from armui.ui.widgets.track_slider import TrackSlider
+from armui.ui.widgets.value_label import ValueLabel
+from tests.ui.conftest import arm_state, situation
+
+LEFT = Qt.MouseButton.LeftButton
+
+
+@pytest.fixture
+def opened():
+    return []
+
+
+@pytest.fixture
+def bar(qtbot, controller, opened):
+    bar = TopBar(controller, lambda: opened.append("connect"))
+    qtbot.addWidget(bar)
+    bar.resize(1280, 64)
+    bar.show()
+    return bar
+
+
+@pytest.fixture
+def communication(bar):
+    return bar.findChild(CommunicationButton, "communication_button")
+
+
+@pytest.fixture
+def enable(bar):
+    return bar.findChild(EnableButton, "enable_button")
+
+
+@pytest.fixture
+def slider(bar):
+    return bar.findChild(TrackSlider, "speed_slider")
+
+
+@pytest.fixture
+def field(bar):
+    return bar.findChild(QSpinBox, "speed_field")
+
+
+def test_communication_button_opens_the_connect_window(communication, opened, qtbot):
+    qtbot.mouseClick(communication, LEFT)
+    assert opened == ["connect"]
+
+
+def test_every_link_state_has_its_own_word_and_look(communication, controller):
+    words, looks = [], []
+    for link in LinkState:
+        controller.be(situation(link=link))
+        words.append(communication.text())
+        sign = communication.grab(communication.rect().adjusted(0, 0, -150, 0)).toImage()
+        # in greys: the shape alone has to tell the states apart
+        looks.append(sign.convertToFormat(sign.Format.Format_Grayscale8))
+    assert words == ["Not connected", "Connecting…", "Offline", "Online", "Connection lost"]
+    for place, look in enumerate(looks):
+        assert all(look != other for other in looks[:place])
+
+
+def test_the_device_is_named(communication, controller):
+    assert communication.device_name == ""
+    controller.be(situation())
+    assert "1" in communication.device_name
+    assert communication.device_name in communication.toolTip()
+
+
+def test_speed_by_field(field, controller, qtbot):
+    controller.be(situation())
+    field.setFocus()
+    field.selectAll()
+    qtbot.keyClicks(field, "55")
+    assert controller.calls == []
+    qtbot.keyClick(field, Qt.Key.Key_Return)
+    assert controller.calls == [("set_speed_percent", 55)]
+
+
+def test_speed_by_keys_on_the_slider(slider, field, controller, qtbot):
+    controller.be(situation())
+    qtbot.keyClick(slider, Qt.Key.Key_Right)
+    qtbot.keyClick(slider, Qt.Key.Key_PageUp)
+    assert controller.calls == [("set_speed_percent", 31), ("set_speed_percent", 41)]
+    assert field.value() == 41
+    assert slider.wish == 41
+
+
+def test_a_click_beside_the_handle_goes_a_page_only(slider, controller, qtbot):
+    controller.be(situation())
+    right_end = slider.rect().center()
+    right_end.setX(slider.width() - 12)
+    qtbot.mouseClick(slider, LEFT, pos=right_end)
+    assert controller.calls == [("set_speed_percent", 40)]
+
+
+def test_a_drag_sends_once_when_the_handle_is_let_go(slider, field, controller, qtbot):
+    controller.be(situation())
+
+    def at(percent):
+        middle = slider.rect().center()
+        middle.setX(round(9 + percent / 100 * (slider.width() - 18)))
+        return middle
+
+    qtbot.mousePress(slider, LEFT, pos=at(30))
+    for percent in (40, 50, 60):
+        qtbot.mouseMove(slider, at(percent))
+    assert controller.calls == []
+    shown = field.value()
+    assert shown == pytest.approx(60, abs=1)
+    qtbot.mouseRelease(slider, LEFT, pos=at(60))
+    assert controller.calls == [("set_speed_percent", shown)]
+
+
+def test_a_refused_speed_is_not_shown_as_a_fact(field, slider, controller, qtbot):
+    controller.be(situation())
+    controller.answer = Refusal("speed_out_of_range", {"value": 60})
+    field.setValue(60)
+    assert field.value() == 30
+    assert slider.wish == 30
+
+
+def test_the_arm_s_own_speed_stands_beside(bar, slider, controller):
+    own = bar.findChild(ValueLabel, "arm_speed")
+    assert own.text() == "—"
+    controller.be_ready()
+    controller.hear(arm_state(speed_percent=12, sequence=2))
+    assert own.text() == "12 %"
+    assert slider.measured == 12
+
+
+def test_generation_2_does_not_tell_its_speed(bar, controller):
+    own = bar.findChild(ValueLabel, "arm_speed")
+    controller.be(situation(generation=Generation.TWO))
+    controller.hear(arm_state(speed_percent=None))
+    assert own.text() == "—"
+    assert "does not report" in own.toolTip()
+
+
+@pytest.mark.parametrize(
+    ("marks", "busy", "word"),
+    [
+        ((True,) * 6, None, "Enabled"),
+        ((False,) * 6, None, "Disabled"),
+        ((True, False, True, True, True, True), None, "Partly enabled"),
+        ((True, None, True, True, True, True), None, "Partly enabled"),
+        ((None,) * 6, None, "Unknown"),
+        ((False, None, False, False, False, False), None, "Unknown"),
+        ((False,) * 6, Busy.ENABLING, "Enabling…"),
+        ((True,) * 6, Busy.DISABLING, "Disabling…"),
+    ],
+)
+def test_enable_button_shows_the_six_joints(enable, controller, marks, busy, word):
+    controller.be(situation(enabled=marks, busy=busy))
+    assert enable.marks == marks
+    assert enable.text() == word
+
+
+@pytest.mark.parametrize("marks", [(False,) * 6, (True,) * 5 + (False,), (None,) * 6])
+def test_a_click_enables_unless_all_are_enabled(enable, controller, qtbot, marks):
+    controller.be(situation(enabled=marks))
+    qtbot.mouseClick(enable, LEFT)
+    assert controller.calls == [("enable_motors",)]
+
+
+def test_disabling_says_first_that_the_arm_drops(bar, enable, controller, qtbot):
+    controller.be(situation())
+    qtbot.mouseClick(enable, LEFT)
+    assert controller.calls == []
+    (question,) = bar.findChildren(ConfirmDialog)
+    assert "drop" in question.text()
+    qtbot.mouseClick(question.action_button, LEFT)
+    assert controller.calls == [("disable_motors",)]
+
+
+def test_what_cannot_be_enabled_says_why(enable, controller):
+    controller.be(Situation())
+    assert not enable.isEnabled()
+    assert "connected" in enable.toolTip()
+    controller.be(situation(cannot_enable=Refusal("stopped")))
+    assert "emergency stop" in enable.toolTip()
+    controller.be(situation())
+    assert enable.isEnabled()
+    assert "drop" in enable.toolTip()
