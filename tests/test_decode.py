@@ -446,7 +446,7 @@ def test_auto_knows_generation_1_by_its_short_frames(tmp_path, capsys):
     assert decode(log) == 0
     output = capsys.readouterr()
     assert "MaxSpeed=300 rpm" in output.out
-    assert "read as generation 1: 1 frames fit only generation 1" in output.err
+    assert "read as generation 1: frames that fit only this generation: 1" in output.err
 
 
 def test_auto_reports_damaged_lines_once(tmp_path, capsys):

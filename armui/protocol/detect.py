@@ -81,8 +81,8 @@ class GenerationDetector:
             winner = Generation.TWO if two > one else Generation.ONE
             return Verdict(
                 winner,
-                f"{max(one, two)} frames fit only generation {int(winner)} "
-                f"and {min(one, two)} only the other",
+                f"frames that fit only this generation: {max(one, two)}, "
+                f"only the other: {min(one, two)}",
             )
         if self._intervals_s:
             period_s = statistics.median(self._intervals_s)

@@ -54,7 +54,7 @@ def test_the_question_for_the_version_proves_nothing():
 def test_one_frame_that_only_generation_2_sends(arbitration_id, payload):
     verdict = detect((0.0, arbitration_id, payload)).verdict()
     assert verdict.generation is Generation.TWO
-    assert "1 frames fit only generation 2" in verdict.reason
+    assert verdict.reason == "frames that fit only this generation: 1, only the other: 0"
 
 
 @pytest.mark.parametrize(("arbitration_id", "payload"), [(0x158, "01"), (0x470, "FC 00 00 00")])
