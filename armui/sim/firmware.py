@@ -6,11 +6,12 @@ protocol text and what is known of the maker's firmware.
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Final
 
-from armui.arm.limits import JOINTS, check_joint
+from armui.arm.limits import JOINTS
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec, Oddity, OddityKind
 from armui.protocol.codes import (
@@ -33,14 +34,14 @@ from armui.sim.desk import SettingsDesk, Signals
 from armui.sim.drivers import Drivers
 from armui.sim.feedback import Feedback
 from armui.sim.gripper import Gripper
+from armui.sim.joint_moves import JointMoves
 from armui.sim.limp import Limp
-from armui.sim.motion import JOINT_COUNT, MotionError, SixValues
+from armui.sim.motion import JOINT_COUNT, SixValues
 from armui.sim.schedule import Schedule
 from armui.sim.settings import Settings
 
 _NS_PER_S: Final = 1_000_000_000
 _ALL_INDICES: Final = range(JOINT_COUNT)
-_TARGET_FRAMES: Final = 3
 _VERSION_PREFIX: Final = "PiPER "
 _VERSION_REQUEST: Final = 1
 
@@ -56,7 +57,6 @@ class Firmware:
         gripper: The gripper.
         settings: The values the arm keeps.
         ignored: How many frames were not understood, by kind.
-        targets_deg: The last joint targets it took on.
     """
 
     def __init__(
@@ -82,23 +82,19 @@ class Firmware:
         self.gripper = Gripper()
         self.settings = Settings()
         self.ignored: Counter[OddityKind] = Counter()
-        self.targets_deg: SixValues = self.body.positions_deg
         self._version = version
         self._silent = False
         self._now_ns = 0
         self._schedule = Schedule(generation)
         self._readdressing: Addressing | None = None
-        self._staged = list(self.body.positions_deg)
-        self._fresh: set[str] = set()
-        self._waiting: SixValues | None = None
-        self._goal: SixValues | None = None
+        self._moves = JointMoves(self.body, self.condition, self.settings)
         self._speak(Addressing())
         self._handlers: dict[str, Callable[[Signals], list[Frame]]] = {
             "MotionCommand": self._motion_command,
             "ModeControl": self._mode_control,
-            "JointTarget12": lambda signals: self._joint_target("12", signals),
-            "JointTarget34": lambda signals: self._joint_target("34", signals),
-            "JointTarget56": lambda signals: self._joint_target("56", signals),
+            "JointTarget12": self._joint_target,
+            "JointTarget34": self._joint_target,
+            "JointTarget56": self._joint_target,
             "GripperCommand": self._gripper_command,
             "LinkageSetting": self._linkage_setting,
             "MotorEnable": self._motor_enable,
@@ -110,6 +106,11 @@ class Firmware:
     def joints_deg(self) -> SixValues:
         """Where the joints are."""
         return self.body.positions_deg
+
+    @property
+    def targets_deg(self) -> SixValues:
+        """The last joint targets it took on."""
+        return self._moves.targets_deg
 
     @property
     def enabled(self) -> tuple[bool, ...]:
@@ -198,7 +199,7 @@ class Firmware:
         Raises:
             ValueError: Time cannot run backwards.
         """
-        if not dt_s >= 0.0:
+        if not 0.0 <= dt_s < math.inf:
             raise ValueError(f"dt_s is {dt_s}; give a time from 0 up")
         end_ns = self._now_ns + round(dt_s * _NS_PER_S)
         frames: list[Frame] = []
@@ -215,7 +216,7 @@ class Firmware:
         """Breaks or mends the connection between the controller and a joint (1–6)."""
         self.condition.communication_fault[joint - 1] = present
         if present:
-            self._cut_motion_short()
+            self._moves.cut_short()
 
     def _advance(self, to_ns: int) -> None:
         dt_s = (to_ns - self._now_ns) / _NS_PER_S
@@ -224,9 +225,7 @@ class Firmware:
         self._now_ns = to_ns
         self.body.advance(dt_s, self.settings.limits)
         self.gripper.advance(dt_s)
-        if self._goal is not None and self.body.positions_deg == self._goal:
-            self._goal = None
-            self.condition.motion_state = MotionState.REACHED
+        self._moves.time_passed()
 
     def _measure(self, names: list[str]) -> None:
         """Lets the drivers measure before the frames of these names are made."""
@@ -244,15 +243,13 @@ class Firmware:
         self._desk = SettingsDesk(self._codec, self.settings)
         self._feedback = Feedback(self._codec, self)
 
-    # -- motion ----------------------------------------------------------------------------
-
     def _motion_command(self, signals: Signals) -> list[Frame]:
         if signals["EmergencyStop"] == StopCommand.EMERGENCY_STOP:
-            self._forget_targets()
+            self._moves.forget()
             self.body.power_off(_ALL_INDICES, Limp.DAMPED)
             self.condition.stopped = True
         elif signals["EmergencyStop"] == StopCommand.RESUME:
-            self._forget_targets()
+            self._moves.forget()
             self.body.power_off(_ALL_INDICES, Limp.FREE)
             self.condition.clear_errors()
             self._enter(ControlMode.STANDBY)
@@ -264,12 +261,11 @@ class Firmware:
         self.condition.move_mode = MoveMode(int(signals["MoveMode"]))
         self.condition.speed_percent = int(signals["SpeedPercent"])
         self._enter(ControlMode(int(signals["ControlMode"])))
-        if not self.condition.obeys_joint_targets:
-            self._cut_motion_short()
-        elif self._waiting is not None:
-            self._pursue(self._waiting)
-        elif self._goal is not None:
-            self._drive()
+        self._moves.mode_changed()
+        return []
+
+    def _joint_target(self, signals: Signals) -> list[Frame]:
+        self._moves.take({int(name[1:]): angle_deg for name, angle_deg in signals.items()})
         return []
 
     def _enter(self, control_mode: ControlMode) -> None:
@@ -278,91 +274,17 @@ class Firmware:
             self._speak(self._readdressing)
             self._readdressing = None
 
-    def _joint_target(self, joints: str, signals: Signals) -> list[Frame]:
-        """Takes a third of a target; nothing is kept for an arm that cannot move.
-
-        So neither enabling the motors nor ending a stop ever sets an arm in motion.
-        """
-        if not self._may_move():
-            return []
-        for joint in joints:
-            self._staged[int(joint) - 1] = signals[f"J{joint}"]
-        self._fresh.add(joints)
-        if len(self._fresh) == _TARGET_FRAMES:
-            self._fresh.clear()
-            self._waiting = tuple(self._staged)
-            if self.condition.obeys_joint_targets:
-                self._pursue(self._waiting)
-        return []
-
-    def _may_move(self) -> bool:
-        condition = self.condition
-        return (
-            all(self.body.powered)
-            and not condition.stopped
-            and not any(condition.communication_fault)
-        )
-
-    def _pursue(self, target_deg: SixValues) -> None:
-        """Takes on a complete target, or refuses it and stays."""
-        self._waiting = None
-        self.condition.beyond_limit = [
-            check_joint(joint, angle_deg, limits) is not None
-            for joint, angle_deg, limits in zip(
-                JOINTS, target_deg, self.settings.limits, strict=True
-            )
-        ]
-        if any(self.condition.beyond_limit):
-            self._cut_motion_short()
-            return
-        self.condition.no_solution = False
-        self.targets_deg = target_deg
-        self._goal = target_deg
-        self._drive()
-
-    def _drive(self) -> None:
-        """Plans towards the goal with the present speed percentage; at 0 % there is no motion."""
-        if self._goal is None:
-            return
-        accelerations = self.settings.accelerations_deg_s2
-        share = self.condition.speed_percent / 100.0
-        if not share:
-            self.body.brake(accelerations)
-            return
-        speeds = [share * limits.max_speed_deg_s for limits in self.settings.limits]
-        try:
-            self.body.move_to(self._goal, speeds, accelerations)
-        except MotionError:
-            self.body.halt()
-            self._goal = None
-            self.condition.no_solution = True
-            return
-        if self.body.moving:
-            self.condition.motion_state = MotionState.NOT_REACHED
-        else:
-            self._goal = None
-            self.condition.motion_state = MotionState.REACHED
-
-    def _cut_motion_short(self) -> None:
-        self._goal = None
-        self.body.brake(self.settings.accelerations_deg_s2)
-
-    def _forget_targets(self) -> None:
-        self._goal = None
-        self._waiting = None
-        self._fresh.clear()
-
-    # -- power, gripper, bus ---------------------------------------------------------------
-
     def _motor_enable(self, signals: Signals) -> list[Frame]:
         joint = int(signals["Joint"])
         indices = _ALL_INDICES if joint == ALL_JOINTS else range(joint - 1, joint)
-        if signals["Action"] == MotorAction.DISABLE:
-            self._forget_targets()
-            self._cut_motion_short()
-            self.body.power_off(indices, Limp.FREE)
-        elif not self.condition.stopped:
+        if self.condition.stopped:
+            pass  # the motors stay off and damped until the stop is resumed
+        elif signals["Action"] == MotorAction.ENABLE:
             self.body.power_on(indices)
+        else:
+            self._moves.forget()
+            self._moves.cut_short()
+            self.body.power_off(indices, Limp.FREE)
         return [self._desk.answer(SettingIndex.MOTOR_ENABLE)]
 
     def _gripper_command(self, signals: Signals) -> list[Frame]:

@@ -30,13 +30,12 @@ STANDSTILL: Final[SixValues] = (0.0,) * JOINT_COUNT
 SLOWEST_DEG_S: Final = 0.05
 """No plan is slower: ruckig refuses motions that take more than two hours."""
 
-
 _SLACKS: Final = (1.0, 1.0 + 1e-7, 1.0 + 1e-5)
 """Factors on the acceleration, tried in this order."""
 
 
 class MotionError(RuntimeError):
-    """The planner refused its input: a fault of this program, not of the host's frames."""
+    """The planner found no way, as with an acceleration of 0."""
 
 
 class JointMotion:

@@ -223,3 +223,11 @@ def test_a_stop_in_the_middle_of_a_drop_catches_it_with_damping() -> None:
     arm.step(1.0)
     assert fast > 20.0
     assert 0.0 < arm.body.speeds_deg_s[1] <= 5.0
+
+
+def test_disabling_a_stopped_arm_does_not_undo_the_damping() -> None:
+    arm = ready(joints_deg=LEANING)
+    tell(arm, STOP)
+    assert tell(arm, DISABLE) == ["476#7100000000000000"]
+    arm.step(1.0)
+    assert 0.0 < arm.body.speeds_deg_s[1] <= 5.0
