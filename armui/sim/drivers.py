@@ -6,7 +6,6 @@ motion, no more.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from math import radians
 from typing import Final
 
@@ -22,6 +21,8 @@ _FRICTION_NM_S_RAD: Final = (0.8, 0.8, 0.8, 0.3, 0.3, 0.3)
 _SUPPLY_V: Final = 24.0
 _SUPPLY_NOISE_V: Final = 0.1
 _LINE_RESISTANCE_OHM: Final = 0.02
+_VOLTAGE_DIGITS: Final = 1
+"""The voltmeter's resolution, that of the protocol."""
 _IDLE_A: Final = 0.05
 
 _COLD_C: Final = 31.0
@@ -47,6 +48,7 @@ class Drivers:
         self._ambient_c = [
             _COLD_C + _SPREAD_C * float(share) for share in self._noise.random(JOINT_COUNT)
         ]
+        self._measured: tuple[SixValues, SixValues, SixValues, tuple[bool, ...]] | None = None
         self._speeds_rad_s: SixValues = STANDSTILL
         self._torques_nm: SixValues = STANDSTILL
         self.currents_a: SixValues = STANDSTILL
@@ -55,12 +57,16 @@ class Drivers:
 
     def measure(
         self,
-        positions_deg: Sequence[float],
-        speeds_deg_s: Sequence[float],
-        accelerations_deg_s2: Sequence[float],
-        powered: Sequence[bool],
+        positions_deg: SixValues,
+        speeds_deg_s: SixValues,
+        accelerations_deg_s2: SixValues,
+        powered: tuple[bool, ...],
     ) -> None:
         """Takes the currents from the present motion."""
+        measured = positions_deg, speeds_deg_s, accelerations_deg_s2, powered
+        if measured == self._measured:
+            return
+        self._measured = measured
         gravity = gravity_torques_nm(positions_deg)
         self._speeds_rad_s = tuple(map(radians, speeds_deg_s))
         self._torques_nm = tuple(
@@ -93,7 +99,8 @@ class Drivers:
     def voltage_v(self) -> float:
         """One reading of the supply: noise, and a drop that grows with the load."""
         drop_v = _LINE_RESISTANCE_OHM * sum(map(abs, self.currents_a))
-        return _SUPPLY_V - drop_v + _SUPPLY_NOISE_V * float(self._noise.uniform(-1.0, 1.0))
+        noise_v = _SUPPLY_NOISE_V * float(self._noise.uniform(-1.0, 1.0))
+        return round(_SUPPLY_V - drop_v + noise_v, _VOLTAGE_DIGITS)
 
     def bus_current_a(self, index: int) -> float:
         """What one driver draws from the supply."""

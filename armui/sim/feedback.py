@@ -160,8 +160,8 @@ class Feedback:
         return self._cache.frame(
             f"DriverSlow{joint}",
             Voltage=drivers.voltage_v(),
-            DriverTemperature=drivers.driver_temperatures_c[index],
-            MotorTemperature=drivers.motor_temperatures_c[index],
+            DriverTemperature=round(drivers.driver_temperatures_c[index]),
+            MotorTemperature=round(drivers.motor_temperatures_c[index]),
             Enabled=self._arm.body.powered[index],
             Homed=1,
             BusCurrent=drivers.bus_current_a(index) if self._first_generation else 0.0,
