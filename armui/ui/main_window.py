@@ -9,10 +9,8 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QEvent, QSize, Qt
 from PySide6.QtGui import QCloseEvent, QShowEvent
 from PySide6.QtWidgets import (
-    QFrame,
     QHBoxLayout,
     QMainWindow,
-    QScrollArea,
     QSplitter,
     QStackedWidget,
     QVBoxLayout,
@@ -20,9 +18,10 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.state import ArmState
-from armui.control.situation import LinkState, Situation
+from armui.control.situation import Situation
 from armui.paths import URDF
 from armui.ui.dialogs.confirm import confirm
+from armui.ui.freshness import is_stale
 from armui.ui.panels.motion_panel import MotionPanel
 from armui.ui.side_menu import MenuEntry, SideMenu
 from armui.ui.status_bar import StatusBar
@@ -40,7 +39,6 @@ if TYPE_CHECKING:
 
 _BUILT_IN_ROBOT: Final = URDF / "piper.urdf"
 _FIRST_SIZE: Final = QSize(1440, 900)
-_SMALLEST_SIZE: Final = QSize(1180, 720)
 _PANEL_WIDTH_PX: Final = 440
 
 
@@ -75,8 +73,7 @@ class MainWindow(QMainWindow):
         self._view_region = ViewRegion(view)
         self._lay_out()
         self._connect()
-        self.resize(_FIRST_SIZE)
-        self.setMinimumSize(_SMALLEST_SIZE)
+        self.resize(_FIRST_SIZE.boundedTo(self.screen().availableSize()))
         self.retranslate_ui()
         self._color_view()
 
@@ -87,7 +84,7 @@ class MainWindow(QMainWindow):
         self._panels = QStackedWidget()
         self._panels.setObjectName("operation_area")
         for entry in self._entries:
-            self._panels.addWidget(_scrolled(entry.make_panel()))
+            self._panels.addWidget(entry.make_panel())
         self._panels.setMinimumWidth(_PANEL_WIDTH_PX - 40)
 
         splitter = QSplitter(Qt.Orientation.Horizontal)
@@ -136,23 +133,14 @@ class MainWindow(QMainWindow):
     def _show_in_view(self, state: ArmState) -> None:
         if not self.isVisible():
             return
-        now_s = state.last_feedback_s
-        offline = self._controller.situation.link is not LinkState.ONLINE
-
-        def stale(heard: tuple[object | None, ...], times_s: list[float]) -> bool:
-            return bool(heard) and (offline or now_s is None or now_s - min(times_s) > 0.5)
-
-        joints = [heard for heard in state.joints_deg if heard is not None]
+        situation = self._controller.situation
+        joints_stale, pose_stale = (
+            any(is_stale(heard, state, situation) for heard in six)
+            for six in (state.joints_deg, state.pose)
+        )
         gripper_mm = None if state.gripper is None else state.gripper.value.opening_mm
-        self._view.set_joints(
-            state.angles_deg(),
-            gripper_mm,
-            stale=stale(tuple(joints), [heard.at_s for heard in joints]),
-        )
-        parts = [heard for heard in state.pose if heard is not None]
-        self._view.set_pose(
-            state.end_pose(), stale=stale(tuple(parts), [heard.at_s for heard in parts])
-        )
+        self._view.set_joints(state.angles_deg(), gripper_mm, stale=joints_stale)
+        self._view.set_pose(state.end_pose(), stale=pose_stale)
 
     def _color_view(self) -> None:
         dark = colors_of(self) is DARK
@@ -245,13 +233,3 @@ class MainWindow(QMainWindow):
     def _close_now(self) -> None:
         self._may_close = True
         self.close()
-
-
-def _scrolled(panel: QWidget) -> QScrollArea:
-    """A panel that scrolls where the screen is too small for it, instead of being squeezed."""
-    area = QScrollArea()
-    area.setFrameShape(QFrame.Shape.NoFrame)
-    area.setWidgetResizable(True)
-    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    area.setWidget(panel)
-    return area

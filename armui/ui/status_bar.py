@@ -10,10 +10,11 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 
 from armui.arm.limits import JOINTS
 from armui.arm.state import ArmState, Status
-from armui.control.situation import Level, LinkState, Notice, Situation
+from armui.control.situation import Level, Notice, Situation
 from armui.protocol.codes import ArmStatusCode, TeachingState
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.freshness import is_stale
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.elided_label import ElidedLabel
@@ -110,9 +111,8 @@ class StatusBar(QWidget):
             self._show_status(self._controller.state)
 
     def _show_status(self, state: ArmState) -> None:
-        heard, now_s = state.status, state.last_feedback_s
-        online = self._controller.situation.link is LinkState.ONLINE
-        stale = heard is not None and (not online or now_s is None or not heard.fresh(now_s))
+        heard = state.status
+        stale = is_stale(heard, state, self._controller.situation)
         shown = (None if heard is None else heard.value, stale)
         if shown != self._shown:
             self._shown = shown

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeySequence, QShowEvent
 from PySide6.QtWidgets import (
     QComboBox,
@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QPushButton,
+    QScrollArea,
     QVBoxLayout,
     QWidget,
 )
@@ -20,9 +21,10 @@ from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.bus.adapters import Device
-from armui.control.situation import Level, LinkState, Situation
+from armui.control.situation import Level, Situation
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.freshness import is_stale
 from armui.ui.widgets.joint_row import JointRow
 from armui.ui.widgets.message_line import MessageLine
 
@@ -33,7 +35,19 @@ _STEPS_DEG: Final = (0.1, 1.0, 5.0, 10.0)
 _FAULTS: Final = frozenset({"stopped", "stop_requested", "arm_fault", "link_lost"})
 _FIELD_INDENT_PX: Final = 80
 _TALLEST_CARD_PX: Final = 600
+_LOWEST_CARD_PX: Final = 120
 _HOME_KEY, _LOAD_KEY, _SEND_KEY = "Ctrl+Shift+H", "Ctrl+L", "Ctrl+Return"
+
+
+def _scrolled(card: QFrame) -> QScrollArea:
+    """The joints scroll on a low screen, so that buttons and message stay where they are seen."""
+    area = QScrollArea()
+    area.setWidgetResizable(True)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    area.setWidget(card)
+    area.setMinimumHeight(_LOWEST_CARD_PX)
+    area.setMaximumHeight(_TALLEST_CARD_PX)
+    return area
 
 
 class MotionPanel(QWidget):
@@ -118,8 +132,7 @@ class MotionPanel(QWidget):
         layout.setContentsMargins(16, 14, 16, 14)
         layout.setSpacing(12)
         layout.addLayout(head)
-        card.setMaximumHeight(_TALLEST_CARD_PX)
-        layout.addWidget(card, 1)
+        layout.addWidget(_scrolled(card), 1)
         layout.addLayout(buttons)
         layout.addWidget(self._message)
         layout.addStretch(0)
@@ -216,14 +229,9 @@ class MotionPanel(QWidget):
             self._show_measured(state)
 
     def _show_measured(self, state: ArmState) -> None:
-        offline = self._situation.link is not LinkState.ONLINE
-        now_s = state.last_feedback_s
         for row, heard in zip(self._rows, state.joints_deg, strict=True):
-            if heard is None:
-                row.show_measured(None, stale=False)
-            else:
-                stale = offline or (now_s is not None and not heard.fresh(now_s))
-                row.show_measured(heard.value, stale=stale)
+            angle_deg = None if heard is None else heard.value
+            row.show_measured(angle_deg, stale=is_stale(heard, state, self._situation))
 
     def _fill_once(self, state: ArmState) -> None:
         """Load the first angles heard from a device, where the operator has not typed one."""

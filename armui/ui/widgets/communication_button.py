@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QColor, QFont, QFontMetrics, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
 from armui.bus.adapters import Device
@@ -16,6 +16,9 @@ from armui.ui.widgets import painting
 
 _SIGN_PX: Final = 8.0
 _WIDTH_PX: Final = 188
+_HEIGHT_PX: Final = 46
+_TEXT_LEFT_PX: Final = 12 + 2 * _SIGN_PX + 12
+_TEXT_RIGHT_PX: Final = 8
 
 
 class CommunicationButton(QAbstractButton):
@@ -27,7 +30,7 @@ class CommunicationButton(QAbstractButton):
         self._link = LinkState.NO_DEVICE
         self._device: Device | None = None
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         self.setAttribute(Qt.WidgetAttribute.WA_Hover)
         self.retranslate_ui()
 
@@ -49,13 +52,6 @@ class CommunicationButton(QAbstractButton):
 
     def retranslate_ui(self) -> None:
         """Put the word into the operator's language."""
-        words = {
-            LinkState.NO_DEVICE: self.tr("Not connected"),
-            LinkState.OPENING: self.tr("Connecting…"),
-            LinkState.OFFLINE: self.tr("Offline"),
-            LinkState.ONLINE: self.tr("Online"),
-            LinkState.LOST: self.tr("Connection lost"),
-        }
         tips = {
             LinkState.NO_DEVICE: self.tr("No CAN device is connected. Press to choose one."),
             LinkState.OPENING: self.tr("The CAN device is being opened."),
@@ -68,10 +64,20 @@ class CommunicationButton(QAbstractButton):
                 "The CAN device is gone. Plug it in again: it is reconnected by itself."
             ),
         }
-        self.setText(words[self._link])
+        self.setText(self._link_words()[self._link])
         self.setToolTip("\n".join(filter(None, (self.device_name, tips[self._link]))))
         self.setAccessibleName(f"{self.text()} {self.device_name}".strip())
+        self.updateGeometry()
         self.update()
+
+    def _link_words(self) -> dict[LinkState, str]:
+        return {
+            LinkState.NO_DEVICE: self.tr("Not connected"),
+            LinkState.OPENING: self.tr("Connecting…"),
+            LinkState.OFFLINE: self.tr("Offline"),
+            LinkState.ONLINE: self.tr("Online"),
+            LinkState.LOST: self.tr("Connection lost"),
+        }
 
     def changeEvent(self, event: QEvent) -> None:
         """Follow the language."""
@@ -81,11 +87,16 @@ class CommunicationButton(QAbstractButton):
 
     def sizeHint(self) -> QSize:
         """As large as it wants to be."""
-        return QSize(_WIDTH_PX, 46)
+        return self.minimumSizeHint().expandedTo(QSize(_WIDTH_PX, _HEIGHT_PX))
 
     def minimumSizeHint(self) -> QSize:
-        """No smaller than that."""
-        return self.sizeHint()
+        """The word is never cut; the device's name gives way."""
+        metrics = QFontMetrics(self._word_font())
+        word = max(metrics.horizontalAdvance(word) for word in self._link_words().values())
+        return QSize(int(_TEXT_LEFT_PX + word + _TEXT_RIGHT_PX) + 1, _HEIGHT_PX)
+
+    def _word_font(self) -> QFont:
+        return scaled_font(self, 1.05, bold=True)
 
     def _second_line(self) -> str:
         return self.device_name or self.tr("Choose a device")
@@ -99,29 +110,20 @@ class CommunicationButton(QAbstractButton):
         line = colors.accent if active or self.hasFocus() else colors.border
         painting.panel(painter, QRectF(self.rect()), fill, line, 2 if self.hasFocus() else 1)
         _draw_sign(painter, colors, QPointF(12 + _SIGN_PX, self.height() / 2), self._link)
-        left = 12 + 2 * _SIGN_PX + 12
-        width = self.width() - left - 10
         half = self.height() / 2
-        for font, color, text, top, where in (
-            (
-                scaled_font(self, 1.05, bold=True),
-                colors.text,
-                self.text(),
-                3.0,
-                Qt.AlignmentFlag.AlignBottom,
-            ),
-            (
-                scaled_font(self, 0.88),
-                colors.muted,
-                self._second_line(),
-                half + 1,
-                Qt.AlignmentFlag.AlignTop,
-            ),
-        ):
-            painter.setFont(font)
-            painter.setPen(QColor(color))
-            elided = QFontMetrics(font).elidedText(text, Qt.TextElideMode.ElideRight, int(width))
-            painter.drawText(QRectF(left, top, width, half - 3), where, elided)
+        width = self.width() - _TEXT_LEFT_PX - _TEXT_RIGHT_PX
+        painter.setFont(self._word_font())
+        painter.setPen(QColor(colors.text))
+        above = QRectF(_TEXT_LEFT_PX, 0, width, half)
+        painter.drawText(above, Qt.AlignmentFlag.AlignBottom, self.text())
+        font = scaled_font(self, 0.88)
+        name = QFontMetrics(font).elidedText(
+            self._second_line(), Qt.TextElideMode.ElideRight, int(width)
+        )
+        painter.setFont(font)
+        painter.setPen(QColor(colors.muted))
+        below = QRectF(_TEXT_LEFT_PX, half + 1, width, half)
+        painter.drawText(below, Qt.AlignmentFlag.AlignTop, name)
         painter.end()
 
 

@@ -15,8 +15,8 @@ from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import painting
 
 _MARK_PX: Final = 20.0
-_GAP_PX: Final = 5.0
-_PAD_PX: Final = 12.0
+_GAP_PX: Final = 4.0
+_PAD_PX: Final = 10.0
 
 
 class EnableButton(QAbstractButton):
@@ -92,7 +92,7 @@ class EnableButton(QAbstractButton):
     def sizeHint(self) -> QSize:
         """As large as it wants to be."""
         marks = len(JOINTS) * (_MARK_PX + _GAP_PX) - _GAP_PX
-        return QSize(int(2 * _PAD_PX + self._word_width() + 12 + marks), 40)
+        return QSize(int(2 * _PAD_PX + self._word_width() + _PAD_PX + marks), 40)
 
     def minimumSizeHint(self) -> QSize:
         """No smaller than that."""

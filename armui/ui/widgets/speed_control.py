@@ -11,6 +11,7 @@ from armui.arm.state import ArmState
 from armui.control.situation import Situation
 from armui.protocol.database import Generation
 from armui.ui import format as fmt
+from armui.ui.freshness import is_stale
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.value_label import ValueLabel
 
@@ -43,7 +44,7 @@ class SpeedControl(QWidget):
         self._field.setSuffix(" %")
         self._field.setKeyboardTracking(False)
         self._field.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._field.setMinimumWidth(84)
+        self._field.setMinimumWidth(70)
         self._field.setFixedHeight(34)
         self._label.setBuddy(self._field)
         self._arm_label = QLabel()
@@ -52,7 +53,7 @@ class SpeedControl(QWidget):
         self._arm_value.setObjectName("arm_speed")
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(10)
+        layout.setSpacing(8)
         layout.addWidget(self._label)
         layout.addWidget(self._slider, 1)
         layout.addWidget(self._field)
@@ -80,6 +81,7 @@ class SpeedControl(QWidget):
         if not self._slider.isSliderDown():
             self._show_setpoint()
         self._explain(situation.generation)
+        self._on_state_changed(self._controller.state)
 
     def _show_setpoint(self) -> None:
         percent = self._controller.situation.speed_percent
@@ -91,8 +93,7 @@ class SpeedControl(QWidget):
         if not self.isVisible():
             return
         percent = None if state.status is None else state.status.value.speed_percent
-        now_s = state.last_feedback_s
-        stale = state.status is not None and now_s is not None and not state.status.fresh(now_s)
+        stale = is_stale(state.status, state, self._controller.situation)
         self._arm_value.show_text(fmt.percent(percent), stale=stale)
         self._slider.show_measured(None if stale else percent)
 

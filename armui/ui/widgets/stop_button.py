@@ -17,7 +17,9 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
 _SIGN_PX: Final = 13.0
-_WIDTH_PX: Final = 196
+_WIDTH_PX: Final = 200
+_PADDING_PX: Final = 22.0
+_LEAST_PADDING_PX: Final = 10.0
 _HEIGHT_PX: Final = 52
 _WORD_SCALE: Final = 1.35
 _CAPTION_SCALE: Final = 0.82
@@ -47,7 +49,7 @@ class StopButton(QPushButton):
         self._hurried = False
         self.setAutoDefault(False)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
-        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         self.pressed.connect(self._on_pressed)
         controller.situation_changed.connect(self._on_situation_changed)
         self.retranslate_ui()
@@ -145,13 +147,16 @@ class StopButton(QPushButton):
 
     def sizeHint(self) -> QSize:
         """Room for the longest of its words, so that the bar stands still."""
-        metrics = QFontMetrics(scaled_font(self, _WORD_SCALE, bold=True))
-        width = max(metrics.horizontalAdvance(word) for word in self._all_words())
-        return QSize(max(_WIDTH_PX, width + int(2 * _SIGN_PX) + 48), _HEIGHT_PX)
+        return self._size(_PADDING_PX).expandedTo(QSize(_WIDTH_PX, _HEIGHT_PX))
 
     def minimumSizeHint(self) -> QSize:
-        """No smaller than that."""
-        return self.sizeHint()
+        """Its words with less room around them."""
+        return self._size(_LEAST_PADDING_PX)
+
+    def _size(self, padding_px: float) -> QSize:
+        metrics = QFontMetrics(scaled_font(self, _WORD_SCALE, bold=True))
+        width = max(metrics.horizontalAdvance(word) for word in self._all_words())
+        return QSize(int(2 * _SIGN_PX + _SIGN_GAP_PX + width + 2 * padding_px), _HEIGHT_PX)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw it."""

@@ -107,7 +107,7 @@ class TrackSlider(QSlider):
 
     def minimumSizeHint(self) -> QSize:
         """No smaller than that."""
-        return QSize(80, 24)
+        return QSize(60, 24)
 
     def _place(self, value: float | None) -> float | None:
         """Where a value stands on the track, in half pixels: finer can't be seen."""
