@@ -71,6 +71,7 @@ class MainWindow(QMainWindow):
             ),
         )
         self._view_region = ViewRegion(view)
+        self._status_bar = StatusBar(controller)
         self._lay_out()
         self._connect()
         self.resize(_FIRST_SIZE.boundedTo(self.screen().availableSize()))
@@ -108,7 +109,7 @@ class MainWindow(QMainWindow):
         whole.setSpacing(0)
         whole.addWidget(TopBar(self._controller, self.open_connect_dialog))
         whole.addLayout(middle, 1)
-        whole.addWidget(StatusBar(self._controller))
+        whole.addWidget(self._status_bar)
         self.setCentralWidget(central)
         central.setFocus()  # no control has it before the operator takes one
 
@@ -121,6 +122,8 @@ class MainWindow(QMainWindow):
         self._view_region.help_wanted.connect(self.open_help_dialog)
         self._view_region.reset_wanted.connect(self._view.reset_view)
         self._view_region.settings_wanted.connect(self.open_settings_dialog)
+        self._view.joint_picked.connect(self._on_joint_picked)
+        self._view.load_failed.connect(self._status_bar.show_problem)
         self._controller.state_changed.connect(self._show_in_view)
         self._controller.situation_changed.connect(self._on_situation_changed)
         self._unsubscribe = self._preferences.subscribe(self._on_settings_changed)
@@ -141,6 +144,11 @@ class MainWindow(QMainWindow):
         gripper_mm = None if state.gripper is None else state.gripper.value.opening_mm
         self._view.set_joints(state.angles_deg(), gripper_mm, stale=joints_stale)
         self._view.set_pose(state.end_pose(), stale=pose_stale)
+
+    def _on_joint_picked(self, joint: int) -> None:
+        """A double click on a link leads to the joint that moves it."""
+        if self._motion_panel is not None and self._motion_panel.isVisible():
+            self._motion_panel.focus_joint(joint)
 
     def _color_view(self) -> None:
         dark = colors_of(self) is DARK

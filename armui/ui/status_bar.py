@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, Qt
@@ -50,6 +51,7 @@ class StatusBar(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._controller = controller
         self._notice: Notice | None = None
+        self._problem: tuple[datetime, str] | None = None
         self._shown: tuple[Status | None, bool] | None = None
         self._notice_icon = QLabel()
         self._notice_label = ElidedLabel()
@@ -84,18 +86,25 @@ class StatusBar(QWidget):
     # -- notice -------------------------------------------------------------------------------
 
     def _on_noticed(self, notice: Notice) -> None:
-        self._notice = notice
+        self._notice, self._problem = notice, None
+        self._show_notice()
+
+    def show_problem(self, text: str) -> None:
+        """Say what went wrong in the program itself, in the words of who noticed it."""
+        self._problem = (datetime.now().astimezone(), text)
         self._show_notice()
 
     def _show_notice(self) -> None:
-        notice = self._notice
-        if notice is None:
-            self._notice_label.show_text("")
-            self._notice_icon.hide()
-            return
-        self._notice_label.show_text(f"{notice.at:%H:%M:%S}  {words.notice(notice)}")
+        text, level = "", Level.INFO
+        if self._problem is not None:
+            at, problem = self._problem
+            text, level = f"{at:%H:%M:%S}  {problem}", Level.WARNING
+        elif self._notice is not None:
+            text = f"{self._notice.at:%H:%M:%S}  {words.notice(self._notice)}"
+            level = self._notice.level
+        self._notice_label.show_text(text)
         colors = colors_of(self)
-        color = {Level.WARNING: colors.warn, Level.FAULT: colors.stop}.get(notice.level)
+        color = {Level.WARNING: colors.warn, Level.FAULT: colors.stop}.get(level)
         self._notice_icon.setVisible(color is not None)
         if color is not None:
             self._draw_warning(self._notice_icon, color)

@@ -153,6 +153,9 @@ class FakeController(QObject):
 class FakeView(QWidget):
     """Stands for the 3D view; remembers what it was last given."""
 
+    joint_picked = Signal(int)
+    load_failed = Signal(str)
+
     def __init__(self) -> None:
         super().__init__()
         self.joints: tuple[Any, ...] | None = None

@@ -4,7 +4,15 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QAbstractButton, QLineEdit, QPushButton, QSlider, QSpinBox, QWidget
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QSlider,
+    QSpinBox,
+    QWidget,
+)
 
 from armui.control.situation import LinkState
 from armui.settings import SettingsStore
@@ -108,6 +116,18 @@ def test_a_hidden_window_does_no_work_and_catches_up(controller, view, window):
 def test_reset_view(window, view, qtbot):
     qtbot.mouseClick(window.findChild(QPushButton, "reset_view_button"), LEFT)
     assert view.resets == 1
+
+
+def test_a_link_picked_in_3d_leads_to_its_joint(window, view, qtbot):
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    view.joint_picked.emit(4)
+    assert window.focusWidget().objectName() == "target_field_4"
+
+
+def test_a_robot_that_cannot_be_loaded_is_said(window, view):
+    view.load_failed.emit("no such file")
+    assert window.findChild(QLabel, "notice_label").text().endswith("no such file")
 
 
 @pytest.mark.parametrize(

@@ -166,6 +166,12 @@ class MotionPanel(QWidget):
         self._step_box.blockSignals(blocked)
         self._on_step_chosen()
 
+    def focus_joint(self, joint: int) -> None:
+        """Bring the operator to the target field of a joint."""
+        field = self._rows[joint - 1].field
+        field.setFocus(Qt.FocusReason.OtherFocusReason)
+        field.selectAll()
+
     def _on_step_chosen(self) -> None:
         for row in self._rows:
             row.set_step(self.jog_step_deg)
