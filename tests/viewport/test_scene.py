@@ -5,14 +5,14 @@ import pytest
 import trimesh
 
 from armui.paths import URDF
-from armui.viewport.camera import HOME_CAMERA, VIEW_ANGLE_DEG
+from armui.viewport.camera import HOME_CAMERA
 from armui.viewport.errors import SceneError
 from armui.viewport.palette import DARK, LIGHT, rgb
 from armui.viewport.scene import Scene
 from armui.viewport.urdf_file import load_robot
 from tests.viewport.foreign import mesh, write_arm
+from tests.viewport.pinhole import HEIGHT, WIDTH, project
 
-WIDTH, HEIGHT = 450, 350
 REST = (0.0,) * 6
 RAISED = (30.0, 70.0, -60.0, 20.0, 40.0, 10.0)
 
@@ -38,20 +38,6 @@ def picture(scene: Scene) -> np.ndarray:
 def changed(first: np.ndarray, second: np.ndarray) -> np.ndarray:
     """Which pixels differ visibly; (rows, columns) of bools."""
     return np.abs(first - second).max(axis=2) > 8
-
-
-def project(points_m: np.ndarray) -> np.ndarray:
-    """Pixels (x, y from the top left) where the first view shows points: a pinhole, by hand."""
-    eye, focus = np.array(HOME_CAMERA.eye_m), np.array(HOME_CAMERA.focus_m)
-    forward = (focus - eye) / np.linalg.norm(focus - eye)
-    right = np.cross(forward, [0.0, 0.0, 1.0])
-    right /= np.linalg.norm(right)
-    up = np.cross(right, forward)
-    relative = points_m - eye
-    scale = HEIGHT / 2.0 / np.tan(np.radians(VIEW_ANGLE_DEG / 2.0)) / (relative @ forward)
-    return np.column_stack(
-        [WIDTH / 2.0 + relative @ right * scale, HEIGHT / 2.0 - relative @ up * scale]
-    )
 
 
 def seen_box(robot, links, angles_deg, gripper_mm) -> tuple[np.ndarray, np.ndarray]:

@@ -1,0 +1,71 @@
+"""The figures over the picture."""
+
+import pytest
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter
+
+from armui.viewport.hud import HudValues, figures, hud_font, paint_hud
+from armui.viewport.palette import DARK, LIGHT
+
+
+def test_three_decimals_always():
+    assert figures((1.0, -2.5, 0.0004, -0.0004, 213.2664, 85.0)) == [
+        "1.000",
+        "-2.500",
+        "0.000",
+        "0.000",
+        "213.266",
+        "85.000",
+    ]
+
+
+def test_a_dash_for_what_was_never_heard():
+    assert figures(None) == ["—"] * 6
+
+
+def test_all_digits_are_equally_wide(qapp):
+    metrics = QFontMetricsF(hud_font(QFont()))
+    assert metrics.horizontalAdvance("111.111") == metrics.horizontalAdvance("888.888")
+
+
+def paint(values: HudValues, palette=LIGHT) -> QImage:
+    image = QImage(400, 250, QImage.Format.Format_RGB32)
+    image.fill(QColor(palette.background))
+    painter = QPainter(image)
+    paint_hud(painter, values, palette, QFont())
+    painter.end()
+    return image
+
+
+def darkest(image: QImage) -> int:
+    return min(
+        QColor(image.pixel(x, y)).lightness()
+        for x in range(image.width())
+        for y in range(image.height())
+    )
+
+
+def test_stale_and_missing_figures_are_muted(qapp):
+    values = (1.0,) * 6
+    fresh = darkest(paint(HudValues(values, values)))
+    stale = darkest(paint(HudValues(values, values, pose_stale=True, angles_stale=True)))
+    missing = darkest(paint(HudValues()))
+    assert fresh < stale - 30
+    assert fresh < missing - 30
+
+
+@pytest.mark.parametrize("palette", [LIGHT, DARK])
+def test_the_figures_stay_inside_their_frame(qapp, palette):
+    image = QImage(400, 250, QImage.Format.Format_RGB32)
+    image.fill(QColor(palette.background))
+    painter = QPainter(image)
+    wide = (-1000.123,) * 6
+    frame = paint_hud(painter, HudValues(wide, wide), palette, QFont()).toAlignedRect()
+    painter.end()
+    background = QColor(palette.background).rgb()
+    outside = [
+        (x, y)
+        for x in range(image.width())
+        for y in range(image.height())
+        if not frame.contains(x, y) and image.pixel(x, y) != background
+    ]
+    assert not outside
