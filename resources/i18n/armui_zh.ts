@@ -297,7 +297,7 @@
 <context>
     <name>Device</name>
     <message>
-        <source>Simulated arm, generation {generation}</source>
+        <source>Simulated arm, gen. {generation}</source>
         <translation>仿真机械臂（第 {generation} 代）</translation>
     </message>
 </context>
@@ -413,8 +413,8 @@
         <translation>双击连杆</translation>
     </message>
     <message>
-        <source>Mark the joint that moves it</source>
-        <translation>标出带动该连杆的关节</translation>
+        <source>Mark the joint that moves it and go to its field</source>
+        <translation>标出带动该连杆的关节，并转到它的编辑栏</translation>
     </message>
     <message>
         <source>Keyboard</source>

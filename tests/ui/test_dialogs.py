@@ -341,8 +341,8 @@ def test_opening_it_searches_each_time(
 
 def test_devices_are_listed_with_kind_channel_serial_and_bit_rate(connect: ConnectDialog) -> None:
     assert cells(connect) == [
-        ["", "Simulated arm, generation 2", "—", "—", "—"],
-        ["", "Simulated arm, generation 1", "—", "—", "—"],
+        ["", "Simulated arm, gen. 2", "—", "—", "—"],
+        ["", "Simulated arm, gen. 1", "—", "—", "—"],
         ["", "SocketCAN", "can0", "—", "—"],
         ["", "candleLight (gs_usb)", "0", "0031002F", "1 Mbit/s"],
     ]

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
 _SIGN_PX: Final = 36
-_TEXT_WIDTH_PX: Final = 400
+_TEXT_WIDTH_PX: Final = 520
 
 
 class ConfirmDialog(ArmDialog):

@@ -61,7 +61,7 @@ _SECTIONS: Final = (
             (QT_TRANSLATE_NOOP("Help", "Wheel"), QT_TRANSLATE_NOOP("Help", "Zoom in and out")),
             (
                 QT_TRANSLATE_NOOP("Help", "Double click on a link"),
-                QT_TRANSLATE_NOOP("Help", "Mark the joint that moves it"),
+                QT_TRANSLATE_NOOP("Help", "Mark the joint that moves it and go to its field"),
             ),
         ),
     ),

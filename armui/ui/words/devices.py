@@ -12,5 +12,5 @@ def device_name(device: Device) -> str:
     """A device as the operator knows it: an adapter by its channel, a simulated arm as such."""
     if not device.simulated:
         return device.name
-    source = QT_TRANSLATE_NOOP("Device", "Simulated arm, generation {generation}")
+    source = QT_TRANSLATE_NOOP("Device", "Simulated arm, gen. {generation}")
     return sentence("Device", source, {"generation": device.generation})

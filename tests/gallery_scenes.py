@@ -1,0 +1,213 @@
+"""What the pictures of ``tests.gallery`` show: states of the window, and every dialog."""
+
+from __future__ import annotations
+
+import errno
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import can
+from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QDialog, QLineEdit, QStackedWidget, QWidget
+
+from armui.bus.adapters import Device
+from armui.control.situation import LinkState, StopState
+from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.connect import ConnectDialog
+from armui.ui.dialogs.files import FileDialog
+from armui.ui.dialogs.help import HelpDialog
+from armui.ui.dialogs.settings import SettingsDialog
+from tests.desk import Desk
+
+REACH_OUT_DEG = (35.0, 95.0, -70.0, 20.0, 45.0, -30.0)
+
+ADAPTERS = (
+    Device("socketcan", "can0", None),
+    Device("gs_usb", "0", serial="0031002F5246501620303538"),
+    Device("slcan", "/dev/ttyACM0", serial="206E3599"),
+)
+
+
+@dataclass(frozen=True)
+class Scene:
+    """One state of the main window.
+
+    Attributes:
+        name: For the file.
+        play: Brings the window from the scene before to this one.
+    """
+
+    name: str
+    play: Callable[[Desk], None]
+
+
+def _no_device(_desk: Desk) -> None:
+    """The window as it opens."""
+
+
+def _online(desk: Desk) -> None:
+    desk.connect()
+
+
+def _moving(desk: Desk) -> None:
+    desk.enable_by_hand()
+    desk.controller.set_speed_percent(20)
+    for joint, angle_deg in enumerate(REACH_OUT_DEG, start=1):
+        desk.type_into(f"target_field_{joint}", f"{angle_deg}")
+    desk.click("send_button")
+    desk.run_until(lambda: desk.controller.situation.moving)
+    desk.run(1.2)
+
+
+def _refused(desk: Desk) -> None:
+    desk.run_until(lambda: not desk.controller.situation.moving, seconds=60.0)
+    desk.type_into("target_field_2", "200")
+    desk.click("send_button")
+
+
+def _stopped(desk: Desk) -> None:
+    desk.plug_in()
+    desk.wait(lambda: desk.controller.situation.link is not LinkState.LOST)
+    desk.run_until(lambda: desk.controller.situation.cannot_enable is None)
+    desk.click("load_button")
+    desk.click("stop_button")
+    desk.run_until(lambda: desk.controller.situation.stop is StopState.STOPPED)
+    desk.run(0.3)
+
+
+def _offline(desk: Desk) -> None:
+    desk.powered = False
+    desk.run_until(lambda: "offline" in desk.codes())
+    desk.powered = True
+
+
+def _lost(desk: Desk) -> None:
+    desk.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
+    desk.wait(lambda: desk.controller.situation.link is LinkState.LOST)
+
+
+WINDOW_SCENES = (
+    Scene("no-device", _no_device),
+    Scene("online", _online),
+    Scene("moving", _moving),
+    Scene("refused", _refused),
+    Scene("offline", _offline),
+    Scene("lost", _lost),
+    Scene("stopped", _stopped),
+)
+"""In the order they follow one another."""
+
+
+# Dialogs ------------------------------------------------------------------------------------------
+
+
+def _connect(desk: Desk) -> QDialog:
+    desk.window.open_connect_dialog()
+    dialog = desk.dialog(ConnectDialog)
+    # the search finds the simulated arm alone; its answer must not come after this
+    desk.wait(lambda: dialog.refresh_button.isEnabled())
+    desk.controller.devices_found.emit([desk.device, *ADAPTERS])
+    return dialog
+
+
+def _connect_searching(desk: Desk) -> QDialog:
+    dialog = _connect(desk)
+    desk.controller.searching_changed.emit(True)
+    return dialog
+
+
+def _connect_failed(desk: Desk) -> QDialog:
+    desk.broken = can.CanInitializationError("busy", error_code=errno.EBUSY)
+    desk.controller.connect_device(ADAPTERS[1])
+    desk.wait(lambda: desk.controller.situation.link_problem is not None)
+    desk.plug_in()
+    return _connect(desk)
+
+
+def _settings(desk: Desk) -> QDialog:
+    desk.window.open_settings_dialog()
+    return desk.dialog(SettingsDialog)
+
+
+def _settings_refused(desk: Desk) -> QDialog:
+    dialog = _settings(desk)
+    field = dialog.findChild(QLineEdit)
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, "99")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    return dialog
+
+
+def _help(desk: Desk) -> QDialog:
+    desk.window.open_help_dialog()
+    return desk.dialog(HelpDialog)
+
+
+def _file(desk: Desk) -> QDialog:
+    dialog = _settings(desk)
+    QTest.mouseClick(dialog.browse_button, Qt.MouseButton.LeftButton)
+    chooser = desk.dialog(FileDialog)
+    chooser.setDirectory(str(Path(__file__).resolve().parent.parent / "urdf"))
+    return chooser
+
+
+def _confirm_disable(desk: Desk) -> QDialog:
+    desk.click("enable_button")
+    return desk.dialog(ConfirmDialog)
+
+
+def _confirm_resume(desk: Desk) -> QDialog:
+    desk.click("stop_button")
+    return desk.dialog(ConfirmDialog)
+
+
+def _confirm_close(desk: Desk) -> QDialog:
+    desk.window.close()
+    return desk.dialog(ConfirmDialog)
+
+
+@dataclass(frozen=True)
+class DialogScene:
+    """One dialog in one state.
+
+    Attributes:
+        name: For the file.
+        during: The scene of the window in which it is opened.
+        open: Opens it.
+    """
+
+    name: str
+    during: str
+    open: Callable[[Desk], QDialog]
+
+
+DIALOG_SCENES = (
+    DialogScene("connect-searching", "no-device", _connect_searching),
+    DialogScene("connect-failed", "no-device", _connect_failed),
+    DialogScene("connect", "online", _connect),
+    DialogScene("settings", "no-device", _settings),
+    DialogScene("settings-refused", "no-device", _settings_refused),
+    DialogScene("help", "no-device", _help),
+    DialogScene("file", "no-device", _file),
+    DialogScene("confirm-disable", "refused", _confirm_disable),
+    DialogScene("confirm-close", "moving", _confirm_close),
+    DialogScene("confirm-resume", "stopped", _confirm_resume),
+)
+
+
+def close_dialogs() -> None:
+    """Leave no dialog open for the next picture."""
+    for widget in QApplication.topLevelWidgets():
+        if isinstance(widget, QDialog) and widget.isVisible():
+            widget.reject()
+    QCoreApplication.processEvents()
+
+
+def panels(window: QWidget) -> dict[str, QWidget]:
+    """The panels of the operation area by their names."""
+    area = window.findChild(QStackedWidget, "operation_area")
+    found = [area.widget(index) for index in range(area.count())]
+    return {type(panel).__name__.removesuffix("Panel").lower(): panel for panel in found}
