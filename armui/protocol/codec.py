@@ -25,7 +25,6 @@ if TYPE_CHECKING:
 
 __all__ = ["Codec", "EncodeError", "Message", "Oddity", "OddityKind"]
 
-_new_tuple = tuple.__new__
 _UPGRADE_RANGES = (
     range(0x0A0, 0x0B0),
     range(0x0B0, 0x0C0),
@@ -89,10 +88,6 @@ class Codec:
         layouts = [message_layout(message) for message in load_database(generation).messages]
         self._by_name = {layout.name: layout for layout in layouts}
         self._by_wire_id = {addressing.to_wire(layout.arbitration_id): layout for layout in layouts}
-        self._readers = {
-            wire_id: (layout.length, layout.name, layout.read)
-            for wire_id, layout in self._by_wire_id.items()
-        }
 
     def decode(self, frame: Frame) -> Message | Oddity:
         """What a frame says.
@@ -100,14 +95,19 @@ class Codec:
         Never raises, whatever the frame holds: it runs on the thread that owns the bus.
         """
         arbitration_id, data = frame
-        usual = self._readers.get(arbitration_id)
-        if usual is None:
+        layout = self._by_wire_id.get(arbitration_id)
+        if layout is None:
             return self._unknown_id(arbitration_id)
-        length, name, read = usual
-        if len(data) == length and (values := read(data)) is not None:
-            # As Message(name, values), at half the cost: it is the dearest step left.
-            return _new_tuple(Message, (name, values))
-        return self._decode_unusual(self._by_wire_id[arbitration_id], frame)
+        if len(data) != layout.length:
+            if len(data) not in layout.lengths:
+                return _wrong_length(layout, frame)
+            data = data[: layout.length].ljust(layout.length, b"\0")
+        # neither words nor scaled by cantools: see MessageLayout.scale
+        values = layout.unpack(data, False, False)
+        for name, legal in layout.checked:
+            if values[name] not in legal:
+                return _outside_table(layout, arbitration_id, values)
+        return Message(layout.name, layout.scale(values))
 
     def encode(self, name: str, **signals: float | None) -> Frame:
         """The frame that says this.
@@ -194,16 +194,6 @@ class Codec:
             value=word,
         )
 
-    def _decode_unusual(self, layout: MessageLayout, frame: Frame) -> Message | Oddity:
-        """Decodes a frame of another length than usual, or one with values outside their table."""
-        if len(frame.data) not in layout.lengths:
-            return _wrong_length(layout, frame)
-        data = frame.data[: layout.length].ljust(layout.length, b"\0")
-        values = layout.read(data)
-        if values is None:
-            return _outside_table(layout, frame.arbitration_id, layout.unpack(data))
-        return Message(layout.name, values)
-
     def _message(self, name: str) -> MessageLayout:
         layout = self._by_name.get(name)
         if layout is None:
@@ -242,7 +232,7 @@ def _wrong_length(layout: MessageLayout, frame: Frame) -> Oddity:
 
 def _outside_table(layout: MessageLayout, arbitration_id: int, raw: dict[str, float]) -> Oddity:
     odd = [layout.signals[name] for name, legal in layout.checked if raw[name] not in legal]
-    signals = {name: signal.to_physical(raw[name]) for name, signal in layout.signals.items()}
+    signals = layout.scale(raw)
     detail = "; ".join(
         f"{layout.name}.{signal.name} is {number(signals[signal.name], signal)}, not "
         + ("in its table" if signal.exhaustive else f"within {allowed(signal)}")

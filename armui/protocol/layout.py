@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
-
-from cantools.database.utils import create_encode_decode_formats
-
-from armui.protocol.reading import make_reader, whole_format
+from functools import partial
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Container, Mapping
@@ -15,21 +12,11 @@ if TYPE_CHECKING:
     from cantools.database.can import Message as DbcMessage
     from cantools.database.can import Signal as DbcSignal
 
-    from armui.protocol.reading import Reader
-
 LEAVE_UNCHANGED = "Leave unchanged"
 """What the value tables call the raw value that leaves a setting as it is (generation 2)."""
 
 _SHORT_FORMS = {"ArcPoint": (1, 8), "BusSilence": (1, 8), "LinkageSetting": (4, 8)}
 """Messages that generation 1 sends shorter than generation 2; either accepts both lengths."""
-
-
-class _Packer(Protocol):
-    """A compiled payload format: raw values by signal name to bytes and back."""
-
-    def pack(self, raw: Mapping[str, int]) -> bytes: ...
-
-    def unpack(self, payload: bytes) -> dict[str, float]: ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,11 +84,12 @@ class MessageLayout:
         length: Bytes of the payload as this generation sends it.
         lengths: Lengths accepted when decoding.
         reserved_mask: The payload's bits, as one big-endian number, that belong to no signal.
+        unpack: cantools' decoder; called with payload, False, False it gives raw values by name.
+        pack: Raw values of all signals to a payload; unused bits are 0.
         signals: By name, in the order of bytes and, within a byte, of bits.
-        unpack: Payload to raw values by name.
-        pack: Raw values by name to payload.
-        read: Payload to physical values by name, None when one is outside its table.
         checked: (name, legal raw values) of the signals whose payload bits can hold illegal values.
+        divided: (name, divisor) of the scaled signals whose scale is one over a whole number.
+        stretched: The other scaled signals.
     """
 
     name: str
@@ -110,20 +98,27 @@ class MessageLayout:
     lengths: tuple[int, ...]
     reserved_mask: int
     signals: Mapping[str, SignalLayout]
-    unpack: Callable[[bytes], dict[str, float]]
-    pack: Callable[[Mapping[str, int]], bytes]
-    read: Reader
+    unpack: Callable[[bytes, bool, bool], dict[str, Any]]
+    pack: Callable[[dict[str, int]], bytes]
     checked: tuple[tuple[str, Container[int]], ...]
+    divided: tuple[tuple[str, int], ...]
+    stretched: tuple[SignalLayout, ...]
+
+    def scale(self, raw: dict[str, float]) -> dict[str, float]:
+        """Turn raw values into physical ones, in place.
+
+        Raw / 1000 is the double nearest to the decimal value; cantools' own raw * 0.001 often is
+        not, and the last digit would dance.
+        """
+        for name, divisor in self.divided:
+            raw[name] /= divisor
+        for signal in self.stretched:
+            raw[signal.name] = signal.to_physical(raw[signal.name])
+        return raw
 
 
 def message_layout(message: DbcMessage) -> MessageLayout:
-    """Prepares one message of the database.
-
-    The payload format is the one cantools itself compiles; only the loop around it is ours, because
-    the frames of an arm come 3,000 a second.
-    """
-    formats = create_encode_decode_formats(message.signals, message.length)
-    packer: _Packer = formats.big_endian
+    """Prepares one message of the database."""
     in_order = sorted(message.signals, key=_byte_and_bit)
     signals = {signal.name: _signal_layout(signal) for signal in in_order}
     checked = tuple(
@@ -131,19 +126,26 @@ def message_layout(message: DbcMessage) -> MessageLayout:
         for signal in in_order
         if _can_be_illegal(signal, signals[signal.name])
     )
-    whole = whole_format(in_order, message.length)
+    scaled = [signal for signal in signals.values() if signal.is_scaled]
     return MessageLayout(
         name=message.name,
         arbitration_id=message.frame_id,
         length=message.length,
         lengths=_SHORT_FORMS.get(message.name, (message.length,)),
-        reserved_mask=formats.padding_mask,
+        reserved_mask=_reserved_mask(message),
         signals=signals,
-        unpack=packer.unpack,
-        pack=packer.pack,
-        read=make_reader(signals, packer.unpack, checked, whole),
+        unpack=message.decode_simple,
+        pack=partial(message.encode, scaling=False, strict=False),
         checked=checked,
+        divided=tuple((s.name, s.divisor) for s in scaled if s.divisor and not s.offset),
+        stretched=tuple(s for s in scaled if not s.divisor or s.offset),
     )
+
+
+def _reserved_mask(message: DbcMessage) -> int:
+    ones = {s.name: -1 if s.is_signed else 2**s.length - 1 for s in message.signals}
+    used = message.encode(ones, scaling=False, strict=False)
+    return int.from_bytes(used, "big") ^ (1 << 8 * message.length) - 1
 
 
 def _byte_and_bit(signal: DbcSignal) -> tuple[int, int]:
