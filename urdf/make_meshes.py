@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 Circle = tuple[float, float, float]
 """Centre x, centre y, radius."""
 
-_POINTS = 40
+_POINTS = 36
 _POINTS_OF_SMALL_PARTS = 16
 _FILLET_STEPS = 2
 _SMOOTH_STEPS = 2

@@ -43,7 +43,7 @@ def test_every_solid_is_closed_and_turned_outward(committed):
 
 
 def test_the_whole_arm_is_light_enough_to_draw(committed):
-    assert 15_000 <= sum(len(mesh.faces) for mesh in committed.values()) <= 30_000
+    assert 15_000 <= sum(len(mesh.faces) for mesh in committed.values()) <= 25_000
 
 
 def test_the_committed_files_are_what_the_script_makes(committed):
