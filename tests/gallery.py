@@ -16,9 +16,15 @@ from pathlib import Path
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
-from PySide6.QtCore import QDeadlineTimer, QMessageLogContext, QtMsgType, qInstallMessageHandler
+from PySide6.QtCore import (
+    QDeadlineTimer,
+    QEventLoop,
+    QMessageLogContext,
+    QTimer,
+    QtMsgType,
+    qInstallMessageHandler,
+)
 from PySide6.QtGui import QFontDatabase, QPixmap
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
 from armui.protocol.database import Generation
@@ -61,7 +67,7 @@ class Gallery:
                 if dialog.during == scene.name:
                     for look in self._looks():
                         opened = dialog.open(self._desk)
-                        QTest.qWait(_LOOK_MS)
+                        _let_work()
                         self._save(opened.grab(), f"dialog-{dialog.name}-{look}")
                         close_dialogs()
 
@@ -72,7 +78,7 @@ class Gallery:
         """Until the arm is on the screen; a computer that can't draw it shows why."""
         longest = QDeadlineTimer(_LONGEST_MS)
         while not (self._drawn or longest.hasExpired()):
-            QTest.qWait(_LOOK_MS)
+            _let_work()
 
     def _looks(self) -> Iterator[str]:
         """Switch through languages and themes, while the program runs."""
@@ -103,12 +109,19 @@ class Gallery:
         self.count += 1
 
 
+def _let_work() -> None:
+    """Let Qt and the other threads work for a moment (QTest.qWait would keep Python's lock)."""
+    loop = QEventLoop()
+    QTimer.singleShot(_LOOK_MS, loop.quit)
+    loop.exec()
+
+
 def _at_rest(widget: QWidget) -> QPixmap:
     """A picture of a widget once it no longer changes: the 3D view draws in another thread."""
     last = widget.grab()
     longest, unchanged = QDeadlineTimer(_LONGEST_MS), QDeadlineTimer(_AT_REST_MS)
     while not (unchanged.hasExpired() or longest.hasExpired()):
-        QTest.qWait(_LOOK_MS)
+        _let_work()
         now = widget.grab()
         if now.toImage() != last.toImage():
             last, unchanged = now, QDeadlineTimer(_AT_REST_MS)

@@ -107,7 +107,7 @@ def _connect(desk: Desk) -> QDialog:
     desk.window.open_connect_dialog()
     dialog = desk.dialog(ConnectDialog)
     # the search finds the simulated arm alone; its answer must not come after this
-    desk.wait(lambda: dialog.refresh_button.isEnabled())
+    desk.wait(dialog.refresh_button.isEnabled)
     desk.controller.devices_found.emit([desk.device, *ADAPTERS])
     return dialog
 
