@@ -1,0 +1,298 @@
+"""The window 连接机械臂, by clicks and keys (M1)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from PySide6.QtCore import QItemSelectionModel, Qt
+from PySide6.QtWidgets import QApplication, QTableView
+from pytestqt.qtbot import QtBot
+
+from armui.arm.refusal import Refusal
+from armui.bus.adapters import Device
+from armui.control.situation import LinkState, Situation
+from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.connect import ConnectDialog
+from armui.ui.translation import Translator
+from tests.ui.conftest import FakeController, situation
+from tests.ui.dialog_reading import message, shown, words_of
+
+LEFT = Qt.MouseButton.LeftButton
+
+SIM_2 = Device("virtual", "sim-2", None, simulated=True, generation=2)
+SIM_1 = Device("virtual", "sim-1", None, simulated=True, generation=1)
+CAN0 = Device("socketcan", "can0", None)
+CANDLE = Device("gs_usb", "0", 1_000_000, serial="0031002F")
+FOUND = [SIM_2, SIM_1, CAN0, CANDLE]
+
+
+@pytest.fixture
+def translator(qapp: QApplication) -> Iterator[Translator]:
+    translator = Translator(qapp)
+    yield translator
+    translator.set_language("en")
+
+
+@pytest.fixture
+def connect(qtbot: QtBot, controller: FakeController) -> ConnectDialog:
+    dialog = ConnectDialog(controller)
+    shown(qtbot, dialog)
+    controller.devices_found.emit(FOUND)
+    return dialog
+
+
+def cells(dialog: ConnectDialog) -> list[list[str]]:
+    model = dialog.findChild(QTableView).model()
+    columns = range(model.columnCount())
+    return [
+        [model.index(row, column).data() for column in columns] for row in range(model.rowCount())
+    ]
+
+
+def click_row(qtbot: QtBot, dialog: ConnectDialog, row: int) -> None:
+    table = dialog.findChild(QTableView)
+    place = table.visualRect(table.model().index(row, 1)).center()
+    qtbot.mouseClick(table.viewport(), LEFT, pos=place)
+
+
+def chosen_rows(dialog: ConnectDialog) -> list[int]:
+    return [index.row() for index in dialog.findChild(QTableView).selectionModel().selectedRows()]
+
+
+def test_opening_it_searches_each_time(
+    qtbot: QtBot, controller: FakeController, connect: ConnectDialog
+) -> None:
+    assert controller.calls == [("search_devices",)]
+    connect.close()
+    connect.open()
+    assert controller.calls == [("search_devices",)] * 2
+
+
+def test_devices_are_listed_with_kind_channel_serial_and_bit_rate(connect: ConnectDialog) -> None:
+    assert cells(connect) == [
+        ["", "Simulated arm, gen. 2", "—", "—", "—"],
+        ["", "Simulated arm, gen. 1", "—", "—", "—"],
+        ["", "SocketCAN", "can0", "—", "—"],
+        ["", "candleLight (gs_usb)", "0", "0031002F", "1 Mbit/s"],
+    ]
+    assert chosen_rows(connect) == [0]
+
+
+def test_a_click_and_the_button_connect(
+    qtbot: QtBot, controller: FakeController, connect: ConnectDialog
+) -> None:
+    click_row(qtbot, connect, 2)
+    qtbot.mouseClick(connect.connect_button, LEFT)
+
+    assert controller.calls[-1] == ("connect_device", CAN0)
+
+
+def test_a_double_click_connects(
+    qtbot: QtBot, controller: FakeController, connect: ConnectDialog
+) -> None:
+    table = connect.findChild(QTableView)
+    place = table.visualRect(table.model().index(1, 1)).center()
+    qtbot.mouseClick(table.viewport(), LEFT, pos=place)
+    qtbot.mouseDClick(table.viewport(), LEFT, pos=place)
+
+    assert controller.calls[-1] == ("connect_device", SIM_1)
+
+
+def test_by_keyboard(qtbot: QtBot, controller: FakeController, connect: ConnectDialog) -> None:
+    table = connect.findChild(QTableView)
+    qtbot.keyClick(table, Qt.Key.Key_Down)
+    qtbot.keyClick(table, Qt.Key.Key_Return)
+
+    assert controller.calls[-1] == ("connect_device", SIM_1)
+
+
+def test_the_bit_rate_can_be_chosen_where_the_program_sets_it(
+    qtbot: QtBot, controller: FakeController, connect: ConnectDialog
+) -> None:
+    click_row(qtbot, connect, 3)
+    assert connect.bitrate_box.isEnabled()
+    assert connect.bitrate_box.currentData() == 1_000_000
+    qtbot.keyClick(connect.bitrate_box, Qt.Key.Key_Down)
+    qtbot.mouseClick(connect.connect_button, LEFT)
+
+    expected = Device("gs_usb", "0", 500_000, serial="0031002F")
+    assert controller.calls[-1] == ("connect_device", expected)
+
+
+@pytest.mark.parametrize(("row", "reason"), [(0, "simulated"), (2, "operating system")])
+def test_the_bit_rate_is_closed_elsewhere_and_says_why(
+    qtbot: QtBot, connect: ConnectDialog, row: int, reason: str
+) -> None:
+    click_row(qtbot, connect, row)
+
+    assert not connect.bitrate_box.isEnabled()
+    assert reason in connect.bitrate_box.toolTip()
+    assert reason in words_of(connect)
+
+
+def test_a_device_that_no_search_finds_can_be_named(
+    qtbot: QtBot, controller: FakeController, connect: ConnectDialog
+) -> None:
+    manual = connect._manual
+    assert not manual.add_button.isEnabled()
+    assert manual.add_button.toolTip()
+    manual.interface_box.setCurrentText("slcan")
+    qtbot.keyClicks(manual.channel_edit, "/dev/ttyACM0")
+    qtbot.mouseClick(manual.add_button, LEFT)
+
+    assert cells(connect)[-1][1:3] == ["slcan", "/dev/ttyACM0"]
+    assert chosen_rows(connect) == [4]
+    qtbot.mouseClick(connect.connect_button, LEFT)
+    assert controller.calls[-1] == ("connect_device", Device("slcan", "/dev/ttyACM0", 1_000_000))
+
+
+@pytest.mark.parametrize(
+    ("interface", "channel", "expected"),
+    [
+        ("udp_multicast", "239.0.0.1", Device("udp_multicast", "239.0.0.1", None)),
+        ("kvaser", "1", Device("kvaser", 1, 1_000_000)),
+    ],
+)
+def test_named_devices_as_python_can_wants_them(
+    qtbot: QtBot,
+    controller: FakeController,
+    connect: ConnectDialog,
+    interface: str,
+    channel: str,
+    expected: Device,
+) -> None:
+    connect._manual.interface_box.setCurrentText(interface)
+    qtbot.keyClicks(connect._manual.channel_edit, channel)
+    qtbot.mouseClick(connect._manual.add_button, LEFT)
+    qtbot.mouseClick(connect.connect_button, LEFT)
+
+    assert controller.calls[-1] == ("connect_device", expected)
+
+
+def test_a_named_device_survives_the_next_search_and_is_listed_once(
+    qtbot: QtBot, controller: FakeController, connect: ConnectDialog
+) -> None:
+    for _time in range(2):
+        connect._manual.interface_box.setCurrentText("slcan")
+        qtbot.keyClicks(connect._manual.channel_edit, "COM5")
+        qtbot.mouseClick(connect._manual.add_button, LEFT)
+    controller.devices_found.emit([SIM_2])
+
+    assert [row[2] for row in cells(connect)] == ["—", "COM5"]
+    assert chosen_rows(connect) == [1]
+
+
+def test_while_it_searches_it_says_so(
+    qtbot: QtBot, controller: FakeController, connect: ConnectDialog
+) -> None:
+    controller.searching_changed.emit(True)
+    assert connect._progress.isVisible()
+    assert not connect.refresh_button.isEnabled()
+    assert message(connect) == "Searching for devices…"
+
+    controller.searching_changed.emit(False)
+    assert not connect._progress.isVisible()
+    qtbot.mouseClick(connect.refresh_button, LEFT)
+    assert controller.calls == [("search_devices",)] * 2
+
+
+def test_the_connected_device_is_marked_and_disconnected(
+    qtbot: QtBot, controller: FakeController, connect: ConnectDialog
+) -> None:
+    assert not connect.disconnect_button.isEnabled()
+    assert connect.disconnect_button.toolTip()
+    controller.be(situation(device=SIM_2))
+
+    assert [row[0] for row in cells(connect)] == ["Online", "", "", ""]
+    assert not connect.connect_button.isEnabled()
+    assert connect.connect_button.toolTip() == "This device is connected."
+    qtbot.mouseClick(connect.disconnect_button, LEFT)
+    assert controller.calls[-1] == ("disconnect_device",)
+
+
+@pytest.mark.parametrize(
+    ("link", "word"),
+    [
+        (LinkState.OPENING, "Connecting…"),
+        (LinkState.OFFLINE, "Offline"),
+        (LinkState.ONLINE, "Online"),
+        (LinkState.LOST, "Connection lost"),
+    ],
+)
+def test_the_mark_says_how_the_link_is(
+    controller: FakeController, connect: ConnectDialog, link: LinkState, word: str
+) -> None:
+    controller.be(situation(device=CAN0, link=link))
+
+    assert [row[0] for row in cells(connect)] == ["", "", word, ""]
+
+
+def test_a_connected_device_that_no_search_found_is_listed(
+    controller: FakeController, connect: ConnectDialog
+) -> None:
+    controller.be(situation(device=Device("pcan", "PCAN_USBBUS1", 500_000)))
+
+    assert cells(connect)[-1] == ["Online", "PCAN", "PCAN_USBBUS1", "—", "500 kbit/s"]
+
+
+def test_the_chosen_bit_rate_makes_it_no_other_device(
+    controller: FakeController, connect: ConnectDialog
+) -> None:
+    controller.be(situation(device=Device("gs_usb", "0", 500_000, serial="0031002F")))
+
+    assert cells(connect)[3] == ["Online", "candleLight (gs_usb)", "0", "0031002F", "500 kbit/s"]
+    assert len(cells(connect)) == 4
+
+
+def test_a_device_that_does_not_open_says_why_and_what_to_do(
+    controller: FakeController, connect: ConnectDialog
+) -> None:
+    controller.be(Situation(link_problem=Refusal("bus_busy", {"device": "can0"})))
+
+    assert message(connect) == (
+        "can0 is in use by another program. Close that program, then connect again."
+    )
+    assert connect.connect_button.isEnabled()
+
+
+def test_offline_says_what_to_check(controller: FakeController, connect: ConnectDialog) -> None:
+    offline = Refusal("offline")
+    controller.be(situation(device=CAN0, link=LinkState.OFFLINE, cannot_move=offline))
+
+    assert "Check its power, the CAN cable and the bit rate." in message(connect)
+
+
+def test_a_moving_arm_is_not_left_without_a_question(
+    qtbot: QtBot, controller: FakeController, connect: ConnectDialog
+) -> None:
+    controller.be(situation(device=SIM_2, moving=True))
+    qtbot.mouseClick(connect.disconnect_button, LEFT)
+    assert controller.calls[-1] == ("search_devices",)
+
+    (question,) = connect.findChildren(ConfirmDialog)
+    assert "goes on to its target" in question.text()
+    qtbot.mouseClick(question.action_button, LEFT)
+    assert controller.calls[-1] == ("disconnect_device",)
+
+
+def test_the_words_in_the_table_change_with_the_language(
+    controller: FakeController, connect: ConnectDialog, translator: Translator
+) -> None:
+    controller.be(situation(device=SIM_2))
+    translator.set_language("zh")
+    QApplication.processEvents()
+
+    assert cells(connect)[0][:2] == ["在线", "仿真机械臂（第 2 代）"]
+    header = connect.findChild(QTableView).model().headerData
+    assert [header(column, Qt.Orientation.Horizontal) for column in range(5)] == [
+        *("状态", "类型", "通道", "序列号", "波特率")
+    ]
+
+
+def test_choosing_nothing_closes_the_button_with_a_reason(connect: ConnectDialog) -> None:
+    selection = connect.findChild(QTableView).selectionModel()
+    selection.select(selection.currentIndex(), QItemSelectionModel.SelectionFlag.Clear)
+
+    assert not connect.connect_button.isEnabled()
+    assert connect.connect_button.toolTip() == "Choose a device in the list first."
