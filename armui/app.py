@@ -6,15 +6,14 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
-import can
 from PySide6.QtCore import QCoreApplication, QTimer
 from PySide6.QtWidgets import QApplication
 
-from armui.bus.adapters import DEFAULT_BITRATE, Device, bitrate_is_ours, open_bus
+from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.control.arm_controller import ArmController
-from armui.protocol.database import Generation
+from armui.protocol.generation import Generation
 from armui.settings import Choices, Settings, SettingsStore, default_path
 from armui.start import StartOptions
 from armui.ui.main_window import MainWindow
@@ -22,6 +21,9 @@ from armui.ui.theme import Theme, apply_theme
 from armui.ui.translation import Translator
 from armui.ui.widgets.stop_shortcut import StopShortcut
 from armui.viewport.view import ArmView
+
+if TYPE_CHECKING:
+    import can
 
 _SWITCH_INTERVAL_S: Final = 0.0005
 """How long a thread may keep Python's lock while another wants it. The default of 5 ms, once for
@@ -133,6 +135,8 @@ SIMULATED: Final = tuple(
 @contextmanager
 def open_device(device: Device) -> Iterator[can.BusABC]:
     """Open a device; behind a simulated one an arm comes to life until it is closed again."""
+    from armui.bus.adapters import open_bus  # noqa: PLC0415 - python-can, loaded with the first device
+
     if not device.simulated:
         with open_bus(device) as bus:
             yield bus

@@ -10,12 +10,12 @@ from contextlib import contextmanager
 import can
 from PySide6.QtCore import QCoreApplication, QDeadlineTimer
 
-from armui.bus.adapters import Device
+from armui.arm.device import Device
 from armui.control.arm_controller import ArmController
 from armui.control.situation import LinkState
 from armui.protocol.codec import Codec, Message
-from armui.protocol.database import Generation
 from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
 
@@ -151,6 +151,8 @@ class Bench:
         self.controller.shutdown()
         self._arm_bus.shutdown()
         self._ear.shutdown()
+        # ruckig complains of planners that live until Python ends
+        del self.firmware, self.node
 
 
 _COMMANDS = {

@@ -2,16 +2,16 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QEventLoop, QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QTableView, QWidget
 
 from armui.app import Program
-from armui.protocol.database import Generation
+from armui.protocol.generation import Generation
 from armui.settings import SettingsStore
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
-from tests.bench import Bench
+from tests.bench import TIMEOUT_MS, Bench
 
 
 class Desk(Bench):
@@ -95,13 +95,16 @@ class Desk(Bench):
         self.run_until(lambda: self.controller.situation.cannot_move is None)
 
     def wait(self, condition) -> None:
-        """Let Qt work until something is so."""
-        for _ in range(5000):
-            QApplication.processEvents()
-            if condition():
-                return
-            QTest.qWait(1)
-        raise AssertionError("it never came")
+        """Let Qt and the threads work until something is so."""
+        loop = QEventLoop()
+        timer = QTimer(interval=1)
+        timer.timeout.connect(lambda: condition() and loop.quit())
+        deadline = QTimer(interval=TIMEOUT_MS, singleShot=True)
+        deadline.timeout.connect(loop.quit)
+        timer.start()
+        deadline.start()
+        loop.exec()
+        assert condition(), "it never came"
 
     def close(self) -> None:
         """End the program as it ends for the operator, then the bench."""

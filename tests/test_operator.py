@@ -4,7 +4,7 @@ import errno
 
 import can
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QElapsedTimer, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox
 
@@ -257,7 +257,10 @@ def test_stop_recover_enable_and_go_on(any_desk):
     assert not desk.find("send_button").isEnabled()
     assert desk.find("stop_button").text() == "Resume"
 
-    QTest.qWait(QApplication.doubleClickInterval() + 50)  # a hasty second press means stop
+    later = QElapsedTimer()
+    later.start()
+    hasty_ms = QApplication.doubleClickInterval()  # a second press within it means stop again
+    desk.wait(lambda: later.elapsed() > hasty_ms)
     desk.click("stop_button")
     question = desk.dialog(ConfirmDialog)
     assert "drop" in question.text()

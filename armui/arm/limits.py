@@ -53,6 +53,15 @@ FACTORY_ACCELERATION_DEG_S2: Final = math.degrees(5.0)
 """Highest joint acceleration as the arm leaves the factory, the same for all joints."""
 
 
+_FASTEST_DEG_S: Final = 3600.0
+"""Far above any joint of this arm, far below 0xFFFF in either generation's unit."""
+
+
+def plausible(limits: JointLimits) -> bool:
+    """Whether limits read from an arm can be true; a corrupted flash answers with 0xFFFF."""
+    return limits.min_deg < limits.max_deg and 0 < limits.max_speed_deg_s < _FASTEST_DEG_S
+
+
 def check_joint(joint: int, angle_deg: float, limits: JointLimits) -> Refusal | None:
     """Whether a joint may be sent to an angle: None, or the reason against it."""
     if not math.isfinite(angle_deg):

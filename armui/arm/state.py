@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Final, Generic, TypeVar
 
-from armui.arm.limits import JointLimits
+from armui.arm.limits import JOINTS, JointLimits
 
 T = TypeVar("T")
 Six = tuple[T, T, T, T, T, T]
@@ -168,6 +168,14 @@ class ArmState:
             None if driver is None else driver.value.enabled for driver in self.drivers_slow
         )
         return (a, b, c, d, e, f)
+
+    def joints_without_limits(self) -> list[int]:
+        """The joints whose limits have not been read in full."""
+        return [
+            joint
+            for joint in JOINTS
+            if self.limits[joint - 1] is None or self.accelerations_deg_s2[joint - 1] is None
+        ]
 
 
 def _six_values(heard: Six[Heard[float] | None]) -> Six[float] | None:

@@ -6,22 +6,17 @@ import errno
 import logging
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
 from typing import Any, Final
 
 import can
 
+from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.arm.refusal import Refusal
-
-DEFAULT_BITRATE: Final = 1_000_000
-"""What the maker's hardware runs at today; generation 1's text says 500 kbit/s."""
 
 _SEARCH_S: Final = 5.0
 
 _NOT_DEVICES: Final = frozenset({"virtual", "udp_multicast", "socketcand", "remote"})
 """Back-ends that are no hardware on this computer and answer a search with inventions."""
-
-_BITRATE_SET_BY_SYSTEM: Final = frozenset({"socketcan", "virtual", "udp_multicast"})
 
 _PACKAGES: Final = {
     "gs_usb": "gs_usb",
@@ -34,46 +29,6 @@ _PACKAGES: Final = {
     "udp_multicast": "msgpack",
 }
 """The package a back-end wants beside python-can, as far as it is on PyPI."""
-
-
-@dataclass(frozen=True, slots=True)
-class Device:
-    """One way to an arm.
-
-    Attributes:
-        interface: python-can's name of the back-end.
-        channel: The back-end's name of the channel.
-        bitrate: Bits per second; ``None`` where the operating system sets it.
-        label: What the operator knows it by.
-        serial: The adapter's serial number, where it tells one.
-        simulated: An arm made of software inside this program.
-        generation: Which protocol the simulated arm speaks.
-        options: Further arguments of python-can's constructor.
-    """
-
-    interface: str
-    channel: str | int
-    bitrate: int | None = DEFAULT_BITRATE
-    label: str = ""
-    serial: str | None = None
-    simulated: bool = False
-    generation: int | None = None
-    options: tuple[tuple[str, Any], ...] = ()
-
-    @property
-    def kind(self) -> str:
-        """The back-end's name, or ``simulated``."""
-        return "simulated" if self.simulated else self.interface
-
-    @property
-    def name(self) -> str:
-        """A short name for the top bar and messages."""
-        return self.label or f"{self.interface} {self.channel}"
-
-
-def bitrate_is_ours(interface: str) -> bool:
-    """Whether the program sets the bit rate of this back-end, or the operating system does."""
-    return interface not in _BITRATE_SET_BY_SYSTEM
 
 
 def interfaces() -> list[str]:

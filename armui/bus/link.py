@@ -5,8 +5,8 @@ from __future__ import annotations
 import enum
 from dataclasses import dataclass
 
+from armui.arm.device import Device
 from armui.arm.refusal import Refusal
-from armui.bus.adapters import Device
 
 
 class BusState(enum.Enum):

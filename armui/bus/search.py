@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QObject, QThread, Signal
 
-from armui.bus.adapters import Device, find_devices
+from armui.arm.device import Device
 
 
 class DeviceSearch(QThread):
@@ -14,7 +14,7 @@ class DeviceSearch(QThread):
 
     Args:
         simulated: Arms made of software, listed first and always.
-        find: The search itself.
+        find: The search itself; :func:`armui.bus.adapters.find_devices` by default.
 
     Signals:
         found: A list of :class:`Device`.
@@ -25,7 +25,7 @@ class DeviceSearch(QThread):
     def __init__(
         self,
         simulated: Sequence[Device],
-        find: Callable[[], list[Device]] = find_devices,
+        find: Callable[[], list[Device]] | None = None,
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
@@ -35,4 +35,7 @@ class DeviceSearch(QThread):
 
     def run(self) -> None:
         """Search and report."""
-        self.found.emit(self._simulated + self._find())
+        # python-can and its back-ends are loaded here, where nobody waits for them
+        from armui.bus.adapters import find_devices  # noqa: PLC0415
+
+        self.found.emit(self._simulated + (self._find or find_devices)())

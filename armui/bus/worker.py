@@ -11,9 +11,10 @@ from typing import Final
 import can
 from PySide6.QtCore import QObject, QThread, Signal
 
+from armui.arm.device import Device
 from armui.arm.state import ArmState
 from armui.arm.tracker import Tracker
-from armui.bus.adapters import Device, explain
+from armui.bus.adapters import explain
 from armui.bus.link import BusReport, BusState
 from armui.bus.outbox import Outbox
 from armui.protocol.codec import Codec, Message, Oddity, OddityKind

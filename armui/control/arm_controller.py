@@ -9,21 +9,19 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable, Sequence
 from datetime import datetime
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
-from armui.arm.limits import check_joints
+from armui.arm.device import Device
+from armui.arm.limits import check_joints, plausible
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
-from armui.bus.adapters import Device
 from armui.bus.link import BusReport
 from armui.bus.search import DeviceSearch
-from armui.bus.worker import Opener
 from armui.control import gate
 from armui.control.assessment import Circumstances, assess
 from armui.control.connection import Connection
-from armui.control.handshake import Phase, missing_limits, plausible
 from armui.control.notices import CODES
 from armui.control.request import Outcome, Request
 from armui.control.setpoint import Setpoint
@@ -32,6 +30,9 @@ from armui.control.stop import StopKeeper, is_stopped
 from armui.protocol import commands
 from armui.protocol.codes import ControlMode, MoveMode
 from armui.protocol.frame import Frame
+
+if TYPE_CHECKING:
+    from armui.bus.worker import Opener
 
 _TICK_MS: Final = 16
 _HOME_DEG: Final = (0.0,) * 6
@@ -120,14 +121,18 @@ class ArmController(QObject):
         """Look for devices; :attr:`devices_found` tells."""
         if self._search is not None:
             return
-        if self._find is None:
-            self._search = DeviceSearch(self._simulated, parent=self)
-        else:
-            self._search = DeviceSearch(self._simulated, self._find, parent=self)
+        self._search = DeviceSearch(self._simulated, self._find, parent=self)
         self._search.found.connect(self.devices_found)
         self._search.finished.connect(self._on_search_finished)
         self.searching_changed.emit(True)
         self._search.start()
+
+    @staticmethod
+    def interfaces() -> list[str]:
+        """The back-ends python-can knows on this computer."""
+        from armui.bus.adapters import interfaces  # noqa: PLC0415 - loaded when asked for
+
+        return interfaces()
 
     def connect_device(self, device: Device) -> None:
         """Leave the present device, if any, and open this one."""
@@ -173,8 +178,6 @@ class ArmController(QObject):
         """End the emergency stop: power is cut at once, the arm DROPS; then it must be enabled."""
         if self._situation.stop is not StopState.STOPPED:
             return self._refuse(Refusal("not_stopped"))
-        if self._situation.link is not LinkState.ONLINE:
-            return self._refuse(gate.why_no_command(self._situation.link, StopState.RUNNING, None))
         self._notice("resume_sent")
         self._start(
             Busy.RESUMING,
@@ -335,8 +338,9 @@ class ArmController(QObject):
         online = self._connection.link is LinkState.ONLINE
         if online is not self._was_online:
             self._was_online = online
-            self._limits_told = False
-            if not online:
+            if online:
+                self._limits_told = False
+            else:
                 self._setpoint.clear()
             if self._connection.link in {LinkState.ONLINE, LinkState.OFFLINE}:
                 self._notice("online" if online else "offline")
@@ -374,7 +378,7 @@ class ArmController(QObject):
 
     def _follow_handshake(self) -> None:
         handshake = self._connection.handshake
-        if handshake is None or handshake.phase is not Phase.DONE or self._limits_told:
+        if handshake is None or not handshake.done or self._limits_told:
             return
         self._limits_told = True
         self._notice(
@@ -382,7 +386,7 @@ class ArmController(QObject):
             generation=int(handshake.generation or 0),
             firmware=self._state.firmware or "",
         )
-        missing = missing_limits(self._state)
+        missing = self._state.joints_without_limits()
         if missing:
             self._notice("limits_missing", joints=gate.joint_list(missing))
         else:
@@ -425,7 +429,11 @@ class ArmController(QObject):
             link=self._connection.link,
             device=self._connection.device,
             link_problem=self._connection.problem,
-            stop=self._stop.state(self._state, resuming=busy is Busy.RESUMING),
+            stop=self._stop.state(
+                self._state,
+                online=self._connection.link is LinkState.ONLINE,
+                resuming=busy is Busy.RESUMING,
+            ),
             stop_unconfirmed=self._stop.unconfirmed(now_s),
             busy=busy,
             speed_percent=self._speed_percent,

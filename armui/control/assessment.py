@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from armui.arm.limits import FACTORY_LIMITS
+from armui.arm.device import Device
+from armui.arm.limits import FACTORY_LIMITS, plausible
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Six
-from armui.bus.adapters import Device
 from armui.control import gate
-from armui.control.handshake import plausible
 from armui.control.situation import Busy, LinkState, Situation, StopState
-from armui.protocol.database import Generation
+from armui.protocol.generation import Generation
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, is_fresh
-from armui.bus.adapters import Device
 from armui.bus.link import BusReport, BusState
-from armui.bus.worker import BusWorker, Opener
-from armui.control.handshake import Handshake
 from armui.control.situation import LinkState
-from armui.protocol.codec import Codec
-from armui.protocol.database import Generation
 from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
+
+if TYPE_CHECKING:
+    from armui.bus.worker import BusWorker, Opener
+    from armui.control.handshake import Handshake
+    from armui.protocol.codec import Codec
 
 
 class Connection(QObject):
@@ -42,7 +45,14 @@ class Connection(QObject):
         self.device: Device | None = None
         self.problem: Refusal | None = None
         self.handshake: Handshake | None = None
-        self.codec = Codec(Generation.TWO)
+        self._codec: Codec | None = None
+
+    @property
+    def codec(self) -> Codec:
+        """What to speak now; only while a device is open."""
+        if self._codec is None:
+            raise RuntimeError("no device is open: there is nothing to speak to")
+        return self._codec
 
     @property
     def link(self) -> LinkState:
@@ -67,11 +77,15 @@ class Connection(QObject):
 
     def open(self, device: Device) -> None:
         """Open a device; nothing may be open."""
+        # python-can and cantools are loaded with the first device: the window starts without them
+        from armui.bus.worker import BusWorker  # noqa: PLC0415
+        from armui.protocol.codec import Codec  # noqa: PLC0415
+
         self.device = device
         self.problem = None
-        self.codec = Codec(Generation.TWO)
+        self._codec = Codec(Generation.TWO)
         self._bus_state = BusState.OPENING
-        self._worker = BusWorker(device, self._opener, self.codec, self._clock, self)
+        self._worker = BusWorker(device, self._opener, self._codec, self._clock, self)
         self._worker.reported.connect(self._on_report)
         self._worker.answered.connect(self.answered)
         self._worker.start()
@@ -107,13 +121,18 @@ class Connection(QObject):
         self._last_feedback_s = state.last_feedback_s or self._last_feedback_s
         online = self._bus_state is BusState.OPEN and is_fresh(self._last_feedback_s, now_s)
         if online and not self._online:
-            self.handshake = Handshake(self._worker, now_s)
-            self.codec = self.handshake.codec
+            self.handshake = self._begin_handshake(self._worker, now_s)
         self._online = online
         if self.handshake is not None and online:
             self.handshake.advance(state, now_s)
-            self.codec = self.handshake.codec
+            self._codec = self.handshake.codec
         return state
+
+    @staticmethod
+    def _begin_handshake(worker: BusWorker, now_s: float) -> Handshake:
+        from armui.control.handshake import Handshake  # noqa: PLC0415 - see open()
+
+        return Handshake(worker, now_s)
 
     def _on_report(self, report: BusReport) -> None:
         before, self._bus_state = self._bus_state, report.state

@@ -6,12 +6,11 @@ import enum
 from collections.abc import Sequence
 from typing import Final, Protocol
 
-from armui.arm.limits import JOINTS, JointLimits
 from armui.arm.state import ArmState
 from armui.protocol import commands
 from armui.protocol.codec import Codec
-from armui.protocol.database import Generation
 from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
 
 _VERSION_WAIT_S: Final = 0.5
 """No version text within this time: generation 1 (see the table of the two generations)."""
@@ -55,6 +54,11 @@ class Handshake:
         self._rounds = 0
         wire.use_codec(self.codec)
 
+    @property
+    def done(self) -> bool:
+        """Whether the arm has answered everything, or as much as it will."""
+        return self.phase is Phase.DONE
+
     def advance(self, state: ArmState, now_s: float) -> None:
         """Ask what is due, and take in what was heard."""
         if self.phase is Phase.GENERATION:
@@ -79,7 +83,7 @@ class Handshake:
         self._next_s = now_s
 
     def _read_limits(self, state: ArmState, now_s: float) -> None:
-        missing = missing_limits(state)
+        missing = state.joints_without_limits()
         if not missing:
             self.phase = Phase.DONE
         elif now_s >= self._next_s:
@@ -91,21 +95,3 @@ class Handshake:
             for joint in missing:
                 self._wire.send(commands.query_limits(self.codec, joint))
                 self._wire.send(commands.query_acceleration(self.codec, joint))
-
-
-def missing_limits(state: ArmState) -> list[int]:
-    """The joints whose limits have not been heard in full."""
-    return [
-        joint
-        for joint in JOINTS
-        if state.limits[joint - 1] is None or state.accelerations_deg_s2[joint - 1] is None
-    ]
-
-
-def plausible(limits: JointLimits) -> bool:
-    """Whether limits read from an arm can be true; a corrupted flash answers with 0xFFFF."""
-    return limits.min_deg < limits.max_deg and 0 < limits.max_speed_deg_s < _FASTEST_DEG_S
-
-
-_FASTEST_DEG_S: Final = 3600.0
-"""Far above any joint of this arm, far below 0xFFFF in either generation's unit."""

@@ -7,11 +7,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import datetime
 
+from armui.arm.device import Device
 from armui.arm.limits import FACTORY_LIMITS, JointLimits
 from armui.arm.refusal import Refusal
 from armui.arm.state import Six
-from armui.bus.adapters import Device
-from armui.protocol.database import Generation
+from armui.protocol.generation import Generation
 
 
 class LinkState(enum.Enum):

@@ -62,13 +62,17 @@ class StopKeeper:
         """The device was disconnected on purpose."""
         self._requested_s = None
 
-    def state(self, state: ArmState, *, resuming: bool) -> StopState:
-        """Where the stop stands."""
+    def state(self, state: ArmState, *, online: bool, resuming: bool) -> StopState:
+        """Where the stop stands.
+
+        Of an arm that has fallen silent nobody knows whether it still is stopped: the button that
+        recovers a stopped arm must be one that stops it.
+        """
         if self.requested:
             return StopState.REQUESTED
         if resuming:
             return StopState.RESUMING
-        return StopState.STOPPED if is_stopped(state) else StopState.RUNNING
+        return StopState.STOPPED if online and is_stopped(state) else StopState.RUNNING
 
 
 def is_stopped(state: ArmState) -> bool:

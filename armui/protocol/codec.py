@@ -7,7 +7,7 @@ from difflib import get_close_matches
 from typing import TYPE_CHECKING, NamedTuple
 
 from armui.protocol.addressing import Addressing
-from armui.protocol.database import Generation, load_database
+from armui.protocol.database import load_database
 from armui.protocol.encoding import (
     allowed,
     listed,
@@ -18,6 +18,7 @@ from armui.protocol.encoding import (
 )
 from armui.protocol.errors import EncodeError
 from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
 from armui.protocol.layout import message_layout
 
 if TYPE_CHECKING:

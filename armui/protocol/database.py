@@ -2,23 +2,16 @@
 
 from __future__ import annotations
 
-import enum
 from functools import cache
 from typing import TYPE_CHECKING
 
 import cantools
 
 from armui.paths import RESOURCES
+from armui.protocol.generation import Generation
 
 if TYPE_CHECKING:
     from cantools.database.can import Database
-
-
-class Generation(enum.IntEnum):
-    """Which of the two protocols an arm speaks."""
-
-    ONE = 1
-    TWO = 2
 
 
 @cache

@@ -7,7 +7,7 @@ import statistics
 from typing import TYPE_CHECKING, NamedTuple
 
 from armui.protocol.codec import Codec
-from armui.protocol.database import Generation
+from armui.protocol.generation import Generation
 
 if TYPE_CHECKING:
     from armui.protocol.frame import Frame

@@ -3,8 +3,9 @@ import errno
 import can
 import pytest
 
+from armui.arm.device import Device
 from armui.bus import adapters
-from armui.bus.adapters import Device, explain, find_devices, open_bus
+from armui.bus.adapters import explain, find_devices, open_bus
 
 CAN0 = Device("socketcan", "can0", None)
 

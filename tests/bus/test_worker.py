@@ -6,12 +6,12 @@ from contextlib import contextmanager
 import can
 import pytest
 
-from armui.bus.adapters import Device
+from armui.arm.device import Device
 from armui.bus.link import BusState
 from armui.bus.worker import BusWorker
 from armui.protocol.codec import Codec
-from armui.protocol.database import Generation
 from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
 
 JOINTS_12 = can.Message(
     arbitration_id=0x2A5, data=bytes.fromhex("00002EE0FFFFD120"), is_extended_id=False

@@ -6,11 +6,11 @@ import threading
 import can
 import pytest
 
-from armui.bus.adapters import Device
+from armui.arm.device import Device
 from armui.control.situation import LinkState, StopState
 from armui.protocol.codes import ControlMode
-from armui.protocol.database import Generation
 from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
 
 STOP = Frame(0x150, bytes.fromhex("01 00 00 00 00 00 00 00"))
 RESUME = Frame(0x150, bytes.fromhex("02 00 00 00 00 00 00 00"))
@@ -242,6 +242,30 @@ def test_a_silent_arm_is_offline_after_half_a_second_and_moves_no_more(bench):
     bench.powered = True
     bench.run_until(lambda: bench.controller.situation.link is LinkState.ONLINE)
     assert bench.codes().count("online") == 2
+
+
+def test_a_stopped_arm_that_falls_silent_can_be_stopped_again_not_resumed(bench):
+    bench.ready()
+    bench.controller.emergency_stop()
+    bench.run_until(lambda: bench.controller.situation.stop is StopState.STOPPED)
+    bench.powered = False
+    bench.run(0.6)
+    assert bench.controller.situation.stop is StopState.RUNNING
+    assert bench.controller.resume().code == "not_stopped"
+    bench.heard()
+    bench.controller.emergency_stop()
+    assert bench.heard() == [STOP]
+
+
+def test_coming_back_online_is_told_once_and_the_limits_are_read_anew(bench):
+    bench.ready()
+    bench.powered = False
+    bench.run(0.6)
+    assert bench.codes()[-1] == "offline"
+    bench.powered = True
+    bench.run_until(lambda: bench.codes().count("limits_read") == 2)
+    bench.run(0.5)
+    assert bench.codes().count("limits_read") == 2
 
 
 def test_an_unplugged_device_is_told_and_taken_up_again(bench, qtbot):

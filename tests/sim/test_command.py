@@ -8,7 +8,7 @@ import threading
 import can
 import pytest
 
-from armui.protocol.database import Generation
+from armui.protocol.generation import Generation
 from armui.sim import command
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node

@@ -11,7 +11,7 @@ import pytest
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import OddityKind
 from armui.protocol.codes import EndLoad
-from armui.protocol.database import Generation
+from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.settings import Light
 from tests.sim.talk import BOTH, frame, heard, tell, text

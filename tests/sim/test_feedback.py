@@ -9,8 +9,8 @@ import pytest
 
 from armui.arm.kinematics import Kinematics
 from armui.protocol.codec import Codec, Message
-from armui.protocol.database import Generation
 from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from tests.sim.talk import BOTH, DISABLE, STOP, frame, heard, mode, ready, target, tell, text
 

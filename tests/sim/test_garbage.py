@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec, Oddity
-from armui.protocol.database import Generation
 from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 
 HOST_IDS = [

@@ -8,7 +8,7 @@ import math
 import pytest
 
 from armui.protocol.codes import ArmStatusCode, ControlMode, MotionState, MoveMode
-from armui.protocol.database import Generation
+from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from tests.sim.talk import (
     BOTH,

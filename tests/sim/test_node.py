@@ -8,8 +8,8 @@ from collections.abc import Callable, Iterator
 import can
 import pytest
 
-from armui.protocol.database import Generation
 from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.node import PERIOD_S, Node
 from tests.sim.talk import ENABLE, STOP, frame, mode, target

@@ -7,7 +7,7 @@ import itertools
 import pytest
 
 from armui.protocol.codes import ArmStatusCode, ControlMode, MotionState
-from armui.protocol.database import Generation
+from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from tests.sim.talk import (
     BOTH,

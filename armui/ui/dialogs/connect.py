@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from armui.bus.adapters import DEFAULT_BITRATE, Device, bitrate_is_ours, interfaces
+from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.control.situation import Level, LinkState, Situation
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
@@ -98,7 +98,7 @@ class ConnectDialog(ArmDialog):
         self.body.addWidget(self._table, 1)
         self.body.addWidget(self._progress)
         self.body.addLayout(self._build_bitrate())
-        self._manual = ManualEntry(interfaces())
+        self._manual = ManualEntry(self._controller.interfaces())
         self._manual_label = QLabel()
         self._manual_label.setProperty("rank", "muted")
         self.body.addWidget(self._manual_label)

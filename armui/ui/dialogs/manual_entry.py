@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import QEvent, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
 
-from armui.bus.adapters import DEFAULT_BITRATE, Device, bitrate_is_ours
+from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 
 
 class ManualEntry(QWidget):

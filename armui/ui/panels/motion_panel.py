@@ -17,10 +17,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from armui.arm.device import Device
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
-from armui.bus.adapters import Device
 from armui.control.situation import Level, Situation
 from armui.ui import format as fmt
 from armui.ui import words

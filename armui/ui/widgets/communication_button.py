@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
-from armui.bus.adapters import Device
+from armui.arm.device import Device
 from armui.control.situation import LinkState, Situation
 from armui.ui import words
 from armui.ui.theme import Colors, colors_of, scaled_font

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-from armui.bus.adapters import Device
+from armui.arm.device import Device
 from armui.ui.words.text import sentence
 
 

@@ -7,8 +7,8 @@ from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
+from armui.arm.device import Device
 from armui.arm.refusal import Refusal
-from armui.bus.adapters import Device
 from armui.control.situation import Notice
 from armui.ui.words.devices import device_name
 from armui.ui.words.refusals import refusal
