@@ -4,7 +4,7 @@ import threading
 
 import pytest
 
-from armui.protocol.database import Generation
+from armui.protocol.generation import Generation
 from tests.bench import Bench
 from tests.desk import Desk
 

@@ -27,7 +27,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QFontDatabase, QPixmap
 from PySide6.QtWidgets import QApplication, QWidget
 
-from armui.protocol.database import Generation
+from armui.protocol.generation import Generation
 from tests.desk import Desk
 from tests.gallery_scenes import DIALOG_SCENES, WINDOW_SCENES, close_dialogs, panels
 

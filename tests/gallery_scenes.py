@@ -12,7 +12,7 @@ from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QLineEdit, QStackedWidget, QWidget
 
-from armui.bus.adapters import Device
+from armui.arm.device import Device
 from armui.control.situation import LinkState, StopState
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog

@@ -15,8 +15,8 @@ from armui.decode.entries import FrameKind, LogFrame, NotALogError, Unreadable
 from armui.decode.lines import json_line, text_line
 from armui.decode.logs import read_log
 from armui.protocol.codec import Codec
-from armui.protocol.database import Generation
 from armui.protocol.detect import GenerationDetector
+from armui.protocol.generation import Generation
 
 if TYPE_CHECKING:
     import argparse

@@ -9,7 +9,7 @@ from typing import Any, Final
 
 import can
 
-from armui.protocol.database import Generation
+from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
 

@@ -10,8 +10,8 @@ from typing import Protocol
 from armui.arm.kinematics import Kinematics, Pose
 from armui.arm.limits import JOINTS
 from armui.protocol.codec import Codec, EncodeError
-from armui.protocol.database import Generation
 from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
 from armui.sim.body import Body
 from armui.sim.condition import Condition
 from armui.sim.drivers import Drivers

@@ -26,8 +26,8 @@ from armui.protocol.codes import (
     StopCommand,
     TeachingState,
 )
-from armui.protocol.database import Generation
 from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
 from armui.sim.body import Body
 from armui.sim.condition import Condition
 from armui.sim.desk import SettingsDesk, Signals

@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from armui.protocol.database import Generation, load_database
+from armui.protocol.database import load_database
+from armui.protocol.generation import Generation
 
 TICK_NS: Final = 5_000_000
 """Frames leave on this grid: one burst of frames, one thread switch."""

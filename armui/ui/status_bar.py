@@ -133,7 +133,7 @@ class StatusBar(QWidget):
             texts = dict.fromkeys(("control", "arm", "mode", "reached"), fmt.NOTHING)
         else:
             texts = {
-                "control": words.control_mode(status.control_mode),
+                "control": words.control_mode_short(status.control_mode),
                 "arm": words.arm_status(status.arm_status),
                 "mode": words.move_mode(status.move_mode),
                 "reached": words.reached(status.reached),
@@ -144,6 +144,9 @@ class StatusBar(QWidget):
                 texts["joints"] = self._joint_faults(status)
         texts["control"] = self.tr("Control: {mode}").format(mode=texts["control"])
         texts["arm"] = self.tr("Status: {status}").format(status=texts["arm"])
+        self._labels["control"].setToolTip(
+            "" if status is None else words.control_mode(status.control_mode)
+        )
         colors = colors_of(self)
         ink = colors.muted if stale or status is None else colors.text
         alarm = None if stale or status is None else self._alarm_color(status)

@@ -5,8 +5,8 @@ import pytest
 from armui.arm.state import FRESH_FOR_S
 from armui.arm.tracker import Tracker
 from armui.protocol.codec import Codec
-from armui.protocol.database import Generation
 from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
 
 
 class Listener:

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec, EncodeError, Message, Oddity, OddityKind
-from armui.protocol.database import Generation
 from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
 
 CODECS = {generation: Codec(generation) for generation in Generation}
 ONE, TWO = CODECS[Generation.ONE], CODECS[Generation.TWO]

@@ -21,7 +21,7 @@ from armui.protocol.codes import (
     TeachingState,
     TrajectoryCommand,
 )
-from armui.protocol.database import Generation
+from armui.protocol.generation import Generation
 
 ONE, TWO = Codec(Generation.ONE), Codec(Generation.TWO)
 POSE = (56.128, 0, 213.266, 0, 85, 0)

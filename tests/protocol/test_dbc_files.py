@@ -9,7 +9,8 @@ import pytest
 
 from armui.paths import RESOURCES
 from armui.protocol import codes
-from armui.protocol.database import Generation, load_database
+from armui.protocol.database import load_database
+from armui.protocol.generation import Generation
 
 MESSAGES = [
     (generation, message)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from armui.protocol.database import Generation
 from armui.protocol.detect import GenerationDetector
 from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
 
 STATUS = "01 00 01 00 00 32 00 00"
 

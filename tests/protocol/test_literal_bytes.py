@@ -5,8 +5,9 @@ from __future__ import annotations
 import pytest
 
 from armui.protocol.codec import Codec, Message
-from armui.protocol.database import Generation, load_database
+from armui.protocol.database import load_database
 from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
 from tests.protocol.rows import BOTH, GENERATION_1, GENERATION_2, Row
 
 ROWS = {Generation.ONE: BOTH + GENERATION_1, Generation.TWO: BOTH + GENERATION_2}

@@ -28,8 +28,8 @@ from piper_sdk.piper_msgs.msg_v2 import ArmMessageMapping, PiperMessage
 from piper_sdk.protocol.protocol_v2 import C_PiperParserV2
 
 from armui.protocol.codec import Codec, Message, Oddity
-from armui.protocol.database import Generation
 from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
 
 CODEC = Codec(Generation.TWO)
 PARSER = C_PiperParserV2()

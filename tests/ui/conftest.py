@@ -10,9 +10,9 @@ import pytest
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QApplication, QWidget
 
+from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Heard, Status
-from armui.bus.adapters import Device
 from armui.control.situation import LinkState, Situation
 from armui.ui.theme import Theme, apply_theme
 

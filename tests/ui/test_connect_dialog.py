@@ -9,8 +9,8 @@ from PySide6.QtCore import QItemSelectionModel, Qt
 from PySide6.QtWidgets import QApplication, QTableView
 from pytestqt.qtbot import QtBot
 
+from armui.arm.device import Device
 from armui.arm.refusal import Refusal
-from armui.bus.adapters import Device
 from armui.control.situation import LinkState, Situation
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog

@@ -4,10 +4,10 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QLineEdit, QPushButton, QSlider
 
+from armui.arm.device import Device
 from armui.arm.limits import FACTORY_LIMITS, JointLimits
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
-from armui.bus.adapters import Device
 from armui.control.situation import LinkState
 from armui.ui.panels.motion_panel import MotionPanel
 from armui.ui.widgets.jog_button import JogButton

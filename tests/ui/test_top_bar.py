@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QSpinBox
 
 from armui.arm.refusal import Refusal
 from armui.control.situation import Busy, LinkState, Situation
-from armui.protocol.database import Generation
+from armui.protocol.generation import Generation
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.top_bar import TopBar
 from armui.ui.widgets.communication_button import CommunicationButton

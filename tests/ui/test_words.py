@@ -9,8 +9,8 @@ from datetime import datetime
 import pytest
 from PySide6.QtWidgets import QApplication
 
+from armui.arm.device import Device
 from armui.arm.refusal import Refusal
-from armui.bus.adapters import Device
 from armui.control.notices import CODES, REFUSALS
 from armui.control.situation import Level, Notice
 from armui.settings import SettingsStore, check

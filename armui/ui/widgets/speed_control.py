@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox, QWidget
 
 from armui.arm.state import ArmState
 from armui.control.situation import Situation
-from armui.protocol.database import Generation
+from armui.protocol.generation import Generation
 from armui.ui import format as fmt
 from armui.ui.freshness import is_stale
 from armui.ui.widgets.track_slider import TrackSlider
