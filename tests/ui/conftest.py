@@ -101,6 +101,10 @@ class FakeController(QObject):
 
     # what the windows ask
 
+    @staticmethod
+    def interfaces() -> list[str]:
+        return ["gs_usb", "slcan", "socketcan", "udp_multicast", "virtual"]
+
     def search_devices(self) -> None:
         self.calls.append(("search_devices",))
 

@@ -44,7 +44,7 @@ def test_nothing_heard(bar):
 
 def test_codes_in_words(bar, controller):
     controller.be_ready()
-    assert text(bar, "status_control") == "Control: CAN command control mode"
+    assert text(bar, "status_control") == "Control: CAN commands"
     assert text(bar, "status_arm") == "Status: Normal"
     assert text(bar, "status_mode") == "Joint mode"
     assert text(bar, "status_reached") == "Target reached"
