@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from armui.arm.device import Device
-from armui.arm.limits import check_joints, plausible
+from armui.arm.limits import check_joints
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.bus.link import BusReport
 from armui.bus.search import DeviceSearch
-from armui.control import gate
+from armui.control import gate, reports
 from armui.control.assessment import Circumstances, assess
 from armui.control.connection import Connection
 from armui.control.notices import CODES
@@ -34,7 +34,7 @@ from armui.protocol.frame import Frame
 if TYPE_CHECKING:
     from armui.bus.worker import Opener
 
-_TICK_MS: Final = 16
+_TICK_MS: Final = 33
 _HOME_DEG: Final = (0.0,) * 6
 _FIRST_SPEED_PERCENT: Final = 30
 
@@ -58,7 +58,7 @@ class ArmController(QObject):
         clock: Monotonic time in seconds.
 
     Signals:
-        state_changed: An :class:`ArmState`, at most 60 times a second, when something was heard.
+        state_changed: An :class:`ArmState`, at most 30 times a second, when something was heard.
         situation_changed: A :class:`Situation`, when it differs.
         noticed: A :class:`Notice`.
         devices_found: A list of :class:`Device`, the answer to :meth:`search_devices`.
@@ -363,37 +363,16 @@ class ArmController(QObject):
         if outcome is Outcome.WAITING:
             return
         self._request = None
-        self._tell_outcome(busy, done=outcome is Outcome.DONE)
-
-    def _tell_outcome(self, busy: Busy, *, done: bool) -> None:
-        if busy is Busy.RESUMING:
-            self._notice("resumed" if done else "resume_failed")
-        elif done:
-            self._notice("enabled" if busy is Busy.ENABLING else "disabled")
-        else:
-            wanted = busy is Busy.ENABLING
-            left = [n for n, on in enumerate(self._state.enabled(), 1) if on is not wanted]
-            code = "enable_failed" if wanted else "disable_failed"
-            self._notice(code, joints=gate.joint_list(left))
+        code, figures = reports.on_request(busy, self._state, done=outcome is Outcome.DONE)
+        self._notice(code, **figures)
 
     def _follow_handshake(self) -> None:
         handshake = self._connection.handshake
         if handshake is None or not handshake.done or self._limits_told:
             return
         self._limits_told = True
-        self._notice(
-            "generation",
-            generation=int(handshake.generation or 0),
-            firmware=self._state.firmware or "",
-        )
-        missing = self._state.joints_without_limits()
-        if missing:
-            self._notice("limits_missing", joints=gate.joint_list(missing))
-        else:
-            self._notice("limits_read")
-        for joint, limits in enumerate(self._state.limits, start=1):
-            if limits is not None and not plausible(limits.value):
-                self._notice("limits_corrupt", joint=joint)
+        for code, figures in reports.on_handshake(self._state, handshake.generation):
+            self._notice(code, **figures)
 
     def _on_connection(self, report: BusReport, code: str) -> None:
         if code == "link_lost":

@@ -1,0 +1,38 @@
+"""What is worth telling the operator when something has come to its end: pure, codes and figures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from armui.arm.limits import plausible
+from armui.arm.state import ArmState
+from armui.control.gate import joint_list
+from armui.control.situation import Busy
+from armui.protocol.generation import Generation
+
+Report = tuple[str, Mapping[str, object]]
+"""The code of a notice and its figures."""
+
+
+def on_handshake(state: ArmState, generation: Generation | None) -> Iterator[Report]:
+    """What an arm has answered to the first questions."""
+    yield "generation", {"generation": int(generation or 0), "firmware": state.firmware or ""}
+    missing = state.joints_without_limits()
+    if missing:
+        yield "limits_missing", {"joints": joint_list(missing)}
+    else:
+        yield "limits_read", {}
+    for joint, limits in enumerate(state.limits, start=1):
+        if limits is not None and not plausible(limits.value):
+            yield "limits_corrupt", {"joint": joint}
+
+
+def on_request(busy: Busy, state: ArmState, *, done: bool) -> Report:
+    """How switching the motors, or recovering from a stop, ended."""
+    if busy is Busy.RESUMING:
+        return ("resumed" if done else "resume_failed"), {}
+    wanted = busy is Busy.ENABLING
+    if done:
+        return ("enabled" if wanted else "disabled"), {}
+    left = [joint for joint, on in enumerate(state.enabled(), start=1) if on is not wanted]
+    return ("enable_failed" if wanted else "disable_failed"), {"joints": joint_list(left)}
