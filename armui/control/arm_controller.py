@@ -18,10 +18,10 @@ from armui.arm.limits import check_joints
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.bus.link import BusReport
-from armui.bus.search import DeviceSearch
 from armui.control import gate, reports
 from armui.control.assessment import Circumstances, assess
 from armui.control.connection import Connection
+from armui.control.device_finder import DeviceFinder
 from armui.control.notices import CODES
 from armui.control.request import Outcome, Request
 from armui.control.setpoint import Setpoint
@@ -81,9 +81,9 @@ class ArmController(QObject):
     ) -> None:
         super().__init__(parent)
         self._clock = clock
-        self._simulated = list(simulated)
-        self._find = find
-        self._search: DeviceSearch | None = None
+        self._finder = DeviceFinder(simulated, find, self)
+        self._finder.found.connect(self.devices_found)
+        self._finder.searching_changed.connect(self.searching_changed)
         self._connection = Connection(opener, clock, self)
         self._connection.changed.connect(self._on_connection)
         self._stop = StopKeeper(self._connection.send_urgent)
@@ -119,13 +119,7 @@ class ArmController(QObject):
 
     def search_devices(self) -> None:
         """Look for devices; :attr:`devices_found` tells."""
-        if self._search is not None:
-            return
-        self._search = DeviceSearch(self._simulated, self._find, parent=self)
-        self._search.found.connect(self.devices_found)
-        self._search.finished.connect(self._on_search_finished)
-        self.searching_changed.emit(True)
-        self._search.start()
+        self._finder.start()
 
     @staticmethod
     def interfaces() -> list[str]:
@@ -156,8 +150,7 @@ class ArmController(QObject):
 
     def shutdown(self) -> None:
         """Close the device and end every thread; nothing is sent."""
-        if self._search is not None:
-            self._search.wait()
+        self._finder.wait()
         self.disconnect_device()
 
     # The stop ---------------------------------------------------------------------------------
@@ -383,12 +376,6 @@ class ArmController(QObject):
             self._forget_arm()
         self._notice(code, device=report.device, reason=report.problem)
         self._refresh()
-
-    def _on_search_finished(self) -> None:
-        if self._search is not None:
-            self._search.deleteLater()
-            self._search = None
-        self.searching_changed.emit(False)
 
     def _forget_arm(self) -> None:
         self._stop.forget()

@@ -1,4 +1,4 @@
-"""What is worth telling the operator when something has come to its end: pure, codes and figures."""
+"""What to tell the operator when something has come to its end: pure, codes and figures."""
 
 from __future__ import annotations
 

@@ -337,7 +337,7 @@ def test_the_search_lists_the_simulated_arm_first(bench, qtbot):
     with qtbot.waitSignal(bench.controller.devices_found) as found:
         bench.controller.search_devices()
     assert found.args[0] == [bench.device]
-    qtbot.waitUntil(lambda: bench.controller._search is None)
+    qtbot.waitUntil(lambda: bench.controller._finder._search is None)
 
 
 def test_a_slow_search_does_not_hold_up_the_program(qtbot, bench):
@@ -347,11 +347,11 @@ def test_a_slow_search_does_not_hold_up_the_program(qtbot, bench):
         assert let_go.wait(10)
         return [Device("socketcan", "can0", None)]
 
-    bench.controller._find = find
+    bench.controller._finder._find = find
     bench.controller.search_devices()
     bench.connect()
     let_go.set()
     with qtbot.waitSignal(bench.controller.devices_found) as found:
         pass
     assert [device.interface for device in found.args[0]] == ["virtual", "socketcan"]
-    qtbot.waitUntil(lambda: bench.controller._search is None)
+    qtbot.waitUntil(lambda: bench.controller._finder._search is None)
