@@ -219,18 +219,14 @@ class ArmController(QObject):
 
     def jog(self, joint: int, delta_deg: float) -> Refusal | None:
         """Move one joint by a step at once; the other five stay where they are or were going."""
-        blocked = self._why_no_motion()
         base_deg = self._setpoint.jog_base_deg(
             self._state, self._clock(), moving=self._situation.moving
         )
-        if blocked is not None or base_deg is None:
-            return self._refuse(blocked or Refusal("joints_unknown"))
+        if base_deg is None:
+            return self._refuse(self._situation.cannot_move or Refusal("joints_unknown"))
         target_deg = list(base_deg)
         target_deg[joint - 1] = round(target_deg[joint - 1] + delta_deg, 3)
-        refusal = self._send_motion(target_deg)
-        if refusal is None:
-            self._notice("jogged", joint=joint, target=target_deg[joint - 1])
-        return refusal
+        return self._move(target_deg, "jogged", joint=joint, target=target_deg[joint - 1])
 
     def jog_lagging(self, joint: int, step_deg: float) -> bool:
         """Whether the arm is so far behind that a held button should not step on."""
@@ -238,32 +234,18 @@ class ArmController(QObject):
 
     def send_joints(self, angles_deg: Sequence[float]) -> Refusal | None:
         """Move to six angles in degrees (MOVE J, 0x155–0x157 and 0x151)."""
-        refusal = self._why_no_motion()
-        if refusal is not None:
-            return self._refuse(refusal)
-        refusal = self._send_motion(angles_deg)
-        if refusal is None:
-            self._notice("sent_joints", **_numbered(angles_deg))
-        return refusal
+        return self._move(angles_deg, "sent_joints", **_numbered(angles_deg))
 
     def go_home(self) -> Refusal | None:
         """Move to the factory zero angles."""
-        refusal = self._why_no_motion()
-        if refusal is not None:
-            return self._refuse(refusal)
-        refusal = self._send_motion(_HOME_DEG)
-        if refusal is None:
-            self._notice("went_home")
-        return refusal
+        return self._move(_HOME_DEG, "went_home")
 
     # How commands are carried out ---------------------------------------------------------------
 
-    def _why_no_motion(self) -> Refusal | None:
+    def _move(self, angles_deg: Sequence[float], code: str, **figures: object) -> Refusal | None:
+        """Send six angles if that may be, and tell so with a notice."""
         self._refresh()
-        return self._situation.cannot_move
-
-    def _send_motion(self, angles_deg: Sequence[float]) -> Refusal | None:
-        refusal = check_joints(angles_deg, self._situation.limits)
+        refusal = self._situation.cannot_move or check_joints(angles_deg, self._situation.limits)
         if refusal is not None:
             return self._refuse(refusal)
         frames = commands.move_joints(
@@ -272,6 +254,7 @@ class ArmController(QObject):
         if not self._connection.send(frames):
             return self._refuse(Refusal("link_lost"))
         self._setpoint.set(angles_deg, self._clock())
+        self._notice(code, **figures)
         return None
 
     def _switch_motors(self, *, on: bool) -> Refusal | None:
