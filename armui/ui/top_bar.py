@@ -47,7 +47,7 @@ class TopBar(QWidget):
         layout.addWidget(SpeedControl(controller), 1)
         layout.addStretch(0)
         layout.addWidget(self._enable)
-        layout.addWidget(StopButton(controller))
+        layout.addWidget(StopButton(controller, ask_to_resume=self._ask_to_resume))
         self._communication.clicked.connect(open_connection)
         self._enable.clicked.connect(self._on_enable)
         controller.situation_changed.connect(self._show_situation)
@@ -68,6 +68,19 @@ class TopBar(QWidget):
         else:
             tip = self.tr("Enables all six motors.")
         self._enable.setToolTip(tip)
+
+    def _ask_to_resume(self) -> None:
+        confirm(
+            self.window(),
+            self._controller,
+            title=self.tr("Resume after the emergency stop"),
+            text=self.tr(
+                "Resuming cuts the power of the motors: the arm will drop. Hold the arm.\n"
+                "Afterwards the motors must be enabled again."
+            ),
+            action_label=self.tr("Resume"),
+            on_confirmed=self._controller.resume,
+        )
 
     def _on_enable(self) -> None:
         if not self._enable.turns_off:

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QDialog, QLineEdit, QVBoxLayout, QWidget
 
 from armui.control.situation import Situation, StopState
 from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.top_bar import TopBar
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.stop_shortcut import StopShortcut
 from tests.ui.conftest import situation
@@ -26,7 +27,7 @@ def host(qtbot):
 
 @pytest.fixture
 def button(host, controller):
-    button = StopButton(controller)
+    button = TopBar(controller, lambda: None, host).findChild(StopButton)
     host.layout().addWidget(button)
     host.show()
     return button
@@ -111,8 +112,8 @@ def test_quick_presses_all_mean_stop(button, controller, host):
     assert not questions(host)
 
 
-def test_the_stop_of_a_question_never_asks(host, controller, qtbot):
-    button = StopButton(controller, host, may_resume=False)
+def test_the_stop_of_a_dialog_never_asks(host, controller, qtbot):
+    button = StopButton(controller, host)
     controller.be(situation(stop=StopState.STOPPED))
     assert button.text() == "Emergency stop"
     qtbot.mouseClick(button, LEFT)
@@ -165,6 +166,7 @@ def test_keys_stop_under_a_modal_dialog(host, controller, qtbot):
     dialog.show()
     qtbot.keyClick(dialog, Qt.Key.Key_F12)
     qtbot.keyClick(host, Qt.Key.Key_F12)
+    dialog.close()
     assert controller.calls == [("emergency_stop",)] * 2
 
 

@@ -24,15 +24,12 @@ class ArmDialog(QDialog):
     Args:
         controller: Whom the emergency stop tells.
         parent: The window it belongs to and stays in front of.
-        may_resume: Whether its stop button also offers recovery once the arm has stopped.
     """
 
     def __init__(
         self,
         controller: ArmController,
         parent: QWidget | None = None,
-        *,
-        may_resume: bool = True,
     ) -> None:
         super().__init__(parent)
         self.setModal(False)
@@ -40,7 +37,7 @@ class ArmDialog(QDialog):
         self._heading.setProperty("rank", "title")
         self._heading.setTextFormat(Qt.TextFormat.PlainText)
         self._heading.setWordWrap(True)
-        self.stop_button = StopButton(controller, self, may_resume=may_resume)
+        self.stop_button = StopButton(controller, self)
 
         header = QHBoxLayout()
         header.setSpacing(_GAP_PX)

@@ -41,7 +41,7 @@ class ConfirmDialog(ArmDialog):
         text: str,
         action_label: str,
     ) -> None:
-        super().__init__(controller, parent, may_resume=False)
+        super().__init__(controller, parent)
         self.set_title(title)
         self._sign = QLabel()
         self._text = QLabel(text)

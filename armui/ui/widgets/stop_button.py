@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
@@ -34,16 +35,21 @@ class StopButton(QPushButton):
 
     Args:
         controller: Whom to tell.
-        may_resume: Whether the second press offers recovery; not in the window that asks about it.
+        ask_to_resume: Asks the operator whether to recover an arm that has stopped; without it the
+            button only ever stops, as in the dialogs.
     """
 
     def __init__(
-        self, controller: ArmController, parent: QWidget | None = None, *, may_resume: bool = True
+        self,
+        controller: ArmController,
+        parent: QWidget | None = None,
+        *,
+        ask_to_resume: Callable[[], None] | None = None,
     ) -> None:
         super().__init__(parent)
         self.setObjectName("stop_button")
         self._controller = controller
-        self._may_resume = may_resume
+        self._ask_to_resume = ask_to_resume
         self._situation = controller.situation
         self._last_press_ms: int | None = None
         self._hurried = False
@@ -66,29 +72,13 @@ class StopButton(QPushButton):
         self._hurried = False
 
     def _on_pressed(self) -> None:
-        if self._offers_recovery() and not self._hurried:
+        if self._ask_to_resume is not None and self._offers_recovery() and not self._hurried:
             self._ask_to_resume()
         else:
             self._controller.emergency_stop()
 
     def _offers_recovery(self) -> bool:
-        return self._may_resume and self._situation.stop is StopState.STOPPED
-
-    def _ask_to_resume(self) -> None:
-        # the dialog holds a stop button itself
-        from armui.ui.dialogs.confirm import confirm  # noqa: PLC0415
-
-        confirm(
-            self.window(),
-            self._controller,
-            title=self.tr("Resume after the emergency stop"),
-            text=self.tr(
-                "Resuming cuts the power of the motors: the arm will drop. Hold the arm.\n"
-                "Afterwards the motors must be enabled again."
-            ),
-            action_label=self.tr("Resume"),
-            on_confirmed=self._controller.resume,
-        )
+        return self._ask_to_resume is not None and self._situation.stop is StopState.STOPPED
 
     # -- appearance ---------------------------------------------------------------------------
 
