@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import signal
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -79,7 +80,7 @@ class Program:
         """
         waiting = [device]
 
-        def connect(*_reason: str) -> None:
+        def connect(*_reason: object) -> None:
             if waiting and self.controller.situation.device is None:
                 self.controller.connect_device(waiting.pop())
             waiting.clear()
@@ -116,11 +117,21 @@ def run(options: StartOptions) -> int:
     store = SettingsStore(default_path(), for_this_run=chosen)
     program = Program(app, store, ArmController(open_device, SIMULATED))
     app.aboutToQuit.connect(program.shutdown)
+    _end_on_ctrl_c(app)
     program.window.show()
     device = chosen_device(options)
     if device is not None:
         program.connect_when_drawn(device)
     return app.exec()
+
+
+def _end_on_ctrl_c(app: QApplication) -> None:
+    """End the program in good order when it is interrupted in its terminal."""
+    signal.signal(signal.SIGINT, lambda *_: app.exit(130))
+    # Python looks for signals only when it runs: let it run now and then
+    heartbeat = QTimer(app, interval=250)
+    heartbeat.timeout.connect(lambda: None)
+    heartbeat.start()
 
 
 def chosen_device(options: StartOptions) -> Device | None:
