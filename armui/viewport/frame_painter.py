@@ -1,13 +1,15 @@
 """Turns wishes into pictures: what the view should show, and the one who draws it.
 
-No Qt, and VTK is imported with the first picture: that takes most of a second, and happens in the
-thread that draws.
+No Qt, and VTK, trimesh and yourdfpy are imported with the first picture: that takes a second, and
+happens in the thread that draws.
 """
 
 from __future__ import annotations
 
+import gc
 import math
 import time
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -16,9 +18,10 @@ from armui.viewport.errors import SceneError
 from armui.viewport.palette import LIGHT, ScenePalette
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
     from pathlib import Path
 
+    from armui.arm.refusal import Refusal
     from armui.viewport.offscreen import Pixels
     from armui.viewport.scene import Scene
 
@@ -74,6 +77,23 @@ class ViewState:
     pick: PickRequest | None = None
 
 
+@contextmanager
+def _no_garbage_collection() -> Iterator[None]:
+    """For loading libraries: nothing of it is garbage.
+
+    Yet so many new objects set off collections that look at all of them, and each holds Python's
+    lock for up to 70 ms, in which nobody could stop the arm.
+    """
+    gc.disable()
+    try:
+        yield
+    finally:
+        # Together: what there is counts as old, as if it had been looked at already.
+        gc.freeze()
+        gc.unfreeze()
+        gc.enable()
+
+
 class FramePainter:
     """Owns the scene; lives and dies in one thread.
 
@@ -82,12 +102,12 @@ class FramePainter:
     be slow, and `refine` draws it once more when it has come to rest.
 
     Args:
-        on_load_failed: told in words why a robot can't be shown; the one before stays.
+        on_load_failed: told why a robot can't be shown; the one before stays.
         on_picked: told the joint number seen at a pick, or None.
     """
 
     def __init__(
-        self, on_load_failed: Callable[[str], None], on_picked: Callable[[int | None], None]
+        self, on_load_failed: Callable[[Refusal], None], on_picked: Callable[[int | None], None]
     ) -> None:
         self._on_load_failed = on_load_failed
         self._on_picked = on_picked
@@ -144,8 +164,9 @@ class FramePainter:
         return pixels
 
     def _open(self) -> Scene:
-        # VTK takes most of a second to import, and only this thread has to wait for it.
-        from armui.viewport.scene import Scene  # noqa: PLC0415 - see above
+        # VTK, trimesh and yourdfpy take a second to import; only this thread has to wait for them.
+        with _no_garbage_collection():
+            from armui.viewport.scene import Scene  # noqa: PLC0415 - see above
 
         self._scene = Scene()
         return self._scene
@@ -154,4 +175,4 @@ class FramePainter:
         try:
             scene.load(state.robot.path)
         except SceneError as error:
-            self._on_load_failed(str(error))
+            self._on_load_failed(error.refusal)

@@ -1,4 +1,4 @@
-"""Shapes for the picture: meshes from files, simple solids, the floor and the axes.
+"""Shapes for the picture: smooth surfaces, the floor and the axes.
 
 Slow to import (VTK): the render thread imports it, nothing else does.
 """
@@ -9,58 +9,24 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pyvista as pv
-
-from armui.viewport.errors import SceneError
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 if TYPE_CHECKING:
-    from pathlib import Path
+    from trimesh import Trimesh
 
-    from armui.viewport.robot import Matrix, Visual
+    from armui.viewport.robot import Matrix
 
 _SMOOTH_BELOW_DEG = 35.0
-_VTK_READS = frozenset({".stl", ".ply", ".obj"})
 
 
-def picture_of(visual: Visual) -> pv.PolyData:
-    """Triangles of one visual in the frame of its link, metres, with normals for smooth shading.
-
-    Raises:
-        SceneError: the mesh file can't be read or holds no surface.
-    """
-    if visual.mesh is not None:
-        surface: pv.PolyData = _read(visual.mesh).scale(visual.size, inplace=False)
-    elif visual.kind == "box":
-        x, y, z = visual.size
-        surface = pv.Cube(x_length=x, y_length=y, z_length=z)
-    elif visual.kind == "cylinder":
-        radius, length = visual.size
-        surface = pv.Cylinder(direction=(0, 0, 1), radius=radius, height=length, resolution=48)
-    else:
-        surface = pv.Sphere(radius=visual.size[0])
-    surface = surface.transform(visual.pose, inplace=False)
-    # STL files repeat each corner; merged corners are what lets normals run smoothly over a
-    # surface.
-    smooth: pv.PolyData = (
-        surface.triangulate()
-        .clean()
-        .compute_normals(feature_angle=_SMOOTH_BELOW_DEG, split_vertices=True, cell_normals=False)
+def smooth(surface: Trimesh) -> pv.PolyData:
+    """The same triangles with normals that run smoothly over all but sharp edges."""
+    triangles: pv.PolyData = pv.PolyData.from_regular_faces(surface.vertices, surface.faces)
+    # Only merged corners let normals run over from one triangle to the next.
+    shaded: pv.PolyData = triangles.clean().compute_normals(
+        feature_angle=_SMOOTH_BELOW_DEG, split_vertices=True, cell_normals=False
     )
-    return smooth
-
-
-def _read(path: Path) -> pv.PolyData:
-    try:
-        if path.suffix.lower() in _VTK_READS:
-            surface = pv.read(path)
-        else:
-            import trimesh  # noqa: PLC0415 - half a second that only the rarer formats should cost
-
-            surface = pv.wrap(trimesh.load(path, force="mesh"))
-    except Exception as error:
-        raise SceneError(f"{path}: the mesh can't be read ({error}); export it again.") from error
-    if not isinstance(surface, pv.PolyData) or surface.n_cells == 0:
-        raise SceneError(f"{path}: the mesh holds no surface; export it again.")
-    return surface
+    return shaded
 
 
 def floor_lines(radius_m: float, step_m: float) -> tuple[pv.PolyData, np.ndarray]:
@@ -98,6 +64,15 @@ def axis_arrow(direction: tuple[float, float, float], length_m: float) -> pv.Pol
         tip_resolution=24,
         shaft_resolution=16,
     )
+
+
+def actor_of(surface: pv.PolyData) -> vtkActor:
+    """Something to put into a renderer."""
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(surface)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    return actor
 
 
 def flat(matrix: Matrix) -> list[float]:

@@ -3,25 +3,27 @@
 VTK looks for a way to draw by itself (EGL, X, OSMesa, or Windows' own) and ends the whole process
 if it finds none. A host program of an arm must not die of a missing graphics library, so that case
 is found out before the first drawing call.
+
+Windows, actors and lights are VTK's own, not those of pyvista's plotter: that takes 0.7 s to
+import, most of it for charts and matplotlib, which the picture of an arm has no use for.
 """
 
 from __future__ import annotations
 
 import ctypes.util
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
 import numpy as np
-import pyvista as pv
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 - what VTK's windows and actors draw with
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonCore import vtkObject, vtkUnsignedCharArray
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
-from armui.viewport.errors import SceneError
+from armui.viewport.errors import NO_OPENGL, SceneError
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
-
-    from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
 Pixels = NDArray[np.uint8]
 
@@ -38,7 +40,7 @@ def _quiet_vtk() -> Iterator[None]:
 
 
 class Canvas:
-    """An off-screen plotter that can draw.
+    """An off-screen window that can draw.
 
     Attributes:
         renderer: where actors and lights go.
@@ -48,18 +50,14 @@ class Canvas:
     """
 
     def __init__(self, width_px: int, height_px: int) -> None:
+        self.renderer = vtkRenderer()
         with _quiet_vtk():
-            self._plotter = pv.Plotter(
-                off_screen=True, window_size=[width_px, height_px], lighting="none"
-            )
-            self.renderer: pv.Renderer = self._plotter.renderer
-            self._window = cast("vtkRenderWindow", self._plotter.render_window)
+            self._window = vtkRenderWindow()
+            self._window.OffScreenRenderingOn()
+            self._window.SetSize(width_px, height_px)
             if not _can_draw(self._window):
-                self.close()
-                raise SceneError(
-                    "3D picture: this computer offers no OpenGL; install a graphics driver or Mesa "
-                    "(on Debian the packages libegl1 and libgl1-mesa-dri)."
-                )
+                raise SceneError(NO_OPENGL)
+        self._window.AddRenderer(self.renderer)
         # Eightfold sampling triples the time of a frame where the processor draws it.
         self._window.SetMultiSamples(0)
 
@@ -89,7 +87,7 @@ class Canvas:
 
     def close(self) -> None:
         """Give the graphics memory back."""
-        self._plotter.close()
+        self._window.Finalize()
 
 
 def _can_draw(window: vtkRenderWindow) -> bool:

@@ -15,7 +15,8 @@ import threading
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtGui import QImage
 
-from armui.viewport.errors import SceneError
+from armui.arm.refusal import Refusal
+from armui.viewport.errors import DRAWING_STOPPED, SceneError
 from armui.viewport.frame_painter import FramePainter, ViewState
 from armui.viewport.mailbox import Mailbox
 
@@ -31,8 +32,8 @@ class RenderThread(QObject):
     Signals:
         frame_ready: a finished picture, with a copy of its own memory.
         joint_picked: the joint number (1–6) or None at a picked place.
-        load_failed: why a robot can't be shown; the one before stays.
-        failed: why nothing can be drawn at all; no pictures follow.
+        load_failed: why a robot can't be shown, a `Refusal`; the one before stays.
+        failed: why nothing can be drawn at all, a `Refusal`; no pictures follow.
 
     Args:
         threaded: False draws in the calling thread, between two events; by default on macOS only.
@@ -40,8 +41,8 @@ class RenderThread(QObject):
 
     frame_ready = Signal(QImage)
     joint_picked = Signal(object)
-    load_failed = Signal(str)
-    failed = Signal(str)
+    load_failed = Signal(object)
+    failed = Signal(object)
 
     def __init__(
         self, *, threaded: bool = sys.platform != "darwin", parent: QObject | None = None
@@ -119,11 +120,12 @@ class RenderThread(QObject):
         try:
             pixels = painter.refine() if state is None else painter.paint(state)
         except SceneError as error:
-            self.failed.emit(str(error))
+            self.failed.emit(error.refusal)
             return False
         except Exception as error:  # noqa: BLE001 - a picture must not take the controls with it
             _LOG.exception("The 3D view stopped")
-            self.failed.emit(f"{type(error).__name__}: {error}")
+            text = f"{type(error).__name__}: {error}"
+            self.failed.emit(Refusal(DRAWING_STOPPED, {"text": text}))
             return False
         if pixels is not None:
             height, width, depth = pixels.shape

@@ -3,6 +3,10 @@
 Pure data and numpy: nothing is drawn here, and nothing is imported that would slow the program's
 start. Lengths are metres and angles radians as in URDF; the joint angles handed in are the arm's
 own, in degrees, and the gripper opening in millimetres.
+
+The poses are worked out here, though yourdfpy can do it too: it takes 0.60 ms for the arm's
+twelve links, this takes 0.05 ms, and the arm is posed for every picture while Python's lock keeps
+the bus thread waiting. A test compares the two.
 """
 
 from __future__ import annotations
@@ -16,7 +20,8 @@ from numpy.typing import NDArray
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
-    from pathlib import Path
+
+    from trimesh import Trimesh
 
 Matrix = NDArray[np.float64]
 Rgb = tuple[float, float, float]
@@ -26,21 +31,17 @@ HINGES = frozenset({"revolute", "continuous"})
 
 
 @dataclass(frozen=True)
-class Visual:
-    """One picture of a link: a mesh file or a simple solid.
+class Part:
+    """One shape of a link.
 
     Attributes:
-        kind: "mesh", "box", "cylinder" or "sphere".
-        size: scale factors of a mesh; edges of a box, (radius, length) or (radius,) in metres.
-        mesh: the file of a mesh, else None.
-        pose: 4×4 in the frame of the link, metres.
+        link: name of the link.
+        surface: triangles in the frame of the link, metres.
         color: red, green, blue in 0–1, or None when the file names none.
     """
 
-    kind: str
-    size: tuple[float, ...]
-    mesh: Path | None
-    pose: Matrix
+    link: str
+    surface: Trimesh
     color: Rgb | None
 
 
@@ -55,7 +56,7 @@ class Mimic:
 
 @dataclass(frozen=True)
 class Joint:
-    """One joint; `lower` and `upper` are radians (hinges) or metres (sliders)."""
+    """One joint; `lower` and `upper` are radians (hinges) or metres (sliders), `axis` is a unit."""
 
     name: str
     kind: str
@@ -89,21 +90,16 @@ class Robot:
     """Links and joints of one arm.
 
     Attributes:
-        path: the file it came from.
         root: name of the link everything stands on.
-        visuals: the pictures of each link.
-        joints: every joint, parents before children, leaders before those that mimic them.
+        joints: every joint, parents before children.
         arm_joints: names of the six hinges of the arm, base first.
-        joint_number_of_link: by link name, the number (1–6) of the arm joint that moves it last;
-            the links before joint 1 are absent.
+        parts: the shapes of all links.
     """
 
-    path: Path
     root: str
-    visuals: dict[str, tuple[Visual, ...]]
     joints: tuple[Joint, ...]
     arm_joints: tuple[str, ...]
-    joint_number_of_link: dict[str, int]
+    parts: tuple[Part, ...]
 
     def link_poses(self, angles_deg: Sequence[float], opening_mm: float) -> dict[str, Matrix]:
         """Poses of all links in the root's frame.
@@ -116,24 +112,34 @@ class Robot:
             4×4 matrices in metres, by link name.
         """
         values = {
-            name: math.radians(angle_deg)
-            for name, angle_deg in zip(self.arm_joints, angles_deg, strict=True)
+            joint.name: joint.opened(opening_mm / 2000.0)
+            for joint in self.joints
+            if joint.kind == "prismatic"
         }
+        for name, angle_deg in zip(self.arm_joints, angles_deg, strict=True):
+            values[name] = math.radians(angle_deg)
         poses = {self.root: np.eye(4)}
         for joint in self.joints:
-            if joint.name not in values:
-                values[joint.name] = _follower_value(joint, values, opening_mm)
-            poses[joint.child] = poses[joint.parent] @ joint.pose(values[joint.name])
+            if joint.mimic is None:
+                value = values.get(joint.name, 0.0)
+            else:
+                leader = values.get(joint.mimic.leader, 0.0)
+                value = joint.mimic.multiplier * leader + joint.mimic.offset
+            poses[joint.child] = poses[joint.parent] @ joint.pose(value)
         return poses
 
+    def joint_numbers(self) -> dict[str, int]:
+        """By link name, the number (1–6) of the arm joint that moves it last.
 
-def _follower_value(joint: Joint, values: dict[str, float], opening_mm: float) -> float:
-    """Value of a joint that is none of the arm's six."""
-    if joint.mimic is not None:
-        return joint.mimic.multiplier * values[joint.mimic.leader] + joint.mimic.offset
-    if joint.kind == "prismatic":
-        return joint.opened(opening_mm / 2000.0)
-    return 0.0
+        The links before joint 1 are absent.
+        """
+        numbers: dict[str, int] = {}
+        for joint in self.joints:
+            if joint.name in self.arm_joints:
+                numbers[joint.child] = self.arm_joints.index(joint.name) + 1
+            elif joint.parent in numbers:
+                numbers[joint.child] = numbers[joint.parent]
+        return numbers
 
 
 def rotation_about(axis: NDArray[np.float64], angle_rad: float) -> Matrix:
@@ -149,14 +155,3 @@ def rotation_about(axis: NDArray[np.float64], angle_rad: float) -> Matrix:
             [0.0, 0.0, 0.0, 1.0],
         ]
     )
-
-
-def pose_from_xyz_rpy(xyz_m: Sequence[float], rpy_rad: Sequence[float]) -> Matrix:
-    """4×4 pose of a URDF <origin>: Rz(yaw)·Ry(pitch)·Rx(roll), then the shift."""
-    roll, pitch, yaw = rpy_rad
-    x_axis, y_axis, z_axis = np.eye(3)
-    pose = (
-        rotation_about(z_axis, yaw) @ rotation_about(y_axis, pitch) @ rotation_about(x_axis, roll)
-    )
-    pose[:3, 3] = xyz_m
-    return pose

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-import pyvista as pv
-from vtkmodules.vtkRenderingCore import vtkFollower, vtkPolyDataMapper
+from vtkmodules.vtkRenderingCore import vtkFollower, vtkLight, vtkPolyDataMapper
 from vtkmodules.vtkRenderingFreeType import vtkVectorText
 
-from armui.viewport.geometry import axis_arrow, floor_lines
+from armui.viewport.geometry import actor_of, axis_arrow, floor_lines
 from armui.viewport.palette import ScenePalette, mix, rgb
+
+if TYPE_CHECKING:
+    import pyvista as pv
+    from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
 _FLOOR_RADIUS_M = 0.9
 _FLOOR_STEP_M = 0.1
@@ -20,17 +25,15 @@ _AXES = (("X", (1.0, 0.0, 0.0)), ("Y", (0.0, 1.0, 0.0)), ("Z", (0.0, 0.0, 1.0)))
 class Stage:
     """Floor grid, labelled axes and lights of one renderer."""
 
-    def __init__(self, renderer: pv.Renderer) -> None:
+    def __init__(self, renderer: vtkRenderer) -> None:
         self._renderer = renderer
         lines, self._outward = floor_lines(_FLOOR_RADIUS_M, _FLOOR_STEP_M)
         self._lines = lines
         self._lines.point_data["color"] = np.zeros((lines.n_points, 3), np.uint8)
         self._lines.point_data.active_scalars_name = "color"
-        self._grid = self._unlit(pv.DataSetMapper(self._lines))
-        self._grid.mapper.color_mode = "direct"
+        self._grid = self._unlit(self._lines)
         self._arrows = [
-            self._unlit(pv.DataSetMapper(axis_arrow(direction, _AXIS_LENGTH_M)))
-            for _, direction in _AXES
+            self._unlit(axis_arrow(direction, _AXIS_LENGTH_M)) for _, direction in _AXES
         ]
         self._letters = [self._letter(text, direction) for text, direction in _AXES]
         self._light()
@@ -45,16 +48,16 @@ class Stage:
             np.uint8
         )
         for color, arrow, letter in zip(palette.axes, self._arrows, self._letters, strict=True):
-            arrow.prop.color = rgb(color)
+            arrow.GetProperty().SetColor(*rgb(color))
             letter.GetProperty().SetColor(*mix(rgb(color), rgb(palette.text), 0.15))
 
     def scale_lines(self, pixel_ratio: float) -> None:
         """Keep the floor lines as wide to the eye on screens with small pixels."""
-        self._grid.prop.line_width = pixel_ratio
+        self._grid.GetProperty().SetLineWidth(pixel_ratio)
 
-    def _unlit(self, mapper: pv.DataSetMapper) -> pv.Actor:
-        actor = pv.Actor(mapper=mapper)
-        actor.prop.lighting = False
+    def _unlit(self, surface: pv.PolyData) -> vtkActor:
+        actor = actor_of(surface)
+        actor.GetProperty().LightingOff()
         self._add(actor)
         return actor
 
@@ -72,7 +75,7 @@ class Stage:
         self._add(follower)
         return follower
 
-    def _add(self, actor: pv.Actor | vtkFollower) -> None:
+    def _add(self, actor: vtkActor) -> None:
         actor.PickableOff()
         self._renderer.AddActor(actor)
 
@@ -83,7 +86,8 @@ class Stage:
             ((-0.6, 1.2, 0.9), 0.56),
             ((0.9, 0.1, 0.5), 0.2),
         ):
-            light = pv.Light(light_type="camera light", intensity=intensity)
-            light.position = position
-            light.focal_point = (0.0, 0.0, 0.0)
+            light = vtkLight()
+            light.SetLightTypeToCameraLight()
+            light.SetIntensity(intensity)
+            light.SetPosition(position)
             self._renderer.AddLight(light)

@@ -7,12 +7,13 @@ import sys
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QCoreApplication, QPointF, QRectF, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QCoreApplication, QEvent, QPointF, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 from PySide6.QtWidgets import QApplication, QWidget
 
 from armui.paths import URDF
 from armui.viewport.camera import HOME_CAMERA
+from armui.viewport.errors import NO_OPENGL
 from armui.viewport.frame_painter import PickRequest, RobotChoice, ViewState
 from armui.viewport.hud import HudValues, paint_hud
 from armui.viewport.palette import LIGHT, ScenePalette
@@ -35,8 +36,10 @@ if TYPE_CHECKING:
         QWheelEvent,
     )
 
+    from armui.arm.refusal import Refusal
     from armui.viewport.camera import OrbitCamera
 
+_BUILT_IN_ROBOT = URDF / "piper.urdf"
 _KEY_TURN_PX = 20.0
 _WHEEL_STEP = 120.0
 
@@ -50,17 +53,18 @@ class ArmView(QWidget):
 
     Signals:
         joint_picked: a link was double-clicked; its joint number, 1–6.
-        load_failed: why a robot description can't be shown, with the remedy; the old one stays.
+        load_failed: why a robot description can't be shown, a `Refusal` with one of the codes
+            `armui.viewport.errors.LOAD_REFUSALS`; the old one stays.
         first_frame_shown: the arm is on the screen for the first time.
 
     Args:
-        robot: URDF file to begin with; the project's own arm by default.
+        robot: URDF file to begin with; None: the project's own arm.
         palette: colours to begin with.
         threaded: see `RenderThread`.
     """
 
     joint_picked = Signal(int)
-    load_failed = Signal(str)
+    load_failed = Signal(object)
     first_frame_shown = Signal()
 
     def __init__(
@@ -72,11 +76,11 @@ class ArmView(QWidget):
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
-        self._state = ViewState(RobotChoice(robot or URDF / "piper.urdf"), palette=palette)
+        self._state = ViewState(RobotChoice(robot or _BUILT_IN_ROBOT), palette=palette)
         self._hud = HudValues()
         self._image: QImage | None = None
         self._is_frame_new = False
-        self._failure = ""
+        self._failure: Refusal | None = None
         self._drag_from: QPointF | None = None
         self._pick_serial = 0
         self._is_shut_down = False
@@ -138,9 +142,14 @@ class ArmView(QWidget):
         self._show(replace(self._state, palette=palette))
         self.update()
 
-    def set_robot(self, path: Path) -> None:
-        """Show another robot description; `load_failed` tells if that can't be done."""
-        self._show(replace(self._state, robot=RobotChoice(path, self._state.robot.serial + 1)))
+    def set_robot(self, path: Path | None) -> None:
+        """Show another robot description; `load_failed` tells if that can't be done.
+
+        Args:
+            path: the URDF file; None: the project's own arm.
+        """
+        choice = RobotChoice(path or _BUILT_IN_ROBOT, self._state.robot.serial + 1)
+        self._show(replace(self._state, robot=choice))
 
     def highlight_joint(self, number: int | None) -> None:
         """Give the links moved by joint 1–6 the accent colour; None takes it away."""
@@ -195,9 +204,22 @@ class ArmView(QWidget):
         if number is not None:
             self.joint_picked.emit(number)
 
-    def _on_failed(self, reason: str) -> None:
+    def _on_failed(self, reason: Refusal) -> None:
         self._failure = reason
         self.update()
+
+    def _notice(self) -> str:
+        """What stands where no picture is; empty when there is one."""
+        if self._failure is None:
+            return self.tr("Loading the 3D model …") if self._image is None else ""
+        if self._failure.code == NO_OPENGL:
+            return self.tr(
+                "The 3D view is not available: this computer offers no OpenGL. Install a graphics "
+                "driver or Mesa (on Debian the packages libegl1 and libgl1-mesa-dri) and start the "
+                "program again."
+            )
+        text = self.tr("The 3D view has stopped ({text}). Start the program again.")
+        return text.format_map(self._failure.params)
 
     # Qt's events
 
@@ -228,13 +250,9 @@ class ArmView(QWidget):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.fillRect(self.rect(), QColor(palette.background))
-        if self._failure:
-            self._paint_notice(
-                painter, self.tr("The 3D view is not available.") + "\n" + self._failure
-            )
-        elif self._image is None:
-            self._paint_notice(painter, self.tr("Loading the 3D model …"))
-        else:
+        if notice := self._notice():
+            self._paint_notice(painter, notice)
+        elif self._image is not None:
             # Until the picture of a new size is there, the old one stays in the middle.
             size = self._image.deviceIndependentSize()
             corner = QPointF(
@@ -261,6 +279,12 @@ class ArmView(QWidget):
             Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap,
             text,
         )
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            self.update()
 
     def focusInEvent(self, event: QFocusEvent) -> None:
         """Show the focus."""

@@ -1,10 +1,12 @@
 """Draws when something has changed, and only then."""
 
+import gc
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
+from armui.arm.refusal import Refusal
 from armui.paths import URDF
 from armui.viewport import frame_painter
 from armui.viewport.frame_painter import FramePainter, PickRequest, RobotChoice, ViewState
@@ -23,7 +25,7 @@ class Desk:
     """A painter and what it told."""
 
     def __init__(self) -> None:
-        self.failures: list[str] = []
+        self.failures: list[Refusal] = []
         self.picked: list[int | None] = []
         self.painter = FramePainter(self.failures.append, self.picked.append)
 
@@ -39,6 +41,16 @@ def test_an_unchanged_state_is_not_drawn_again(desk):
     assert desk.painter.paint(STATE).shape == (180, 240, 4)
     assert desk.painter.paint(replace(STATE)) is None
     assert desk.painter.paint(replace(STATE, angles_deg=(1.0,) * 6)) is not None
+
+
+def test_garbage_is_collected_again_once_the_libraries_are_loaded():
+    with frame_painter._no_garbage_collection():
+        assert not gc.isenabled()
+    assert gc.isenabled()
+    assert gc.get_freeze_count() == 0
+    with pytest.raises(ImportError), frame_painter._no_garbage_collection():
+        raise ImportError
+    assert gc.isenabled()
 
 
 @pytest.mark.parametrize(
@@ -75,7 +87,7 @@ def test_a_robot_that_fails_is_told_and_the_old_one_stays(desk, tmp_path):
     after = desk.painter.paint(replace(STATE, robot=RobotChoice(path)))
     np.testing.assert_array_equal(before, after)
     (failure,) = desk.failures
-    assert str(path) in failure
+    assert failure == Refusal("urdf_joint_count", {"path": str(path), "found": 3, "wanted": 6})
 
 
 def test_the_same_file_is_read_again_when_asked_again(desk, tmp_path):

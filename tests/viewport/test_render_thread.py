@@ -5,7 +5,9 @@ from dataclasses import replace
 
 import pytest
 
+from armui.arm.refusal import Refusal
 from armui.paths import URDF
+from armui.viewport.errors import DRAWING_STOPPED, NO_OPENGL
 from armui.viewport.frame_painter import RobotChoice, ViewState
 from armui.viewport.render_thread import RenderThread
 
@@ -77,7 +79,9 @@ def test_an_unforeseen_error_is_told_and_ends_the_drawing_only(renderer, qtbot, 
     with qtbot.waitSignal(renderer.failed, timeout=20_000) as failed:
         renderer.start()
         renderer.show(replace(STATE, angles_deg=(0.0,)))
-    assert "ValueError" in failed.args[0]
+    (reason,) = failed.args
+    assert reason.code == DRAWING_STOPPED
+    assert reason.params["text"].startswith("ValueError: ")
     assert "3D view stopped" in caplog.text
 
 
@@ -87,7 +91,7 @@ def test_no_opengl_is_told(renderer, qtbot, monkeypatch):
     with qtbot.waitSignal(renderer.failed, timeout=20_000) as failed:
         renderer.start()
         renderer.show(STATE)
-    assert "OpenGL" in failed.args[0]
+    assert failed.args == [Refusal(NO_OPENGL)]
 
 
 def test_stop_ends_the_thread_whatever_it_waits_for(qapp, qtbot):

@@ -4,33 +4,42 @@ import math
 
 import numpy as np
 import pytest
+import trimesh
 
+from armui.arm.refusal import Refusal
 from armui.paths import URDF
-from armui.viewport.errors import SceneError
+from armui.viewport.errors import LOAD_REFUSALS, SceneError
 from armui.viewport.urdf_file import load_robot
-from tests.viewport.foreign import ARM, joint, link, mesh, write_arm
+from tests.viewport.foreign import joint, link, mesh, write_arm
 
 BOX = '<visual><geometry><box size="0.1 0.2 0.3"/></geometry></visual>'
 
 
-def refusal(path) -> str:
+def refusal(path) -> Refusal:
     with pytest.raises(SceneError) as caught:
         load_robot(path)
-    return str(caught.value)
+    reason = caught.value.refusal
+    assert reason.code in LOAD_REFUSALS
+    return reason
+
+
+def parts_of(robot, link: str) -> list:
+    return [part for part in robot.parts if part.link == link]
 
 
 def test_our_arm_has_its_joints_colours_and_meshes():
     robot = load_robot(URDF / "piper.urdf")
     assert robot.root == "base_link"
     assert robot.arm_joints == tuple(f"joint{number}" for number in range(1, 7))
-    shell, dark = robot.visuals["link2"]
-    assert shell.mesh == (URDF / "meshes" / "link2_shell.stl").resolve()
+    shell, dark = parts_of(robot, "link2")
+    committed = trimesh.load(URDF / "meshes" / "link2_shell.stl")
+    np.testing.assert_allclose(shell.surface.triangles, committed.triangles)
     assert min(shell.color) > 0.9
     assert max(dark.color) < 0.3
 
 
 def test_links_know_the_joint_that_moves_them():
-    numbers = load_robot(URDF / "piper.urdf").joint_number_of_link
+    numbers = load_robot(URDF / "piper.urdf").joint_numbers()
     assert "base_link" not in numbers
     assert [numbers[f"link{number}"] for number in range(1, 7)] == [1, 2, 3, 4, 5, 6]
     assert numbers["finger_left"] == 6
@@ -56,12 +65,38 @@ def test_a_slider_that_opens_downward_goes_to_its_lower_limit(tmp_path):
     assert (closed, opened) == pytest.approx((0.0, -0.02))
 
 
-def test_simple_solids_and_named_materials(tmp_path):
+def test_materials_may_be_named(tmp_path):
     visual = BOX.replace("</visual>", '<material name="red"/></visual>')
     red = '<material name="red"><color rgba="1 0 0 1"/></material>'
     robot = load_robot(write_arm(tmp_path, visual=visual, extra=red))
-    (box,) = robot.visuals["l3"]
-    assert (box.kind, box.size, box.mesh, box.color) == ("box", (0.1, 0.2, 0.3), None, (1, 0, 0))
+    (box,) = parts_of(robot, "l3")
+    assert box.color == (1, 0, 0)
+    np.testing.assert_allclose(box.surface.extents, (0.1, 0.2, 0.3))
+
+
+@pytest.mark.parametrize(
+    ("shape", "extents"),
+    [
+        ('<box size="0.1 0.2 0.3"/>', (0.1, 0.2, 0.3)),
+        ('<cylinder radius="0.1" length="0.5"/>', (0.2, 0.2, 0.5)),
+        ('<sphere radius="0.1"/>', (0.2, 0.2, 0.2)),
+    ],
+)
+def test_simple_solids_have_their_size_and_place(tmp_path, shape, extents):
+    visual = f'<visual><origin xyz="1 2 3"/><geometry>{shape}</geometry></visual>'
+    (part, *_) = load_robot(write_arm(tmp_path, visual=visual)).parts
+    np.testing.assert_allclose(part.surface.extents, extents, atol=1e-6)
+    np.testing.assert_allclose(part.surface.bounds.mean(axis=0), (1, 2, 3), atol=1e-6)
+    assert part.color is None
+
+
+@pytest.mark.parametrize("scale", ["0.001 0.002 -0.003", "0.001"])
+def test_meshes_are_scaled_and_stay_turned_outward(tmp_path, scale):
+    trimesh.creation.box(extents=(100, 100, 100)).export(tmp_path / "cube.stl")
+    robot = load_robot(write_arm(tmp_path, visual=mesh("cube.stl", scale)))
+    expected = np.broadcast_to(np.abs(np.array(scale.split(), float)) * 100, 3)
+    np.testing.assert_allclose(robot.parts[0].surface.extents, expected)
+    assert robot.parts[0].surface.volume > 0.0
 
 
 @pytest.mark.parametrize(
@@ -72,16 +107,16 @@ def test_meshes_of_a_package_are_found_from_its_urdf_folder(tmp_path, name):
     package = tmp_path / "some_robot"
     (package / "urdf").mkdir(parents=True)
     (package / "meshes").mkdir()
-    (package / "meshes" / "a.stl").write_bytes(b"")
+    trimesh.creation.box(extents=(1, 2, 3)).export(package / "meshes" / "a.stl")
     robot = load_robot(write_arm(package / "urdf", visual=mesh(name)))
-    assert robot.visuals["l0"][0].mesh.samefile(package / "meshes" / "a.stl")
+    np.testing.assert_allclose(robot.parts[0].surface.extents, (1, 2, 3))
 
 
 def test_hinges_of_fingers_are_not_the_arms(tmp_path):
     fingers = "".join(link(f) + joint(f"h{f}", "l6", f) for f in ("left", "right"))
     robot = load_robot(write_arm(tmp_path, extra=fingers))
     assert robot.arm_joints == ("j1", "j2", "j3", "j4", "j5", "j6")
-    assert robot.joint_number_of_link["left"] == 6
+    assert robot.joint_numbers()["left"] == 6
 
 
 def test_a_joint_may_mimic_one_that_comes_later_in_the_file(tmp_path):
@@ -109,59 +144,115 @@ def test_origin_turns_in_the_order_of_the_format(tmp_path):
 
 
 def test_a_missing_file_is_named(tmp_path):
-    text = refusal(tmp_path / "none.urdf")
-    assert "none.urdf" in text
-    assert "choose" in text
+    path = tmp_path / "none.urdf"
+    assert refusal(path) == Refusal("urdf_missing", {"path": str(path)})
 
 
-def test_broken_xml_is_named_with_its_line(tmp_path):
-    path = tmp_path / "broken.urdf"
-    path.write_text("<robot>\n<link></robot>")
-    text = refusal(path)
-    assert "broken.urdf" in text
-    assert "line 2" in text
-
-
-def test_other_xml_is_refused(tmp_path):
-    path = tmp_path / "page.urdf"
-    path.write_text("<html/>")
-    assert "<html>" in refusal(path)
-
-
-@pytest.mark.parametrize(("hinges", "said"), [(5, "5 revolute"), (7, "7 revolute")])
-def test_another_number_of_joints_is_refused(tmp_path, hinges, said):
-    text = refusal(write_arm(tmp_path, hinges=hinges))
-    assert said in text
-    assert "six-joint arm" in text
-
-
-def test_a_missing_mesh_is_named(tmp_path):
-    text = refusal(write_arm(tmp_path, visual=mesh("meshes/gone.stl")))
-    assert "meshes/gone.stl" in text
-    assert "arm.urdf" in text
+def test_a_folder_is_no_file(tmp_path):
+    assert refusal(tmp_path).code == "urdf_unreadable"
 
 
 @pytest.mark.parametrize(
-    ("extra", "said"),
+    ("text", "code", "params"),
     [
-        (joint("x", "l6", "nowhere"), "nowhere"),
-        (link("alone"), "2 links without a parent"),
-        (link("a") + joint("x", "l6", "a", "screw"), "“x”"),
-        (link("a") + joint("x", "l6", "a", inside='<mimic joint="ghost"/>'), "mimic no joint: x"),
-        (link("a", "<visual/>") + joint("x", "l6", "a"), "no shape"),
-        (link("a", BOX.replace("0.3", "wide")) + joint("x", "l6", "a"), "0.1 0.2 wide"),
-        (link("a", BOX.replace("box", "torus")) + joint("x", "l6", "a"), "<torus>"),
-        (joint("x", "l6", "l3"), "more than one parent has link “l3”"),
-        (link("a") + joint("j3", "l6", "a"), "more than one joint is called “j3”"),
-        ("<link/>", "“name”"),
+        (
+            "<robot>\n<link></robot>",
+            "urdf_not_xml",
+            {"text": "mismatched tag: line 2, column 8"},
+        ),
+        (
+            '<?xml version="1.0" encoding="klingon"?><robot/>',
+            "urdf_not_xml",
+            {"text": "unknown encoding: klingon"},
+        ),
+        ("<html/>", "urdf_no_robot", {"element": "html"}),
+        ("<robot/>", "urdf_incomplete", {}),
+        ('<robot name="r"/>', "urdf_joint_count", {"found": 0, "wanted": 6}),
     ],
 )
-def test_mistakes_are_named(tmp_path, extra, said):
-    assert said in refusal(write_arm(tmp_path, extra=extra))
+def test_what_is_no_robot_description_is_told(tmp_path, text, code, params):
+    path = tmp_path / "x.urdf"
+    path.write_text(text)
+    assert refusal(path) == Refusal(code, {"path": str(path), **params})
 
 
-def test_joints_in_a_circle_are_refused(tmp_path):
-    path = tmp_path / "loop.urdf"
-    joints = joint("x", "a", "b") + joint("y", "b", "a")
-    path.write_text(ARM.format(links=link("root") + link("a") + link("b"), joints=joints, extra=""))
-    assert "loop" in refusal(path)
+@pytest.mark.parametrize("hinges", [5, 7])
+def test_another_number_of_joints_is_refused(tmp_path, hinges):
+    path = write_arm(tmp_path, hinges=hinges)
+    expected = {"path": str(path), "found": hinges, "wanted": 6}
+    assert refusal(path) == Refusal("urdf_joint_count", expected)
+
+
+@pytest.mark.parametrize("name", ["meshes/gone.stl", "package://gone/a.stl", "package://gone", ""])
+def test_a_missing_mesh_is_named(tmp_path, name):
+    path = write_arm(tmp_path, visual=mesh(name))
+    assert refusal(path) == Refusal("mesh_missing", {"path": str(path), "mesh": name})
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "code"),
+    [
+        ("bad.stl", "solid nothing\nendsolid nothing\n", "mesh_empty"),
+        ("empty.stl", "", "mesh_empty"),
+        ("bad.dae", "<junk", "mesh_unreadable"),
+        ("bad.xyzzy", "junk", "mesh_unreadable"),
+    ],
+)
+def test_a_mesh_that_shows_nothing_is_named(tmp_path, name, content, code):
+    (tmp_path / name).write_text(content)
+    reason = refusal(write_arm(tmp_path, visual=mesh(name)))
+    assert (reason.code, reason.params["mesh"]) == (code, str(tmp_path / name))
+
+
+def hinge(old: str = "", new: str = "") -> str:
+    """A link more, and the joint that carries it, changed."""
+    return link("a") + joint("x", "l6", "a").replace(old, new)
+
+
+def picture(visual: str) -> str:
+    """A link more, with a picture."""
+    return link("a", visual) + joint("x", "l6", "a", "fixed")
+
+
+@pytest.mark.parametrize(
+    ("extra", "code", "params"),
+    [
+        (joint("x", "l6", "nowhere"), "urdf_no_tree", {"links": "nowhere"}),
+        (link("alone"), "urdf_no_tree", {"links": "alone"}),
+        (joint("x", "l6", "l3"), "urdf_no_tree", {"links": "l3"}),
+        (link("l3"), "urdf_no_tree", {"links": "l3"}),
+        (
+            link("a") + link("b") + joint("x", "a", "b") + joint("y", "b", "a"),
+            "urdf_no_tree",
+            {"links": "a, b"},
+        ),
+        (hinge("revolute", "screw"), "urdf_bad_joint", {"joint": "x"}),
+        (hinge('"x"', '"j3"'), "urdf_bad_joint", {"joint": "j3"}),
+        (hinge("<axis", '<mimic joint="ghost"/><axis'), "urdf_bad_joint", {"joint": "x"}),
+        (hinge("<axis", '<mimic joint="x"/><axis'), "urdf_bad_joint", {"joint": "x"}),
+        (hinge("0 1 0", "0 0 0"), "urdf_bad_joint", {"joint": "x"}),
+        (hinge("0 1 0", "0 1"), "urdf_bad_joint", {"joint": "x"}),
+        (hinge("0 0 0.1", "0 nan 0"), "urdf_bad_joint", {"joint": "x"}),
+        (hinge('<parent link="l6"/>'), "urdf_incomplete", {}),
+        ("<link/>", "urdf_incomplete", {}),
+        (picture("<visual/>"), "urdf_incomplete", {}),
+    ],
+)
+def test_mistakes_are_named(tmp_path, extra, code, params):
+    path = write_arm(tmp_path, extra=extra)
+    assert refusal(path) == Refusal(code, {"path": str(path), **params})
+
+
+@pytest.mark.parametrize(
+    ("visual", "said"),
+    [
+        (BOX.replace("0.3", "wide"), "wide"),
+        (BOX.replace("0.3", ""), "a: "),
+        (BOX.replace("box", "torus"), "torus"),
+        (BOX.replace("</v", '<material name="m"><color rgba="1 0 0"/></material></v'), "a: "),
+    ],
+)
+def test_shapes_that_cannot_be_are_told(tmp_path, visual, said):
+    reason = refusal(write_arm(tmp_path, extra=picture(visual)))
+    assert reason.code == "urdf_malformed"
+    assert said in reason.params["text"]

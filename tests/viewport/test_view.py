@@ -3,6 +3,7 @@
 import subprocess
 import sys
 import threading
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
+from armui.arm.refusal import Refusal
 from armui.paths import URDF
 from armui.viewport.camera import HOME_CAMERA
 from armui.viewport.palette import DARK
@@ -179,15 +181,18 @@ def test_a_theme_is_shown(view, qtbot):
     assert view.grab().toImage().pixelColor(445, 5).lightness() < 60
 
 
-def test_another_robot_is_shown_and_a_broken_one_is_told(view, qtbot, tmp_path):
+def test_another_robot_is_shown_a_broken_one_told_and_ours_comes_back(view, qtbot, tmp_path):
     broken = write_arm(tmp_path, hinges=2, name="broken.urdf")
     with qtbot.waitSignal(view.load_failed, timeout=LIMIT_MS) as failed:
         view.set_robot(broken)
-    assert "broken.urdf" in failed.args[0]
+    expected = {"path": str(broken), "found": 2, "wanted": 6}
+    assert failed.args == [Refusal("urdf_joint_count", expected)]
     before = view._image
     ball = '<visual><geometry><sphere radius="0.05"/></geometry></visual>'
     view.set_robot(write_arm(tmp_path, visual=ball))
     qtbot.wait_until(lambda: view._image != before, timeout=LIMIT_MS)
+    view.set_robot(None)
+    qtbot.wait_until(lambda: view._image == before, timeout=LIMIT_MS)
 
 
 def test_a_hidden_view_draws_nothing_and_catches_up_when_shown(view, qtbot):
@@ -223,10 +228,20 @@ def test_without_opengl_the_widget_says_so(qtbot, monkeypatch):
     view = ArmView()
     qtbot.addWidget(view)
     view.show()
-    loading = view.grab().toImage()
-    qtbot.wait_until(lambda: "OpenGL" in view._failure, timeout=LIMIT_MS)
+    loading, loading_text = view.grab().toImage(), view._notice()
+    with qtbot.waitSignal(view._renderer.failed, timeout=LIMIT_MS):
+        pass
+    assert "OpenGL" in view._notice()
+    assert view._notice() != loading_text
     assert view.grab().toImage() != loading
     view.shutdown()
+
+
+def test_an_unforeseen_error_is_said_in_the_view(view, qtbot, caplog):
+    with qtbot.waitSignal(view._renderer.failed, timeout=LIMIT_MS):
+        view._show(replace(view._state, angles_deg=(0.0,)))
+    assert "(ValueError: " in view._notice()
+    assert "3D view stopped" in caplog.text
 
 
 def test_a_view_never_shown_starts_no_thread(qtbot):
