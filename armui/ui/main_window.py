@@ -19,7 +19,6 @@ from PySide6.QtWidgets import (
 
 from armui.arm.state import ArmState
 from armui.control.situation import Situation
-from armui.paths import URDF
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
 from armui.ui.panels.motion_panel import MotionPanel
@@ -37,7 +36,6 @@ if TYPE_CHECKING:
     from armui.settings import Settings, SettingsStore
     from armui.viewport.view import ArmView
 
-_BUILT_IN_ROBOT: Final = URDF / "piper.urdf"
 _FIRST_SIZE: Final = QSize(1440, 900)
 _PANEL_WIDTH_PX: Final = 440
 
@@ -161,7 +159,7 @@ class MainWindow(QMainWindow):
         if old.jog_step_deg != settings.jog_step_deg and self._motion_panel is not None:
             self._motion_panel.set_jog_step(settings.jog_step_deg)
         if old.urdf_path != settings.urdf_path:
-            self._view.set_robot(Path(settings.urdf_path or _BUILT_IN_ROBOT))
+            self._view.set_robot(Path(settings.urdf_path) if settings.urdf_path else None)
 
     def open_connect_dialog(self) -> None:
         """Show the window 连接机械臂 (manual 1.0.1)."""
@@ -189,7 +187,9 @@ class MainWindow(QMainWindow):
         def make() -> QDialog:
             from armui.ui.dialogs.settings import SettingsDialog  # noqa: PLC0415 - faster start
 
-            return SettingsDialog(self._preferences, self._controller, self)
+            dialog = SettingsDialog(self._preferences, self._controller, self)
+            self._view.load_failed.connect(dialog.show_robot_problem)
+            return dialog
 
         self._open("settings", make)
 

@@ -10,6 +10,7 @@ from PySide6.QtGui import QColor, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 
 from armui.arm.limits import JOINTS
+from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Status
 from armui.control.situation import Level, Notice, Situation
 from armui.protocol.codes import ArmStatusCode, TeachingState
@@ -51,7 +52,7 @@ class StatusBar(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._controller = controller
         self._notice: Notice | None = None
-        self._problem: tuple[datetime, str] | None = None
+        self._problem: tuple[datetime, Refusal] | None = None
         self._shown: tuple[Status | None, bool] | None = None
         self._notice_icon = QLabel()
         self._notice_label = ElidedLabel()
@@ -89,16 +90,16 @@ class StatusBar(QWidget):
         self._notice, self._problem = notice, None
         self._show_notice()
 
-    def show_problem(self, text: str) -> None:
-        """Say what went wrong in the program itself, in the words of who noticed it."""
-        self._problem = (datetime.now().astimezone(), text)
+    def show_problem(self, reason: Refusal) -> None:
+        """Say what went wrong in the program itself."""
+        self._problem = (datetime.now().astimezone(), reason)
         self._show_notice()
 
     def _show_notice(self) -> None:
         text, level = "", Level.INFO
         if self._problem is not None:
-            at, problem = self._problem
-            text, level = f"{at:%H:%M:%S}  {problem}", Level.WARNING
+            at, reason = self._problem
+            text, level = f"{at:%H:%M:%S}  {words.refusal(reason)}", Level.WARNING
         elif self._notice is not None:
             text = f"{self._notice.at:%H:%M:%S}  {words.notice(self._notice)}"
             level = self._notice.level

@@ -71,12 +71,16 @@
 <context>
     <name>ArmView</name>
     <message>
-        <source>The 3D view is not available.</source>
-        <translation>3D 视图不可用。</translation>
-    </message>
-    <message>
         <source>Loading the 3D model …</source>
         <translation>正在加载 3D 模型…</translation>
+    </message>
+    <message>
+        <source>The 3D view is not available: this computer offers no OpenGL. Install a graphics driver or Mesa (on Debian the packages libegl1 and libgl1-mesa-dri) and start the program again.</source>
+        <translation>3D 视图不可用：此计算机没有 OpenGL。请安装显卡驱动或 Mesa（Debian 上为软件包 libegl1 和 libgl1-mesa-dri），然后重新启动本程序。</translation>
+    </message>
+    <message>
+        <source>The 3D view has stopped ({text}). Start the program again.</source>
+        <translation>3D 视图已停止（{text}）。请重新启动本程序。</translation>
     </message>
 </context>
 <context>
@@ -948,6 +952,50 @@
         <translation>机器人模型：找不到文件 {path}。请选择其它文件，或使用内置模型。</translation>
     </message>
     <message>
+        <source>Robot description: the file {path} cannot be read: {text}. Choose a file you may read.</source>
+        <translation>机器人模型：无法读取文件 {path}：{text}。请选择有权读取的文件。</translation>
+    </message>
+    <message>
+        <source>Robot description: {path} is not well-formed XML ({text}). Repair or export it again.</source>
+        <translation>机器人模型：{path} 不是格式正确的 XML（{text}）。请修复该文件或重新导出。</translation>
+    </message>
+    <message>
+        <source>Robot description: {path} describes no robot: its first element is “{element}”, not “robot”. Choose a URDF file.</source>
+        <translation>机器人模型：{path} 不是机器人描述：其首个元素是“{element}”，而不是“robot”。请选择 URDF 文件。</translation>
+    </message>
+    <message>
+        <source>Robot description: {path} is not written as URDF demands: {text}. Correct it.</source>
+        <translation>机器人模型：{path} 不符合 URDF 的写法：{text}。请更正。</translation>
+    </message>
+    <message>
+        <source>Robot description: in {path} an element or attribute is missing that URDF demands. Check that every link, joint and visual is complete.</source>
+        <translation>机器人模型：{path} 缺少 URDF 要求的元素或属性。请检查每个 link、joint 和 visual 是否完整。</translation>
+    </message>
+    <message>
+        <source>Robot description: in {path} these links do not hang together as one tree: {links}. Every link but the first needs exactly one joint that carries it.</source>
+        <translation>机器人模型：{path} 中的这些连杆没有连成一棵树：{links}。除首个连杆外，每个连杆都需要且只需要一个承载它的关节。</translation>
+    </message>
+    <message>
+        <source>Robot description: joint “{joint}” in {path} is wrong. It needs a name of its own, a type and an axis that URDF knows and, if it mimics, a joint to mimic.</source>
+        <translation>机器人模型：{path} 中的关节“{joint}”有误。它需要唯一的名称、URDF 认可的类型和轴；若为从动关节（mimic），还需要所跟随的关节。</translation>
+    </message>
+    <message>
+        <source>Robot description: {path} has {found} revolute joints in a row instead of {wanted}. Choose the description of a six-joint arm.</source>
+        <translation>机器人模型：{path} 中连续的旋转关节有 {found} 个，而不是 {wanted} 个。请选择六轴机械臂的描述文件。</translation>
+    </message>
+    <message>
+        <source>Robot description: the mesh “{mesh}” that {path} names is not there. Put it where the file says, or correct its name in the file.</source>
+        <translation>机器人模型：找不到 {path} 所指的网格文件“{mesh}”。请把它放到该文件所写的位置，或更正文件中的名称。</translation>
+    </message>
+    <message>
+        <source>Robot description: the mesh {mesh} cannot be read: {text}. Export it again.</source>
+        <translation>机器人模型：无法读取网格文件 {mesh}：{text}。请重新导出。</translation>
+    </message>
+    <message>
+        <source>Robot description: the mesh {mesh} holds no surface. Export it again.</source>
+        <translation>机器人模型：网格文件 {mesh} 中没有任何表面。请重新导出。</translation>
+    </message>
+    <message>
         <source>Not possible now: {reason}.</source>
         <translation>现在无法执行：{reason}。</translation>
     </message>
@@ -1102,16 +1150,6 @@
 <context>
     <name>StopButton</name>
     <message>
-        <source>Resume after the emergency stop</source>
-        <translation>急停恢复</translation>
-    </message>
-    <message>
-        <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
-Afterwards the motors must be enabled again.</source>
-        <translation>恢复会切断电机电源，机械臂会下落，请扶住机械臂。
-恢复后需重新使能电机。</translation>
-    </message>
-    <message>
         <source>Resume</source>
         <translation>恢复</translation>
     </message>
@@ -1196,6 +1234,20 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Enables all six motors.</source>
         <translation>6 个电机全部使能。</translation>
+    </message>
+    <message>
+        <source>Resume after the emergency stop</source>
+        <translation>急停恢复</translation>
+    </message>
+    <message>
+        <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
+Afterwards the motors must be enabled again.</source>
+        <translation>恢复会切断电机电源，机械臂会下落，请扶住机械臂。
+恢复后需重新使能电机。</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>恢复</translation>
     </message>
     <message>
         <source>Disable the motors</source>

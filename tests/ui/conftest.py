@@ -158,7 +158,7 @@ class FakeView(QWidget):
     """Stands for the 3D view; remembers what it was last given."""
 
     joint_picked = Signal(int)
-    load_failed = Signal(str)
+    load_failed = Signal(object)
 
     def __init__(self) -> None:
         super().__init__()

@@ -14,14 +14,17 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from armui.arm.refusal import Refusal
 from armui.control.situation import LinkState
 from armui.settings import SettingsStore
 from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.main_window import MainWindow
 from armui.ui.theme import Theme, apply_theme
 from armui.ui.translation import Translator
 from armui.viewport import palette
 from tests.ui.conftest import FakeView, arm_state, situation
+from tests.ui.dialog_reading import message
 
 LEFT = Qt.MouseButton.LeftButton
 NAMED = [
@@ -126,8 +129,17 @@ def test_a_link_picked_in_3d_leads_to_its_joint(window, view, qtbot):
 
 
 def test_a_robot_that_cannot_be_loaded_is_said(window, view):
-    view.load_failed.emit("no such file")
-    assert window.findChild(QLabel, "notice_label").text().endswith("no such file")
+    view.load_failed.emit(Refusal("mesh_empty", {"mesh": "hand.stl"}))
+    said = window.findChild(QLabel, "notice_label").text()
+    assert said.endswith("the mesh hand.stl holds no surface. Export it again.")
+
+
+def test_a_robot_chosen_in_the_settings_that_cannot_be_loaded_is_said_there(window, view):
+    window.open_settings_dialog()
+    dialog = window.findChild(SettingsDialog)
+    view.load_failed.emit(Refusal("mesh_empty", {"mesh": "hand.stl"}))
+    assert "hand.stl" in message(dialog)
+    dialog.close()
 
 
 @pytest.mark.parametrize(
@@ -158,7 +170,7 @@ def test_settings_reach_the_window(window, store, view, controller, qtbot):
     store.change(urdf_path="/robots/other.urdf")
     assert view.robot == Path("/robots/other.urdf")
     store.change(urdf_path=None)
-    assert view.robot.name == "piper.urdf"
+    assert view.robot is None
 
 
 def test_the_view_takes_the_theme(qapp, window, view):

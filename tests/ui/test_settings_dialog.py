@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLineEdit
 from pytestqt.qtbot import QtBot
 
+from armui.arm.refusal import Refusal
 from armui.settings import SettingsStore
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.dialogs.settings import SettingsDialog
@@ -139,10 +140,11 @@ def test_what_the_3d_view_finds_wrong_with_it_is_shown(
 ) -> None:
     file = tmp_path / "other.urdf"
     file.write_text("<robot/>")
-    store.subscribe(lambda _settings: preferences.show_robot_problem("no joints in other.urdf"))
+    reason = Refusal("urdf_joint_count", {"path": "other.urdf", "found": 0, "wanted": 6})
+    store.subscribe(lambda _settings: preferences.show_robot_problem(reason))
     preferences._on_urdf_chosen(file)
 
-    assert message(preferences) == "no joints in other.urdf"
+    assert "other.urdf has 0 revolute joints" in message(preferences)
 
 
 def test_settings_that_cannot_be_saved_say_so(

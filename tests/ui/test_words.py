@@ -17,6 +17,7 @@ from armui.settings import SettingsStore, check
 from armui.ui import words
 from armui.ui.translation import LANGUAGES, Translator
 from armui.ui.words import notices, refusals
+from armui.viewport.errors import LOAD_REFUSALS
 
 AT = datetime(2026, 1, 2, 3, 4, 5).astimezone()
 
@@ -58,7 +59,7 @@ def test_there_is_a_sentence_for_every_refusal() -> None:
         "jog_step_not_a_number",
         "urdf_missing",
     }
-    assert REFUSALS | of_settings == refusals.CODES
+    assert REFUSALS | LOAD_REFUSALS | of_settings == refusals.CODES
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

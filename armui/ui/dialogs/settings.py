@@ -52,7 +52,7 @@ class SettingsDialog(ArmDialog):
         super().__init__(controller, parent)
         self._store = store
         self._controller = controller
-        self._problem: Refusal | str | None = next(iter(store.problems), None)
+        self._problem: Refusal | None = next(iter(store.problems), None)
         self._jog_step_wrong = False
         self._build()
         self.resize(*_SIZE_PX)
@@ -65,9 +65,9 @@ class SettingsDialog(ArmDialog):
         self.language_box.setFocus()
         self.retranslate_ui()
 
-    def show_robot_problem(self, text: str) -> None:
+    def show_robot_problem(self, reason: Refusal) -> None:
         """Say why the robot description chosen cannot be shown; the old one stays in view."""
-        self._show_problem(text or None)
+        self._show_problem(reason)
 
     # Layout -----------------------------------------------------------------------------------
 
@@ -154,9 +154,9 @@ class SettingsDialog(ArmDialog):
         self.built_in_button.setToolTip(tip)
         self._show_problem(self._problem)
 
-    def _show_problem(self, problem: Refusal | str | None) -> None:
+    def _show_problem(self, problem: Refusal | None) -> None:
         self._problem = problem
-        text = words.refusal(problem) if isinstance(problem, Refusal) else problem or ""
+        text = "" if problem is None else words.refusal(problem)
         self._message.show_message(text, Level.WARNING)
 
     # What the operator does -------------------------------------------------------------------
