@@ -9,6 +9,7 @@ import statistics
 import time
 
 import pytest
+import pyvista as pv
 
 from armui.paths import URDF
 from armui.viewport.scene import Scene
@@ -61,18 +62,16 @@ class MovedMeshes(Ours):
         super().__init__()
         self.robot = load_robot(URDF / "piper.urdf")
         self.scene.set_joints((0.0,) * 6, 0.0)
-        actors = iter(self.scene._robot.actors)
         self.parts = []
-        for link, visuals in self.robot.visuals.items():
-            for _ in visuals:
-                actor = next(actors)
-                actor.SetUserMatrix(None)
-                self.parts.append((link, actor.mapper, actor.mapper.dataset.copy()))
+        for part, actor in zip(self.robot.parts, self.scene._robot.actors, strict=True):
+            actor.SetUserMatrix(None)
+            mapper = actor.GetMapper()
+            self.parts.append((part.link, mapper, pv.PolyData(mapper.GetInput())))
 
     def draw(self, frame):
         poses = self.robot.link_poses(moving(frame), 30.0)
         for link, mapper, mesh in self.parts:
-            mapper.dataset = mesh.transform(poses[link], inplace=False)
+            mapper.SetInputData(mesh.transform(poses[link], inplace=False))
         self.scene.render(smooth=False)
 
 
