@@ -63,7 +63,6 @@ class Program:
         self.window = MainWindow(self.controller, self.view, store)
         self._stop_shortcut = StopShortcut(app, self.controller)
         self._unsubscribe = store.subscribe(self._on_settings_changed)
-        self.view.first_frame_shown.connect(_spare_the_collector)
 
     def shutdown(self) -> None:
         """End every thread; the arm goes on with what it was told last."""
@@ -97,16 +96,6 @@ class Program:
         self._settings = settings
 
 
-def _spare_the_collector() -> None:
-    """Take what the program was built from out of Python's garbage collection.
-
-    By now all libraries are loaded; searching their objects stopped every thread, the stop's too,
-    for up to 100 ms at a time.
-    """
-    gc.collect()
-    gc.freeze()
-
-
 def run(options: StartOptions) -> int:
     """Open the window and stay until it is closed; returns the exit code."""
     sys.setswitchinterval(_SWITCH_INTERVAL_S)
@@ -117,6 +106,9 @@ def run(options: StartOptions) -> int:
     store = SettingsStore(default_path(), for_this_run=chosen)
     program = Program(app, store, ArmController(open_device, SIMULATED))
     app.aboutToQuit.connect(program.shutdown)
+    # What the program was built from is no garbage: searching it over and over would stop every
+    # thread, the stop's too, for tens of milliseconds at a time.
+    program.view.first_frame_shown.connect(gc.freeze)
     _end_on_ctrl_c(app)
     program.window.show()
     device = chosen_device(options)

@@ -5,9 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-import numpy as np
-from numpy.typing import NDArray
-
 VIEW_ANGLE_DEG = 30.0
 """Opening angle of the shorter side of the picture."""
 
@@ -16,7 +13,7 @@ _ZOOM_PER_STEP = 0.88
 _NEAREST_M, _FARTHEST_M = 0.15, 8.0
 _STEEPEST_DEG = 89.0
 
-Vector = NDArray[np.float64]
+Vector = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
@@ -49,8 +46,12 @@ class OrbitCamera:
         visible_m = 2.0 * self.distance_m * math.tan(math.radians(VIEW_ANGLE_DEG / 2.0))
         metres_per_px = visible_m / max(shorter_side_px, 1.0)
         _, right, up = self._axes()
-        x, y, z = np.asarray(self.focus_m) + (-right * dx_px + up * dy_px) * metres_per_px
-        return replace(self, focus_m=(float(x), float(y), float(z)))
+        return replace(
+            self,
+            focus_m=_along(
+                _along(self.focus_m, right, -dx_px * metres_per_px), up, dy_px * metres_per_px
+            ),
+        )
 
     def zoom(self, steps: float) -> OrbitCamera:
         """The camera nearer (steps above zero) or farther, within sensible distances."""
@@ -58,24 +59,22 @@ class OrbitCamera:
         return replace(self, distance_m=min(_FARTHEST_M, max(_NEAREST_M, distance_m)))
 
     @property
-    def eye_m(self) -> tuple[float, float, float]:
+    def eye_m(self) -> Vector:
         """Position of the eye in the base frame."""
         outward, _, _ = self._axes()
-        x, y, z = np.asarray(self.focus_m) + outward * self.distance_m
-        return float(x), float(y), float(z)
+        return _along(self.focus_m, outward, self.distance_m)
 
     def _axes(self) -> tuple[Vector, Vector, Vector]:
         """Unit vectors: from the focus to the eye, to the right and up on the screen."""
         azimuth, elevation = math.radians(self.azimuth_deg), math.radians(self.elevation_deg)
-        outward = np.array(
-            [
-                math.cos(elevation) * math.cos(azimuth),
-                math.cos(elevation) * math.sin(azimuth),
-                math.sin(elevation),
-            ]
-        )
-        right = np.array([-math.sin(azimuth), math.cos(azimuth), 0.0])
-        return outward, right, np.cross(outward, right)
+        ca, sa = math.cos(azimuth), math.sin(azimuth)
+        ce, se = math.cos(elevation), math.sin(elevation)
+        return (ce * ca, ce * sa, se), (-sa, ca, 0.0), (-se * ca, -se * sa, ce)
+
+
+def _along(start: Vector, direction: Vector, distance: float) -> Vector:
+    x, y, z = (a + b * distance for a, b in zip(start, direction, strict=True))
+    return (x, y, z)
 
 
 HOME_CAMERA = OrbitCamera(focus_m=(0.06, 0.0, 0.25), distance_m=1.7)

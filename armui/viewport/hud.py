@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 _NOT_HEARD = "—"
 _POSE = (("X", "mm"), ("Y", "mm"), ("Z", "mm"), ("RX", "°"), ("RY", "°"), ("RZ", "°"))
 _JOINTS = tuple((f"J{number}", "°") for number in range(1, 7))
-_WIDEST_FIGURE = "-0000.000"
+_WIDEST_NAME, _WIDEST_FIGURE, _WIDEST_UNIT = "RX ", "-0000.000", " mm"
+_LINE_SPACING = 1.15
 _MARGIN_PX = 12.0
 _PADDING_PX = 10.0
 _GAP_PX = 18.0
@@ -56,23 +57,27 @@ def figures(values: Sequence[float] | None) -> list[str]:
     return [f"{round(value, 3) + 0.0:.3f}" for value in values]
 
 
+def hud_frame(base_font: QFont) -> QRectF:
+    """The rectangle the figures take, at the top left."""
+    metrics = QFontMetricsF(hud_font(base_font))
+    return QRectF(
+        _MARGIN_PX,
+        _MARGIN_PX,
+        2.0 * (_PADDING_PX + _column_px(metrics)) + _GAP_PX,
+        2.0 * _PADDING_PX + 6.0 * metrics.height() * _LINE_SPACING,
+    )
+
+
 def paint_hud(
     painter: QPainter, values: HudValues, palette: ScenePalette, base_font: QFont
-) -> QRectF:
-    """Draw both columns at the top left; returns the rectangle they take."""
+) -> None:
+    """Draw both columns into their frame."""
     font = hud_font(base_font)
     metrics = QFontMetricsF(font)
-    line_px = metrics.height() * 1.15
-    name_px = metrics.horizontalAdvance("RX ")
+    frame = hud_frame(base_font)
+    line_px = metrics.height() * _LINE_SPACING
+    name_px = metrics.horizontalAdvance(_WIDEST_NAME)
     figure_px = metrics.horizontalAdvance(_WIDEST_FIGURE)
-    unit_px = metrics.horizontalAdvance(" mm")
-    column_px = name_px + figure_px + unit_px
-    frame = QRectF(
-        _MARGIN_PX,
-        _MARGIN_PX,
-        2.0 * (_PADDING_PX + column_px) + _GAP_PX,
-        2.0 * _PADDING_PX + 6.0 * line_px,
-    )
     painter.save()
     painter.setFont(font)
     backdrop = QColor(palette.background)
@@ -98,6 +103,9 @@ def paint_hud(
             painter.setPen(QColor(palette.muted))
             painter.drawText(QPointF(left + name_px + figure_px, baseline), f" {unit}")
             top += line_px
-        left += column_px + _GAP_PX
+        left += _column_px(metrics) + _GAP_PX
     painter.restore()
-    return frame
+
+
+def _column_px(metrics: QFontMetricsF) -> float:
+    return sum(map(metrics.horizontalAdvance, (_WIDEST_NAME, _WIDEST_FIGURE, _WIDEST_UNIT)))

@@ -8,7 +8,9 @@ drawing too: there the same class draws between two events instead.
 
 from __future__ import annotations
 
+import contextlib
 import logging
+import os
 import sys
 import threading
 
@@ -22,6 +24,7 @@ from armui.viewport.mailbox import Mailbox
 
 _LOG = logging.getLogger(__name__)
 _JOIN_LIMIT_S = 10.0
+_NICENESS = 10
 _REST_MS = 150
 """The picture has come to rest when nothing has changed for so long."""
 
@@ -100,6 +103,7 @@ class RenderThread(QObject):
         return FramePainter(self.load_failed.emit, self.joint_picked.emit)
 
     def _run(self) -> None:
+        _give_way()
         painter = self._new_painter()
         try:
             while True:
@@ -132,8 +136,20 @@ class RenderThread(QObject):
             shared = QImage(
                 pixels.data, width, height, width * depth, QImage.Format.Format_RGBX8888
             )
-            image = shared.copy()
+            # a copy of its own, in the format that windows are painted in
+            image = shared.convertToFormat(QImage.Format.Format_RGB32)
             image.setDevicePixelRatio(painter.pixel_ratio)
             self._mailbox.result_sent()
             self.frame_ready.emit(image)
         return True
+
+
+def _give_way() -> None:
+    """Let the buttons and the bus go before the picture where the processor draws it.
+
+    Linux gives the threads that a software OpenGL starts from here the same low priority. Elsewhere
+    the system's own scheduling has to do.
+    """
+    if sys.platform == "linux":
+        with contextlib.suppress(OSError):
+            os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), _NICENESS)

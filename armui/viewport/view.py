@@ -15,7 +15,7 @@ from armui.paths import URDF
 from armui.viewport.camera import HOME_CAMERA
 from armui.viewport.errors import NO_OPENGL
 from armui.viewport.frame_painter import PickRequest, RobotChoice, ViewState
-from armui.viewport.hud import HudValues, paint_hud
+from armui.viewport.hud import HudValues, hud_frame, paint_hud
 from armui.viewport.palette import LIGHT, ScenePalette
 from armui.viewport.render_thread import RenderThread
 from armui.viewport.robot import ARM_JOINT_COUNT
@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from armui.viewport.camera import OrbitCamera
 
 _BUILT_IN_ROBOT = URDF / "piper.urdf"
+_START_MS = 20
 _KEY_TURN_PX = 20.0
 _WHEEL_STEP = 120.0
 
@@ -83,6 +84,7 @@ class ArmView(QWidget):
         self._failure: Refusal | None = None
         self._drag_from: QPointF | None = None
         self._pick_serial = 0
+        self._is_started = False
         self._is_shut_down = False
         self._renderer = RenderThread(threaded=threaded, parent=self)
         self._renderer.frame_ready.connect(self._on_frame_ready)
@@ -172,7 +174,7 @@ class ArmView(QWidget):
     def _set_hud(self, values: HudValues) -> None:
         if values != self._hud:
             self._hud = values
-            self.update()
+            self.update(hud_frame(self.font()).toAlignedRect())
 
     def _fit(self) -> None:
         """Ask for a picture as large as the widget, in device pixels."""
@@ -224,10 +226,9 @@ class ArmView(QWidget):
     # Qt's events
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Begin to draw, but only after the window itself is on the screen."""
+        """Ask for a picture of the size shown."""
         super().showEvent(event)
         self._fit()
-        QTimer.singleShot(0, self, self._start)
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Forget a drag that was under way."""
@@ -264,6 +265,10 @@ class ArmView(QWidget):
             painter.setPen(QPen(QColor(palette.accent), 1.0))
             painter.drawRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5))
         painter.end()
+        if not self._is_started:
+            # Loading the libraries is work for a window that the operator already sees.
+            self._is_started = True
+            QTimer.singleShot(_START_MS, self, self._start)
         if self._is_frame_new:
             # Only a picture on the screen makes room for the next: a covered window draws nothing.
             self._is_frame_new = False

@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter
 
-from armui.viewport.hud import HudValues, figures, hud_font, paint_hud
+from armui.viewport.hud import HudValues, figures, hud_font, hud_frame, paint_hud
 from armui.viewport.palette import DARK, LIGHT
 
 
@@ -59,7 +59,8 @@ def test_the_figures_stay_inside_their_frame(qapp, palette):
     image.fill(QColor(palette.background))
     painter = QPainter(image)
     wide = (-1000.123,) * 6
-    frame = paint_hud(painter, HudValues(wide, wide), palette, QFont()).toAlignedRect()
+    paint_hud(painter, HudValues(wide, wide), palette, QFont())
+    frame = hud_frame(QFont()).toAlignedRect()
     painter.end()
     background = QColor(palette.background).rgb()
     outside = [
