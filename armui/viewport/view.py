@@ -11,6 +11,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QPointF, QRectF, QSize, Qt,
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 from PySide6.QtWidgets import QApplication, QWidget
 
+from armui.arm.limits import JOINTS
 from armui.paths import URDF
 from armui.viewport.camera import HOME_CAMERA
 from armui.viewport.errors import NO_OPENGL
@@ -18,7 +19,6 @@ from armui.viewport.frame_painter import PickRequest, RobotChoice, ViewState
 from armui.viewport.hud import HudValues, hud_frame, paint_hud
 from armui.viewport.palette import LIGHT, ScenePalette
 from armui.viewport.render_thread import RenderThread
-from armui.viewport.robot import ARM_JOINT_COUNT
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -127,8 +127,8 @@ class ArmView(QWidget):
         Raises:
             ValueError: there are not six angles.
         """
-        if angles_deg is not None and len(angles_deg) != ARM_JOINT_COUNT:
-            raise ValueError(f"{len(angles_deg)} joint angles instead of {ARM_JOINT_COUNT}")
+        if angles_deg is not None and len(angles_deg) != len(JOINTS):
+            raise ValueError(f"{len(angles_deg)} joint angles instead of {len(JOINTS)}")
         angles = None if angles_deg is None else tuple(angles_deg)
         self._set_hud(replace(self._hud, angles_deg=angles, angles_stale=stale))
         self._show(replace(self._state, angles_deg=angles, gripper_mm=gripper_mm, stale=stale))

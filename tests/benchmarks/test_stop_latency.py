@@ -5,6 +5,7 @@ Another thread presses the mouse at moments the program cannot foresee. In the s
 presses on a bare button tell how much of it is Qt's and Python's own.
 """
 
+import gc
 import random
 import sys
 import threading
@@ -115,6 +116,7 @@ def test_stop_latency(qapp, tmp_path, capsys, benchmark):
     sent_s, handled_s = [], []
     controller = ArmController(lambda _device: TimedBus(sent_s.append))
     program = Program(qapp, SettingsStore(tmp_path / "settings.json"), controller)
+    program.view.first_frame_shown.connect(gc.freeze)  # as the program itself does
     program.window.resize(1280, 800)
     program.window.show()
     bare = QPushButton("bare")
