@@ -1,6 +1,10 @@
 """What every test may use; and what none may leave behind."""
 
+import os
 import threading
+
+# Before Qt is loaded: tests need no display, and open no window on a desk that has one.
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 import pytest
 
