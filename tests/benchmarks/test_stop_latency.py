@@ -117,7 +117,7 @@ def test_stop_latency(qapp, tmp_path, capsys, benchmark):
     controller = ArmController(lambda _device: TimedBus(sent_s.append))
     program = Program(qapp, SettingsStore(tmp_path / "settings.json"), controller)
     program.view.first_frame_shown.connect(gc.freeze)  # as the program itself does
-    program.window.resize(1280, 800)
+    program.window.resize(1520, 800)  # leaves 900×700 and a little more to the picture
     program.window.show()
     bare = QPushButton("bare")
     bare.show()
@@ -135,9 +135,12 @@ def test_stop_latency(qapp, tmp_path, capsys, benchmark):
             button.pressed.connect(mouse.seen.set)
         # no repeats: each stop frame is a press's own
         stop_button.pressed.connect(controller._stop.forget)
+        frames = []
+        program.view._renderer.frame_ready.connect(lambda _image: frames.append(time.monotonic()))
         mouse.start()
         qapp.exec()
         mouse.join()
+        size = program.view.size().toTuple()
         stopping.set()
         mover.join()
         program.shutdown()
@@ -153,6 +156,8 @@ def test_stop_latency(qapp, tmp_path, capsys, benchmark):
     with capsys.disabled():
         print("\n" + describe("stop: mouse press to frame on bus", to_bus_ms))
         print(describe("bare button: press to handler", to_handler_ms))
+        rate = (len(frames) - 1) / (frames[-1] - frames[0])
+        print(f"3D picture meanwhile: {rate:.0f} frames/s at {size[0]}×{size[1]}, one a state")
     assert len(to_bus_ms) == PRESSES
 
 
