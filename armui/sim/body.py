@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from armui.arm.limits import JointLimits
+from armui.sim.gravity import Weight
 from armui.sim.limp import Limp, LimpJoints
 from armui.sim.motion import JOINT_COUNT, STANDSTILL, JointMotion, SixValues
 
@@ -19,11 +20,13 @@ class Body:
         speeds_deg_s: How fast they turn.
         accelerations_deg_s2: How their speeds change under power.
         powered: Which motors have power.
+        weight: What gravity pulls at.
     """
 
-    def __init__(self, positions_deg: Iterable[float]) -> None:
+    def __init__(self, positions_deg: Iterable[float], weight: Weight | None = None) -> None:
+        self.weight = weight or Weight()
         self._motion = JointMotion(positions_deg)
-        self._limp = LimpJoints()
+        self._limp = LimpJoints(self.weight)
         self.positions_deg: SixValues = self._motion.positions_deg
         self.speeds_deg_s: SixValues = STANDSTILL
         self.accelerations_deg_s2: SixValues = STANDSTILL
@@ -72,6 +75,15 @@ class Body:
 
     def halt(self) -> None:
         """Stands at once, without regard for what the joints can do."""
+        self._motion.place(self.positions_deg)
+        self._read_motion()
+
+    def count_anew(self, positions_deg: Iterable[float]) -> None:
+        """Reads other angles where the joints stand, as after a zero was set; nothing moves.
+
+        A plan under way would lead elsewhere: let it end first.
+        """
+        self.positions_deg = tuple(positions_deg)
         self._motion.place(self.positions_deg)
         self._read_motion()
 

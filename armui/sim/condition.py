@@ -68,3 +68,11 @@ class Condition:
         self.no_solution = False
         self.beyond_limit = _no_joint()
         self.motion_state = MotionState.REACHED
+
+    def start_anew(self) -> None:
+        """What a power cycle does; a broken connection to a joint is still broken."""
+        self.clear_errors()
+        self.control_mode = ControlMode.STANDBY
+        self.move_mode = MoveMode.MOVE_P
+        self.speed_percent = 0
+        self.teaching_state = TeachingState.OFF

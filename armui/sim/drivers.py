@@ -11,7 +11,7 @@ from typing import Final
 
 import numpy as np
 
-from armui.sim.gravity import gravity_torques_nm
+from armui.sim.body import Body
 from armui.sim.motion import JOINT_COUNT, STANDSTILL, SixValues
 
 _TORQUE_PER_AMPERE: Final = (6.0, 6.0, 6.0, 3.0, 3.0, 3.0)
@@ -48,26 +48,28 @@ class Drivers:
         self._ambient_c = [
             _COLD_C + _SPREAD_C * float(share) for share in self._noise.random(JOINT_COUNT)
         ]
-        self._measured: tuple[SixValues, SixValues, SixValues, tuple[bool, ...]] | None = None
+        self._measured: tuple[object, ...] = ()
         self._speeds_rad_s: SixValues = STANDSTILL
         self._torques_nm: SixValues = STANDSTILL
         self.currents_a: SixValues = STANDSTILL
         self.motor_temperatures_c = list(self._ambient_c)
         self.driver_temperatures_c = list(self._ambient_c)
 
-    def measure(
-        self,
-        positions_deg: SixValues,
-        speeds_deg_s: SixValues,
-        accelerations_deg_s2: SixValues,
-        powered: tuple[bool, ...],
-    ) -> None:
-        """Takes the currents from the present motion."""
-        measured = positions_deg, speeds_deg_s, accelerations_deg_s2, powered
+    def measure(self, body: Body) -> None:
+        """Takes the currents from the present motion and load."""
+        powered, speeds_deg_s = body.powered, body.speeds_deg_s
+        accelerations_deg_s2 = body.accelerations_deg_s2
+        measured = (
+            body.positions_deg,
+            speeds_deg_s,
+            accelerations_deg_s2,
+            powered,
+            body.weight.payload_kg,
+        )
         if measured == self._measured:
             return
         self._measured = measured
-        gravity = gravity_torques_nm(positions_deg)
+        gravity = body.weight.torques_nm(body.positions_deg)
         self._speeds_rad_s = tuple(map(radians, speeds_deg_s))
         self._torques_nm = tuple(
             (

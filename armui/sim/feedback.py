@@ -15,6 +15,7 @@ from armui.protocol.generation import Generation
 from armui.sim.body import Body
 from armui.sim.condition import Condition
 from armui.sim.drivers import Drivers
+from armui.sim.end_motion import end_motion
 from armui.sim.gripper import Gripper
 from armui.sim.motion import SixValues
 from armui.sim.units import from_degrees
@@ -89,6 +90,7 @@ class Feedback:
         for joint in JOINTS:
             self._makers[f"DriverFast{joint}"] = partial(self._driver_fast, joint)
             self._makers[f"DriverSlow{joint}"] = partial(self._driver_slow, joint)
+            self._makers[f"EndMotion{joint}"] = partial(self._end_motion, joint)
 
     def frames(self, names: Iterable[str]) -> list[Frame]:
         """The messages of these names, in their order, as of now."""
@@ -165,4 +167,21 @@ class Feedback:
             Enabled=self._arm.body.powered[index],
             Homed=1,
             BusCurrent=drivers.bus_current_a(index) if self._first_generation else 0.0,
+        )
+
+    def _end_motion(self, joint: int) -> Frame:
+        index, body = joint - 1, self._arm.body
+        part = end_motion(
+            self._kinematics,
+            body.positions_deg,
+            index,
+            body.speeds_deg_s[index],
+            body.accelerations_deg_s2[index],
+        )
+        return self._cache.frame(
+            f"EndMotion{joint}",
+            LinearSpeed=part.linear_speed_m_s,
+            AngularSpeed=part.angular_speed_rad_s,
+            LinearAcceleration=part.linear_acceleration_m_s2,
+            AngularAcceleration=part.angular_acceleration_rad_s2,
         )

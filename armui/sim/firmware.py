@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Final
 
 from armui.arm.limits import JOINTS
@@ -18,6 +18,7 @@ from armui.protocol.codes import (
     ALL_JOINTS,
     ArmStatusCode,
     ControlMode,
+    LinkageRole,
     MotionState,
     MotorAction,
     MoveMode,
@@ -33,12 +34,14 @@ from armui.sim.condition import Condition
 from armui.sim.desk import SettingsDesk, Signals
 from armui.sim.drivers import Drivers
 from armui.sim.feedback import Feedback
+from armui.sim.flash import Flash, MemoryFlash
+from armui.sim.gravity import PAYLOADS_KG, Weight
 from armui.sim.gripper import Gripper
 from armui.sim.joint_moves import JointMoves
 from armui.sim.limp import Limp
 from armui.sim.motion import JOINT_COUNT, SixValues
 from armui.sim.schedule import Schedule
-from armui.sim.settings import Settings
+from armui.sim.settings import Linkage
 
 _NS_PER_S: Final = 1_000_000_000
 _ALL_INDICES: Final = range(JOINT_COUNT)
@@ -56,6 +59,7 @@ class Firmware:
         drivers: What the motor drivers measure.
         gripper: The gripper.
         settings: The values the arm keeps.
+        flash: Where it keeps them.
         ignored: How many frames were not understood, by kind.
     """
 
@@ -66,29 +70,38 @@ class Firmware:
         seed: int = 0,
         joints_deg: Sequence[float] = (0.0,) * JOINT_COUNT,
         version: str = "S-V1.8-5",
+        flash: Flash | None = None,
     ) -> None:
         """An arm just switched on: motors off, standby, supported where it lies.
 
         Args:
             generation: The protocol it speaks.
             seed: Of the little noise there is; the same seed and calls give the same frames.
-            joints_deg: Where it lies, joint 1 first.
+            joints_deg: Where it lies, joint 1 first, counted from the factory's zeros.
             version: What it answers to 0x4AF (generation 2).
+            flash: Where its settings are kept; without it they end with this object.
         """
         self.generation = generation
+        self.flash: Flash = flash or MemoryFlash()
+        self.settings = self.flash.load()
         self.condition = Condition()
-        self.body = Body(float(angle) for angle in joints_deg)
+        zeros_deg = self.settings.zeros_deg
+        self.body = Body(
+            (float(angle) - zero for angle, zero in zip(joints_deg, zeros_deg, strict=True)),
+            Weight(),
+        )
         self.drivers = Drivers(seed)
         self.gripper = Gripper()
-        self.settings = Settings()
         self.ignored: Counter[OddityKind] = Counter()
         self._version = version
         self._silent = False
         self._now_ns = 0
+        self._payload_kg: float | None = None
         self._schedule = Schedule(generation)
         self._readdressing: Addressing | None = None
         self._moves = JointMoves(self.body, self.condition, self.settings)
-        self._speak(Addressing())
+        self._speak(self._kept_addressing())
+        self._take_weight()
         self._handlers: dict[str, Callable[[Signals], list[Frame]]] = {
             "MotionCommand": self._motion_command,
             "ModeControl": self._mode_control,
@@ -218,6 +231,68 @@ class Firmware:
         if present:
             self._moves.cut_short()
 
+    def power_cycle(self) -> None:
+        """Takes the power away and gives it back: the arm drops, settings come from the flash."""
+        self._moves.forget()
+        self.body.power_off(_ALL_INDICES, Limp.FREE)
+        self.gripper.release()
+        self.settings.take_over(self.flash.load())
+        self.condition.start_anew()
+        self._silent = False
+        self._readdressing = None
+        self._schedule.end_motion = False
+        self._speak(self._kept_addressing())
+        self._take_weight()
+
+    def set_zero(self, indices: Iterable[int]) -> bool:
+        """Writes where joints (0–5) stand as their zero, of all or of none.
+
+        It takes joints that stand still and can be talked to.
+        """
+        indices, body = list(indices), self.body
+        if body.moving or any(
+            body.speeds_deg_s[i] or self.condition.communication_fault[i] for i in indices
+        ):
+            return False
+        self._moves.forget()
+        angles_deg, zeros_deg = list(body.positions_deg), list(self.settings.zeros_deg)
+        for i in indices:
+            zeros_deg[i] += angles_deg[i]
+            angles_deg[i] = 0.0
+        self.settings.zeros_deg = zeros_deg
+        self._take_weight()
+        body.count_anew(angles_deg)
+        return True
+
+    def clear_joint_errors(self, indices: Iterable[int]) -> None:
+        """Clears the errors the drivers of joints (0–5) keep."""
+        for i in indices:
+            self.condition.beyond_limit[i] = False
+
+    def report_end_motion(self, *, on: bool) -> None:
+        """Switches 0x481–0x486."""
+        self._schedule.end_motion = on
+
+    def settings_changed(self) -> None:
+        """Takes over and keeps what may be new in `settings`."""
+        self._take_weight()
+        self.flash.save(self.settings)
+
+    def corrupt_limits(self, joint: int) -> None:
+        """Lets a joint's (1–6) limits read back as 0xFFFF, as from a worn flash."""
+        self._desk.corrupt_limits(joint - 1)
+
+    def _kept_addressing(self) -> Addressing:
+        linkage = self.settings.linkage
+        return Addressing(linkage.feedback_offset, linkage.control_offset)
+
+    def _take_weight(self) -> None:
+        self.body.weight.zeros_deg = self.settings.zeros_deg
+        payload_kg = self._payload_kg
+        self.body.weight.payload_kg = (
+            PAYLOADS_KG[self.settings.load] if payload_kg is None else payload_kg
+        )
+
     def _advance(self, to_ns: int) -> None:
         dt_s = (to_ns - self._now_ns) / _NS_PER_S
         if dt_s <= 0.0:
@@ -229,10 +304,7 @@ class Firmware:
 
     def _measure(self, names: list[str]) -> None:
         """Lets the drivers measure before the frames of these names are made."""
-        body = self.body
-        self.drivers.measure(
-            body.positions_deg, body.speeds_deg_s, body.accelerations_deg_s2, body.powered
-        )
+        self.drivers.measure(self.body)
         for joint in JOINTS:
             name = f"DriverSlow{joint}"
             if name in names:
@@ -240,7 +312,7 @@ class Firmware:
 
     def _speak(self, addressing: Addressing) -> None:
         self._codec = Codec(self.generation, addressing)
-        self._desk = SettingsDesk(self._codec, self.settings)
+        self._desk = SettingsDesk(self._codec, self.settings, self)
         self._feedback = Feedback(self._codec, self)
 
     def _motion_command(self, signals: Signals) -> list[Frame]:
@@ -295,10 +367,14 @@ class Firmware:
     def _linkage_setting(self, signals: Signals) -> list[Frame]:
         """Takes the identifier offsets over at once in standby, else as soon as it is reached."""
         answer = self._desk.answer(SettingIndex.LINKAGE_SETTING)
-        self._readdressing = Addressing(
-            feedback_offset=int(signals["FeedbackOffset"]),
-            control_offset=int(signals["ControlOffset"]),
+        self.settings.linkage = Linkage(
+            LinkageRole(int(signals["Role"])) or self.settings.linkage.role,
+            int(signals["FeedbackOffset"]),
+            int(signals["ControlOffset"]),
+            int(signals["TargetOffset"]),
         )
+        self.flash.save(self.settings)
+        self._readdressing = self._kept_addressing()
         if self.condition.control_mode is ControlMode.STANDBY:
             self._enter(ControlMode.STANDBY)
         return [answer]

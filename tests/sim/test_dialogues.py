@@ -320,7 +320,7 @@ def test_light_and_load_are_kept() -> None:
     arm = Firmware(ONE)
     # joint 2, all lamps, R 16, G 32, B 48; then one not marked valid
     tell(arm, "121#0102FF1020300001", "121#0002FFFFFFFF0002")
-    assert arm.settings.lights == {2: Light(lamp=255, red=16, green=32, blue=48)}
+    assert arm.settings.lights == {2: Light(lamp=255, red=16, green=32, blue=48, counter=1)}
     assert tell(arm, "477#000000AE02000000") == ["476#7700000000000000"]
     assert arm.settings.load is EndLoad.FULL
     tell(arm, "477#0000000001000000")
