@@ -9,9 +9,10 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from typing import Final
 
-from armui.arm.limits import JOINTS
+from armui.arm.limits import FACTORY_LIMITS, JOINTS
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec, Oddity, OddityKind
 from armui.protocol.codes import (
@@ -287,7 +288,13 @@ class Firmware:
         return Addressing(linkage.feedback_offset, linkage.control_offset)
 
     def _take_weight(self) -> None:
-        self.body.weight.zeros_deg = self.settings.zeros_deg
+        zeros_deg = self.settings.zeros_deg
+        self.body.weight.zeros_deg = zeros_deg
+        # where the metal ends, whatever limits and zeros were set
+        self._stops = tuple(
+            replace(each, min_deg=each.min_deg - zero, max_deg=each.max_deg - zero)
+            for each, zero in zip(FACTORY_LIMITS, zeros_deg, strict=True)
+        )
         payload_kg = self._payload_kg
         self.body.weight.payload_kg = (
             PAYLOADS_KG[self.settings.load] if payload_kg is None else payload_kg
@@ -298,7 +305,7 @@ class Firmware:
         if dt_s <= 0.0:
             return
         self._now_ns = to_ns
-        self.body.advance(dt_s, self.settings.limits)
+        self.body.advance(dt_s, self._stops)
         self.gripper.advance(dt_s)
         self._moves.time_passed()
 
