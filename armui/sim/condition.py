@@ -11,6 +11,7 @@ from armui.protocol.codes import (
     MoveMode,
     TeachingState,
 )
+from armui.sim.alarms import Alarms
 from armui.sim.motion import JOINT_COUNT
 
 
@@ -32,6 +33,7 @@ class Condition:
         no_solution: Whether no way to the last target was found.
         beyond_limit: The joints whose last target was refused.
         communication_fault: The joints the controller cannot talk to.
+        alarms: What the drivers complain of.
     """
 
     control_mode: ControlMode = ControlMode.STANDBY
@@ -43,6 +45,7 @@ class Condition:
     no_solution: bool = False
     beyond_limit: list[bool] = field(default_factory=_no_joint)
     communication_fault: list[bool] = field(default_factory=_no_joint)
+    alarms: Alarms = field(default_factory=Alarms)
 
     @property
     def status(self) -> ArmStatusCode:
@@ -51,6 +54,10 @@ class Condition:
             return ArmStatusCode.EMERGENCY_STOP
         if any(self.communication_fault):
             return ArmStatusCode.JOINT_COMMUNICATION_FAULT
+        if self.alarms.collision:
+            return ArmStatusCode.COLLISION
+        if self.alarms.any:
+            return ArmStatusCode.JOINT_STATUS_ABNORMAL
         if any(self.beyond_limit):
             return ArmStatusCode.TARGET_BEYOND_LIMIT
         if self.no_solution:
@@ -62,15 +69,21 @@ class Condition:
         """Whether a set of joint targets starts a motion as it arrives."""
         return self.control_mode is ControlMode.CAN_CONTROL and self.move_mode is MoveMode.MOVE_J
 
+    @property
+    def hindered(self) -> bool:
+        """Whether a joint is in no state to move."""
+        return self.alarms.any or any(self.communication_fault)
+
     def clear_errors(self) -> None:
-        """What a resume clears; a broken connection to a joint is still broken."""
+        """What a resume clears; what is still broken stays told."""
         self.stopped = False
+        self.alarms.clear(range(JOINT_COUNT))
         self.no_solution = False
         self.beyond_limit = _no_joint()
         self.motion_state = MotionState.REACHED
 
     def start_anew(self) -> None:
-        """What a power cycle does; a broken connection to a joint is still broken."""
+        """What a power cycle does; what is still broken stays told."""
         self.clear_errors()
         self.control_mode = ControlMode.STANDBY
         self.move_mode = MoveMode.MOVE_P

@@ -12,6 +12,7 @@ from armui.arm.limits import JOINTS
 from armui.protocol.codec import Codec, EncodeError
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.sim.alarms import Alarm
 from armui.sim.body import Body
 from armui.sim.condition import Condition
 from armui.sim.drivers import Drivers
@@ -166,8 +167,16 @@ class Feedback:
             MotorTemperature=round(drivers.motor_temperatures_c[index]),
             Enabled=self._arm.body.powered[index],
             Homed=1,
+            **self._alarm_bits(index),
             BusCurrent=drivers.bus_current_a(index) if self._first_generation else 0.0,
         )
+
+    def _alarm_bits(self, index: int) -> dict[str, float]:
+        alarms = self._arm.condition.alarms.of(index)
+        bits: dict[str, float] = {alarm.value: alarm in alarms for alarm in Alarm}
+        if Alarm.SENSOR in alarms and not self._first_generation:
+            bits[Alarm.DRIVER.value] = True
+        return bits
 
     def _end_motion(self, joint: int) -> Frame:
         index, body = joint - 1, self._arm.body

@@ -38,16 +38,16 @@ from armui.sim.feedback import Feedback
 from armui.sim.flash import Flash, MemoryFlash
 from armui.sim.gravity import PAYLOADS_KG, Weight
 from armui.sim.gripper import Gripper
+from armui.sim.identity import version_frames
 from armui.sim.joint_moves import JointMoves
 from armui.sim.limp import Limp
 from armui.sim.motion import JOINT_COUNT, SixValues
+from armui.sim.protection import Protection
 from armui.sim.schedule import Schedule
 from armui.sim.settings import Linkage
 
 _NS_PER_S: Final = 1_000_000_000
 _ALL_INDICES: Final = range(JOINT_COUNT)
-_VERSION_PREFIX: Final = "PiPER "
-_VERSION_REQUEST: Final = 1
 
 
 class Firmware:
@@ -61,6 +61,8 @@ class Firmware:
         gripper: The gripper.
         settings: The values the arm keeps.
         flash: Where it keeps them.
+        protection: What watches the drivers.
+        feedback_stopped: Whether the arm, broken, tells nothing unless asked.
         ignored: How many frames were not understood, by kind.
     """
 
@@ -101,6 +103,10 @@ class Firmware:
         self._schedule = Schedule(generation)
         self._readdressing: Addressing | None = None
         self._moves = JointMoves(self.body, self.condition, self.settings)
+        self.protection = Protection(
+            self.body, self.drivers, self.condition, self.settings, self._moves.cut_short
+        )
+        self.feedback_stopped = False
         self._speak(self._kept_addressing())
         self._take_weight()
         self._handlers: dict[str, Callable[[Signals], list[Frame]]] = {
@@ -221,7 +227,7 @@ class Firmware:
             self._advance(self._schedule.next_ns)
             names = self._schedule.pop()
             self._measure(names)
-            if not self._silent:
+            if not (self._silent or self.feedback_stopped):
                 frames += self._feedback.frames(names)
         self._advance(end_ns)
         return frames
@@ -267,6 +273,7 @@ class Firmware:
 
     def clear_joint_errors(self, indices: Iterable[int]) -> None:
         """Clears the errors the drivers of joints (0–5) keep."""
+        self.condition.alarms.clear(indices)
         for i in indices:
             self.condition.beyond_limit[i] = False
 
@@ -311,11 +318,13 @@ class Firmware:
 
     def _measure(self, names: list[str]) -> None:
         """Lets the drivers measure before the frames of these names are made."""
+        self.protection.watch_torques()
         self.drivers.measure(self.body)
         for joint in JOINTS:
             name = f"DriverSlow{joint}"
             if name in names:
                 self.drivers.warm(joint - 1, self._schedule.periods_ns[name] / _NS_PER_S)
+                self.protection.watch_driver(joint - 1)
 
     def _speak(self, addressing: Addressing) -> None:
         self._codec = Codec(self.generation, addressing)
@@ -359,7 +368,7 @@ class Firmware:
         if self.condition.stopped:
             pass  # the motors stay off and damped until the stop is resumed
         elif signals["Action"] == MotorAction.ENABLE:
-            self.body.power_on(indices)
+            self.body.power_on(i for i in indices if self.protection.may_power(i))
         else:
             self._moves.forget()
             self._moves.cut_short()
@@ -391,14 +400,4 @@ class Firmware:
         return []
 
     def _firmware_version(self, signals: Signals) -> list[Frame]:
-        """Answers with text cut into frames; a neighbour's answer is no question."""
-        if signals["Byte0"] != _VERSION_REQUEST:
-            return []
-        text = (_VERSION_PREFIX + self._version).encode("ascii", "replace")
-        chunks = [text[start : start + 8].ljust(8, b"\0") for start in range(0, len(text), 8)]
-        return [
-            self._codec.encode(
-                "FirmwareVersion", **{f"Byte{i}": byte for i, byte in enumerate(chunk)}
-            )
-            for chunk in chunks
-        ]
+        return version_frames(self._codec, signals, self._version)

@@ -40,15 +40,20 @@ class Weight:
     Attributes:
         zeros_deg: Where each joint has its zero, counted from the factory's.
         payload_kg: Mass at the flange.
+        pushes_nm: What something outside adds to each joint's torque.
     """
 
     zeros_deg: Sequence[float] = field(default_factory=lambda: (0.0,) * 6)
     payload_kg: float = 0.0
+    pushes_nm: tuple[float, ...] = (0.0,) * 6
 
     def torques_nm(self, joints_deg: Sequence[float]) -> tuple[float, ...]:
         """As `gravity_torques_nm`, for angles counted from the joints' own zeros."""
         true_deg = [angle + zero for angle, zero in zip(joints_deg, self.zeros_deg, strict=True)]
-        return gravity_torques_nm(true_deg, self.payload_kg)
+        torques_nm = gravity_torques_nm(true_deg, self.payload_kg)
+        if not any(self.pushes_nm):
+            return torques_nm
+        return tuple(a + b for a, b in zip(torques_nm, self.pushes_nm, strict=True))
 
 
 def gravity_torques_nm(joints_deg: Sequence[float], payload_kg: float = 0.0) -> tuple[float, ...]:

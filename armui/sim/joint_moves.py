@@ -76,11 +76,7 @@ class JointMoves:
 
     def _may_move(self) -> bool:
         condition = self._condition
-        return (
-            all(self._body.powered)
-            and not condition.stopped
-            and not any(condition.communication_fault)
-        )
+        return all(self._body.powered) and not condition.stopped and not condition.hindered
 
     def _pursue(self, target_deg: SixValues) -> None:
         """Takes on a complete target, or refuses it and stays."""
