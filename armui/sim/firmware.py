@@ -232,6 +232,16 @@ class Firmware:
         self._advance(end_ns)
         return frames
 
+    @property
+    def payload_kg(self) -> float:
+        """Mass at the flange: as the host says with 0x477, unless something else hangs there."""
+        return self.body.weight.payload_kg
+
+    @payload_kg.setter
+    def payload_kg(self, mass_kg: float | None) -> None:
+        self._payload_kg = mass_kg
+        self._take_weight()
+
     def set_communication_fault(self, joint: int, *, present: bool) -> None:
         """Breaks or mends the connection between the controller and a joint (1–6)."""
         self.condition.communication_fault[joint - 1] = present
