@@ -23,6 +23,8 @@ import numpy.typing as npt
 from py_opw_kinematics import KinematicModel, Robot
 from scipy.spatial.transform import RigidTransform, Rotation
 
+from armui.arm.wrist import STRETCHED_DEG, bend_deg, bent_wrist, stretched_wrist
+
 Matrix = npt.NDArray[np.float64]
 Joints = tuple[float, ...]
 """Six angles in degrees, joint 1 first."""
@@ -60,19 +62,13 @@ _FOREARM_MM: Final = 250.75
 _HAND_MM: Final = 91.0
 """From the centre of the wrist to the flange."""
 
-_STRETCHED_WRIST_DEG: Final = 2e-3
-"""With joint 5 nearer to 0, joints 4 and 6 turn about one axis and only their sum counts.
-
-Two of the protocol's steps: what rounding can make of a joint 5 at 0.
-"""
-
 _EDGE_MM: Final = 1e-6
 """A pose the arm itself has reported, stretched to its limit, may be this far out by rounding."""
 
 _SAME_DEG: Final = 1e-6
 
-_MIDDLES_DEG: Final = (0.0, 90.0, -85.0, 0.0, 0.0, 0.0)
-"""The middles of the joints' factory ranges."""
+_MIDDLES_DEG: Final = (0.0, 90.0, -85.0)
+"""The middles of the factory ranges of joints 1–3; the others' are 0."""
 
 _HAND_TURNS: Final = tuple(Rotation.from_euler("y", angle).as_matrix() for angle in (0.1, -0.23))
 """See `Kinematics._ask_library`."""
@@ -141,9 +137,9 @@ class Kinematics:
     def inverse(self, pose: Pose, near_deg: Sequence[float]) -> list[Joints]:
         """All ways to bring the flange to a pose, whatever the joints' limits.
 
-        With a wrist stretched to 0.002° joint 5 is taken as 0 and joint 4 stays where it is in
-        `near_deg`: a pose rounded to the protocol's steps must not turn the wrist about. Angles
-        lie within half a turn of the middle of their joint's range.
+        With a wrist stretched to 0.002° joint 4 stays where it is in `near_deg`: a pose rounded
+        to the protocol's steps must not turn the wrist about. Angles lie within half a turn of
+        the middle of their joint's range.
 
         Args:
             pose: Where the flange shall be.
@@ -160,8 +156,8 @@ class Kinematics:
             if np.isnan(arm_deg[0]):
                 continue
             shoulder_elbow = tuple(float(angle) for angle in arm_deg)
-            for wrist in self.wrist_branches(arm_deg[None], target[None], near_deg[3])[0]:
-                solution = (*shoulder_elbow, *(float(angle) for angle in wrist))
+            for wrist_deg in self._wrists(arm_deg, target, near_deg[3]):
+                solution = (*shoulder_elbow, *wrist_deg)
                 if not any(_same(solution, other) for other in solutions):
                     solutions.append(solution)
         return sorted(solutions, key=lambda joints: math.dist(joints, near_deg))
@@ -184,18 +180,17 @@ class Kinematics:
             drawn_in = targets.copy()
             drawn_in[edge, :3, 3] -= 2.0 * _EDGE_MM * outward[edge]
             ways, _ = self._ask_library(drawn_in)
-        return _near_middle(ways, _MIDDLES_DEG[:3])
+        return _near_middle(ways)
 
-    def wrist_branches(self, arms_deg: Matrix, targets: Matrix, joint_4_deg: float) -> Matrix:
-        """Joints 4–6 that give the flange its orientation when joints 1–3 are known.
+    def hands(self, arms_deg: Matrix, targets: Matrix) -> Matrix:
+        """How the hand must lie in the forearm when joints 1–3 are known.
 
         Args:
             arms_deg: (n, 3) joints 1–3.
             targets: (n, 4, 4) transforms of the flange.
-            joint_4_deg: What joint 4 is with a stretched wrist, where it may be anything.
 
         Returns:
-            (n, 2, 3) angles in degrees: joint 5 from 0 up, then from 0 down.
+            (n, 3, 3) orientations, as `armui.arm.wrist` wants them.
         """
         turn = np.radians(arms_deg[:, 0])
         pitch = np.radians(arms_deg[:, 1] + arms_deg[:, 2] + self._forearm_zero_deg)
@@ -208,20 +203,7 @@ class Kinematics:
         forearm[:, 1, 2] = np.sin(turn) * np.sin(pitch)
         forearm[:, 2, 0] = -np.sin(pitch)
         forearm[:, 2, 2] = np.cos(pitch)
-        hand = forearm.transpose(0, 2, 1) @ targets[:, :3, :3]
-        sine = np.hypot(hand[:, 0, 2], hand[:, 1, 2])
-        bend = np.degrees(np.arctan2(sine, hand[:, 2, 2]))
-        j4 = np.degrees(np.arctan2(hand[:, 1, 2], hand[:, 0, 2]))
-        j6 = np.degrees(np.arctan2(hand[:, 2, 1], -hand[:, 2, 0]))
-        both = np.array(((j4, bend, j6), (j4 + 180.0, -bend, j6 + 180.0))).transpose(2, 0, 1)
-        stretched = bend < _STRETCHED_WRIST_DEG
-        if stretched.any():
-            total = np.degrees(np.arctan2(hand[:, 1, 0], hand[:, 1, 1]))
-            straight = np.stack(
-                (np.full_like(total, joint_4_deg), 0.0 * total, total - joint_4_deg), axis=1
-            )
-            both[stretched] = straight[stretched][:, None, :]
-        return _near_middle(both, _MIDDLES_DEG[3:])
+        return np.asarray(forearm.transpose(0, 2, 1) @ targets[:, :3, :3])
 
     def smallest_singular_value(self, joints_deg: Sequence[float]) -> float:
         """How far the arm is from a singular pose: 0 in one, some 0.1 in a comfortable one.
@@ -255,6 +237,15 @@ class Kinematics:
         origins = np.array((shoulder, shoulder, elbow, centre, centre, centre))
         flange = centre + _HAND_MM * hand
         return np.vstack((np.cross(axes, flange - origins).T / 1e3, axes.T))
+
+    def _wrists(self, arm_deg: Matrix, target: Matrix, joint_4_deg: float) -> list[Joints]:
+        hand = self.hands(arm_deg[None], target[None])
+        if float(bend_deg(hand)[0]) < STRETCHED_DEG:
+            j4, j5, j6 = stretched_wrist(hand[0], joint_4_deg)
+            return [(j4, j5, wrapped_deg(j6))]
+        return [
+            tuple(wrapped_deg(float(angle)) for angle in wrist) for wrist in bent_wrist(hand)[0]
+        ]
 
     def _ask_library(self, targets: Matrix) -> tuple[Matrix, Matrix]:
         """Joints 1–3 of four ways, (n, 4, 3), and how far within reach the centre is, (n,).
@@ -313,11 +304,16 @@ def _wrist_centres(targets: Matrix) -> Matrix:
     return centres
 
 
-def _near_middle(angles_deg: Matrix, middles_deg: Joints) -> Matrix:
-    """The same angles, in the turn around the middles."""
-    offset = 180.0 - np.array(middles_deg)
-    wrapped: Matrix = (angles_deg + offset) % 360.0 - offset
-    return wrapped
+def _near_middle(ways_deg: Matrix) -> Matrix:
+    """The same angles of joints 1–3, in the turn around the middles of their ranges."""
+    offset = 180.0 - np.array(_MIDDLES_DEG)
+    near: Matrix = (ways_deg + offset) % 360.0 - offset
+    return near
+
+
+def wrapped_deg(angle_deg: float) -> float:
+    """The same angle within −180° to 180°."""
+    return (angle_deg + 180.0) % 360.0 - 180.0
 
 
 def _same(joints_deg: Joints, others_deg: Joints) -> bool:

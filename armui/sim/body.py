@@ -8,6 +8,7 @@ from armui.arm.limits import JointLimits
 from armui.sim.gravity import Weight
 from armui.sim.limp import Limp, LimpJoints
 from armui.sim.motion import JOINT_COUNT, STANDSTILL, JointMotion, SixValues
+from armui.sim.tool_plan import PathMotion
 
 
 class Body:
@@ -26,6 +27,7 @@ class Body:
     def __init__(self, positions_deg: Iterable[float], weight: Weight | None = None) -> None:
         self.weight = weight or Weight()
         self._motion = JointMotion(positions_deg)
+        self._path: PathMotion | None = None
         self._limp = LimpJoints(self.weight)
         self.positions_deg: SixValues = self._motion.positions_deg
         self.speeds_deg_s: SixValues = STANDSTILL
@@ -35,14 +37,14 @@ class Body:
     @property
     def moving(self) -> bool:
         """Whether the motors are moving joints along a plan."""
-        return self._motion.moving
+        return self._motion.moving if self._path is None else self._path.moving
 
     def power_on(self, indices: Iterable[int]) -> None:
         """Powers motors; each holds its joint where it is."""
         for index in indices:
             if index in self._limp:
                 self._limp.catch(index)
-                self._motion.place(self.positions_deg)
+                self._place()
             self._set_power(index, on=True)
         self._read_motion()
 
@@ -57,7 +59,7 @@ class Body:
         for index in indices:
             self._set_power(index, on=False)
         if not any(self.powered):
-            self._motion.place(self.positions_deg)
+            self._place()
         self._read_motion()
 
     def move_to(
@@ -67,15 +69,23 @@ class Body:
         accelerations_deg_s2: Sequence[float],
     ) -> None:
         """Moves all joints; every motor must have power. A motion under way is replaced."""
+        self._path = None
         self._motion.move_to(targets_deg, speeds_deg_s, accelerations_deg_s2)
 
+    def follow(self, path: PathMotion) -> None:
+        """Moves all joints along a path that begins where they stand; the path says how fast."""
+        self._path = path
+
     def brake(self, accelerations_deg_s2: Sequence[float]) -> None:
-        """Brings a motion to its end as fast as the joints allow."""
-        self._motion.brake(accelerations_deg_s2)
+        """Brings a motion to its end as fast as the joints allow, along a path where it has one."""
+        if self._path is None:
+            self._motion.brake(accelerations_deg_s2)
+        else:
+            self._path.run(0.0)
 
     def halt(self) -> None:
         """Stands at once, without regard for what the joints can do."""
-        self._motion.place(self.positions_deg)
+        self._place()
         self._read_motion()
 
     def count_anew(self, positions_deg: Iterable[float]) -> None:
@@ -84,13 +94,13 @@ class Body:
         A plan under way would lead elsewhere: let it end first.
         """
         self.positions_deg = tuple(positions_deg)
-        self._motion.place(self.positions_deg)
+        self._place()
         self._read_motion()
 
     def advance(self, dt_s: float, limits: Sequence[JointLimits]) -> None:
         """Lets time pass."""
-        was_moving = self._motion.moving
-        self._motion.advance(dt_s)
+        was_moving = self.moving
+        self._advance_motion(dt_s)
         if self._limp:
             driven = self._motion.positions_deg
             merged = (
@@ -100,6 +110,20 @@ class Body:
             self._read_speeds()
         elif was_moving:
             self._read_motion()
+
+    def _advance_motion(self, dt_s: float) -> None:
+        path = self._path
+        if path is None:
+            self._motion.advance(dt_s)
+            return
+        path.advance(dt_s)
+        self._motion.carry(path.positions_deg, path.speeds_deg_s, path.accelerations_deg_s2)
+        if not path.moving:
+            self._path = None
+
+    def _place(self) -> None:
+        self._path = None
+        self._motion.place(self.positions_deg)
 
     def _set_power(self, index: int, *, on: bool) -> None:
         self.powered = (*self.powered[:index], on, *self.powered[index + 1 :])

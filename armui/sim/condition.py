@@ -31,6 +31,7 @@ class Condition:
         motion_state: Whether the last target is reached; a motion cut short leaves it unreached.
         stopped: Whether an emergency stop is in force.
         no_solution: Whether no way to the last target was found.
+        singular: Whether the way to the last target leads through a singular pose.
         beyond_limit: The joints whose last target was refused.
         communication_fault: The joints the controller cannot talk to.
         alarms: What the drivers complain of.
@@ -43,6 +44,7 @@ class Condition:
     motion_state: MotionState = MotionState.REACHED
     stopped: bool = False
     no_solution: bool = False
+    singular: bool = False
     beyond_limit: list[bool] = field(default_factory=_no_joint)
     communication_fault: list[bool] = field(default_factory=_no_joint)
     alarms: Alarms = field(default_factory=Alarms)
@@ -62,12 +64,18 @@ class Condition:
             return ArmStatusCode.TARGET_BEYOND_LIMIT
         if self.no_solution:
             return ArmStatusCode.NO_SOLUTION
+        if self.singular:
+            return ArmStatusCode.SINGULARITY
         return ArmStatusCode.NORMAL
 
-    @property
-    def obeys_joint_targets(self) -> bool:
-        """Whether a set of joint targets starts a motion as it arrives."""
-        return self.control_mode is ControlMode.CAN_CONTROL and self.move_mode is MoveMode.MOVE_J
+    def obeys(self, *move_modes: MoveMode) -> bool:
+        """Whether a target of one of these kinds of motion starts it as it arrives."""
+        return self.control_mode is ControlMode.CAN_CONTROL and self.move_mode in move_modes
+
+    def accept_target(self) -> None:
+        """Forgets what was wrong with the target before."""
+        self.no_solution = self.singular = False
+        self.beyond_limit = _no_joint()
 
     @property
     def hindered(self) -> bool:
@@ -78,8 +86,7 @@ class Condition:
         """What a resume clears; what is still broken stays told."""
         self.stopped = False
         self.alarms.clear(range(JOINT_COUNT))
-        self.no_solution = False
-        self.beyond_limit = _no_joint()
+        self.accept_target()
         self.motion_state = MotionState.REACHED
 
     def start_anew(self) -> None:

@@ -39,9 +39,9 @@ from armui.sim.flash import Flash, MemoryFlash
 from armui.sim.gravity import PAYLOADS_KG, Weight
 from armui.sim.gripper import Gripper
 from armui.sim.identity import version_frames
-from armui.sim.joint_moves import JointMoves
 from armui.sim.limp import Limp
 from armui.sim.motion import JOINT_COUNT, SixValues
+from armui.sim.moves import Moves
 from armui.sim.protection import Protection
 from armui.sim.schedule import Schedule
 from armui.sim.settings import Linkage
@@ -102,7 +102,7 @@ class Firmware:
         self._payload_kg: float | None = None
         self._schedule = Schedule(generation)
         self._readdressing: Addressing | None = None
-        self._moves = JointMoves(self.body, self.condition, self.settings)
+        self._moves = Moves(self.body, self.condition, self.settings)
         self.protection = Protection(
             self.body, self.drivers, self.condition, self.settings, self._moves.cut_short
         )
@@ -112,9 +112,6 @@ class Firmware:
         self._handlers: dict[str, Callable[[Signals], list[Frame]]] = {
             "MotionCommand": self._motion_command,
             "ModeControl": self._mode_control,
-            "JointTarget12": self._joint_target,
-            "JointTarget34": self._joint_target,
-            "JointTarget56": self._joint_target,
             "GripperCommand": self._gripper_command,
             "LinkageSetting": self._linkage_setting,
             "MotorEnable": self._motor_enable,
@@ -203,6 +200,8 @@ class Firmware:
         handler = self._handlers.get(message.name)
         if handler is not None:
             answers = handler(message.signals)
+        elif self._moves.take(message.name, message.signals):
+            answers = []
         else:
             answers = self._desk.handle(message.name, message.signals) or []
         return [] if self._silent else answers
@@ -360,10 +359,6 @@ class Firmware:
         self.condition.speed_percent = int(signals["SpeedPercent"])
         self._enter(ControlMode(int(signals["ControlMode"])))
         self._moves.mode_changed()
-        return []
-
-    def _joint_target(self, signals: Signals) -> list[Frame]:
-        self._moves.take({int(name[1:]): angle_deg for name, angle_deg in signals.items()})
         return []
 
     def _enter(self, control_mode: ControlMode) -> None:
