@@ -35,7 +35,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--interface", default="udp_multicast", help="python-can's name of the bus (udp_multicast)"
     )
     parser.add_argument("--channel", default="", help="the bus's channel, e.g. vcan0")
-    parser.add_argument("--bitrate", type=int, help="bit/s, where the program sets it")
+    parser.add_argument("--bitrate", type=_bitrate, help="bit/s, where the program sets it")
     parser.add_argument(
         "--generation", type=int, choices=(1, 2), default=2, help="the protocol it speaks (2)"
     )
@@ -133,12 +133,13 @@ def run_arm(
             "Check that the interface exists, is up and not in use.\n"
         )
         return EXIT_CANNOT_BEGIN
+    known = bus.channel_info != "unknown"
+    place = bus.channel_info if known else f"{interface} {channel}".rstrip()
     if firmware.flash.trouble:
         sys.stderr.write(f"armui sim: {firmware.flash.trouble}\n")
     with bus, Node(firmware, bus, faults=faults, seed=seed) as node:
         sys.stdout.write(
-            f"Simulated arm, generation {int(firmware.generation)}, on {bus.channel_info}. "
-            "Ctrl-C ends it.\n"
+            f"Simulated arm, generation {int(firmware.generation)}, on {place}. Ctrl-C ends it.\n"
         )
         sys.stdout.flush()
         try:
@@ -146,6 +147,12 @@ def run_arm(
         except KeyboardInterrupt:
             sys.stdout.write("\n")
     return EXIT_OK
+
+
+def _bitrate(text: str) -> int:
+    if not text.isdecimal() or not int(text):
+        raise argparse.ArgumentTypeError(f"{text!r} is no bit rate; give bit/s, as 1000000")
+    return int(text)
 
 
 def _version(text: str) -> str:

@@ -100,6 +100,8 @@ def test_options(tmp_path: Path) -> None:
     ("words", "reason"),
     [
         (["--generation", "3"], "invalid choice"),
+        (["--bitrate", "-5"], "'-5' is no bit rate; give bit/s, as 1000000"),
+        (["--bitrate", "0"], "'0' is no bit rate"),
         (["--firmware", "1.8"], "'1.8' is no firmware version; write it as S-V1.8-5"),
         (["--flash", "/nowhere/arm.json"], "must be a file in a folder that exists"),
         (["--flash", "/"], "must be a file in a folder that exists"),
