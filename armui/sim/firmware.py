@@ -27,6 +27,7 @@ from armui.protocol.codes import (
     SilenceMode,
     StopCommand,
     TeachingState,
+    TrajectoryCommand,
 )
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
@@ -48,6 +49,7 @@ from armui.sim.settings import Linkage
 
 _NS_PER_S: Final = 1_000_000_000
 _ALL_INDICES: Final = range(JOINT_COUNT)
+_MIT_CONTROL: Final = tuple(f"MitControl{joint}" for joint in JOINTS)
 
 
 class Firmware:
@@ -64,6 +66,8 @@ class Firmware:
         protection: What watches the drivers.
         feedback_stopped: Whether the arm, broken, tells nothing unless asked.
         ignored: How many frames were not understood, by kind.
+        unsupported: How many were understood but ask for what this arm does not do, by what they
+            ask for: MIT control, and the transfer of trajectories, whose check sum is undocumented.
     """
 
     def __init__(
@@ -96,6 +100,7 @@ class Firmware:
         self.drivers = Drivers(seed)
         self.gripper = Gripper()
         self.ignored: Counter[OddityKind] = Counter()
+        self.unsupported: Counter[str] = Counter()
         self._version = version
         self._silent = False
         self._now_ns = 0
@@ -117,6 +122,7 @@ class Firmware:
             "MotorEnable": self._motor_enable,
             "BusSilence": self._bus_silence,
             "FirmwareVersion": self._firmware_version,
+            **dict.fromkeys(_MIT_CONTROL, self._mit_control),
         }
 
     @property
@@ -350,6 +356,22 @@ class Firmware:
             self.body.power_off(_ALL_INDICES, Limp.FREE)
             self.condition.clear_errors()
             self._enter(ControlMode.STANDBY)
+        elif not self.condition.stopped:
+            return self._trajectory_command(TrajectoryCommand(int(signals["TrajectoryCommand"])))
+        return []
+
+    def _trajectory_command(self, command: TrajectoryCommand) -> list[Frame]:
+        if command is TrajectoryCommand.OFF or self._moves.command(command):
+            return []
+        if command is not TrajectoryCommand.GET_CURRENT:
+            self.unsupported[command.name] += 1
+        elif self.generation is not Generation.ONE:
+            # the trajectory point of 0x476 is 0: no transferred trajectory is under way
+            return [self._desk.answer(SettingIndex.MOTION_COMMAND)]
+        return []
+
+    def _mit_control(self, _: Signals) -> list[Frame]:
+        self.unsupported["MIT control"] += 1
         return []
 
     def _mode_control(self, signals: Signals) -> list[Frame]:

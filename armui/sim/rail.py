@@ -28,6 +28,7 @@ class Rail:
         """
         self._end = end
         self._most = acceleration
+        self._grain = _ROUNDING * end
         self._top_speed = 0.0
         self.position = 0.0
         self.speed = 0.0
@@ -67,17 +68,18 @@ class Rail:
         left = self._end - self.position
         if speed > top * (1.0 + _ROUNDING):
             return -most, (speed - top) / most
-        if speed**2 >= 2.0 * most * left * (1.0 - _ROUNDING):
+        spare = left - 0.5 * speed**2 / most
+        if spare <= self._grain:
             return -most, speed / most
         peak = min(top, math.sqrt(most * left + 0.5 * speed**2))
         if speed < peak * (1.0 - _ROUNDING):
             return most, (peak - speed) / most
         if not top:
             return 0.0, math.inf
-        return 0.0, max((left - 0.5 * speed**2 / most) / speed, 0.0)
+        return 0.0, spare / speed
 
     def _stand(self) -> None:
         """Stops; as good as at the end is at the end."""
         self.speed = self.acceleration = 0.0
-        if self._end - self.position <= _ROUNDING * max(self._end, 1.0):
+        if self._end - self.position <= 2.0 * self._grain:
             self.position = self._end

@@ -29,7 +29,8 @@ class Travel:
 
     Attributes:
         targets_deg: Where the last order taken on leads.
-        paused: Whether a pause is in force; it holds back new orders too.
+        paused: Whether a pause is in force. It holds back an order that replaces the paused one,
+            and ends when that is cut short.
     """
 
     def __init__(self, body: Body, condition: Condition, settings: Settings) -> None:
@@ -95,9 +96,10 @@ class Travel:
             self.drive()
 
     def pause(self) -> None:
-        """Brakes, along the path where there is one; the order stays."""
-        self.paused = True
-        self._brake()
+        """Brakes, along the path where there is one; the order stays. At rest it is nothing."""
+        if self._legs:
+            self.paused = True
+            self._brake()
 
     def go_on(self) -> None:
         """Ends a pause."""
