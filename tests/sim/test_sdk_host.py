@@ -14,7 +14,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from math import radians
 from pathlib import Path
 from typing import IO, Any, NamedTuple
@@ -160,6 +160,53 @@ def test_enable_move_and_read_where_it_is(arm: Node, sdk: Sdk) -> None:
     for joint, angle_deg in enumerate(goal, 1):
         position = {"pos": round(1000 * radians(angle_deg)), "motor_speed": 0}
         sdk.until_reads("GetArmHighSpdInfoMsgs", f"motor_{joint}", position)
+
+
+AXES = ("X_axis", "Y_axis", "Z_axis", "RX_axis", "RY_axis", "RZ_axis")
+READY_DEG = (0.0, 60.0, -60.0, 0.0, -20.0, 0.0)
+
+
+def pose_at(joints_deg: Sequence[float]) -> list[int]:
+    """As the SDK counts a pose: 0.001 mm and 0.001°."""
+    return [round(1000 * value) for value in Kinematics().forward(joints_deg)]
+
+
+def until_at(sdk: Sdk, arm: Node, goal: list[int]) -> None:
+    """Waits until the SDK reads a pose and no motion; it must be what the arm's joints say."""
+
+    def there() -> bool:
+        read = sdk("GetArmEndPoseMsgs")["end_pose"]
+        status = sdk("GetArmStatus")["arm_status"]
+        near = all(abs(read[axis] - value) <= 20 for axis, value in zip(AXES, goal, strict=True))
+        return near and status["motion_status"] == MotionState.REACHED
+
+    until(there, f"the tool is at {goal}")
+    pose = pose_at(arm.firmware.joints_deg)
+    sdk.until_reads("GetArmEndPoseMsgs", "end_pose", dict(zip(AXES, pose, strict=True)))
+    sdk.until_reads("GetArmJointMsgs", "joint_state", joints(arm.firmware))
+
+
+def test_end_pose_line_and_arc(arm: Node, sdk: Sdk) -> None:
+    enable(sdk)
+    start = pose_at(READY_DEG)
+    sdk("MotionCtrl_2", 0x01, 0x00, 100)
+    sdk("EndPoseCtrl", *start)
+    until_at(sdk, arm, start)
+    sdk.until_reads("GetArmStatus", "arm_status", {"mode_feed": 0, "arm_status": 0})
+
+    beside = [start[0], start[1] + 60_000, *start[2:]]
+    sdk("MotionCtrl_2", 0x01, 0x02, 100)
+    sdk("EndPoseCtrl", *beside)
+    until_at(sdk, arm, beside)
+    sdk.until_reads("GetArmStatus", "arm_status", {"mode_feed": 2, "arm_status": 0})
+
+    above = [start[0], start[1] + 30_000, start[2] + 30_000, *start[3:]]
+    for number, pose in enumerate((beside, above, start), 1):
+        sdk("EndPoseCtrl", *pose)
+        sdk("MoveCAxisUpdateCtrl", number)
+    sdk("MotionCtrl_2", 0x01, 0x03, 100)
+    until_at(sdk, arm, start)
+    sdk.until_reads("GetArmStatus", "arm_status", {"mode_feed": 3, "arm_status": 0})
 
 
 def test_gripper(arm: Node, sdk: Sdk) -> None:

@@ -255,3 +255,14 @@ def test_the_same_frames_with_end_motion_on() -> None:
     first = life()
     assert first == life()
     assert len(first) == 3040 + 1200
+
+
+def test_end_motion_in_bytes() -> None:
+    arm = ready(TWO)
+    tell(arm, END_MOTION_ON[TWO], mode(40), *target(90.0, 0, 0, 0, 0, 0))
+    # 0.1 s at 5 rad/s²: 0.5 rad/s = 500 = 0x01F4; the flange is 56.128 mm from the axis:
+    # 0.028 m/s = 28 = 0x001C, 0.281 m/s² = 281 = 0x0119; 5 rad/s² = 5000 = 0x1388
+    assert heard(arm.step(0.1), 0x481)[-1] == "001C01F401191388"
+    # at 40 % of 3 rad/s: 1.2 rad/s = 1200 = 0x04B0, 0.067 m/s = 67 = 0x0043
+    assert heard(arm.step(0.4), 0x481)[-1] == "004304B000000000"
+    assert heard(arm.step(0.1), 0x482)[-1] == "0000000000000000"
