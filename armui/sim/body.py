@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from armui.arm.limits import JointLimits
 from armui.sim.gravity import Weight
+from armui.sim.hand import Hand
 from armui.sim.limp import Limp, LimpJoints
 from armui.sim.motion import JOINT_COUNT, STANDSTILL, JointMotion, SixValues
 from armui.sim.tool_plan import PathMotion
@@ -28,6 +29,7 @@ class Body:
         self.weight = weight or Weight()
         self._motion = JointMotion(positions_deg)
         self._path: PathMotion | None = None
+        self._hand: Hand | None = None
         self._limp = LimpJoints(self.weight)
         self.positions_deg: SixValues = self._motion.positions_deg
         self.speeds_deg_s: SixValues = STANDSTILL
@@ -54,6 +56,7 @@ class Body:
         A joint that never had power lies supported, and stays; one that is limp already gives way
         as asked now.
         """
+        self._hand = None
         indices = [index for index in indices if self.powered[index] or index in self._limp]
         self._limp.release(indices, limp)
         for index in indices:
@@ -83,6 +86,18 @@ class Body:
         else:
             self._path.run(0.0)
 
+    def give_way(self, hand: Hand) -> None:
+        """Powers all motors to carry the arm's weight and no more; a hand leads it."""
+        self.power_on(range(JOINT_COUNT))
+        self.halt()
+        self._hand = hand
+
+    def hold(self) -> None:
+        """Holds the joints against any hand."""
+        if self._hand is not None:
+            self._hand = None
+            self.halt()
+
     def halt(self) -> None:
         """Stands at once, without regard for what the joints can do."""
         self._place()
@@ -99,6 +114,11 @@ class Body:
 
     def advance(self, dt_s: float, limits: Sequence[JointLimits]) -> None:
         """Lets time pass."""
+        if self._hand is not None:
+            led_to, speeds_deg_s = self._hand.advance(self.positions_deg, limits, dt_s)
+            self._motion.carry(led_to, speeds_deg_s, STANDSTILL)
+            self._read_motion()
+            return
         was_moving = self.moving
         self._advance_motion(dt_s)
         if self._limp:

@@ -70,6 +70,7 @@ class Node:
         self.worst_lateness_s = 0.0
         self._bus = bus
         self._feedback_ids: set[int] = set()
+        self._leads = firmware.leads
         self._ending = threading.Event()
         self._thread: threading.Thread | None = None
 
@@ -99,6 +100,9 @@ class Node:
         for frame in reached:
             frames += arm.on_frame(frame)
         feedback = arm.step(dt_s)
+        if arm.leads is not self._leads:
+            self._leads = arm.leads
+            self._feedback_ids.clear()  # what it said as a leader it may be told now
         self._feedback_ids.update(frame.arbitration_id for frame in feedback)
         to_send, lost = line.to_bus(frames + feedback, arm.time_s, dt_s)
         self.lost += lost
