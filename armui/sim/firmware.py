@@ -8,11 +8,10 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Sequence
 from typing import Final
 
-from armui.arm.limits import FACTORY_LIMITS, JOINTS
+from armui.arm.limits import JOINTS
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec, Oddity, OddityKind
 from armui.protocol.codes import (
@@ -37,28 +36,19 @@ from armui.sim.desk import SettingsDesk, Signals
 from armui.sim.drivers import Drivers
 from armui.sim.feedback import Feedback
 from armui.sim.flash import Flash, MemoryFlash
-from armui.sim.gravity import PAYLOADS_KG, Weight
+from armui.sim.gravity import Weight
 from armui.sim.gripper import Gripper
-from armui.sim.hand import Hand
 from armui.sim.identity import version_frames
 from armui.sim.limp import Limp
-from armui.sim.linkage import LinkedInput
 from armui.sim.motion import JOINT_COUNT, SixValues
 from armui.sim.moves import Moves
 from armui.sim.protection import Protection
 from armui.sim.schedule import Schedule
 from armui.sim.settings import Linkage
+from armui.sim.upkeep import Upkeep
 
 _NS_PER_S: Final = 1_000_000_000
 _ALL_INDICES: Final = range(JOINT_COUNT)
-_CONTROL: Final = frozenset(
-    (
-        *("MotionCommand", "ModeControl", "ArcPoint", "GripperCommand", "MotorEnable"),
-        *("CartesianTarget1", "CartesianTarget2", "CartesianTarget3"),
-        *("JointTarget12", "JointTarget34", "JointTarget56"),
-    )
-)
-"""The host's commands, as opposed to its settings and questions."""
 _MIT_CONTROL: Final = tuple(f"MitControl{joint}" for joint in JOINTS)
 
 
@@ -71,10 +61,10 @@ class Firmware:
         body: Joints and motors.
         drivers: What the motor drivers measure.
         gripper: The gripper.
-        hand: A hand that leads the arm where it gives way.
         settings: The values the arm keeps.
         flash: Where it keeps them.
         protection: What watches the drivers.
+        upkeep: What keeps the parts in step with the settings.
         feedback_stopped: Whether the arm, broken, tells nothing unless asked.
         ignored: How many frames were not understood, by kind.
         unsupported: How many were understood but ask for what this arm does not do, by what they
@@ -115,18 +105,22 @@ class Firmware:
         self._version = version
         self._silent = False
         self._now_ns = 0
-        self._payload_kg: float | None = None
         self._schedule = Schedule(generation)
-        self._linkage_waits = False
-        self._leader: LinkedInput | None = None
-        self.hand = Hand()
+        self._readdressing: Addressing | None = None
         self._moves = Moves(self.body, self.condition, self.settings)
         self.protection = Protection(
             self.body, self.drivers, self.condition, self.settings, self._moves.cut_short
         )
         self.feedback_stopped = False
-        self._take_linkage()
-        self._take_weight()
+        self.upkeep = Upkeep(
+            self.settings,
+            self.body,
+            self.condition,
+            self._schedule,
+            flash=self.flash,
+            forget=self._moves.forget,
+        )
+        self._speak(self.upkeep.addressing)
         self._handlers: dict[str, Callable[[Signals], list[Frame]]] = {
             "MotionCommand": self._motion_command,
             "ModeControl": self._mode_control,
@@ -194,11 +188,6 @@ class Firmware:
         return self._silent
 
     @property
-    def leads(self) -> bool:
-        """Whether it is a teaching input: it sends commands, and obeys none."""
-        return self._leader is not None
-
-    @property
     def time_s(self) -> float:
         """How long the arm has been on."""
         return self._now_ns / _NS_PER_S
@@ -221,8 +210,6 @@ class Firmware:
         if isinstance(message, Oddity):
             self.ignored[message.kind] += 1
             return []
-        if self._leader is not None and message.name in _CONTROL:
-            return []  # a teaching input obeys the hand alone
         handler = self._handlers.get(message.name)
         if handler is not None:
             answers = handler(message.signals)
@@ -253,19 +240,9 @@ class Firmware:
             names = self._schedule.pop()
             self._measure(names)
             if not (self._silent or self.feedback_stopped):
-                frames += self._periodic(names)
+                frames += self._feedback.frames(names)
         self._advance(end_ns)
         return frames
-
-    @property
-    def payload_kg(self) -> float:
-        """Mass at the flange: as the host says with 0x477, unless something else hangs there."""
-        return self.body.weight.payload_kg
-
-    @payload_kg.setter
-    def payload_kg(self, mass_kg: float | None) -> None:
-        self._payload_kg = mass_kg
-        self._take_weight()
 
     def set_communication_fault(self, joint: int, *, present: bool) -> None:
         """Breaks or mends the connection between the controller and a joint (1–6)."""
@@ -278,81 +255,24 @@ class Firmware:
         self._moves.forget()
         self.body.power_off(_ALL_INDICES, Limp.FREE)
         self.gripper.release()
-        self.settings.take_over(self.flash.load())
+        self.upkeep.restart()
         self.condition.start_anew()
         self._silent = False
-        self._schedule.end_motion = False
-        self._take_linkage()
-        self._take_weight()
-
-    def set_zero(self, indices: Iterable[int]) -> bool:
-        """Writes where joints (0–5) stand as their zero, of all or of none.
-
-        It takes joints that stand still and can be talked to.
-        """
-        indices, body = list(indices), self.body
-        if body.moving or any(
-            body.speeds_deg_s[i] or self.condition.communication_fault[i] for i in indices
-        ):
-            return False
-        self._moves.forget()
-        angles_deg, zeros_deg = list(body.positions_deg), list(self.settings.zeros_deg)
-        for i in indices:
-            zeros_deg[i] += angles_deg[i]
-            angles_deg[i] = 0.0
-        self.settings.zeros_deg = zeros_deg
-        self._take_weight()
-        body.count_anew(angles_deg)
-        return True
-
-    def clear_joint_errors(self, indices: Iterable[int]) -> None:
-        """Clears the errors the drivers of joints (0–5) keep."""
-        self.condition.alarms.clear(indices)
-        for i in indices:
-            self.condition.beyond_limit[i] = False
-
-    def report_end_motion(self, *, on: bool) -> None:
-        """Switches 0x481–0x486."""
-        self._schedule.end_motion = on
-
-    def settings_changed(self) -> None:
-        """Takes over and keeps what may be new in `settings`."""
-        self._take_weight()
-        self.flash.save(self.settings)
+        self._readdressing = None
+        self._speak(self.upkeep.addressing)
 
     def corrupt_limits(self, joint: int) -> None:
         """Lets a joint's (1–6) limits read back as 0xFFFF, as from a worn flash."""
         self._desk.corrupt_limits(joint - 1)
-
-    def _take_weight(self) -> None:
-        zeros_deg = self.settings.zeros_deg
-        self.body.weight.zeros_deg = zeros_deg
-        # where the metal ends, whatever limits and zeros were set
-        self._stops = tuple(
-            replace(each, min_deg=each.min_deg - zero, max_deg=each.max_deg - zero)
-            for each, zero in zip(FACTORY_LIMITS, zeros_deg, strict=True)
-        )
-        payload_kg = self._payload_kg
-        self.body.weight.payload_kg = (
-            PAYLOADS_KG[self.settings.load] if payload_kg is None else payload_kg
-        )
 
     def _advance(self, to_ns: int) -> None:
         dt_s = (to_ns - self._now_ns) / _NS_PER_S
         if dt_s <= 0.0:
             return
         self._now_ns = to_ns
-        self.body.advance(dt_s, self._stops)
+        self.body.advance(dt_s, self.upkeep.stops)
         self.gripper.advance(dt_s)
         self._moves.time_passed()
-
-    def _periodic(self, names: list[str]) -> list[Frame]:
-        """What is due under these names; a teaching input leads instead of telling of itself."""
-        if self._leader is None:
-            return self._feedback.frames(names)
-        if "ArmStatus" not in names:
-            return []
-        return self._leader.frames(self.body.positions_deg, self.gripper)
 
     def _measure(self, names: list[str]) -> None:
         """Lets the drivers measure before the frames of these names are made."""
@@ -366,7 +286,7 @@ class Firmware:
 
     def _speak(self, addressing: Addressing) -> None:
         self._codec = Codec(self.generation, addressing)
-        self._desk = SettingsDesk(self._codec, self.settings, self)
+        self._desk = SettingsDesk(self._codec, self.settings, self.upkeep)
         self._feedback = Feedback(self._codec, self)
 
     def _motion_command(self, signals: Signals) -> list[Frame]:
@@ -408,23 +328,9 @@ class Firmware:
 
     def _enter(self, control_mode: ControlMode) -> None:
         self.condition.control_mode = control_mode
-        if control_mode is ControlMode.STANDBY and self._linkage_waits:
-            self._take_linkage()
-
-    def _take_linkage(self) -> None:
-        """Lets the kept linkage setting take effect: the identifiers and the role."""
-        linkage = self.settings.linkage
-        self._linkage_waits = False
-        self._speak(Addressing(linkage.feedback_offset, linkage.control_offset))
-        if linkage.role is LinkageRole.TEACHING_INPUT:
-            self._moves.forget()
-            self._leader = LinkedInput(self.generation, linkage.target_offset)
-            self.condition.control_mode = ControlMode.LINKED_TEACHING_INPUT
-            self.body.give_way(self.hand)
-        elif self._leader is not None:
-            self._leader = None
-            self.condition.control_mode = ControlMode.STANDBY
-            self.body.hold()
+        if control_mode is ControlMode.STANDBY and self._readdressing is not None:
+            self._speak(self._readdressing)
+            self._readdressing = None
 
     def _motor_enable(self, signals: Signals) -> list[Frame]:
         joint = int(signals["Joint"])
@@ -445,7 +351,7 @@ class Firmware:
         return []
 
     def _linkage_setting(self, signals: Signals) -> list[Frame]:
-        """Takes effect at once in standby or as a teaching input, else as soon as in standby."""
+        """Takes the identifier offsets over at once in standby, else as soon as it is reached."""
         answer = self._desk.answer(SettingIndex.LINKAGE_SETTING)
         self.settings.linkage = Linkage(
             LinkageRole(int(signals["Role"])) or self.settings.linkage.role,
@@ -454,10 +360,9 @@ class Firmware:
             int(signals["TargetOffset"]),
         )
         self.flash.save(self.settings)
-        self._linkage_waits = True
-        standby = self.condition.control_mode is ControlMode.STANDBY
-        if self._leader is not None or (standby and not self.condition.stopped):
-            self._take_linkage()
+        self._readdressing = self.upkeep.addressing
+        if self.condition.control_mode is ControlMode.STANDBY:
+            self._enter(ControlMode.STANDBY)
         return [answer]
 
     def _bus_silence(self, signals: Signals) -> list[Frame]:

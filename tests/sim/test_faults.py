@@ -200,7 +200,7 @@ def test_a_heated_motor_cools_and_the_alarm_ends_with_it() -> None:
 
 def test_a_load_nobody_told_the_arm_of_is_taken_for_a_collision() -> None:
     arm = ready(joints_deg=LEANING)
-    arm.payload_kg = 1.5
+    arm.upkeep.hang(1.5)
     arm.step(0.1)
     assert arm.status is ArmStatusCode.COLLISION
     told_so = ready(joints_deg=LEANING)

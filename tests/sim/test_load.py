@@ -56,12 +56,12 @@ def test_a_real_load_counts_whatever_the_host_says() -> None:
     arm = ready(joints_deg=LEANING)
     tell(arm, NO_DETECTION)
     empty = current_a(arm, 2)
-    arm.payload_kg = 1.5
+    arm.upkeep.hang(1.5)
     loaded = current_a(arm, 2)
     assert loaded < empty - 0.4
     tell(arm, *LOADS)
     assert current_a(arm, 2) == loaded
-    arm.payload_kg = None
+    arm.upkeep.hang(None)
     tell(arm, LOADS[0])
     assert current_a(arm, 2) == empty
 
