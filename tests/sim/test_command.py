@@ -162,6 +162,23 @@ def test_the_options_reach_the_arm(monkeypatch: pytest.MonkeyPatch, tmp_path: Pa
     assert again.settings.collision_levels == (0, 1, 2, 3, 4, 8)
 
 
+def test_planned_faults_reach_the_arm(monkeypatch: pytest.MonkeyPatch) -> None:
+    broken: list[str] = []
+
+    def report(node: Node, *_: object) -> None:
+        node.stop()
+        node.faults.at(4.9)
+        broken.append(f"before {node.faults.active}")
+        node.faults.at(5.0)
+        broken.extend(each.name for each in node.faults.active)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(command, "_report", report)
+    place = ("--interface", "virtual", "--channel", "test_planned_faults")
+    assert command.run(read(*place, "--fault", "stall:2@5", "--fault", "latency@5-6")) == 0
+    assert broken == ["before []", "stall", "latency"]
+
+
 def test_a_broken_flash_is_told_and_the_arm_runs(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

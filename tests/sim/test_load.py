@@ -95,3 +95,12 @@ def test_a_loaded_arm_sinks_faster() -> None:
         return arm.joints_deg[2] - LEANING[2]
 
     assert sunk_deg(LOADS[2]) > 1.5 * sunk_deg(LOADS[0]) > 0.5
+
+
+def test_a_motor_pushes_back() -> None:
+    arm = ready(joints_deg=LEANING)
+    assert current_a(arm, 1) == 0.0
+    arm.protection.push(0, 1.2)
+    # 6 N·m an ampere
+    assert current_a(arm, 1) == -0.2
+    assert arm.joints_deg == LEANING
