@@ -38,8 +38,10 @@ from armui.sim.feedback import Feedback
 from armui.sim.flash import Flash, MemoryFlash
 from armui.sim.gravity import Weight
 from armui.sim.gripper import Gripper
+from armui.sim.hand import Hand
 from armui.sim.identity import version_frames
 from armui.sim.limp import Limp
+from armui.sim.linkage import LinkedInput
 from armui.sim.motion import JOINT_COUNT, SixValues
 from armui.sim.moves import Moves
 from armui.sim.protection import Protection
@@ -49,6 +51,14 @@ from armui.sim.upkeep import Upkeep
 
 _NS_PER_S: Final = 1_000_000_000
 _ALL_INDICES: Final = range(JOINT_COUNT)
+_CONTROL: Final = frozenset(
+    (
+        *("MotionCommand", "ModeControl", "ArcPoint", "GripperCommand", "MotorEnable"),
+        *("CartesianTarget1", "CartesianTarget2", "CartesianTarget3"),
+        *("JointTarget12", "JointTarget34", "JointTarget56"),
+    )
+)
+"""The host's commands, as opposed to its settings and questions."""
 _MIT_CONTROL: Final = tuple(f"MitControl{joint}" for joint in JOINTS)
 
 
@@ -61,6 +71,7 @@ class Firmware:
         body: Joints and motors.
         drivers: What the motor drivers measure.
         gripper: The gripper.
+        hand: A hand that leads the arm where it gives way.
         settings: The values the arm keeps.
         flash: Where it keeps them.
         protection: What watches the drivers.
@@ -106,7 +117,9 @@ class Firmware:
         self._silent = False
         self._now_ns = 0
         self._schedule = Schedule(generation)
-        self._readdressing: Addressing | None = None
+        self._linkage_waits = False
+        self._leader: LinkedInput | None = None
+        self.hand = Hand()
         self._moves = Moves(self.body, self.condition, self.settings)
         self.protection = Protection(
             self.body, self.drivers, self.condition, self.settings, self._moves.cut_short
@@ -120,7 +133,7 @@ class Firmware:
             flash=self.flash,
             forget=self._moves.forget,
         )
-        self._speak(self.upkeep.addressing)
+        self._take_linkage()
         self._handlers: dict[str, Callable[[Signals], list[Frame]]] = {
             "MotionCommand": self._motion_command,
             "ModeControl": self._mode_control,
@@ -188,6 +201,11 @@ class Firmware:
         return self._silent
 
     @property
+    def leads(self) -> bool:
+        """Whether it is a teaching input: it sends commands, and obeys none."""
+        return self._leader is not None
+
+    @property
     def time_s(self) -> float:
         """How long the arm has been on."""
         return self._now_ns / _NS_PER_S
@@ -210,6 +228,8 @@ class Firmware:
         if isinstance(message, Oddity):
             self.ignored[message.kind] += 1
             return []
+        if self._leader is not None and message.name in _CONTROL:
+            return []  # a teaching input obeys the hand alone
         handler = self._handlers.get(message.name)
         if handler is not None:
             answers = handler(message.signals)
@@ -240,7 +260,7 @@ class Firmware:
             names = self._schedule.pop()
             self._measure(names)
             if not (self._silent or self.feedback_stopped):
-                frames += self._feedback.frames(names)
+                frames += self._periodic(names)
         self._advance(end_ns)
         return frames
 
@@ -258,8 +278,7 @@ class Firmware:
         self.upkeep.restart()
         self.condition.start_anew()
         self._silent = False
-        self._readdressing = None
-        self._speak(self.upkeep.addressing)
+        self._take_linkage()
 
     def corrupt_limits(self, joint: int) -> None:
         """Lets a joint's (1–6) limits read back as 0xFFFF, as from a worn flash."""
@@ -273,6 +292,14 @@ class Firmware:
         self.body.advance(dt_s, self.upkeep.stops)
         self.gripper.advance(dt_s)
         self._moves.time_passed()
+
+    def _periodic(self, names: list[str]) -> list[Frame]:
+        """What is due under these names; a teaching input leads instead of telling of itself."""
+        if self._leader is None:
+            return self._feedback.frames(names)
+        if "ArmStatus" not in names:
+            return []
+        return self._leader.frames(self.body.positions_deg, self.gripper)
 
     def _measure(self, names: list[str]) -> None:
         """Lets the drivers measure before the frames of these names are made."""
@@ -328,9 +355,23 @@ class Firmware:
 
     def _enter(self, control_mode: ControlMode) -> None:
         self.condition.control_mode = control_mode
-        if control_mode is ControlMode.STANDBY and self._readdressing is not None:
-            self._speak(self._readdressing)
-            self._readdressing = None
+        if control_mode is ControlMode.STANDBY and self._linkage_waits:
+            self._take_linkage()
+
+    def _take_linkage(self) -> None:
+        """Lets the kept linkage setting take effect: the identifiers and the role."""
+        linkage = self.settings.linkage
+        self._linkage_waits = False
+        self._speak(self.upkeep.addressing)
+        if linkage.role is LinkageRole.TEACHING_INPUT:
+            self._moves.forget()
+            self._leader = LinkedInput(self.generation, linkage.target_offset)
+            self.condition.control_mode = ControlMode.LINKED_TEACHING_INPUT
+            self.body.give_way(self.hand)
+        elif self._leader is not None:
+            self._leader = None
+            self.condition.control_mode = ControlMode.STANDBY
+            self.body.hold()
 
     def _motor_enable(self, signals: Signals) -> list[Frame]:
         joint = int(signals["Joint"])
@@ -351,7 +392,7 @@ class Firmware:
         return []
 
     def _linkage_setting(self, signals: Signals) -> list[Frame]:
-        """Takes the identifier offsets over at once in standby, else as soon as it is reached."""
+        """Takes effect at once in standby or as a teaching input, else as soon as in standby."""
         answer = self._desk.answer(SettingIndex.LINKAGE_SETTING)
         self.settings.linkage = Linkage(
             LinkageRole(int(signals["Role"])) or self.settings.linkage.role,
@@ -360,9 +401,10 @@ class Firmware:
             int(signals["TargetOffset"]),
         )
         self.flash.save(self.settings)
-        self._readdressing = self.upkeep.addressing
-        if self.condition.control_mode is ControlMode.STANDBY:
-            self._enter(ControlMode.STANDBY)
+        self._linkage_waits = True
+        standby = self.condition.control_mode is ControlMode.STANDBY
+        if self._leader is not None or (standby and not self.condition.stopped):
+            self._take_linkage()
         return [answer]
 
     def _bus_silence(self, signals: Signals) -> list[Frame]:
