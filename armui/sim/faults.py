@@ -132,6 +132,10 @@ FAULTS: Final[dict[str, FaultKind]] = {
             joint - 1, _ANY_PUSH_NM if present else 0.0
         ),
     ),
+    "corrupt-limits": _arm_fault(
+        "a joint's limits read 0xFFFF until they are reset; does not mend by itself",
+        lambda arm, joint, present: arm.corrupt_limits(joint) if present else None,
+    ),
     "feedback-stopped": FaultKind(
         "the arm answers but no longer tells how it is",
         Parameter.NONE,

@@ -19,7 +19,7 @@ import threading
 import time
 from itertools import cycle
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 import can
 import numpy as np
@@ -46,11 +46,19 @@ class Metronome(threading.Thread):
     def __init__(self) -> None:
         super().__init__(name="metronome")
         self.late_s: list[float] = []
-        self.ending = threading.Event()
+        self._ending = threading.Event()
+
+    def __enter__(self) -> Self:
+        self.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._ending.set()
+        self.join()
 
     def run(self) -> None:
         due_s = time.monotonic() + PERIOD_S
-        while not self.ending.wait(max(due_s - time.monotonic(), 0.0)):
+        while not self._ending.wait(max(due_s - time.monotonic(), 0.0)):
             late_s = time.monotonic() - due_s
             self.late_s.append(late_s)
             due_s += (1 + int(late_s / PERIOD_S)) * PERIOD_S
@@ -85,11 +93,10 @@ def milliseconds(late_s: list[float]) -> str:
 
 
 def test_in_this_process_on_a_virtual_bus() -> None:
-    metronome, pause = Metronome(), threading.Event()
+    pause = threading.Event()
     with can.Bus(**VIRTUAL) as bus:
         node = MeasuredNode(Firmware(Generation.TWO), bus)
-        metronome.start()
-        with node:
+        with node, Metronome() as metronome:
             say(VIRTUAL, ENABLE)
             began_s, sent = time.monotonic(), node.sent
             per_second, ends = [], cycle(ENDS_DEG)
@@ -99,8 +106,6 @@ def test_in_this_process_on_a_virtual_bus() -> None:
                 pause.wait(TURN_S)
                 per_second.append((node.sent - before) / (time.monotonic() - before_s))
             took_s, sent = time.monotonic() - began_s, node.sent - sent
-        metronome.ending.set()
-        metronome.join()
     rate = sent / took_s
     share = (node.cpu_s[-1] - node.cpu_s[0]) / (node.began_s[-1] - node.began_s[0])
     gaps_s = list(np.maximum(np.diff(node.began_s) - PERIOD_S, 0.0))
@@ -126,7 +131,6 @@ def cpu_s(pid: int) -> float:
 
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 def test_as_a_command_on_udp_multicast() -> None:
-    metronome = Metronome()
     environment = os.environ | {
         "CAN_CONFIG": json.dumps({"port": UDP["port"]}),
         "PYTHONUNBUFFERED": "1",
@@ -141,18 +145,16 @@ def test_as_a_command_on_udp_multicast() -> None:
         assert process.stdout is not None
         process.stdout.readline()
         process.stdout.readline()  # the first second belongs to the start
-        metronome.start()
         used_s, began_s = cpu_s(process.pid), time.monotonic()
         lines, ends = [], cycle(ENDS_DEG)
         say(UDP, ENABLE)
-        for _ in range(int(SECONDS)):
-            say(UDP, mode(100), *target(*next(ends)))
-            lines.append(process.stdout.readline())
+        with Metronome() as metronome:
+            for _ in range(int(SECONDS)):
+                say(UDP, mode(100), *target(*next(ends)))
+                lines.append(process.stdout.readline())
         share = (cpu_s(process.pid) - used_s) / (time.monotonic() - began_s)
         process.send_signal(signal.SIGINT)
         assert process.wait(10) == 0
-    metronome.ending.set()
-    metronome.join()
     sent = [int(found) for line in lines for found in re.findall(r"sent (\d+)/s", line)]
     late_ms = re.findall(r"late ([0-9.]+) ms", lines[-1])[0]
     print(

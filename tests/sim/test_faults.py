@@ -210,6 +210,15 @@ def test_a_load_nobody_told_the_arm_of_is_taken_for_a_collision() -> None:
     assert told_so.status is ArmStatusCode.NORMAL
 
 
+def test_corrupt_limits_stay_until_reset() -> None:
+    arm = Firmware(TWO)
+    faults, broken = breaking(arm), fault("corrupt-limits", 2)
+    faults.start(broken)
+    faults.end(broken)
+    assert tell(arm, "472#0201000000000000") == ["473#02FFFFFFFFFFFF00"]
+    assert tell(arm, "472#0301000000000000") == ["473#030000F95C012C00"]
+
+
 def test_stopped_feedback_still_answers() -> None:
     arm = Firmware(TWO)
     faults, broken = breaking(arm), fault("feedback-stopped")
