@@ -41,6 +41,11 @@ class Body:
         """Whether the motors are moving joints along a plan."""
         return self._motion.moving if self._path is None else self._path.moving
 
+    @property
+    def gives_way(self) -> bool:
+        """Whether it goes where a hand leads it."""
+        return self._hand is not None
+
     def power_on(self, indices: Iterable[int]) -> None:
         """Powers motors; each holds its joint where it is."""
         for index in indices:

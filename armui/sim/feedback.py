@@ -18,7 +18,7 @@ from armui.sim.condition import Condition
 from armui.sim.drivers import Drivers
 from armui.sim.end_motion import end_motion
 from armui.sim.frame_cache import FrameCache
-from armui.sim.gripper import Gripper
+from armui.sim.gripper import Gripper, GripperError
 from armui.sim.motion import SixValues
 from armui.sim.units import from_degrees
 
@@ -111,6 +111,7 @@ class Feedback:
             Torque=gripper.torque_nm,
             Enabled=gripper.enabled,
             Homed=1,
+            **{error.value: error in gripper.errors for error in GripperError},
         )
 
     def _driver_fast(self, joint: int) -> Frame:

@@ -110,7 +110,7 @@ class Firmware:
             Weight(),
         )
         self.drivers = Drivers(seed)
-        self.gripper = Gripper()
+        self.gripper = Gripper(generation, self.settings)
         self.ignored: Counter[OddityKind] = Counter()
         self.unsupported: Counter[str] = Counter()
         self._version = version
@@ -291,6 +291,8 @@ class Firmware:
         self._now_ns = to_ns
         self.body.advance(dt_s, self.upkeep.stops)
         self.gripper.advance(dt_s)
+        if self.body.gives_way and self.hand.gripper_to is not None:
+            self.gripper.lead(self.hand.gripper_to)
         self._moves.time_passed()
 
     def _periodic(self, names: list[str]) -> list[Frame]:
