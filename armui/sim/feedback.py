@@ -30,6 +30,7 @@ class _Parts(Protocol):
     body: Body
     drivers: Drivers
     gripper: Gripper
+    kinematics: Kinematics
 
 
 class Feedback:
@@ -38,7 +39,7 @@ class Feedback:
     def __init__(self, codec: Codec, arm: _Parts) -> None:
         self._cache = FrameCache(codec)
         self._arm = arm
-        self._kinematics = Kinematics()
+        self._kinematics = arm.kinematics
         self._posed_at: SixValues = ()
         self._pose = Pose(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
         self._speed_unit = codec.unit("DriverFast1", "Speed")

@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Final
 
+from armui.arm.kinematics import Kinematics
 from armui.arm.limits import JOINTS
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec, Oddity, OddityKind
@@ -39,7 +40,7 @@ from armui.sim.flash import Flash, MemoryFlash
 from armui.sim.gravity import Weight
 from armui.sim.gripper import Gripper
 from armui.sim.hand import Hand
-from armui.sim.identity import version_frames
+from armui.sim.identity import geometry_of, version_frames
 from armui.sim.limp import Limp
 from armui.sim.linkage import LinkedInput
 from armui.sim.motion import JOINT_COUNT, SixValues
@@ -67,6 +68,7 @@ class Firmware:
 
     Attributes:
         generation: The protocol it speaks.
+        kinematics: Of the geometry its version has.
         condition: Modes, flags and faults, as 0x2A1 tells them.
         body: Joints and motors.
         drivers: What the motor drivers measure.
@@ -114,13 +116,14 @@ class Firmware:
         self.ignored: Counter[OddityKind] = Counter()
         self.unsupported: Counter[str] = Counter()
         self._version = version
+        self.kinematics = Kinematics(geometry_of(version))
         self._silent = False
         self._now_ns = 0
         self._schedule = Schedule(generation)
         self._linkage_waits = False
         self._leader: LinkedInput | None = None
         self.hand = Hand()
-        self._moves = Moves(self.body, self.condition, self.settings)
+        self._moves = Moves(self.body, self.condition, self.settings, self.kinematics)
         self.protection = Protection(
             self.body, self.drivers, self.condition, self.settings, self._moves.cut_short
         )

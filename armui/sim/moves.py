@@ -22,11 +22,13 @@ _TOOL_TARGETS: Final = ("CartesianTarget1", "CartesianTarget2", "CartesianTarget
 class Moves:
     """Collects targets of all kinds and has the newest carried out."""
 
-    def __init__(self, body: Body, condition: Condition, settings: Settings) -> None:
+    def __init__(
+        self, body: Body, condition: Condition, settings: Settings, kinematics: Kinematics
+    ) -> None:
         self._body = body
         self._travel = Travel(body, condition, settings)
         self._joints = JointMoves(self._travel, condition, settings)
-        self._tool = ToolMoves(self._travel, condition, settings, Kinematics())
+        self._tool = ToolMoves(self._travel, condition, settings, kinematics)
         self._takers: dict[str, Callable[[dict[str, float]], None]] = {
             **dict.fromkeys(_JOINT_TARGETS, self._take_joints),
             **dict.fromkeys(_TOOL_TARGETS, self._take_pose),

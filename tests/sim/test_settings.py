@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import pytest
 
-from armui.arm.kinematics import Kinematics
+from armui.arm.kinematics import Geometry, Kinematics
 from armui.protocol.codec import Codec, Message
 from armui.protocol.codes import ArmStatusCode, EndLoad
 from armui.protocol.frame import Frame
@@ -266,3 +266,29 @@ def test_end_motion_in_bytes() -> None:
     # at 40 % of 3 rad/s: 1.2 rad/s = 1200 = 0x04B0, 0.067 m/s = 67 = 0x0043
     assert heard(arm.step(0.4), 0x481)[-1] == "004304B000000000"
     assert heard(arm.step(0.1), 0x482)[-1] == "0000000000000000"
+
+
+@pytest.mark.parametrize(
+    ("version", "geometry"),
+    [
+        ("S-V1.5-2", Geometry.BEFORE_V1_6_3),
+        ("S-V1.6-2", Geometry.BEFORE_V1_6_3),
+        ("S-V1.6-3", Geometry.CURRENT),
+        ("S-V1.10-0", Geometry.CURRENT),
+        ("S-V2.0-0", Geometry.CURRENT),
+        ("unreadable", Geometry.CURRENT),
+    ],
+)
+def test_the_end_pose_is_that_of_the_version_s_geometry(version: str, geometry: Geometry) -> None:
+    arm = Firmware(TWO, version=version)
+    pose = Kinematics(geometry).forward((0.0,) * 6)
+    x, y, z = (round(1000 * value) for value in pose[:3])
+    words = [value.to_bytes(4, "big", signed=True).hex().upper() for value in (x, y, z)]
+    frames = arm.step(0.01)
+    assert heard(frames, 0x2A2)[-1] == words[0] + words[1]
+    assert heard(frames, 0x2A3)[-1][:8] == words[2]
+
+
+def test_the_two_geometries_differ() -> None:
+    new, old = (Kinematics(each).forward((0.0,) * 6) for each in Geometry)
+    assert math.dist(new[:3], old[:3]) > 5.0
