@@ -32,6 +32,7 @@ class Condition:
         stopped: Whether an emergency stop is in force.
         no_solution: Whether no way to the last target was found.
         singular: Whether the way to the last target leads through a singular pose.
+        activity: What drag teaching does, for the status.
         beyond_limit: The joints whose last target was refused.
         communication_fault: The joints the controller cannot talk to.
         alarms: What the drivers complain of.
@@ -45,6 +46,7 @@ class Condition:
     stopped: bool = False
     no_solution: bool = False
     singular: bool = False
+    activity: ArmStatusCode = ArmStatusCode.NORMAL
     beyond_limit: list[bool] = field(default_factory=_no_joint)
     communication_fault: list[bool] = field(default_factory=_no_joint)
     alarms: Alarms = field(default_factory=Alarms)
@@ -66,7 +68,7 @@ class Condition:
             return ArmStatusCode.NO_SOLUTION
         if self.singular:
             return ArmStatusCode.SINGULARITY
-        return ArmStatusCode.NORMAL
+        return self.activity
 
     def obeys(self, *move_modes: MoveMode) -> bool:
         """Whether a target of one of these kinds of motion starts it as it arrives."""

@@ -48,6 +48,7 @@ from armui.sim.moves import Moves
 from armui.sim.protection import Protection
 from armui.sim.schedule import Schedule
 from armui.sim.settings import Linkage
+from armui.sim.teaching import Teaching
 from armui.sim.upkeep import Upkeep
 
 _NS_PER_S: Final = 1_000_000_000
@@ -74,6 +75,7 @@ class Firmware:
         drivers: What the motor drivers measure.
         gripper: The gripper.
         hand: A hand that leads the arm where it gives way.
+        teaching: Drag teaching and its recording.
         settings: The values the arm keeps.
         flash: Where it keeps them.
         protection: What watches the drivers.
@@ -123,6 +125,7 @@ class Firmware:
         self._linkage_waits = False
         self._leader: LinkedInput | None = None
         self.hand = Hand()
+        self.teaching = Teaching(self.body, self.condition, self.settings, self.hand)
         self._moves = Moves(self.body, self.condition, self.settings, self.kinematics)
         self.protection = Protection(
             self.body, self.drivers, self.condition, self.settings, self._moves.cut_short
@@ -275,7 +278,9 @@ class Firmware:
 
     def power_cycle(self) -> None:
         """Takes the power away and gives it back: the arm drops, settings come from the flash."""
-        self._moves.forget()
+        self._drop_work()
+        self.teaching.entered = False
+        self.teaching.recording.clear()
         self.body.power_off(_ALL_INDICES, Limp.FREE)
         self.gripper.release()
         self.upkeep.restart()
@@ -293,6 +298,7 @@ class Firmware:
             return
         self._now_ns = to_ns
         self.body.advance(dt_s, self.upkeep.stops)
+        self.teaching.time_passed(dt_s)
         self.gripper.advance(dt_s)
         if self.body.gives_way and self.hand.gripper_to is not None:
             self.gripper.lead(self.hand.gripper_to)
@@ -323,17 +329,29 @@ class Firmware:
 
     def _motion_command(self, signals: Signals) -> list[Frame]:
         if signals["EmergencyStop"] == StopCommand.EMERGENCY_STOP:
-            self._moves.forget()
+            self._drop_work()
             self.body.power_off(_ALL_INDICES, Limp.DAMPED)
             self.condition.stopped = True
         elif signals["EmergencyStop"] == StopCommand.RESUME:
-            self._moves.forget()
+            self._drop_work()
             self.body.power_off(_ALL_INDICES, Limp.FREE)
             self.condition.clear_errors()
-            self._enter(ControlMode.STANDBY)
+            if self.teaching.reset():
+                self._enter(ControlMode.STANDBY)
         elif not self.condition.stopped:
+            self._teach(TeachingState(int(signals["TeachingCommand"])))
             return self._trajectory_command(TrajectoryCommand(int(signals["TrajectoryCommand"])))
         return []
+
+    def _drop_work(self) -> None:
+        """Forgets targets and replays; what moves is left to the caller."""
+        self._moves.forget()
+        self.teaching.interrupt()
+
+    def _teach(self, command: TeachingState) -> None:
+        if command is TeachingState.START_RECORDING:
+            self._moves.forget()
+        self.teaching.command(command)
 
     def _trajectory_command(self, command: TrajectoryCommand) -> list[Frame]:
         if command is TrajectoryCommand.OFF or self._moves.command(command):
@@ -350,7 +368,7 @@ class Firmware:
         return []
 
     def _mode_control(self, signals: Signals) -> list[Frame]:
-        if self.condition.stopped:
+        if self.condition.stopped or self.teaching.entered:
             return []
         self.condition.move_mode = MoveMode(int(signals["MoveMode"]))
         self.condition.speed_percent = int(signals["SpeedPercent"])
@@ -386,7 +404,7 @@ class Firmware:
         elif signals["Action"] == MotorAction.ENABLE:
             self.body.power_on(i for i in indices if self.protection.may_power(i))
         else:
-            self._moves.forget()
+            self._drop_work()
             self._moves.cut_short()
             self.body.power_off(indices, Limp.FREE)
         return [self._desk.answer(SettingIndex.MOTOR_ENABLE)]

@@ -32,6 +32,9 @@ _STEEPEST_DEG: Final = 5.0
 _JITTER_DEG: Final = 0.01
 """But this much is rounding, in however short a path."""
 
+_REPLAY_START_1_S: Final = 4.0
+"""A replay takes at least a quarter of a second to come to its pace."""
+
 _FINER: Final = 4
 """Limits are checked at this many places a step."""
 _BEND_SHARE: Final = 0.5
@@ -141,6 +144,29 @@ def plan(
     if not (0.0 < top_speed < math.inf and 0.0 < acceleration < math.inf):
         raise Trouble(ArmStatusCode.NO_SOLUTION)
     return PathMotion(way, units, top_speed, acceleration)
+
+
+def plan_replay(recording: Sequence[SixValues], sample_s: float, settings: Settings) -> PathMotion:
+    """Plans to pass through recorded joint angles again, at their own pace where the joints can.
+
+    Args:
+        recording: Angles in degrees; it begins where the joints stand.
+        sample_s: The time between two of them.
+        settings: The limits.
+
+    Raises:
+        Trouble: Nothing is recorded, or a limit of 0.
+    """
+    if len(recording) < 2:
+        raise Trouble(ArmStatusCode.NO_SOLUTION)
+    end = sample_s * (len(recording) - 1)
+    way = CubicSpline(np.linspace(0.0, end, len(recording)), np.array(recording))
+    fine = np.linspace(0.0, end, _FINER * (len(recording) - 1) + 1)
+    top_speed, acceleration = _pace(_joint_demands(way, fine, settings))
+    top_speed = min(top_speed, 1.0)
+    if not (top_speed > 0.0 and acceleration > 0.0):
+        raise Trouble(ArmStatusCode.NO_SOLUTION)
+    return PathMotion(way, end, top_speed, min(acceleration, _REPLAY_START_1_S))
 
 
 def _follow(kinematics: Kinematics, targets: Matrix, start_deg: Sequence[float]) -> Values:
