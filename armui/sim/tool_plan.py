@@ -27,6 +27,9 @@ _STEP_MM: Final = 1.0
 _STEP_DEG: Final = 0.25
 _FEWEST_STEPS: Final = 16
 
+_LONGEST_MM: Final = 5000.0
+"""No line or arc longer than this stays within reach; it need not be looked at in detail."""
+
 _STEEPEST_DEG: Final = 5.0
 """A joint that would turn more than this in one step of the path is at a singular pose."""
 _JITTER_DEG: Final = 0.01
@@ -127,6 +130,8 @@ def plan(
     Raises:
         Trouble: The first place of the path that cannot be passed, and why; or a limit of 0.
     """
+    if path.length_mm > _LONGEST_MM:
+        raise Trouble(ArmStatusCode.NO_SOLUTION)
     units = max(path.length_mm / _STEP_MM, path.angle_deg / _STEP_DEG)
     steps = max(math.ceil(units), _FEWEST_STEPS)
     targets = path.poses(np.linspace(0.0, 1.0, steps + 1))

@@ -157,6 +157,19 @@ def test_points_on_a_line_are_no_arc() -> None:
     assert arm.joints_deg == HERE
 
 
+@pytest.mark.parametrize("middle_y", [40.0, 2_000_000.0])
+def test_an_arc_of_kilometres_is_refused_without_a_closer_look(middle_y: float) -> None:
+    """The long way round a circle of huge radius: all but in line, or its middle far away."""
+    arm = ready(TWO, HERE)
+    x, y, z, rx, ry, rz = KINEMATICS.forward(HERE)
+    for number, (dx, dy) in enumerate(((0.0, 0.0), (0.01, middle_y), (0.0, 20.0)), start=1):
+        tell(arm, *pose_target(x + dx, y + dy, z, rx, ry, rz), arc_point(number))
+    tell(arm, mode(50, move=C))
+    assert status_bytes(arm) == "0102030000000000"
+    arm.step(0.5)
+    assert arm.joints_deg == HERE
+
+
 def test_a_refused_pose_ends_the_motion_under_way_on_its_line() -> None:
     arm = ready(TWO, HERE)
     x, y, z, rx, ry, rz = KINEMATICS.forward(HERE)
