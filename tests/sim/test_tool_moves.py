@@ -317,3 +317,38 @@ def test_leaving_the_mode_halts_for_good(line: str) -> None:
     arm.step(1.0)
     assert arm.joints_deg == halted
     assert arm.motion_state is MotionState.NOT_REACHED
+
+
+@pytest.mark.parametrize("generation", BOTH)
+def test_the_rest_pose_in_bytes(generation: Generation) -> None:
+    """All joints at 0, at two of their limits and with a stretched wrist, rounded to a frame."""
+    arm = ready(generation, (0.0, 20.0, -20.0, 0.0, 10.0, 0.0))
+    answers = tell(
+        arm,
+        "151#0100640000000000",  # CAN control, MOVE P, 100 %
+        "152#0000DB4000000000",  # X 56.128 mm = 56128 = 0xDB40, Y 0
+        "153#0003411200000000",  # Z 213.266 mm = 213266 = 0x34112, RX 0
+        "154#00014C0800000000",  # RY 85.000° = 85000 = 0x14C08, RZ 0
+    )
+    assert answers == []
+    track_until_reached(arm)
+    assert arm.joints_deg == pytest.approx((0.0,) * 6, abs=0.01)
+    frames = arm.step(0.02)
+    assert heard(frames, 0x2A2)[-1] == "0000DB4000000000"
+    assert heard(frames, 0x2A3)[-1] == "0003411200000000"
+    assert heard(frames, 0x2A4)[-1] == "00014C0800000000"
+
+
+def test_an_arc_in_bytes_of_both_lengths() -> None:
+    """0x158 with one byte and with eight: three points, then 0x151 with MOVE C."""
+    arm = ready(TWO, HERE)
+    tell(
+        arm,
+        *(*pose_target(*HERE_POSE), "158#01"),
+        *(*pose_target(*BETWEEN), "158#0200000000000000"),
+        *(*pose_target(*THERE), "158#03"),
+        "151#0103640000000000",
+    )
+    assert arm.motion_state is MotionState.NOT_REACHED
+    track_until_reached(arm)
+    assert KINEMATICS.forward(arm.joints_deg) == pytest.approx(THERE, abs=1e-5)
