@@ -175,6 +175,7 @@ class EndLoad(enum.IntEnum):
     EMPTY = 0x00
     HALF = 0x01
     FULL = 0x02
+    NOT_GIVEN = 0x03  # generation 2
 
 
 class SettingIndex(enum.IntEnum):

@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from armui.arm.limits import JointLimits
+from armui.sim.gravity import Weight
+from armui.sim.hand import Hand
 from armui.sim.limp import Limp, LimpJoints
 from armui.sim.motion import JOINT_COUNT, STANDSTILL, JointMotion, SixValues
+from armui.sim.tool_plan import PathMotion
 
 
 class Body:
@@ -19,11 +22,15 @@ class Body:
         speeds_deg_s: How fast they turn.
         accelerations_deg_s2: How their speeds change under power.
         powered: Which motors have power.
+        weight: What gravity pulls at.
     """
 
-    def __init__(self, positions_deg: Iterable[float]) -> None:
+    def __init__(self, positions_deg: Iterable[float], weight: Weight | None = None) -> None:
+        self.weight = weight or Weight()
         self._motion = JointMotion(positions_deg)
-        self._limp = LimpJoints()
+        self._path: PathMotion | None = None
+        self._hand: Hand | None = None
+        self._limp = LimpJoints(self.weight)
         self.positions_deg: SixValues = self._motion.positions_deg
         self.speeds_deg_s: SixValues = STANDSTILL
         self.accelerations_deg_s2: SixValues = STANDSTILL
@@ -32,14 +39,19 @@ class Body:
     @property
     def moving(self) -> bool:
         """Whether the motors are moving joints along a plan."""
-        return self._motion.moving
+        return self._motion.moving if self._path is None else self._path.moving
+
+    @property
+    def gives_way(self) -> bool:
+        """Whether it goes where a hand leads it."""
+        return self._hand is not None
 
     def power_on(self, indices: Iterable[int]) -> None:
         """Powers motors; each holds its joint where it is."""
         for index in indices:
             if index in self._limp:
                 self._limp.catch(index)
-                self._motion.place(self.positions_deg)
+                self._place()
             self._set_power(index, on=True)
         self._read_motion()
 
@@ -49,12 +61,13 @@ class Body:
         A joint that never had power lies supported, and stays; one that is limp already gives way
         as asked now.
         """
+        self._hand = None
         indices = [index for index in indices if self.powered[index] or index in self._limp]
         self._limp.release(indices, limp)
         for index in indices:
             self._set_power(index, on=False)
         if not any(self.powered):
-            self._motion.place(self.positions_deg)
+            self._place()
         self._read_motion()
 
     def move_to(
@@ -64,21 +77,55 @@ class Body:
         accelerations_deg_s2: Sequence[float],
     ) -> None:
         """Moves all joints; every motor must have power. A motion under way is replaced."""
+        self._path = None
         self._motion.move_to(targets_deg, speeds_deg_s, accelerations_deg_s2)
 
+    def follow(self, path: PathMotion) -> None:
+        """Moves all joints along a path that begins where they stand; the path says how fast."""
+        self._path = path
+
     def brake(self, accelerations_deg_s2: Sequence[float]) -> None:
-        """Brings a motion to its end as fast as the joints allow."""
-        self._motion.brake(accelerations_deg_s2)
+        """Brings a motion to its end as fast as the joints allow, along a path where it has one."""
+        if self._path is None:
+            self._motion.brake(accelerations_deg_s2)
+        else:
+            self._path.run(0.0)
+
+    def give_way(self, hand: Hand) -> None:
+        """Powers all motors to carry the arm's weight and no more; a hand leads it."""
+        self.power_on(range(JOINT_COUNT))
+        self.halt()
+        self._hand = hand
+
+    def hold(self) -> None:
+        """Holds the joints against any hand."""
+        if self._hand is not None:
+            self._hand = None
+            self.halt()
 
     def halt(self) -> None:
         """Stands at once, without regard for what the joints can do."""
-        self._motion.place(self.positions_deg)
+        self._place()
+        self._read_motion()
+
+    def count_anew(self, positions_deg: Iterable[float]) -> None:
+        """Reads other angles where the joints stand, as after a zero was set; nothing moves.
+
+        A plan under way would lead elsewhere: let it end first.
+        """
+        self.positions_deg = tuple(positions_deg)
+        self._place()
         self._read_motion()
 
     def advance(self, dt_s: float, limits: Sequence[JointLimits]) -> None:
         """Lets time pass."""
-        was_moving = self._motion.moving
-        self._motion.advance(dt_s)
+        if self._hand is not None:
+            led_to, speeds_deg_s = self._hand.advance(self.positions_deg, limits, dt_s)
+            self._motion.carry(led_to, speeds_deg_s, STANDSTILL)
+            self._read_motion()
+            return
+        was_moving = self.moving
+        self._advance_motion(dt_s)
         if self._limp:
             driven = self._motion.positions_deg
             merged = (
@@ -88,6 +135,20 @@ class Body:
             self._read_speeds()
         elif was_moving:
             self._read_motion()
+
+    def _advance_motion(self, dt_s: float) -> None:
+        path = self._path
+        if path is None:
+            self._motion.advance(dt_s)
+            return
+        path.advance(dt_s)
+        self._motion.carry(path.positions_deg, path.speeds_deg_s, path.accelerations_deg_s2)
+        if not path.moving:
+            self._path = None
+
+    def _place(self) -> None:
+        self._path = None
+        self._motion.place(self.positions_deg)
 
     def _set_power(self, index: int, *, on: bool) -> None:
         self.powered = (*self.powered[:index], on, *self.powered[index + 1 :])

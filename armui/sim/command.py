@@ -3,18 +3,26 @@
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 import threading
+from collections.abc import Iterable
+from pathlib import Path
 from typing import Any, Final
 
 import can
 
+from armui.protocol.addressing import OFFSETS
 from armui.protocol.generation import Generation
+from armui.sim.faults import FAULTS, Fault, FaultError, Parameter, read_fault
 from armui.sim.firmware import Firmware
+from armui.sim.flash import FileFlash, Flash, MemoryFlash
 from armui.sim.node import Node
 
 EXIT_OK: Final = 0
-EXIT_NO_BUS: Final = 2
+EXIT_CANNOT_BEGIN: Final = 2
+
+_VERSION: Final = "S-V1.8-5"
 
 _STATUS_PERIOD_S: Final = 1.0
 _BITS_PER_FRAME: Final = 123
@@ -27,32 +35,90 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--interface", default="udp_multicast", help="python-can's name of the bus (udp_multicast)"
     )
     parser.add_argument("--channel", default="", help="the bus's channel, e.g. vcan0")
-    parser.add_argument("--bitrate", type=int, help="bit/s, where the program sets it")
+    parser.add_argument("--bitrate", type=_bitrate, help="bit/s, where the program sets it")
     parser.add_argument(
         "--generation", type=int, choices=(1, 2), default=2, help="the protocol it speaks (2)"
+    )
+    parser.add_argument(
+        "--firmware",
+        type=_version,
+        metavar="VERSION",
+        help=f"what it answers when asked for its version, generation 2 only ({_VERSION})",
+    )
+    parser.add_argument(
+        "--flash",
+        type=_flash,
+        metavar="FILE",
+        help="keep its settings in this file; without it they end with the command",
+    )
+    parser.add_argument(
+        "--fault",
+        type=_fault,
+        action="append",
+        default=[],
+        metavar="NAME[:VALUE]@START[-END]",
+        help="break something, in seconds from the start; may be given often. NAME is one of "
+        + "; ".join(map(_fault_help, FAULTS)),
+    )
+    parser.add_argument(
+        "--offset",
+        type=_offset,
+        help="move its feedback and motion commands by 0x10 or 0x20, for another arm on one bus",
+    )
+    parser.add_argument(
+        "--seed", type=int, default=0, help="of all that is left to chance: noise, lost frames (0)"
     )
 
 
 def run(options: argparse.Namespace) -> int:
     """Runs the command with options read by `add_arguments`; returns the exit code."""
-    return run_arm(options.interface, options.channel, options.bitrate, options.generation)
+    if options.firmware is not None and options.generation == Generation.ONE:
+        sys.stderr.write(
+            "armui sim: --firmware belongs to generation 2: generation 1 tells no version\n"
+        )
+        return EXIT_CANNOT_BEGIN
+    flash: Flash = options.flash or MemoryFlash()
+    if options.offset is not None:
+        settings = flash.load()
+        settings.linkage = settings.linkage._replace(
+            feedback_offset=options.offset, control_offset=options.offset
+        )
+        flash.save(settings)
+    firmware = Firmware(
+        Generation(options.generation),
+        seed=options.seed,
+        version=options.firmware or _VERSION,
+        flash=flash,
+    )
+    return run_arm(
+        firmware,
+        options.interface,
+        options.channel,
+        options.bitrate,
+        faults=options.fault,
+        seed=options.seed,
+    )
 
 
 def run_arm(
+    firmware: Firmware,
     interface: str,
     channel: str,
     bitrate: int | None = None,
-    generation: int = Generation.TWO,
     *,
+    faults: Iterable[Fault] = (),
+    seed: int = 0,
     ending: threading.Event | None = None,
 ) -> int:
     """Runs an arm and writes a status line a second.
 
     Args:
+        firmware: The arm.
         interface: A python-can interface, as `virtual`, `udp_multicast`, `socketcan`.
         channel: Its channel, as `vcan0`; empty for the interface's own choice.
         bitrate: Bits per second; None where the system has set it.
-        generation: 1 or 2.
+        faults: What breaks when.
+        seed: Of the faults that are a matter of chance.
         ending: Ends the command when it is set; without it only Ctrl-C does.
 
     Returns:
@@ -66,17 +132,61 @@ def run_arm(
             f"armui sim: cannot open {interface}:{channel or 'default channel'}: {error}. "
             "Check that the interface exists, is up and not in use.\n"
         )
-        return EXIT_NO_BUS
-    firmware = Firmware(Generation(generation))
-    with bus, Node(firmware, bus) as node:
+        return EXIT_CANNOT_BEGIN
+    known = bus.channel_info != "unknown"
+    place = bus.channel_info if known else f"{interface} {channel}".rstrip()
+    if firmware.flash.trouble:
+        sys.stderr.write(f"armui sim: {firmware.flash.trouble}\n")
+    with bus, Node(firmware, bus, faults=faults, seed=seed) as node:
         sys.stdout.write(
-            f"Simulated arm, generation {int(generation)}, on {bus.channel_info}. Ctrl-C ends it.\n"
+            f"Simulated arm, generation {int(firmware.generation)}, on {place}. Ctrl-C ends it.\n"
         )
+        sys.stdout.flush()
         try:
             _report(node, ending, bitrate or 1_000_000)
         except KeyboardInterrupt:
             sys.stdout.write("\n")
     return EXIT_OK
+
+
+def _bitrate(text: str) -> int:
+    if not text.isdecimal() or not int(text):
+        raise argparse.ArgumentTypeError(f"{text!r} is no bit rate; give bit/s, as 1000000")
+    return int(text)
+
+
+def _version(text: str) -> str:
+    if not re.fullmatch(r"S-V\d+\.\d+-\d+", text):
+        raise argparse.ArgumentTypeError(f"{text!r} is no firmware version; write it as {_VERSION}")
+    return text
+
+
+def _flash(text: str) -> FileFlash:
+    path = Path(text)
+    if path.is_dir() or not path.absolute().parent.is_dir():
+        raise argparse.ArgumentTypeError(f"{text!r} must be a file in a folder that exists")
+    return FileFlash(path)
+
+
+def _fault(text: str) -> Fault:
+    try:
+        return read_fault(text)
+    except FaultError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+
+
+def _fault_help(name: str) -> str:
+    kind = FAULTS[name]
+    number = "" if kind.parameter is Parameter.NONE else f" (VALUE: {kind.parameter.meaning})"
+    return f"{name}: {kind.purpose}{number}".replace("%", "%%")
+
+
+def _offset(text: str) -> int:
+    words = {f"0x{offset:02x}": offset for offset in OFFSETS}
+    try:
+        return words[f"0x{int(text, 0):02x}"]
+    except (KeyError, ValueError):
+        raise argparse.ArgumentTypeError(f"{text!r} is none of {', '.join(words)}") from None
 
 
 def _bus_options(interface: str, channel: str, bitrate: int | None) -> dict[str, Any]:
@@ -110,8 +220,11 @@ def status_line(node: Node, sent: int, received: int, load_percent: float) -> st
     """
     arm = node.firmware
     enabled = "".join("1" if on else "0" for on in arm.enabled)
+    broken = ", ".join(f"{each.name}:{each.value:g}" for each in list(node.faults.active))
+    faults = f"  broken: {broken}" if broken else ""
+    trouble = f"  {arm.flash.trouble}" if arm.flash.trouble else ""
     return (
         f"{arm.time_s:8.1f} s  sent {sent}/s  received {received}/s  load {load_percent:.0f} %  "
         f"lost {node.lost}  late {1e3 * node.worst_lateness_s:.1f} ms  "
-        f"{arm.control_mode.name} {arm.status.name}  enabled {enabled}\n"
+        f"{arm.control_mode.name} {arm.status.name}  enabled {enabled}{faults}{trouble}\n"
     )

@@ -11,6 +11,7 @@ from armui.protocol.codes import (
     MoveMode,
     TeachingState,
 )
+from armui.sim.alarms import Alarms
 from armui.sim.motion import JOINT_COUNT
 
 
@@ -30,8 +31,11 @@ class Condition:
         motion_state: Whether the last target is reached; a motion cut short leaves it unreached.
         stopped: Whether an emergency stop is in force.
         no_solution: Whether no way to the last target was found.
+        singular: Whether the way to the last target leads through a singular pose.
+        activity: What drag teaching does, for the status.
         beyond_limit: The joints whose last target was refused.
         communication_fault: The joints the controller cannot talk to.
+        alarms: What the drivers complain of.
     """
 
     control_mode: ControlMode = ControlMode.STANDBY
@@ -41,8 +45,11 @@ class Condition:
     motion_state: MotionState = MotionState.REACHED
     stopped: bool = False
     no_solution: bool = False
+    singular: bool = False
+    activity: ArmStatusCode = ArmStatusCode.NORMAL
     beyond_limit: list[bool] = field(default_factory=_no_joint)
     communication_fault: list[bool] = field(default_factory=_no_joint)
+    alarms: Alarms = field(default_factory=Alarms)
 
     @property
     def status(self) -> ArmStatusCode:
@@ -51,20 +58,43 @@ class Condition:
             return ArmStatusCode.EMERGENCY_STOP
         if any(self.communication_fault):
             return ArmStatusCode.JOINT_COMMUNICATION_FAULT
+        if self.alarms.collision:
+            return ArmStatusCode.COLLISION
+        if self.alarms.any:
+            return ArmStatusCode.JOINT_STATUS_ABNORMAL
         if any(self.beyond_limit):
             return ArmStatusCode.TARGET_BEYOND_LIMIT
         if self.no_solution:
             return ArmStatusCode.NO_SOLUTION
-        return ArmStatusCode.NORMAL
+        if self.singular:
+            return ArmStatusCode.SINGULARITY
+        return self.activity
+
+    def obeys(self, *move_modes: MoveMode) -> bool:
+        """Whether a target of one of these kinds of motion starts it as it arrives."""
+        return self.control_mode is ControlMode.CAN_CONTROL and self.move_mode in move_modes
+
+    def accept_target(self) -> None:
+        """Forgets what was wrong with the target before."""
+        self.no_solution = self.singular = False
+        self.beyond_limit = _no_joint()
 
     @property
-    def obeys_joint_targets(self) -> bool:
-        """Whether a set of joint targets starts a motion as it arrives."""
-        return self.control_mode is ControlMode.CAN_CONTROL and self.move_mode is MoveMode.MOVE_J
+    def hindered(self) -> bool:
+        """Whether a joint is in no state to move."""
+        return self.alarms.any or any(self.communication_fault)
 
     def clear_errors(self) -> None:
-        """What a resume clears; a broken connection to a joint is still broken."""
+        """What a resume clears; what is still broken stays told."""
         self.stopped = False
-        self.no_solution = False
-        self.beyond_limit = _no_joint()
+        self.alarms.clear(range(JOINT_COUNT))
+        self.accept_target()
         self.motion_state = MotionState.REACHED
+
+    def start_anew(self) -> None:
+        """What a power cycle does; what is still broken stays told."""
+        self.clear_errors()
+        self.control_mode = ControlMode.STANDBY
+        self.move_mode = MoveMode.MOVE_P
+        self.speed_percent = 0
+        self.teaching_state = TeachingState.OFF

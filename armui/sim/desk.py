@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
-from typing import Final
+from typing import Final, Protocol
 
-from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS, JOINTS
-from armui.protocol.codec import Codec
+from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS, JOINTS, JointLimits
+from armui.protocol.codec import Codec, Oddity
 from armui.protocol.codes import (
     ALL_JOINTS,
     VALID,
@@ -33,6 +33,28 @@ _ROUNDING_GRACE: Final = 1.02
 """29 RPM on the bus are 28.65 RPM in the arm: what is read back may be written again."""
 
 _COLLISION_NAMES: Final = tuple(f"J{joint}" for joint in JOINTS)
+_ON_OFF: Final = ("On", "Off")
+_READS_ONLY: Final = frozenset({"LimitQuery", "LightControl"})
+
+
+class Arm(Protocol):
+    """What settings change beyond the values themselves."""
+
+    def set_zero(self, indices: Iterable[int]) -> bool:
+        """Takes the present position of joints (0–5) as their zero; False when it cannot."""
+        ...
+
+    def clear_joint_errors(self, indices: Iterable[int]) -> None:
+        """Clears the errors the drivers of joints (0–5) keep."""
+        ...
+
+    def report_end_motion(self, *, on: bool) -> None:
+        """Switches 0x481–0x486."""
+        ...
+
+    def settings_changed(self) -> None:
+        """Takes over and keeps what may be new."""
+        ...
 
 
 class SettingsDesk:
@@ -43,8 +65,9 @@ class SettingsDesk:
     stored: the answer alone proves nothing, the value read back does.
     """
 
-    def __init__(self, codec: Codec, settings: Settings) -> None:
+    def __init__(self, codec: Codec, settings: Settings, arm: Arm) -> None:
         self._codec = codec
+        self._arm = arm
         self.settings = settings
         self._desks: dict[str, Callable[[Signals], list[Frame]]] = {
             "LimitQuery": self._limit_query,
@@ -60,11 +83,38 @@ class SettingsDesk:
     def handle(self, name: str, signals: Signals) -> list[Frame] | None:
         """The answers to a message, None when it is not about settings."""
         desk = self._desks.get(name)
-        return None if desk is None else desk(signals)
+        if desk is None:
+            return None
+        answers = desk(signals)
+        if name not in _READS_ONLY:
+            self._arm.settings_changed()
+        return answers
 
-    def answer(self, index: SettingIndex) -> Frame:
-        """Says that a setting has been heard."""
-        return self._codec.encode("SettingResponse", Index=index)
+    def answer(self, index: SettingIndex, *, zero_set: bool = False) -> Frame:
+        """Says that a setting has been heard, and whether it set a zero."""
+        return self._codec.encode("SettingResponse", Index=index, ZeroSet=zero_set)
+
+    def corrupt_limits(self, index: int) -> None:
+        """Lets one joint's limits (0–5) read back as 0xFFFF in every field."""
+        joint = bytes((index + 1,))
+        limits = self._read(0x473, joint + b"\xff" * 6 + b"\0")
+        acceleration = self._read(0x47C, joint + b"\xff" * 2 + bytes(5))
+        self.settings.limits[index] = JointLimits(
+            limits["MinAngle"],
+            limits["MaxAngle"],
+            to_degrees(limits["MaxSpeed"], self._codec.unit("LimitFeedback", "MaxSpeed")),
+        )
+        self.settings.accelerations_deg_s2[index] = to_degrees(
+            acceleration["MaxAcceleration"],
+            self._codec.unit("AccelerationFeedback", "MaxAcceleration"),
+        )
+        self._arm.settings_changed()
+
+    def _read(self, arbitration_id: int, data: bytes) -> Signals:
+        message = self._codec.decode(Frame(arbitration_id, data))
+        if isinstance(message, Oddity):
+            raise TypeError(message.detail)
+        return message.signals
 
     def _limit_query(self, signals: Signals) -> list[Frame]:
         joint = int(signals["Joint"])
@@ -108,6 +158,10 @@ class SettingsDesk:
 
     def _joint_setting(self, signals: Signals) -> list[Frame]:
         name, joint = "JointSetting", int(signals["Joint"])
+        indices = range(len(JOINTS)) if joint == ALL_JOINTS else range(joint - 1, joint)
+        if signals["ClearError"] == VALID:
+            self._arm.clear_joint_errors(indices)
+        zero_set = signals["SetZero"] == VALID and self._arm.set_zero(indices)
         if signals["AccelerationValid"] == VALID and not self._unchanged(
             name, "MaxAcceleration", signals
         ):
@@ -115,9 +169,9 @@ class SettingsDesk:
                 name, "MaxAcceleration", signals, most=FACTORY_ACCELERATION_DEG_S2
             )
             if acceleration > 0.0:
-                for each in JOINTS if joint == ALL_JOINTS else (joint,):
-                    self.settings.accelerations_deg_s2[each - 1] = acceleration
-        return [self.answer(SettingIndex.JOINT_SETTING)]
+                for index in indices:
+                    self.settings.accelerations_deg_s2[index] = acceleration
+        return [self.answer(SettingIndex.JOINT_SETTING, zero_set=zero_set)]
 
     def _parameter_command(self, signals: Signals) -> list[Frame]:
         settings = self.settings
@@ -127,11 +181,14 @@ class SettingsDesk:
         elif reset == FactoryReset.JOINT_LIMITS_TO_FACTORY:
             settings.limits[:] = FACTORY_LIMITS
             settings.accelerations_deg_s2[:] = factory_accelerations()
-        loads = signals["LoadValid"] == VALID
+        feedback = self._codec.word("ParameterCommand", "EndFeedback", int(signals["EndFeedback"]))
+        if feedback in _ON_OFF:
+            self._arm.report_end_motion(on=feedback == "On")
+        loads = signals["LoadValid"] == VALID and signals["Load"] != EndLoad.NOT_GIVEN
         if loads:
             settings.load = EndLoad(int(signals["Load"]))
         frames = self._parameters(ParameterQuery(int(signals["Query"])))
-        asks_only = signals["Query"] and not (reset or loads or signals["EndFeedback"])
+        asks_only = frames and not (reset or loads or signals["EndFeedback"])
         return frames if asks_only else [*frames, self.answer(SettingIndex.PARAMETER_COMMAND)]
 
     def _parameters(self, query: ParameterQuery) -> list[Frame]:
@@ -174,7 +231,7 @@ class SettingsDesk:
     def _light_control(self, signals: Signals) -> list[Frame]:
         if signals["Enable"]:
             self.settings.lights[int(signals["Joint"])] = Light(
-                *(int(signals[name]) for name in ("Lamp", "Red", "Green", "Blue"))
+                *(int(signals[name]) for name in ("Lamp", "Red", "Green", "Blue", "Counter"))
             )
         return []
 

@@ -11,14 +11,14 @@ from typing import Final
 
 import numpy as np
 
-from armui.sim.gravity import gravity_torques_nm
+from armui.sim.body import Body
 from armui.sim.motion import JOINT_COUNT, STANDSTILL, SixValues
 
 _TORQUE_PER_AMPERE: Final = (6.0, 6.0, 6.0, 3.0, 3.0, 3.0)
 _INERTIA_KG_M2: Final = (0.25, 0.30, 0.12, 0.02, 0.02, 0.01)
 _FRICTION_NM_S_RAD: Final = (0.8, 0.8, 0.8, 0.3, 0.3, 0.3)
 
-_SUPPLY_V: Final = 24.0
+SUPPLY_V: Final = 24.0
 _SUPPLY_NOISE_V: Final = 0.1
 _LINE_RESISTANCE_OHM: Final = 0.02
 _VOLTAGE_DIGITS: Final = 1
@@ -32,6 +32,7 @@ _WARMTH_C_PER_A2: Final = 2.0
 _DRIVER_SHARE: Final = 0.6
 """A driver warms by this part of what its motor warms by."""
 _WARMING_TIME_S: Final = 90.0
+_OVERHEATED_C: Final = 95.0
 
 
 class Drivers:
@@ -39,8 +40,9 @@ class Drivers:
 
     Attributes:
         currents_a: Motor currents, positive when driving towards larger angles.
-        motor_temperatures_c: Temperatures of the motors, 30–40 °C.
-        driver_temperatures_c: Temperatures of the drivers, 30–40 °C.
+        motor_temperatures_c: Temperatures of the motors, 30–40 °C unless overheated.
+        driver_temperatures_c: Temperatures of the drivers, likewise.
+        supply_v: What the supply gives.
     """
 
     def __init__(self, seed: int) -> None:
@@ -48,26 +50,32 @@ class Drivers:
         self._ambient_c = [
             _COLD_C + _SPREAD_C * float(share) for share in self._noise.random(JOINT_COUNT)
         ]
-        self._measured: tuple[SixValues, SixValues, SixValues, tuple[bool, ...]] | None = None
+        self._measured: tuple[object, ...] = ()
         self._speeds_rad_s: SixValues = STANDSTILL
         self._torques_nm: SixValues = STANDSTILL
         self.currents_a: SixValues = STANDSTILL
         self.motor_temperatures_c = list(self._ambient_c)
         self.driver_temperatures_c = list(self._ambient_c)
+        self.supply_v = SUPPLY_V
+        self._hot_motors: set[int] = set()
+        self._hot_drivers: set[int] = set()
 
-    def measure(
-        self,
-        positions_deg: SixValues,
-        speeds_deg_s: SixValues,
-        accelerations_deg_s2: SixValues,
-        powered: tuple[bool, ...],
-    ) -> None:
-        """Takes the currents from the present motion."""
-        measured = positions_deg, speeds_deg_s, accelerations_deg_s2, powered
+    def measure(self, body: Body) -> None:
+        """Takes the currents from the present motion and load."""
+        powered, speeds_deg_s = body.powered, body.speeds_deg_s
+        accelerations_deg_s2 = body.accelerations_deg_s2
+        measured = (
+            body.positions_deg,
+            speeds_deg_s,
+            accelerations_deg_s2,
+            powered,
+            body.weight.payload_kg,
+            body.weight.pushes_nm,
+        )
         if measured == self._measured:
             return
         self._measured = measured
-        gravity = gravity_torques_nm(positions_deg)
+        gravity = body.weight.torques_nm(body.positions_deg)
         self._speeds_rad_s = tuple(map(radians, speeds_deg_s))
         self._torques_nm = tuple(
             (
@@ -89,20 +97,31 @@ class Drivers:
         share = min(dt_s / _WARMING_TIME_S, 1.0)
         heat_c = _WARMTH_C_PER_A2 * self.currents_a[index] ** 2
         ambient_c = self._ambient_c[index]
-        for temperatures, part in (
-            (self.motor_temperatures_c, 1.0),
-            (self.driver_temperatures_c, _DRIVER_SHARE),
+        for temperatures, part, overheated in (
+            (self.motor_temperatures_c, 1.0, self._hot_motors),
+            (self.driver_temperatures_c, _DRIVER_SHARE, self._hot_drivers),
         ):
+            if index in overheated:
+                temperatures[index] = _OVERHEATED_C
+                continue
             goal_c = min(ambient_c + part * heat_c, _HOTTEST_C)
             temperatures[index] += (goal_c - temperatures[index]) * share
+
+    def overheat_motor(self, index: int, *, on: bool) -> None:
+        """Heats a motor (0–5) far beyond what it stands, or lets it cool."""
+        (self._hot_motors.add if on else self._hot_motors.discard)(index)
+
+    def overheat_driver(self, index: int, *, on: bool) -> None:
+        """Heats a driver (0–5) far beyond what it stands, or lets it cool."""
+        (self._hot_drivers.add if on else self._hot_drivers.discard)(index)
 
     def voltage_v(self) -> float:
         """One reading of the supply: noise, and a drop that grows with the load."""
         drop_v = _LINE_RESISTANCE_OHM * sum(map(abs, self.currents_a))
         noise_v = _SUPPLY_NOISE_V * float(self._noise.uniform(-1.0, 1.0))
-        return round(_SUPPLY_V - drop_v + noise_v, _VOLTAGE_DIGITS)
+        return round(self.supply_v - drop_v + noise_v, _VOLTAGE_DIGITS)
 
     def bus_current_a(self, index: int) -> float:
         """What one driver draws from the supply."""
         power_w = abs(self._torques_nm[index] * self._speeds_rad_s[index])
-        return _IDLE_A + power_w / _SUPPLY_V
+        return _IDLE_A + power_w / self.supply_v

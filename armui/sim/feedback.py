@@ -9,13 +9,16 @@ from typing import Protocol
 
 from armui.arm.kinematics import Kinematics, Pose
 from armui.arm.limits import JOINTS
-from armui.protocol.codec import Codec, EncodeError
+from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.sim.alarms import Alarm
 from armui.sim.body import Body
 from armui.sim.condition import Condition
 from armui.sim.drivers import Drivers
-from armui.sim.gripper import Gripper
+from armui.sim.end_motion import end_motion
+from armui.sim.frame_cache import FrameCache
+from armui.sim.gripper import Gripper, GripperError
 from armui.sim.motion import SixValues
 from armui.sim.units import from_degrees
 
@@ -27,41 +30,7 @@ class _Parts(Protocol):
     body: Body
     drivers: Drivers
     gripper: Gripper
-
-
-class FrameCache:
-    """Encodes messages, and only when they say something new.
-
-    Most of an arm's 3,000 frames a second repeat the ones before them.
-    """
-
-    def __init__(self, codec: Codec) -> None:
-        self._codec = codec
-        self._last: dict[str, tuple[dict[str, float], Frame]] = {}
-        self._known: dict[str, frozenset[str]] = {}
-
-    def frame(self, name: str, **signals: float) -> Frame:
-        """The frame of a message; signals its generation does not have are left out."""
-        last = self._last.get(name)
-        if last is not None and last[0] == signals:
-            return last[1]
-        known = self._known.get(name)
-        if known is None:
-            known = frozenset(signal for signal in signals if self.knows(name, signal))
-            self._known[name] = known
-        frame = self._codec.encode(
-            name, **{signal: value for signal, value in signals.items() if signal in known}
-        )
-        self._last[name] = signals, frame
-        return frame
-
-    def knows(self, name: str, signal: str) -> bool:
-        """Whether a message has a signal in this generation."""
-        try:
-            self._codec.unit(name, signal)
-        except EncodeError:
-            return False
-        return True
+    kinematics: Kinematics
 
 
 class Feedback:
@@ -70,7 +39,7 @@ class Feedback:
     def __init__(self, codec: Codec, arm: _Parts) -> None:
         self._cache = FrameCache(codec)
         self._arm = arm
-        self._kinematics = Kinematics()
+        self._kinematics = arm.kinematics
         self._posed_at: SixValues = ()
         self._pose = Pose(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
         self._speed_unit = codec.unit("DriverFast1", "Speed")
@@ -89,6 +58,7 @@ class Feedback:
         for joint in JOINTS:
             self._makers[f"DriverFast{joint}"] = partial(self._driver_fast, joint)
             self._makers[f"DriverSlow{joint}"] = partial(self._driver_slow, joint)
+            self._makers[f"EndMotion{joint}"] = partial(self._end_motion, joint)
 
     def frames(self, names: Iterable[str]) -> list[Frame]:
         """The messages of these names, in their order, as of now."""
@@ -142,6 +112,7 @@ class Feedback:
             Torque=gripper.torque_nm,
             Enabled=gripper.enabled,
             Homed=1,
+            **{error.value: error in gripper.errors for error in GripperError},
         )
 
     def _driver_fast(self, joint: int) -> Frame:
@@ -164,5 +135,30 @@ class Feedback:
             MotorTemperature=round(drivers.motor_temperatures_c[index]),
             Enabled=self._arm.body.powered[index],
             Homed=1,
+            **self._alarm_bits(index),
             BusCurrent=drivers.bus_current_a(index) if self._first_generation else 0.0,
+        )
+
+    def _alarm_bits(self, index: int) -> dict[str, float]:
+        alarms = self._arm.condition.alarms.of(index)
+        bits: dict[str, float] = {alarm.value: alarm in alarms for alarm in Alarm}
+        if Alarm.SENSOR in alarms and not self._first_generation:
+            bits[Alarm.DRIVER.value] = True
+        return bits
+
+    def _end_motion(self, joint: int) -> Frame:
+        index, body = joint - 1, self._arm.body
+        part = end_motion(
+            self._kinematics,
+            body.positions_deg,
+            index,
+            body.speeds_deg_s[index],
+            body.accelerations_deg_s2[index],
+        )
+        return self._cache.frame(
+            f"EndMotion{joint}",
+            LinearSpeed=part.linear_speed_m_s,
+            AngularSpeed=part.angular_speed_rad_s,
+            LinearAcceleration=part.linear_acceleration_m_s2,
+            AngularAcceleration=part.angular_acceleration_rad_s2,
         )

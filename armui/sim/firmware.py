@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Final
 
+from armui.arm.kinematics import Kinematics
 from armui.arm.limits import JOINTS
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec, Oddity, OddityKind
@@ -18,6 +19,7 @@ from armui.protocol.codes import (
     ALL_JOINTS,
     ArmStatusCode,
     ControlMode,
+    LinkageRole,
     MotionState,
     MotorAction,
     MoveMode,
@@ -25,6 +27,7 @@ from armui.protocol.codes import (
     SilenceMode,
     StopCommand,
     TeachingState,
+    TrajectoryCommand,
 )
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
@@ -33,17 +36,32 @@ from armui.sim.condition import Condition
 from armui.sim.desk import SettingsDesk, Signals
 from armui.sim.drivers import Drivers
 from armui.sim.feedback import Feedback
+from armui.sim.flash import Flash, MemoryFlash
+from armui.sim.gravity import Weight
 from armui.sim.gripper import Gripper
-from armui.sim.joint_moves import JointMoves
+from armui.sim.hand import Hand
+from armui.sim.identity import geometry_of, version_frames
 from armui.sim.limp import Limp
+from armui.sim.linkage import LinkedInput
 from armui.sim.motion import JOINT_COUNT, SixValues
+from armui.sim.moves import Moves
+from armui.sim.protection import Protection
 from armui.sim.schedule import Schedule
-from armui.sim.settings import Settings
+from armui.sim.settings import Linkage
+from armui.sim.teaching import Teaching
+from armui.sim.upkeep import Upkeep
 
 _NS_PER_S: Final = 1_000_000_000
 _ALL_INDICES: Final = range(JOINT_COUNT)
-_VERSION_PREFIX: Final = "PiPER "
-_VERSION_REQUEST: Final = 1
+_CONTROL: Final = frozenset(
+    (
+        *("MotionCommand", "ModeControl", "ArcPoint", "GripperCommand", "MotorEnable"),
+        *("CartesianTarget1", "CartesianTarget2", "CartesianTarget3"),
+        *("JointTarget12", "JointTarget34", "JointTarget56"),
+    )
+)
+"""The host's commands, as opposed to its settings and questions."""
+_MIT_CONTROL: Final = tuple(f"MitControl{joint}" for joint in JOINTS)
 
 
 class Firmware:
@@ -51,12 +69,21 @@ class Firmware:
 
     Attributes:
         generation: The protocol it speaks.
+        kinematics: Of the geometry its version has.
         condition: Modes, flags and faults, as 0x2A1 tells them.
         body: Joints and motors.
         drivers: What the motor drivers measure.
         gripper: The gripper.
+        hand: A hand that leads the arm where it gives way.
+        teaching: Drag teaching and its recording.
         settings: The values the arm keeps.
+        flash: Where it keeps them.
+        protection: What watches the drivers.
+        upkeep: What keeps the parts in step with the settings.
+        feedback_stopped: Whether the arm, broken, tells nothing unless asked.
         ignored: How many frames were not understood, by kind.
+        unsupported: How many were understood but ask for what this arm does not do, by what they
+            ask for: MIT control, and the transfer of trajectories, whose check sum is undocumented.
     """
 
     def __init__(
@@ -66,40 +93,62 @@ class Firmware:
         seed: int = 0,
         joints_deg: Sequence[float] = (0.0,) * JOINT_COUNT,
         version: str = "S-V1.8-5",
+        flash: Flash | None = None,
     ) -> None:
         """An arm just switched on: motors off, standby, supported where it lies.
 
         Args:
             generation: The protocol it speaks.
             seed: Of the little noise there is; the same seed and calls give the same frames.
-            joints_deg: Where it lies, joint 1 first.
+            joints_deg: Where it lies, joint 1 first, counted from the factory's zeros.
             version: What it answers to 0x4AF (generation 2).
+            flash: Where its settings are kept; without it they end with this object.
         """
         self.generation = generation
+        self.flash: Flash = flash or MemoryFlash()
+        self.settings = self.flash.load()
         self.condition = Condition()
-        self.body = Body(float(angle) for angle in joints_deg)
+        zeros_deg = self.settings.zeros_deg
+        self.body = Body(
+            (float(angle) - zero for angle, zero in zip(joints_deg, zeros_deg, strict=True)),
+            Weight(),
+        )
         self.drivers = Drivers(seed)
-        self.gripper = Gripper()
-        self.settings = Settings()
+        self.gripper = Gripper(generation, self.settings)
         self.ignored: Counter[OddityKind] = Counter()
+        self.unsupported: Counter[str] = Counter()
         self._version = version
+        self.kinematics = Kinematics(geometry_of(version))
         self._silent = False
         self._now_ns = 0
         self._schedule = Schedule(generation)
-        self._readdressing: Addressing | None = None
-        self._moves = JointMoves(self.body, self.condition, self.settings)
-        self._speak(Addressing())
+        self._linkage_waits = False
+        self._leader: LinkedInput | None = None
+        self.hand = Hand()
+        self.teaching = Teaching(self.body, self.condition, self.settings, self.hand)
+        self._moves = Moves(self.body, self.condition, self.settings, self.kinematics)
+        self.protection = Protection(
+            self.body, self.drivers, self.condition, self.settings, self._moves.cut_short
+        )
+        self.feedback_stopped = False
+        self.upkeep = Upkeep(
+            self.settings,
+            self.body,
+            self.condition,
+            self._schedule,
+            flash=self.flash,
+            forget=self._moves.forget,
+        )
+        self._take_linkage()
         self._handlers: dict[str, Callable[[Signals], list[Frame]]] = {
             "MotionCommand": self._motion_command,
             "ModeControl": self._mode_control,
-            "JointTarget12": self._joint_target,
-            "JointTarget34": self._joint_target,
-            "JointTarget56": self._joint_target,
             "GripperCommand": self._gripper_command,
             "LinkageSetting": self._linkage_setting,
             "MotorEnable": self._motor_enable,
             "BusSilence": self._bus_silence,
             "FirmwareVersion": self._firmware_version,
+            **dict.fromkeys(_MIT_CONTROL, self._mit_control),
         }
 
     @property
@@ -158,6 +207,11 @@ class Firmware:
         return self._silent
 
     @property
+    def leads(self) -> bool:
+        """Whether it is a teaching input: it sends commands, and obeys none."""
+        return self._leader is not None
+
+    @property
     def time_s(self) -> float:
         """How long the arm has been on."""
         return self._now_ns / _NS_PER_S
@@ -180,9 +234,13 @@ class Firmware:
         if isinstance(message, Oddity):
             self.ignored[message.kind] += 1
             return []
+        if self._leader is not None and message.name in _CONTROL:
+            return []  # a teaching input obeys the hand alone
         handler = self._handlers.get(message.name)
         if handler is not None:
             answers = handler(message.signals)
+        elif self._moves.take(message.name, message.signals):
+            answers = []
         else:
             answers = self._desk.handle(message.name, message.signals) or []
         return [] if self._silent else answers
@@ -207,8 +265,8 @@ class Firmware:
             self._advance(self._schedule.next_ns)
             names = self._schedule.pop()
             self._measure(names)
-            if not self._silent:
-                frames += self._feedback.frames(names)
+            if not (self._silent or self.feedback_stopped):
+                frames += self._periodic(names)
         self._advance(end_ns)
         return frames
 
@@ -218,45 +276,99 @@ class Firmware:
         if present:
             self._moves.cut_short()
 
+    def power_cycle(self) -> None:
+        """Takes the power away and gives it back: the arm drops, settings come from the flash."""
+        self._drop_work()
+        self.teaching.entered = False
+        self.teaching.recording.clear()
+        self.body.power_off(_ALL_INDICES, Limp.FREE)
+        self.gripper.release()
+        self.upkeep.restart()
+        self.condition.start_anew()
+        self._silent = False
+        self._take_linkage()
+
+    def corrupt_limits(self, joint: int) -> None:
+        """Lets a joint's (1–6) limits read back as 0xFFFF, as from a worn flash."""
+        self._desk.corrupt_limits(joint - 1)
+
     def _advance(self, to_ns: int) -> None:
         dt_s = (to_ns - self._now_ns) / _NS_PER_S
         if dt_s <= 0.0:
             return
         self._now_ns = to_ns
-        self.body.advance(dt_s, self.settings.limits)
+        self.body.advance(dt_s, self.upkeep.stops)
+        self.teaching.time_passed(dt_s)
         self.gripper.advance(dt_s)
+        if self.body.gives_way and self.hand.gripper_to is not None:
+            self.gripper.lead(self.hand.gripper_to)
         self._moves.time_passed()
+
+    def _periodic(self, names: list[str]) -> list[Frame]:
+        """What is due under these names; a teaching input leads instead of telling of itself."""
+        if self._leader is None:
+            return self._feedback.frames(names)
+        if "ArmStatus" not in names:
+            return []
+        return self._leader.frames(self.body.positions_deg, self.gripper)
 
     def _measure(self, names: list[str]) -> None:
         """Lets the drivers measure before the frames of these names are made."""
-        body = self.body
-        self.drivers.measure(
-            body.positions_deg, body.speeds_deg_s, body.accelerations_deg_s2, body.powered
-        )
+        self.protection.watch_torques()
+        self.drivers.measure(self.body)
         for joint in JOINTS:
             name = f"DriverSlow{joint}"
             if name in names:
                 self.drivers.warm(joint - 1, self._schedule.periods_ns[name] / _NS_PER_S)
+                self.protection.watch_driver(joint - 1)
 
     def _speak(self, addressing: Addressing) -> None:
         self._codec = Codec(self.generation, addressing)
-        self._desk = SettingsDesk(self._codec, self.settings)
+        self._desk = SettingsDesk(self._codec, self.settings, self.upkeep)
         self._feedback = Feedback(self._codec, self)
 
     def _motion_command(self, signals: Signals) -> list[Frame]:
         if signals["EmergencyStop"] == StopCommand.EMERGENCY_STOP:
-            self._moves.forget()
+            self._drop_work()
             self.body.power_off(_ALL_INDICES, Limp.DAMPED)
             self.condition.stopped = True
         elif signals["EmergencyStop"] == StopCommand.RESUME:
-            self._moves.forget()
+            self._drop_work()
             self.body.power_off(_ALL_INDICES, Limp.FREE)
             self.condition.clear_errors()
-            self._enter(ControlMode.STANDBY)
+            if self.teaching.reset():
+                self._enter(ControlMode.STANDBY)
+        elif not self.condition.stopped:
+            self._teach(TeachingState(int(signals["TeachingCommand"])))
+            return self._trajectory_command(TrajectoryCommand(int(signals["TrajectoryCommand"])))
+        return []
+
+    def _drop_work(self) -> None:
+        """Forgets targets and replays; what moves is left to the caller."""
+        self._moves.forget()
+        self.teaching.interrupt()
+
+    def _teach(self, command: TeachingState) -> None:
+        if command is TeachingState.START_RECORDING:
+            self._moves.forget()
+        self.teaching.command(command)
+
+    def _trajectory_command(self, command: TrajectoryCommand) -> list[Frame]:
+        if command is TrajectoryCommand.OFF or self._moves.command(command):
+            return []
+        if command is not TrajectoryCommand.GET_CURRENT:
+            self.unsupported[command.name] += 1
+        elif self.generation is not Generation.ONE:
+            # the trajectory point of 0x476 is 0: no transferred trajectory is under way
+            return [self._desk.answer(SettingIndex.MOTION_COMMAND)]
+        return []
+
+    def _mit_control(self, _: Signals) -> list[Frame]:
+        self.unsupported["MIT control"] += 1
         return []
 
     def _mode_control(self, signals: Signals) -> list[Frame]:
-        if self.condition.stopped:
+        if self.condition.stopped or self.teaching.entered:
             return []
         self.condition.move_mode = MoveMode(int(signals["MoveMode"]))
         self.condition.speed_percent = int(signals["SpeedPercent"])
@@ -264,15 +376,25 @@ class Firmware:
         self._moves.mode_changed()
         return []
 
-    def _joint_target(self, signals: Signals) -> list[Frame]:
-        self._moves.take({int(name[1:]): angle_deg for name, angle_deg in signals.items()})
-        return []
-
     def _enter(self, control_mode: ControlMode) -> None:
         self.condition.control_mode = control_mode
-        if control_mode is ControlMode.STANDBY and self._readdressing is not None:
-            self._speak(self._readdressing)
-            self._readdressing = None
+        if control_mode is ControlMode.STANDBY and self._linkage_waits:
+            self._take_linkage()
+
+    def _take_linkage(self) -> None:
+        """Lets the kept linkage setting take effect: the identifiers and the role."""
+        linkage = self.settings.linkage
+        self._linkage_waits = False
+        self._speak(self.upkeep.addressing)
+        if linkage.role is LinkageRole.TEACHING_INPUT:
+            self._moves.forget()
+            self._leader = LinkedInput(self.generation, linkage.target_offset)
+            self.condition.control_mode = ControlMode.LINKED_TEACHING_INPUT
+            self.body.give_way(self.hand)
+        elif self._leader is not None:
+            self._leader = None
+            self.condition.control_mode = ControlMode.STANDBY
+            self.body.hold()
 
     def _motor_enable(self, signals: Signals) -> list[Frame]:
         joint = int(signals["Joint"])
@@ -280,9 +402,9 @@ class Firmware:
         if self.condition.stopped:
             pass  # the motors stay off and damped until the stop is resumed
         elif signals["Action"] == MotorAction.ENABLE:
-            self.body.power_on(indices)
+            self.body.power_on(i for i in indices if self.protection.may_power(i))
         else:
-            self._moves.forget()
+            self._drop_work()
             self._moves.cut_short()
             self.body.power_off(indices, Limp.FREE)
         return [self._desk.answer(SettingIndex.MOTOR_ENABLE)]
@@ -293,14 +415,19 @@ class Firmware:
         return []
 
     def _linkage_setting(self, signals: Signals) -> list[Frame]:
-        """Takes the identifier offsets over at once in standby, else as soon as it is reached."""
+        """Takes effect at once in standby or as a teaching input, else as soon as in standby."""
         answer = self._desk.answer(SettingIndex.LINKAGE_SETTING)
-        self._readdressing = Addressing(
-            feedback_offset=int(signals["FeedbackOffset"]),
-            control_offset=int(signals["ControlOffset"]),
+        self.settings.linkage = Linkage(
+            LinkageRole(int(signals["Role"])) or self.settings.linkage.role,
+            int(signals["FeedbackOffset"]),
+            int(signals["ControlOffset"]),
+            int(signals["TargetOffset"]),
         )
-        if self.condition.control_mode is ControlMode.STANDBY:
-            self._enter(ControlMode.STANDBY)
+        self.flash.save(self.settings)
+        self._linkage_waits = True
+        standby = self.condition.control_mode is ControlMode.STANDBY
+        if self._leader is not None or (standby and not self.condition.stopped):
+            self._take_linkage()
         return [answer]
 
     def _bus_silence(self, signals: Signals) -> list[Frame]:
@@ -308,14 +435,4 @@ class Firmware:
         return []
 
     def _firmware_version(self, signals: Signals) -> list[Frame]:
-        """Answers with text cut into frames; a neighbour's answer is no question."""
-        if signals["Byte0"] != _VERSION_REQUEST:
-            return []
-        text = (_VERSION_PREFIX + self._version).encode("ascii", "replace")
-        chunks = [text[start : start + 8].ljust(8, b"\0") for start in range(0, len(text), 8)]
-        return [
-            self._codec.encode(
-                "FirmwareVersion", **{f"Byte{i}": byte for i, byte in enumerate(chunk)}
-            )
-            for chunk in chunks
-        ]
+        return version_frames(self._codec, signals, self._version)

@@ -8,7 +8,7 @@ from math import exp
 from typing import Final
 
 from armui.arm.limits import JointLimits
-from armui.sim.gravity import gravity_torques_nm
+from armui.sim.gravity import Weight
 from armui.sim.motion import JOINT_COUNT, SixValues
 
 _LONGEST_STEP_S: Final = 0.005
@@ -43,7 +43,8 @@ class LimpJoints:
         speeds_deg_s: How fast they turn, 0 for the joints that are held.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, weight: Weight) -> None:
+        self._weight = weight
         self._limp: list[Limp | None] = [None] * JOINT_COUNT
         self.speeds_deg_s = [0.0] * JOINT_COUNT
 
@@ -78,7 +79,7 @@ class LimpJoints:
 
     def _step(self, positions: list[float], limits: Sequence[JointLimits], dt_s: float) -> None:
         share = 1.0 - exp(-dt_s / _SETTLING_TIME_S)
-        torques = gravity_torques_nm(positions)
+        torques = self._weight.torques_nm(positions)
         for index, limp in enumerate(self._limp):
             if limp is None:
                 continue

@@ -67,6 +67,17 @@ class JointMotion:
         self.accelerations_deg_s2 = STANDSTILL
         self.moving = False
 
+    def carry(
+        self, positions_deg: SixValues, speeds_deg_s: SixValues, accelerations_deg_s2: SixValues
+    ) -> None:
+        """Takes over joints that something else moves; the next plan starts from there."""
+        self.positions_deg = positions_deg
+        self.speeds_deg_s = speeds_deg_s
+        self.accelerations_deg_s2 = accelerations_deg_s2
+        self.moving = any(speeds_deg_s)
+        self._asked = None
+        self._acceleration_deg_s2 = STANDSTILL
+
     def move_to(
         self,
         targets_deg: Iterable[float],

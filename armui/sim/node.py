@@ -5,13 +5,16 @@ from __future__ import annotations
 import threading
 import time
 from collections import deque
+from collections.abc import Iterable
 from types import TracebackType
 from typing import Final, Self
 
 import can
 
 from armui.protocol.frame import Frame
+from armui.sim.faults import Fault, Faults
 from armui.sim.firmware import Firmware
+from armui.sim.line import Line
 
 PERIOD_S: Final = 0.005
 """How often the thread runs: it wakes 200 times a second, not for each of 3,000 frames."""
@@ -30,21 +33,34 @@ class Node:
 
     Attributes:
         firmware: The arm. While the thread runs, only read it.
-        heard: The frames received, newest last.
+        faults: What is broken; while the thread runs, plan it beforehand.
+        heard: The frames the arm received, newest last.
         sent: How many frames went out.
-        lost: How many frames the bus did not take (full, down, unplugged).
+        lost: How many frames the bus did not take (full, down, unplugged, a fault of the line).
         receive_errors: How often the bus failed to receive.
         worst_lateness_s: The most the thread was behind its clock.
     """
 
-    def __init__(self, firmware: Firmware, bus: can.BusABC, *, remember: int = 10_000) -> None:
+    def __init__(
+        self,
+        firmware: Firmware,
+        bus: can.BusABC,
+        *,
+        remember: int = 10_000,
+        faults: Iterable[Fault] = (),
+        seed: int = 0,
+    ) -> None:
         """Puts an arm on a bus.
 
         Args:
             firmware: The arm.
             bus: An open bus that does not return what is sent on it.
             remember: How many received frames `heard` keeps.
+            faults: What breaks when.
+            seed: Of the faults that are a matter of chance.
         """
+        self._line = Line(seed)
+        self.faults = Faults(firmware, self._line, faults)
         self.firmware = firmware
         self.heard: deque[Frame] = deque(maxlen=remember)
         self.sent = 0
@@ -54,6 +70,7 @@ class Node:
         self.worst_lateness_s = 0.0
         self._bus = bus
         self._feedback_ids: set[int] = set()
+        self._leads = firmware.leads
         self._ending = threading.Event()
         self._thread: threading.Thread | None = None
 
@@ -75,12 +92,21 @@ class Node:
         Args:
             dt_s: How much time passes.
         """
+        arm, line = self.firmware, self._line
+        self.faults.at(arm.time_s)
         frames: list[Frame] = []
-        for frame in self._receive():
-            frames += self.firmware.on_frame(frame)
-        feedback = self.firmware.step(dt_s)
+        reached = line.to_arm(self._receive(), arm.time_s)
+        self.heard.extend(reached)
+        for frame in reached:
+            frames += arm.on_frame(frame)
+        feedback = arm.step(dt_s)
+        if arm.leads is not self._leads:
+            self._leads = arm.leads
+            self._feedback_ids.clear()  # what it said as a leader it may be told now
         self._feedback_ids.update(frame.arbitration_id for frame in feedback)
-        self._send(frames + feedback)
+        to_send, lost = line.to_bus(frames + feedback, arm.time_s, dt_s)
+        self.lost += lost
+        self._send(to_send)
 
     def start(self) -> None:
         """Starts the thread that lets the arm live in real time.
@@ -122,7 +148,6 @@ class Node:
                     frames.append(Frame(message.arbitration_id, bytes(message.data)))
         except _BUS_ERRORS:
             self.receive_errors += 1
-        self.heard.extend(frames)
         self.received += len(frames)
         return frames
 

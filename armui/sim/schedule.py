@@ -24,6 +24,7 @@ _CONTROLLER: Final = (
     "GripperFeedback",
 )
 _PER_DRIVER: Final = ("DriverFast", "DriverSlow")
+_END_MOTION: Final = tuple(f"EndMotion{joint}" for joint in range(1, 7))
 
 
 @dataclass(slots=True)
@@ -33,6 +34,7 @@ class _Slot:
     due_ns: int
     period_ns: int
     names: tuple[str, ...]
+    is_end_motion: bool
 
 
 class Schedule:
@@ -40,11 +42,15 @@ class Schedule:
 
     The controller sends its eight frames as one burst, so that they belong together. The six
     drivers send each for itself, spread over the period as far as the grid allows.
+
+    Attributes:
+        end_motion: Whether 0x481–0x486 are on; they follow the controller's frames.
     """
 
     def __init__(self, generation: Generation) -> None:
+        self.end_motion = False
         database = load_database(generation)
-        groups: dict[tuple[int, int], list[str]] = {}
+        groups: dict[tuple[int, int, bool], list[str]] = {}
 
         def add(name: str, part: int, parts: int) -> None:
             cycle_time_ms = database.get_message_by_name(name).cycle_time
@@ -52,16 +58,18 @@ class Schedule:
                 raise ValueError(f"{name} has no cycle time in the DBC file; give it one")
             period_ns = cycle_time_ms * _NS_PER_MS
             first_ns = -(-period_ns * part // (parts * TICK_NS)) * TICK_NS
-            groups.setdefault((first_ns, period_ns), []).append(name)
+            groups.setdefault((first_ns, period_ns, name in _END_MOTION), []).append(name)
 
         for name in _CONTROLLER:
+            add(name, 1, 1)
+        for name in _END_MOTION:
             add(name, 1, 1)
         for kind in _PER_DRIVER:
             for joint in range(1, 7):
                 add(f"{kind}{joint}", joint, 6)
         self._slots = [
-            _Slot(first_ns, period_ns, tuple(names))
-            for (first_ns, period_ns), names in groups.items()
+            _Slot(first_ns, period_ns, tuple(names), optional)
+            for (first_ns, period_ns, optional), names in groups.items()
         ]
         self.next_ns = min(slot.due_ns for slot in self._slots)
         self.periods_ns: Mapping[str, int] = {
@@ -74,7 +82,8 @@ class Schedule:
         names: list[str] = []
         for slot in self._slots:
             if slot.due_ns == now_ns:
-                names += slot.names
+                if self.end_motion or not slot.is_end_motion:
+                    names += slot.names
                 slot.due_ns += slot.period_ns
         self.next_ns = min(slot.due_ns for slot in self._slots)
         return names

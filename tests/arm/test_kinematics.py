@@ -1,7 +1,10 @@
 """The closed form against the modified DH table, multiplied out here from the table itself."""
 
+import itertools
+
 import numpy as np
 import pytest
+from py_opw_kinematics import KinematicModel, Robot
 
 from armui.arm.kinematics import Geometry, Kinematics, Pose, matrix_to_pose, pose_to_matrix
 
@@ -57,3 +60,138 @@ def test_a_pose_survives_the_way_to_a_matrix_and_back():
 def test_pointing_straight_down_or_up_is_the_same_orientation_though_not_the_same_angles(pitch_deg):
     matrix = pose_to_matrix(Pose(1, 2, 3, 30, pitch_deg, 50))
     assert pose_to_matrix(matrix_to_pose(matrix)) == pytest.approx(matrix, abs=1e-9)
+
+
+def agrees(kinematics, solution, matrix, *, rotation=1e-8, mm=1e-6):
+    there = kinematics.matrix(solution)
+    return (
+        np.abs(there[:3, 3] - matrix[:3, 3]).max() < mm
+        and np.abs(there[:3, :3] - matrix[:3, :3]).max() < rotation
+    )
+
+
+def check_round_trip(kinematics, joints_deg):
+    """1e-6 mm and (1e-8 rad) 1e-6°, every solution; the nearest is where the joints were."""
+    matrix = kinematics.matrix(joints_deg)
+    solutions = kinematics.inverse(kinematics.forward(joints_deg), joints_deg)
+    assert solutions
+    assert all(agrees(kinematics, solution, matrix) for solution in solutions)
+    assert solutions[0] == pytest.approx(tuple(joints_deg), abs=1e-6)
+    distances = [np.linalg.norm(np.subtract(solution, joints_deg)) for solution in solutions]
+    assert distances == pytest.approx(sorted(distances), abs=1e-9)
+    return solutions
+
+
+@pytest.mark.parametrize("geometry", Geometry)
+def test_the_way_back_from_random_poses(geometry):
+    kinematics = Kinematics(geometry)
+    for joints in np.random.default_rng(5).uniform(_LOW, _HIGH, size=(150, 6)):
+        check_round_trip(kinematics, joints)
+
+
+def test_the_way_back_with_a_stretched_wrist():
+    kinematics = Kinematics()
+    joints = np.random.default_rng(6).uniform(_LOW, _HIGH, size=(100, 6))
+    joints[:, 4] = 0.0
+    for each in (*joints, np.zeros(6)):
+        check_round_trip(kinematics, each)
+
+
+def test_a_stretched_wrist_leaves_joint_4_where_it_is_and_joint_6_makes_up_for_it():
+    kinematics = Kinematics()
+    zero = kinematics.forward((0,) * 6)
+    nearest = kinematics.inverse(zero, (0, 0, 0, 30, 0, -20))[0]
+    assert nearest == pytest.approx((0, 0, 0, 30, 0, -30), abs=1e-6)
+
+
+def test_a_pose_rounded_to_the_protocols_steps_does_not_turn_the_wrist_about():
+    kinematics = Kinematics()
+    for joints in np.random.default_rng(8).uniform(_LOW, _HIGH, size=(100, 6)):
+        joints[4] = 0.0
+        rounded = Pose(*(round(value, 3) for value in kinematics.forward(joints)))
+        nearest = kinematics.inverse(rounded, joints)[0]
+        assert nearest == pytest.approx(tuple(joints), abs=0.01)
+
+
+def test_the_way_back_from_the_limits():
+    kinematics = Kinematics()
+    for joints in itertools.product(*zip(_LOW, _HIGH, strict=True)):
+        check_round_trip(kinematics, joints)
+
+
+def stretched_elbow():
+    """Forearm and upper arm in line: atan(21.98 / 250.75) off the forearm's own direction."""
+    return float(-360.0 + 192.78 + np.degrees(np.arctan2(21.98, 250.75)))
+
+
+def test_the_way_back_from_the_edge_of_reach():
+    kinematics = Kinematics()
+    elbow = stretched_elbow()
+    for shoulder in (5.0, 60.0, 90.0, 130.0):
+        joints = (20.0, shoulder, elbow, 10.0, 30.0, -40.0)
+        matrix = kinematics.matrix(joints)
+        solutions = kinematics.inverse(kinematics.forward(joints), joints)
+        # at the edge 1e-6 mm are worth some 0.01° of the elbow
+        assert solutions[0] == pytest.approx(joints, abs=0.02)
+        assert all(agrees(kinematics, each, matrix, mm=1e-5, rotation=1e-6) for each in solutions)
+
+
+@pytest.mark.parametrize(("beyond_mm", "reachable"), [(-0.01, True), (0.01, False)])
+def test_where_the_reach_ends(beyond_mm, reachable):
+    """Along the stretched arm itself."""
+    kinematics = Kinematics()
+    joints = (0.0, 100.0, stretched_elbow(), 0.0, 0.0, 0.0)
+    matrix = kinematics.matrix(joints)
+    centre = matrix[:3, 3] - 91.0 * matrix[:3, 2]
+    outward = centre - (0, 0, 123)
+    matrix[:3, 3] += beyond_mm * outward / np.linalg.norm(outward)
+    assert bool(kinematics.inverse(matrix_to_pose(matrix), joints)) is reachable
+
+
+def test_no_way_to_what_is_no_pose():
+    assert Kinematics().inverse(Pose(float("nan"), 0, 300, 0, 0, 0), (0,) * 6) == []
+
+
+def test_the_library_finds_the_same_solutions():
+    """Where it finds them: its wrist angles, with a bent wrist, are those worked out here."""
+    model = KinematicModel(
+        a2=-21.98,
+        c1=123.0,
+        c2=285.03,
+        c3=250.75,
+        c4=91.0,
+        offsets=Geometry.CURRENT.value,
+        flip_axes=(False, False, False, False, True, False),
+    )
+    library, kinematics = Robot(model), Kinematics()
+    for joints in np.random.default_rng(9).uniform(_LOW, _HIGH, size=(50, 6)):
+        theirs = library.inverse(library.forward(tuple(joints)))
+        ours = kinematics.inverse(kinematics.forward(joints), joints)
+        for solution in theirs:
+            gaps = np.abs((np.subtract(ours, solution) + 180.0) % 360.0 - 180.0).max(axis=1)
+            assert gaps.min() < 1e-6
+
+
+def test_the_jacobian_is_how_the_flange_moves():
+    kinematics, step = Kinematics(), 1e-4
+    for joints in np.random.default_rng(11).uniform(_LOW, _HIGH, size=(20, 6)):
+        jacobian = kinematics.jacobian(joints)
+        for index, nudge in enumerate(step * np.eye(6)):
+            ahead, behind = kinematics.matrix(joints + nudge), kinematics.matrix(joints - nudge)
+            rate = (ahead - behind) / np.radians(2 * step)
+            spin = rate[:3, :3] @ kinematics.matrix(joints)[:3, :3].T
+            expected = (*rate[:3, 3] / 1e3, spin[2, 1], spin[0, 2], spin[1, 0])
+            assert jacobian[:, index] == pytest.approx(expected, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("joints", "singular"),
+    [
+        ((0, 90, -90, 0, 0, 0), True),  # joints 4 and 6 in line
+        ((0, 100, stretched_elbow(), 0, 40, 0), True),  # upper arm and forearm in line
+        ((0, 90, -90, 0, 40, 0), False),
+    ],
+)
+def test_singular_poses(joints, singular):
+    smallest = Kinematics().smallest_singular_value(joints)
+    assert smallest < 1e-9 if singular else smallest > 0.05

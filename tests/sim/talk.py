@@ -62,3 +62,15 @@ def heard(frames: Iterable[Frame], identifier: int) -> list[str]:
 def status_bytes(arm: Firmware) -> str:
     """The next payload of 0x2A1."""
     return heard(arm.step(0.02), 0x2A1)[-1]
+
+
+def pose_target(*pose: float) -> list[str]:
+    """0x152, 0x153, 0x154 for X, Y, Z in mm and RX, RY, RZ in °: int32 in 0.001, Motorola order."""
+    raw = [round(value * 1000) for value in pose]
+    words = [value.to_bytes(4, "big", signed=True).hex().upper() for value in raw]
+    return [f"{0x152 + k:03X}#{words[2 * k]}{words[2 * k + 1]}" for k in range(3)]
+
+
+def arc_point(number: int) -> str:
+    """0x158 as a host of generation 1 sends it, with one byte."""
+    return f"158#{number:02X}"

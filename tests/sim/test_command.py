@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import argparse
 import threading
+from pathlib import Path
 
 import can
 import pytest
 
+from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation
 from armui.sim import command
+from armui.sim.faults import FAULTS, Fault
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
-from tests.sim.talk import ENABLE, mode, tell
+from tests.sim.talk import ENABLE, frame, mode, tell
 
 
 @pytest.mark.parametrize(
@@ -22,7 +25,7 @@ from tests.sim.talk import ENABLE, mode, tell
 def test_a_bus_that_cannot_be_opened_gives_a_line_and_exit_code_2(
     interface: str, channel: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert command.run_arm(interface, channel) == 2
+    assert command.run_arm(Firmware(Generation.TWO), interface, channel) == 2
     out, error = capsys.readouterr()
     assert out == ""
     assert error.startswith(f"armui sim: cannot open {interface}:{channel}: ")
@@ -35,7 +38,7 @@ def test_it_runs_until_told_to_end(capsys: pytest.CaptureFixture[str]) -> None:
         codes: list[int] = []
         thread = threading.Thread(
             target=lambda: codes.append(
-                command.run_arm("virtual", "test_it_runs", generation=1, ending=ending)
+                command.run_arm(Firmware(Generation.ONE), "virtual", "test_it_runs", ending=ending)
             )
         )
         thread.start()
@@ -54,23 +57,165 @@ def test_ctrl_c_ends_it_in_order(
         raise KeyboardInterrupt
 
     monkeypatch.setattr(command, "_report", interrupt)
-    assert command.run_arm("virtual", "test_ctrl_c") == 0
+    assert command.run_arm(Firmware(Generation.TWO), "virtual", "test_ctrl_c") == 0
     assert not any(thread.name == "simulated-arm" for thread in threading.enumerate())
     assert capsys.readouterr().out.endswith("\n")
 
 
-def test_options() -> None:
-    parser = argparse.ArgumentParser()
+def read(*words: str) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="armui sim")
     command.add_arguments(parser)
-    options = parser.parse_args(
-        ["--interface", "socketcan", "--channel", "vcan0", "--generation", "1"]
-    )
-    assert vars(options) == {
-        "interface": "socketcan",
-        "channel": "vcan0",
+    return parser.parse_args(words)
+
+
+def test_options_left_out() -> None:
+    assert vars(read()) == {
+        "interface": "udp_multicast",
+        "channel": "",
         "bitrate": None,
-        "generation": 1,
+        "generation": 2,
+        "firmware": None,
+        "flash": None,
+        "fault": [],
+        "offset": None,
+        "seed": 0,
     }
+
+
+def test_options(tmp_path: Path) -> None:
+    options = read(
+        *("--interface", "socketcan", "--channel", "vcan0", "--generation", "2"),
+        *("--firmware", "S-V1.5-2", "--flash", str(tmp_path / "arm.json"), "--offset", "0x10"),
+        *("--fault", "stall:2@5-10", "--fault", "lost-frames:0.5@1", "--seed", "7"),
+    )
+    assert (options.firmware, options.offset, options.seed) == ("S-V1.5-2", 0x10, 7)
+    assert options.flash.path == tmp_path / "arm.json"
+    assert options.fault == [
+        Fault("stall", 2, 5.0, 10.0),
+        Fault("lost-frames", 0.5, 1.0, None),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        (["--generation", "3"], "invalid choice"),
+        (["--bitrate", "-5"], "'-5' is no bit rate; give bit/s, as 1000000"),
+        (["--bitrate", "0"], "'0' is no bit rate"),
+        (["--firmware", "1.8"], "'1.8' is no firmware version; write it as S-V1.8-5"),
+        (["--flash", "/nowhere/arm.json"], "must be a file in a folder that exists"),
+        (["--flash", "/"], "must be a file in a folder that exists"),
+        (["--fault", "fire@1"], "no fault is called 'fire'"),
+        (["--fault", "stall:9@1"], "the joint is 9; give 1 to 6"),
+        (["--offset", "0x30"], "'0x30' is none of 0x00, 0x10, 0x20"),
+        (["--offset", "ten"], "'ten' is none of 0x00, 0x10, 0x20"),
+        (["--seed", "x"], "invalid int value"),
+    ],
+)
+def test_bad_options_give_a_reason_and_exit_code_2(
+    words: list[str], reason: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as ended:
+        read(*words)
+    assert ended.value.code == 2
+    assert reason in capsys.readouterr().err
+
+
+def test_a_version_for_generation_1_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.run(read("--generation", "1", "--firmware", "S-V1.8-5")) == 2
+    assert "--firmware belongs to generation 2" in capsys.readouterr().err
+
+
+def test_help_names_every_fault(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as ended:
+        read("--help")
+    assert ended.value.code == 0
+    words = capsys.readouterr().out.split()
+    assert all(f"{name}:" in words for name in FAULTS)
+
+
+def run_with(monkeypatch: pytest.MonkeyPatch, *words: str) -> list[Firmware]:
+    """Runs the command on a virtual bus until its first status line; returns the arm."""
+    arms: list[Firmware] = []
+
+    def report(node: Node, *_: object) -> None:
+        arms.append(node.firmware)
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch:
+        patch.setattr(command, "_report", report)
+        channel = f"test_command {words}"
+        assert command.run(read("--interface", "virtual", "--channel", channel, *words)) == 0
+    return arms
+
+
+def test_the_options_reach_the_arm(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    file = str(tmp_path / "arm.json")
+    words = ("--flash", file, "--offset", "0x20", "--firmware", "S-V1.5-2")
+    (arm,) = run_with(monkeypatch, *words)
+    assert arm.addressing == Addressing(feedback_offset=0x20, control_offset=0x20)
+    assert b"S-V1.5-2" in b"".join(f.data for f in arm.on_frame(frame("4AF#0100000000000000")))
+    tell(arm, "47A#0001020304080000")
+    # a restart without --offset: the flash knows
+    (again,) = run_with(monkeypatch, "--flash", file)
+    assert again.addressing == arm.addressing
+    assert again.settings.collision_levels == (0, 1, 2, 3, 4, 8)
+
+
+def test_planned_faults_reach_the_arm(monkeypatch: pytest.MonkeyPatch) -> None:
+    broken: list[str] = []
+
+    def report(node: Node, *_: object) -> None:
+        node.stop()
+        node.faults.at(4.9)
+        broken.append(f"before {node.faults.active}")
+        node.faults.at(5.0)
+        broken.extend(each.name for each in node.faults.active)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(command, "_report", report)
+    place = ("--interface", "virtual", "--channel", "test_planned_faults")
+    assert command.run(read(*place, "--fault", "stall:2@5", "--fault", "latency@5-6")) == 0
+    assert broken == ["before []", "stall", "latency"]
+
+
+def test_a_broken_flash_is_told_and_the_arm_runs(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "arm.json"
+    path.write_text("{", encoding="utf-8")
+    run_with(monkeypatch, "--flash", str(path))
+    assert "is broken, factory values in use" in capsys.readouterr().err
+
+
+def test_two_arms_on_one_bus_by_offsets() -> None:
+    channel = "test_two_arms_on_one_bus"
+    with can.Bus(interface="virtual", channel=channel) as host:
+        buses = [can.Bus(interface="virtual", channel=channel) for _ in range(2)]
+        nodes = []
+        for bus, offset in zip(buses, (0x00, 0x10), strict=True):
+            arm = Firmware(Generation.TWO)
+            tell(arm, f"470#FC{offset:02X}{offset:02X}0000000000")
+            nodes.append(Node(arm, bus))
+        identifier, data = frame("160#0100000000000000")
+        host.send(can.Message(arbitration_id=identifier, data=data, is_extended_id=False))
+        for node in nodes:
+            node.poll(0.005)
+        assert [node.firmware.stopped for node in nodes] == [False, True]
+        identifiers = set()
+        while (message := host.recv(timeout=0.0)) is not None:
+            identifiers.add(message.arbitration_id)
+        assert {*range(0x2A1, 0x2A9), *range(0x2B1, 0x2B9)} <= identifiers
+        for bus in buses:
+            bus.shutdown()
+
+
+def test_the_status_line_says_what_is_broken() -> None:
+    with can.Bus(interface="virtual", channel="test_the_status_line_says") as bus:
+        node = Node(Firmware(Generation.TWO), bus, faults=[Fault("stall", 2), Fault("bus-off", 0)])
+        node.poll(1.0)
+        line = command.status_line(node, sent=0, received=0, load_percent=0.0)
+    assert line.endswith("enabled 000000  broken: stall:2, bus-off:0\n")
 
 
 def test_the_status_line() -> None:

@@ -320,30 +320,8 @@ def test_light_and_load_are_kept() -> None:
     arm = Firmware(ONE)
     # joint 2, all lamps, R 16, G 32, B 48; then one not marked valid
     tell(arm, "121#0102FF1020300001", "121#0002FFFFFFFF0002")
-    assert arm.settings.lights == {2: Light(lamp=255, red=16, green=32, blue=48)}
+    assert arm.settings.lights == {2: Light(lamp=255, red=16, green=32, blue=48, counter=1)}
     assert tell(arm, "477#000000AE02000000") == ["476#7700000000000000"]
     assert arm.settings.load is EndLoad.FULL
     tell(arm, "477#0000000001000000")
     assert arm.settings.load is EndLoad.FULL
-
-
-def test_gripper_opens_in_millimetres_and_reports_it() -> None:
-    arm = Firmware(TWO)
-    # 40 mm = 0x9C40, 1 N·m = 0x03E8, enable
-    tell(arm, "159#00009C4003E80100")
-    moving = heard(arm.step(0.1), 0x2A8)
-    assert len(set(moving)) == len(moving)
-    # byte 6: enabled (bit 6) and homed (bit 7)
-    assert heard(arm.step(1.0), 0x2A8)[-1] == "00009C4003E8C000"
-    tell(arm, "159#0000000000000000")
-    assert heard(arm.step(0.1), 0x2A8)[-1] == "00009C4000008000"
-
-
-def test_gripper_turns_in_degrees_with_its_speed() -> None:
-    arm = Firmware(ONE)
-    # 30° = 0x7530, 1 rad/s = 0x03E8: there after 0.5236 s
-    tell(arm, "159#0000753003E80100")
-    payloads = heard(arm.step(0.5), 0x2A8)
-    assert payloads[-1].endswith("03E80100")
-    assert payloads[-1] != "0000753003E80100"
-    assert heard(arm.step(0.06), 0x2A8)[-1] == "0000753000000100"

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import random
 from functools import cache
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -12,6 +14,7 @@ from armui.protocol.codec import Codec, Oddity
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
+from tests.sim.talk import frame, heard, tell
 
 HOST_IDS = [
     0x121,
@@ -67,15 +70,15 @@ def codec_of(generation: Generation, addressing: Addressing) -> Codec:
 @settings(max_examples=100, deadline=None)
 @given(st.sampled_from(Generation), talk)
 def test_the_arm_never_raises_and_always_tells_valid_frames(
-    generation: Generation, heard: list[tuple[Frame, float]]
+    generation: Generation, said: list[tuple[Frame, float]]
 ) -> None:
     arm = Firmware(generation)
-    for frame, dt_s in heard:
-        answers = arm.on_frame(frame)
+    for each, dt_s in said:
+        answers = arm.on_frame(each)
         codec = codec_of(generation, arm.addressing)
         # an answer to a change of offsets still has the identifier before it, which is the same
-        for said in (*answers, *arm.step(dt_s)):
-            assert not isinstance(codec.decode(said), Oddity), said
+        for answer in (*answers, *arm.step(dt_s)):
+            assert not isinstance(codec.decode(answer), Oddity), answer
 
 
 @settings(max_examples=100, deadline=None)
@@ -85,9 +88,49 @@ def test_frames_of_no_meaning_leave_the_arm_at_home(
 ) -> None:
     """Without motors enabled nothing a host says moves the arm."""
     arm = Firmware(generation)
-    for frame in frames:
-        if frame.arbitration_id != 0x471:
-            arm.on_frame(frame)
+    for each in frames:
+        if each.arbitration_id != 0x471:
+            arm.on_frame(each)
     arm.step(0.5)
     assert arm.joints_deg == (0.0,) * 6
     assert arm.enabled == (False,) * 6
+
+
+@pytest.mark.parametrize("generation", Generation)
+def test_half_a_million_frames_of_garbage_leave_the_arm_running_and_truthful(
+    generation: Generation,
+) -> None:
+    """Every identifier, every length, a million frames in all; the arm lives on between them.
+
+    Afterwards the bytes it tells are those of the state it holds, and it obeys as before.
+    """
+    arm, chance = Firmware(generation), random.Random(generation)
+    told: list[Frame] = []
+    for _ in range(500_000 // 0x800 + 1):
+        frames = [Frame(i, chance.randbytes(8 if i % 3 else i // 3 % 9)) for i in range(0x800)]
+        for each in frames:
+            arm.on_frame(each)
+        told = arm.step(0.005)
+    codec = codec_of(generation, arm.addressing)
+    assert not [each for each in told if isinstance(codec.decode(each), Oddity)]
+    assert sum(arm.ignored.values()) > 400_000
+    home = Firmware(generation, flash=arm.flash)
+    for each in ("150#0200000000000000", "422#0000000000000000", "470#FC00000000000000"):
+        for offset in (0x00, 0x10, 0x20):
+            identifier, data = frame(each)
+            moved = identifier + offset if identifier == 0x150 else identifier
+            arm.on_frame(Frame(moved, data))
+    assert arm.addressing == Addressing()
+    assert not arm.stopped
+    # what it keeps is what it tells, and what an arm started from its flash tells
+    for question in ("472#0301000000000000", "472#0302000000000000", "477#0200000000000000"):
+        answers = tell(arm, question)
+        assert len(answers) == 1
+        assert tell(home, "422#0000000000000000", question) == answers
+    tell(arm, "477#0002000000000000", "475#0700000000AE0000", "471#0702000000000000")
+    assert arm.enabled == (True,) * 6
+    frames = arm.step(0.1)
+    # J1, J2 as signed 0.001°
+    first, second = (round(1000 * angle) for angle in arm.joints_deg[:2])
+    words = [value.to_bytes(4, "big", signed=True).hex().upper() for value in (first, second)]
+    assert heard(frames, 0x2A5)[-1] == "".join(words)

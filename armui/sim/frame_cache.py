@@ -1,0 +1,41 @@
+"""Frames that are said over and over, encoded when they change."""
+
+from __future__ import annotations
+
+from armui.protocol.codec import Codec, EncodeError
+from armui.protocol.frame import Frame
+
+
+class FrameCache:
+    """Encodes messages, and only when they say something new.
+
+    Most of an arm's 3,000 frames a second repeat the ones before them.
+    """
+
+    def __init__(self, codec: Codec) -> None:
+        self._codec = codec
+        self._last: dict[str, tuple[dict[str, float], Frame]] = {}
+        self._known: dict[str, frozenset[str]] = {}
+
+    def frame(self, name: str, **signals: float) -> Frame:
+        """The frame of a message; signals its generation does not have are left out."""
+        last = self._last.get(name)
+        if last is not None and last[0] == signals:
+            return last[1]
+        known = self._known.get(name)
+        if known is None:
+            known = frozenset(signal for signal in signals if self.knows(name, signal))
+            self._known[name] = known
+        frame = self._codec.encode(
+            name, **{signal: value for signal, value in signals.items() if signal in known}
+        )
+        self._last[name] = signals, frame
+        return frame
+
+    def knows(self, name: str, signal: str) -> bool:
+        """Whether a message has a signal in this generation."""
+        try:
+            self._codec.unit(name, signal)
+        except EncodeError:
+            return False
+        return True

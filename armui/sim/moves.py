@@ -1,0 +1,106 @@
+"""Every way to move the arm by frames: targets, arcs, and 0x150's words about them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final
+
+from armui.arm.kinematics import Kinematics
+from armui.protocol.codes import ArcPointNumber, TrajectoryCommand
+from armui.sim.body import Body
+from armui.sim.condition import Condition
+from armui.sim.joint_moves import JointMoves
+from armui.sim.motion import SixValues
+from armui.sim.settings import Settings
+from armui.sim.tool_moves import ToolMoves
+from armui.sim.travel import Travel
+
+_JOINT_TARGETS: Final = ("JointTarget12", "JointTarget34", "JointTarget56")
+_TOOL_TARGETS: Final = ("CartesianTarget1", "CartesianTarget2", "CartesianTarget3")
+
+
+class Moves:
+    """Collects targets of all kinds and has the newest carried out."""
+
+    def __init__(
+        self, body: Body, condition: Condition, settings: Settings, kinematics: Kinematics
+    ) -> None:
+        self._body = body
+        self._travel = Travel(body, condition, settings)
+        self._joints = JointMoves(self._travel, condition, settings)
+        self._tool = ToolMoves(self._travel, condition, settings, kinematics)
+        self._takers: dict[str, Callable[[dict[str, float]], None]] = {
+            **dict.fromkeys(_JOINT_TARGETS, self._take_joints),
+            **dict.fromkeys(_TOOL_TARGETS, self._take_pose),
+            "ArcPoint": self._take_arc_point,
+        }
+        travel = self._travel
+        self._commands: dict[TrajectoryCommand, Callable[[], None]] = {
+            TrajectoryCommand.PAUSE: travel.pause,
+            TrajectoryCommand.CONTINUE: travel.go_on,
+            TrajectoryCommand.CLEAR_CURRENT: travel.cut_short,
+            TrajectoryCommand.CLEAR_ALL: self._clear_all,
+            TrajectoryCommand.ABORT: travel.cut_short,
+        }
+
+    @property
+    def targets_deg(self) -> SixValues:
+        """Where the last target taken on leads."""
+        return self._travel.targets_deg
+
+    @property
+    def paused(self) -> bool:
+        """Whether the host has paused the motion."""
+        return self._travel.paused
+
+    def take(self, name: str, signals: dict[str, float]) -> bool:
+        """Takes a frame that is part of a target; whether it was one."""
+        taker = self._takers.get(name)
+        if taker is None:
+            return False
+        taker(signals)
+        return True
+
+    def command(self, command: TrajectoryCommand) -> bool:
+        """Obeys 0x150 byte 1; whether it is a command about motions the arm knows.
+
+        A pause holds back new targets too, until the motion is continued or cleared.
+        """
+        obey = self._commands.get(command)
+        if obey is None:
+            return False
+        obey()
+        return True
+
+    def mode_changed(self) -> None:
+        """Starts, ends or changes motions as the mode and speed in the condition now ask."""
+        self._travel.mode_changed()
+        self._joints.mode_changed()
+        self._tool.mode_changed(self._body.positions_deg)
+
+    def cut_short(self) -> None:
+        """Brakes; the target counts as not reached. One that waits goes on waiting."""
+        self._travel.cut_short()
+
+    def forget(self) -> None:
+        """Drops every target, whole or in parts; what moves is left to the caller."""
+        self._travel.forget()
+        self._joints.forget()
+        self._tool.forget()
+
+    def time_passed(self) -> None:
+        """Notices what is reached."""
+        self._travel.time_passed()
+
+    def _clear_all(self) -> None:
+        self.forget()
+        self._travel.cut_short()
+
+    def _take_joints(self, signals: dict[str, float]) -> None:
+        self._joints.take({int(name[1:]): angle_deg for name, angle_deg in signals.items()})
+
+    def _take_pose(self, signals: dict[str, float]) -> None:
+        self._tool.take(signals, self._body.positions_deg)
+
+    def _take_arc_point(self, signals: dict[str, float]) -> None:
+        self._tool.mark(ArcPointNumber(int(signals["Point"])), self._body.positions_deg)

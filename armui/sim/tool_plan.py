@@ -1,0 +1,296 @@
+"""From a path of the tool to a motion of the joints, or to the reason why there is none."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+from scipy.interpolate import CubicSpline
+from scipy.spatial.transform import Rotation
+
+from armui.arm.kinematics import Kinematics, Matrix, wrapped_deg
+from armui.arm.limits import ANGLE_STEP_DEG
+from armui.arm.wrist import STRETCHED_DEG, bend_deg, bent_wrist, stretched_wrist
+from armui.protocol.codes import ArmStatusCode
+from armui.sim.motion import JOINT_COUNT, STANDSTILL, SixValues
+from armui.sim.rail import Rail
+from armui.sim.settings import Settings
+from armui.sim.tool_path import ToolPath
+
+Values = npt.NDArray[np.float64]
+
+_STEP_MM: Final = 1.0
+_STEP_DEG: Final = 0.25
+_FEWEST_STEPS: Final = 16
+
+_LONGEST_MM: Final = 5000.0
+"""No line or arc longer than this stays within reach; it need not be looked at in detail."""
+
+_STEEPEST_DEG: Final = 5.0
+"""A joint that would turn more than this in one step of the path is at a singular pose."""
+_JITTER_DEG: Final = 0.01
+"""But this much is rounding, in however short a path."""
+
+_REPLAY_START_1_S: Final = 4.0
+"""A replay takes at least a quarter of a second to come to its pace."""
+
+_FINER: Final = 4
+"""Limits are checked at this many places a step."""
+_BEND_SHARE: Final = 0.5
+"""Part of an acceleration limit that the path's bends may use up at full speed."""
+
+
+class Trouble(Exception):  # noqa: N818 - says why the arm stays, no error of the program
+    """Why a target or a path cannot be followed.
+
+    Attributes:
+        status: NO_SOLUTION, SINGULARITY or TARGET_BEYOND_LIMIT.
+        beyond: The joints that would leave their range, joint 1 first.
+    """
+
+    def __init__(self, status: ArmStatusCode, beyond: Sequence[bool] = ()) -> None:
+        super().__init__(status.name)
+        self.status = status
+        self.beyond = list(beyond) or [False] * JOINT_COUNT
+
+
+class PathMotion:
+    """Six joints that lead the tool along a path; it can be slowed, halted and sent on.
+
+    Attributes:
+        positions_deg: Where the joints are.
+        speeds_deg_s: How fast they turn.
+        accelerations_deg_s2: How their speeds change.
+        end_deg: Where the path ends.
+    """
+
+    def __init__(self, way: CubicSpline, end: float, top_speed: float, acceleration: float) -> None:
+        """At the start of the path, halted.
+
+        Args:
+            way: Joint angles in degrees over the path, from 0 to `end`.
+            end: The path's length, in any unit.
+            top_speed: The highest speed along it.
+            acceleration: The highest acceleration along it.
+        """
+        self._way = way
+        self._rate = way.derivative()
+        self._bend = way.derivative(2)
+        self._rail = Rail(end, acceleration)
+        self._top_speed = top_speed
+        self.end_deg: SixValues = tuple(way(end).tolist())
+        self.positions_deg: SixValues = tuple(way(0.0).tolist())
+        self.speeds_deg_s: SixValues = STANDSTILL
+        self.accelerations_deg_s2: SixValues = STANDSTILL
+
+    @property
+    def at_end(self) -> bool:
+        """Whether the path is done."""
+        return self._rail.at_end
+
+    @property
+    def moving(self) -> bool:
+        """Whether the joints turn, or are about to."""
+        return self._rail.moving
+
+    def run(self, share: float) -> None:
+        """Goes on with a share of the highest speed; 0 brakes along the path."""
+        self._rail.run(share * self._top_speed)
+
+    def advance(self, dt_s: float) -> None:
+        """Lets time pass."""
+        rail = self._rail
+        rail.advance(dt_s)
+        if rail.at_end:
+            self.positions_deg = self.end_deg
+            self.speeds_deg_s = self.accelerations_deg_s2 = STANDSTILL
+            return
+        rate = self._rate(rail.position)
+        self.positions_deg = tuple(self._way(rail.position).tolist())
+        self.speeds_deg_s = tuple((rate * rail.speed).tolist())
+        bend = self._bend(rail.position) * rail.speed**2
+        self.accelerations_deg_s2 = tuple((bend + rate * rail.acceleration).tolist())
+
+
+def plan(
+    kinematics: Kinematics, path: ToolPath, start_deg: Sequence[float], settings: Settings
+) -> PathMotion:
+    """Plans a motion along a path, as fast as the limits of joints and tool allow throughout.
+
+    Args:
+        kinematics: Of the arm.
+        path: Begins where the joints at `start_deg` hold the flange.
+        start_deg: Where the joints stand.
+        settings: The limits.
+
+    Raises:
+        Trouble: The first place of the path that cannot be passed, and why; or a limit of 0.
+    """
+    if path.length_mm > _LONGEST_MM:
+        raise Trouble(ArmStatusCode.NO_SOLUTION)
+    units = max(path.length_mm / _STEP_MM, path.angle_deg / _STEP_DEG)
+    steps = max(math.ceil(units), _FEWEST_STEPS)
+    targets = path.poses(np.linspace(0.0, 1.0, steps + 1))
+    joints = _follow(kinematics, targets, start_deg)
+    _check(joints, units / steps, settings)
+    places = np.linspace(0.0, units, steps + 1)
+    way = CubicSpline(places, joints)
+    fine = np.linspace(0.0, units, _FINER * steps + 1)
+    top_speed, acceleration = _pace(
+        [
+            *_joint_demands(way, fine, settings),
+            *_tool_demands(path.poses(fine / units), fine, settings),
+        ]
+    )
+    if not (0.0 < top_speed < math.inf and 0.0 < acceleration < math.inf):
+        raise Trouble(ArmStatusCode.NO_SOLUTION)
+    return PathMotion(way, units, top_speed, acceleration)
+
+
+def plan_replay(recording: Sequence[SixValues], sample_s: float, settings: Settings) -> PathMotion:
+    """Plans to pass through recorded joint angles again, at their own pace where the joints can.
+
+    Args:
+        recording: Angles in degrees; it begins where the joints stand.
+        sample_s: The time between two of them.
+        settings: The limits.
+
+    Raises:
+        Trouble: Nothing is recorded, or a limit of 0.
+    """
+    if len(recording) < 2:
+        raise Trouble(ArmStatusCode.NO_SOLUTION)
+    end = sample_s * (len(recording) - 1)
+    way = CubicSpline(np.linspace(0.0, end, len(recording)), np.array(recording))
+    fine = np.linspace(0.0, end, _FINER * (len(recording) - 1) + 1)
+    top_speed, acceleration = _pace(_joint_demands(way, fine, settings))
+    top_speed = min(top_speed, 1.0)
+    if not (top_speed > 0.0 and acceleration > 0.0):
+        raise Trouble(ArmStatusCode.NO_SOLUTION)
+    return PathMotion(way, end, top_speed, min(acceleration, _REPLAY_START_1_S))
+
+
+def _follow(kinematics: Kinematics, targets: Matrix, start_deg: Sequence[float]) -> Values:
+    """Joints along the targets on the branch where the arm stands, NaN from where it ends."""
+    ways = kinematics.arm_branches(targets)
+    gaps = np.abs(ways[0] - np.asarray(start_deg[:3])).max(axis=1)
+    arms = ways[:, int(np.argmin(np.where(np.isnan(gaps), math.inf, gaps)))]
+    joints = np.full((len(targets), JOINT_COUNT), math.nan)
+    missing = np.isnan(arms[:, 0])
+    count = int(np.argmax(missing)) if missing.any() else len(targets)
+    joints[:count, :3] = arms[:count]
+    hands = kinematics.hands(arms[:count], targets[:count])
+    stretched = bend_deg(hands) < STRETCHED_DEG
+    joints[0] = start_deg
+    last: Sequence[float] = tuple(start_deg[3:])
+    for index, wrists in enumerate(bent_wrist(hands).tolist()):
+        if stretched[index]:
+            wrists = [stretched_wrist(hands[index], last[0])]  # noqa: PLW2901 - the same thing
+        near = [
+            [
+                before + wrapped_deg(angle - before)
+                for angle, before in zip(wrist, last, strict=True)
+            ]
+            for wrist in wrists
+        ]
+        last = min(near, key=lambda wrist: math.dist(wrist, last))
+        if index:
+            joints[index, 3:] = last
+    return joints
+
+
+def _check(joints: Values, units_a_step: float, settings: Settings) -> None:
+    """Raises the first trouble along a path."""
+    half_step = ANGLE_STEP_DEG / 2
+    low = np.array([limits.min_deg - half_step for limits in settings.limits])
+    high = np.array([limits.max_deg + half_step for limits in settings.limits])
+    steepest = _STEEPEST_DEG * min(units_a_step, 1.0) + _JITTER_DEG
+    outside = (joints < low) | (joints > high)
+    jumps = np.zeros(len(joints), dtype=bool)
+    jumps[1:] = (np.abs(np.diff(joints, axis=0)) > steepest).any(axis=1)
+    bad = np.isnan(joints[:, 0]) | jumps | outside.any(axis=1)
+    if not bad.any():
+        return
+    first = int(np.argmax(bad))
+    if np.isnan(joints[first, 0]):
+        raise Trouble(ArmStatusCode.NO_SOLUTION)
+    if jumps[first]:
+        raise Trouble(ArmStatusCode.SINGULARITY)
+    raise Trouble(ArmStatusCode.TARGET_BEYOND_LIMIT, outside[first].tolist())
+
+
+@dataclass(frozen=True, slots=True)
+class _Demand:
+    """What one limited quantity wants along the path.
+
+    Attributes:
+        rate: Its speed at a speed of 1 along the path, (n,).
+        bend: Its acceleration at that steady speed, (n,).
+        speed: Its highest speed.
+        acceleration: Its highest acceleration.
+    """
+
+    rate: Values
+    bend: Values
+    speed: float
+    acceleration: float
+
+
+def _joint_demands(way: CubicSpline, places: Values, settings: Settings) -> list[_Demand]:
+    rates, bends = np.abs(way(places, 1)), np.abs(way(places, 2))
+    return [
+        _Demand(
+            rates[:, index],
+            bends[:, index],
+            settings.limits[index].max_speed_deg_s,
+            settings.accelerations_deg_s2[index],
+        )
+        for index in range(JOINT_COUNT)
+    ]
+
+
+def _tool_demands(poses: Matrix, places: Values, settings: Settings) -> list[_Demand]:
+    """The tool's own limits: m/s, rad/s and their accelerations."""
+    spacing = float(places[1] - places[0])
+    velocity = np.gradient(poses[:, :3, 3], spacing, axis=0) / 1e3
+    turns = Rotation.from_matrix(poses[:, :3, :3])
+    spin = (turns[1:] * turns[:-1].inv()).as_rotvec() / spacing
+    linear, angular, linear_acceleration, angular_acceleration = settings.end_limits
+    return [
+        _Demand(
+            np.linalg.norm(velocity, axis=1),
+            np.linalg.norm(np.gradient(velocity, spacing, axis=0), axis=1),
+            linear,
+            linear_acceleration,
+        ),
+        _Demand(
+            np.linalg.norm(spin, axis=1),
+            np.linalg.norm(np.gradient(spin, spacing, axis=0), axis=1),
+            angular,
+            angular_acceleration,
+        ),
+    ]
+
+
+def _pace(demands: list[_Demand]) -> tuple[float, float]:
+    """The highest speed and acceleration along the path that keep every limit everywhere."""
+    top_speed = math.inf
+    for demand in demands:
+        steepest, sharpest = float(demand.rate.max()), float(demand.bend.max())
+        if steepest > 0.0:
+            top_speed = min(top_speed, demand.speed / steepest)
+        if sharpest > 0.0:
+            top_speed = min(top_speed, math.sqrt(_BEND_SHARE * demand.acceleration / sharpest))
+    acceleration = math.inf
+    for demand in demands:
+        left = demand.acceleration - demand.bend * top_speed**2
+        turning = demand.rate > 0.0
+        if turning.any():
+            acceleration = min(
+                acceleration, float((left / np.where(turning, demand.rate, 1.0))[turning].min())
+            )
+    return top_speed, acceleration

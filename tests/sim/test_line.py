@@ -1,0 +1,122 @@
+"""Frames that get lost, late, or were never sent; on the line alone and on a bus."""
+
+from __future__ import annotations
+
+import can
+import pytest
+
+from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
+from armui.sim.faults import read_fault
+from armui.sim.firmware import Firmware
+from armui.sim.line import Line
+from armui.sim.node import Node
+from tests.sim.talk import ENABLE, frame
+
+FRAMES = [Frame(0x151, bytes((number,) * 8)) for number in range(100)]
+
+
+def test_a_good_line_changes_nothing() -> None:
+    line = Line()
+    assert line.to_arm(FRAMES, 0.0) == FRAMES
+    assert line.to_bus(FRAMES, 0.0, 0.005) == (FRAMES, 0)
+
+
+def test_lost_frames_are_missing_and_the_rest_is_in_order() -> None:
+    line = Line(seed=1)
+    line.loss = 0.3
+    kept, lost = line.to_bus(FRAMES * 100, 0.0, 0.005)
+    assert len(kept) + lost == 10_000
+    assert lost == pytest.approx(3_000, rel=0.1)
+    again = Line(seed=1)
+    again.loss = 0.3
+    assert again.to_bus(FRAMES * 100, 0.0, 0.005) == (kept, lost)
+    one_way = line.to_arm(FRAMES, 0.0)
+    assert len(one_way) < 100
+    assert one_way == [each for each in FRAMES if each in one_way]
+
+
+def test_late_frames_arrive_in_order_and_complete() -> None:
+    line = Line()
+    line.latency_s = 0.02
+    arrived = [line.to_arm(FRAMES[tick : tick + 1], tick * 0.005) for tick in range(10)]
+    assert arrived == [[]] * 4 + [[each] for each in FRAMES[:6]]
+    line.latency_s = 0.0
+    # what is under way is not overtaken
+    assert line.to_arm([FRAMES[10]], 0.05) == [FRAMES[6]]
+    assert line.to_arm([], 1.0) == [*FRAMES[7:11]]
+
+
+def test_off_means_nothing_either_way() -> None:
+    line = Line()
+    line.latency_s = 0.1
+    line.to_arm(FRAMES, 0.0)
+    line.to_bus(FRAMES, 0.0, 0.005)
+    line.off = True
+    assert line.to_arm(FRAMES, 0.2) == []
+    assert line.to_bus(FRAMES, 0.2, 0.005) == ([], 200)
+    line.off, line.latency_s = False, 0.0
+    assert line.to_arm([], 0.3) == []
+    assert line.to_bus([], 0.3, 0.005) == ([], 0)
+
+
+def test_garbage_comes_at_its_rate_and_is_always_a_frame() -> None:
+    line = Line()
+    line.garbage_per_s = 1500.0
+    frames = [each for _ in range(200) for each in line.to_bus([], 0.0, 0.005)[0]]
+    assert len(frames) == 1500
+    assert {len(each.data) for each in frames} == set(range(9))
+    assert all(0 <= each.arbitration_id <= 0x7FF for each in frames)
+
+
+def node_with(fault: str, channel: str) -> tuple[can.BusABC, can.BusABC, Node]:
+    host = can.Bus(interface="virtual", channel=channel)
+    bus = can.Bus(interface="virtual", channel=channel)
+    return host, bus, Node(Firmware(Generation.TWO), bus, faults=[read_fault(fault)], seed=7)
+
+
+def count(host: can.BusABC) -> int:
+    frames = 0
+    while host.recv(timeout=0.0) is not None:
+        frames += 1
+    return frames
+
+
+@pytest.mark.parametrize(
+    ("fault", "least", "most"),
+    [
+        ("bus-off@1-2", 0, 0),
+        ("lost-frames:0.5@1-2", 1300, 1700),
+        ("latency:0.5@1-2", 1480, 1560),
+        ("garbage:1000@1-2", 4040, 4040),
+        ("feedback-stopped@1-2", 0, 0),
+    ],
+)
+def test_faults_of_the_line_on_a_bus(fault: str, least: int, most: int) -> None:
+    host, bus, node = node_with(fault, f"test_faults_of_the_line {fault}")
+    with host, bus:
+        counts = []
+        for _ in range(3):
+            for _ in range(200):
+                node.poll(0.005)
+            counts.append(count(host))
+        assert counts[0] == 3040
+        assert least <= counts[1] <= most
+        # what was late comes, the rest is as before
+        assert 3000 <= counts[2] <= 3040 + 1520
+        assert node.sent == sum(counts)
+
+
+def test_an_arm_that_is_bus_off_hears_nothing() -> None:
+    host, bus, node = node_with("bus-off@0-0.1", "test_an_arm_that_is_bus_off")
+    identifier, data = frame(ENABLE)
+    message = can.Message(arbitration_id=identifier, data=data, is_extended_id=False)
+    with host, bus:
+        host.send(message)
+        node.poll(0.2)
+        assert node.firmware.enabled == (False,) * 6
+        assert not node.heard
+        assert node.lost > 0
+        host.send(message)
+        node.poll(0.005)
+        assert node.firmware.enabled == (True,) * 6
