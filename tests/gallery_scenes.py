@@ -18,6 +18,7 @@ from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.dialogs.help import HelpDialog
+from armui.ui.dialogs.joint_status import JointStatusDialog
 from armui.ui.dialogs.settings import SettingsDialog
 from tests.desk import Desk
 
@@ -51,7 +52,22 @@ def _online(desk: Desk) -> None:
     desk.connect()
 
 
+def _lights(desk: Desk) -> None:
+    desk.click("menu_light")
+    desk.click("light_joint_3")
+    for channel, value in (("red", 255), ("green", 140), ("blue", 26)):
+        desk.type_into(f"{channel}_field", str(value))
+    desk.click("light_confirm_button")
+    desk.step()
+
+
+def _lights_refused(desk: Desk) -> None:
+    desk.click("all_lamps")
+    desk.type_into("lamp_field", "300")
+
+
 def _moving(desk: Desk) -> None:
+    desk.click("menu_motion")
     desk.enable_by_hand()
     desk.controller.set_speed_percent(20)
     for joint, angle_deg in enumerate(REACH_OUT_DEG, start=1):
@@ -91,6 +107,8 @@ def _lost(desk: Desk) -> None:
 WINDOW_SCENES = (
     Scene("no-device", _no_device),
     Scene("online", _online),
+    Scene("lights", _lights),
+    Scene("lights-refused", _lights_refused),
     Scene("moving", _moving),
     Scene("refused", _refused),
     Scene("offline", _offline),

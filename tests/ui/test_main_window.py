@@ -43,6 +43,16 @@ NAMED = [
     "status_reached",
     "notice_label",
     "menu_motion",
+    "menu_light",
+    "lamp_field",
+    "all_lamps",
+    "hue_field",
+    "brightness_slider",
+    "effect_strip",
+    "light_confirm_button",
+    "light_message",
+    *(f"light_joint_{joint}" for joint in range(1, 7)),
+    *(f"{color}_{kind}" for color in ("red", "green", "blue") for kind in ("field", "slider")),
     "help_button",
     "reset_view_button",
     "settings_button",
@@ -220,11 +230,13 @@ def test_language_changes_while_running(qapp, window):
     assert send.text() == "Send"
 
 
+@pytest.mark.parametrize("panel", ["motion", "light"])
 @pytest.mark.parametrize("language", ["zh", "en"])
-def test_nothing_is_cut_off_at_1280_by_800(qapp, window, controller, language):
+def test_nothing_is_cut_off_at_1280_by_800(qapp, window, controller, qtbot, language, panel):
     translator = Translator(qapp)
     translator.set_language(language)
     controller.be_ready()
+    qtbot.mouseClick(window.findChild(QAbstractButton, f"menu_{panel}"), LEFT)
     qapp.processEvents()
     try:
         cut = [
@@ -236,7 +248,7 @@ def test_nothing_is_cut_off_at_1280_by_800(qapp, window, controller, language):
         ]
         assert cut == []
         assert window.size().toTuple() == (1280, 800)
-        message = window.findChild(QWidget, "motion_message")
+        message = window.findChild(QWidget, f"{panel}_message")
         bottom = message.mapTo(window, message.rect().bottomLeft()).y()
         assert bottom < window.findChild(QWidget, "status_bar").geometry().top() + 1
     finally:
