@@ -524,51 +524,51 @@
     <name>JointItem</name>
     <message>
         <source>Status code:</source>
-        <translation type="unfinished"></translation>
+        <translation>状态码:</translation>
     </message>
     <message>
         <source>Supply voltage:</source>
-        <translation type="unfinished"></translation>
+        <translation>电源电压:</translation>
     </message>
     <message>
         <source>Motor temperature:</source>
-        <translation type="unfinished"></translation>
+        <translation>电机温度:</translation>
     </message>
     <message>
         <source>Driver current:</source>
-        <translation type="unfinished"></translation>
+        <translation>驱动器电流:</translation>
     </message>
     <message>
         <source>Driver temperature:</source>
-        <translation type="unfinished"></translation>
+        <translation>驱动器温度:</translation>
     </message>
     <message>
         <source>Sensor:</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器状态:</translation>
     </message>
     <message>
         <source>Collision protection:</source>
-        <translation type="unfinished"></translation>
+        <translation>碰撞保护:</translation>
     </message>
     <message>
         <source>Driver error:</source>
-        <translation type="unfinished"></translation>
+        <translation>驱动器错误状态:</translation>
     </message>
     <message>
         <source>Driver enabled:</source>
-        <translation type="unfinished"></translation>
+        <translation>驱动器使能状态:</translation>
     </message>
     <message>
         <source>Homing:</source>
-        <translation type="unfinished"></translation>
+        <translation>回零状态:</translation>
     </message>
     <message>
         <source>Stall protection:</source>
-        <translation type="unfinished"></translation>
+        <translation>堵转保护:</translation>
     </message>
     <message>
         <source>Joint communication:</source>
-        <translation type="unfinished"></translation>
+        <translation>关节通讯:</translation>
     </message>
 </context>
 <context>
@@ -622,119 +622,119 @@
     <name>JointStatusButton</name>
     <message>
         <source>Joint status</source>
-        <translation type="unfinished"></translation>
+        <translation>关节状态</translation>
     </message>
     <message>
         <source>The worst of the six joints. Press to see all of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>六个关节中最差的状态。点击查看全部关节。</translation>
     </message>
 </context>
 <context>
     <name>JointStatusDialog</name>
     <message>
         <source>Joint status</source>
-        <translation type="unfinished"></translation>
+        <translation>关节状态</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">关闭</translation>
+        <translation>关闭</translation>
     </message>
     <message>
         <source>Joint</source>
-        <translation type="unfinished"></translation>
+        <translation>关节序号</translation>
     </message>
     <message>
         <source>Clear error</source>
-        <translation type="unfinished"></translation>
+        <translation>清除错误</translation>
     </message>
     <message>
         <source>Ask the driver of joint {joint} to clear its error</source>
-        <translation type="unfinished"></translation>
+        <translation>让关节 {joint} 的驱动器清除错误</translation>
     </message>
     <message>
         <source>A time beside a fault says since when. Choose a cell to read it in full.</source>
-        <translation type="unfinished"></translation>
+        <translation>故障旁的时间表示故障从何时开始。选中单元格可查看详情。</translation>
     </message>
 </context>
 <context>
     <name>JointStatusModel</name>
     <message>
         <source>since {time}</source>
-        <translation type="unfinished"></translation>
+        <translation>自 {time} 起</translation>
     </message>
     <message>
         <source>not heard of late</source>
-        <translation type="unfinished"></translation>
+        <translation>最近没有收到</translation>
     </message>
 </context>
 <context>
     <name>JointVerdict</name>
     <message>
         <source>Normal</source>
-        <translation type="unfinished">正常</translation>
+        <translation>正常</translation>
     </message>
     <message>
         <source>Disabled</source>
-        <translation type="unfinished">失能</translation>
+        <translation>失能</translation>
     </message>
     <message>
         <source>Unknown</source>
-        <translation type="unfinished">未知</translation>
+        <translation>未知</translation>
     </message>
     <message>
         <source>Fault</source>
-        <translation type="unfinished"></translation>
+        <translation>有故障</translation>
     </message>
     <message>
         <source>Offline</source>
-        <translation type="unfinished">离线</translation>
+        <translation>离线</translation>
     </message>
 </context>
 <context>
     <name>JointWord</name>
     <message>
         <source>Normal</source>
-        <translation type="unfinished">正常</translation>
+        <translation>正常</translation>
     </message>
     <message>
         <source>Too low</source>
-        <translation type="unfinished"></translation>
+        <translation>过低</translation>
     </message>
     <message>
         <source>Too hot</source>
-        <translation type="unfinished"></translation>
+        <translation>过温</translation>
     </message>
     <message>
         <source>Overcurrent</source>
-        <translation type="unfinished"></translation>
+        <translation>过流</translation>
     </message>
     <message>
         <source>Abnormal</source>
-        <translation type="unfinished"></translation>
+        <translation>异常</translation>
     </message>
     <message>
         <source>Error</source>
-        <translation type="unfinished"></translation>
+        <translation>错误</translation>
     </message>
     <message>
         <source>Triggered</source>
-        <translation type="unfinished"></translation>
+        <translation>触发保护</translation>
     </message>
     <message>
         <source>Enabled</source>
-        <translation type="unfinished">使能</translation>
+        <translation>使能</translation>
     </message>
     <message>
         <source>Disabled</source>
-        <translation type="unfinished">失能</translation>
+        <translation>失能</translation>
     </message>
     <message>
         <source>Not homed</source>
-        <translation type="unfinished"></translation>
+        <translation>没有回零</translation>
     </message>
     <message>
         <source>Homed</source>
-        <translation type="unfinished"></translation>
+        <translation>已经回零</translation>
     </message>
 </context>
 <context>
@@ -1029,11 +1029,11 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
     <message>
         <source>Joint {joint}: the arm has confirmed the command to clear the error. Where a fault is still shown, remove its cause, then clear it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 {joint}：机械臂已应答清除错误指令。若仍显示故障，请先排除原因，再次清除。</translation>
     </message>
     <message>
         <source>Joint {joint}: the arm did not confirm within a second the command to clear the error. Try again; if it stays silent, check the CAN cable.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 {joint}：机械臂在 1 秒内没有应答清除错误指令。请重试；若仍无应答，请检查 CAN 线缆。</translation>
     </message>
     <message>
         <source>Device open: {device}</source>

@@ -5,6 +5,7 @@ The words are looked up at every call, so a caller that asks again after the lan
 """
 
 from armui.ui.words.devices import device_name
+from armui.ui.words.joints import joint_item, joint_verdict, joint_word
 from armui.ui.words.notices import notice
 from armui.ui.words.refusals import light_figure, refusal
 from armui.ui.words.status import (
@@ -21,6 +22,9 @@ __all__ = [
     "control_mode",
     "control_mode_short",
     "device_name",
+    "joint_item",
+    "joint_verdict",
+    "joint_word",
     "light_figure",
     "move_mode",
     "notice",

@@ -64,13 +64,13 @@ _NOTICES: Final[Mapping[str, object]] = {
     "clear_error_sent": QT_TRANSLATE_NOOP("Notice", "Clear error sent to joint {joint}"),
     "clear_error_answered": QT_TRANSLATE_NOOP(
         "Notice",
-        "Joint {joint}: the arm has answered “Clear error”. Where a fault is still shown, remove "
-        "its cause, then clear it again.",
+        "Joint {joint}: the arm has confirmed the command to clear the error. Where a fault is "
+        "still shown, remove its cause, then clear it again.",
     ),
     "clear_error_unanswered": QT_TRANSLATE_NOOP(
         "Notice",
-        "Joint {joint}: the arm did not answer “Clear error” within a second. Try again; if it "
-        "stays silent, check the CAN cable.",
+        "Joint {joint}: the arm did not confirm within a second the command to clear the error. "
+        "Try again; if it stays silent, check the CAN cable.",
     ),
     "connected": QT_TRANSLATE_NOOP("Notice", "Device open: {device}"),
     "connect_failed": QT_TRANSLATE_NOOP("Notice", "Not connected. {reason}"),
