@@ -105,8 +105,9 @@ def test_a_typed_colour_is_on_the_strip_the_sliders_and_the_picker(panel, qtbot)
     assert strip(panel).text() == "#FF8000"
     assert pixel(strip(panel), QPoint(20, 10)) == "#ff8000"
     picker = panel.findChild(HueField)
-    assert picker.point().x() / picker.width() == pytest.approx(30 / 360, abs=0.02)
-    assert picker.point().y() < picker.height() * 0.1
+    assert picker.color(1.0).name() == "#ff8000"
+    assert 10 < picker.point().x() < picker.width() / 6
+    assert picker.point().y() < picker.height() / 10
 
 
 @pytest.mark.parametrize("name", CHANNELS)
@@ -147,6 +148,15 @@ def test_the_mark_is_dragged_beyond_the_edge_and_stays_in(panel, qtbot):
     qtbot.mouseMove(picker, QPoint(-50, -50))
     assert texts(panel) == ["255", "0", "0"]
     qtbot.mouseRelease(picker, LEFT, pos=QPoint(-50, -50))
+
+
+def test_the_mark_is_whole_in_every_corner(panel, qtbot):
+    picker = panel.findChild(HueField)
+    for corner in ("topLeft", "topRight", "bottomLeft", "bottomRight"):
+        qtbot.mouseClick(picker, LEFT, pos=getattr(picker.rect(), corner)())
+        mark = picker.point()
+        assert 8.5 <= mark.x() <= picker.width() - 8.5
+        assert 8.5 <= mark.y() <= picker.height() - 8.5
 
 
 def test_arrow_keys_move_the_mark(panel, qtbot):

@@ -54,12 +54,12 @@ class ColorStrip(QWidget):
             painter.fillRect(self.rect().adjusted(4, 4, -4, -4), hatching)
             ink = colors.text
         else:
-            ink = "#000000" if luminance(self._color) > _BRIGHT else "#ffffff"
+            ink = "#000000" if _luminance(self._color) > _BRIGHT else "#ffffff"
         painter.setPen(QColor(ink))
         painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, self.text())
         painter.end()
 
 
-def luminance(color: QColor) -> float:
+def _luminance(color: QColor) -> float:
     """How bright a colour looks, 0–1 (the weights of Rec. 709, without its gamma)."""
     return 0.2126 * color.redF() + 0.7152 * color.greenF() + 0.0722 * color.blueF()

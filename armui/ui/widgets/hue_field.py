@@ -20,7 +20,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from armui.ui.theme import colors_of
 from armui.ui.widgets import painting
 
-_EDGE_PX: Final = 4.0
+_EDGE_PX: Final = 9.0
 _MARK_PX: Final = 6.5
 _SIXTHS: Final = 6
 _KEY_STEP: Final = 0.02
