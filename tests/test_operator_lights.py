@@ -1,5 +1,8 @@
 """An operator at 灯光控制 of the main window: bytes at the arm, words on screen."""
 
+import errno
+
+import can
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
@@ -90,3 +93,20 @@ def test_a_link_picked_in_3d_chooses_the_joint(lit):
     lit.click("light_confirm_button")
     lit.step()
     assert lit.heard() == [light("01 04 FF FF FF FF 00 00")]
+
+
+def test_a_device_unplugged_half_way_gets_no_light_and_comes_back(lit):
+    lit.click("light_confirm_button")
+    lit.step()
+    lit.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
+    lit.wait(lambda: "link_lost" in lit.codes())
+    assert not lit.find("light_confirm_button").isEnabled()
+    assert "device is gone" in lit.read("light_message")
+    lit.plug_in()
+    lit.wait(lambda: "reconnected" in lit.codes())
+    lit.run_until(lambda: lit.find("light_confirm_button").isEnabled())
+    assert lit.read("light_message") == ""
+    lit.heard()
+    lit.click("light_confirm_button")
+    lit.step()
+    assert lit.heard() == [light("01 01 FF FF FF FF 00 01")]

@@ -71,6 +71,7 @@ class SideMenu(QWidget):
         layout.addWidget(at_bottom)
         self._group.button(0).setChecked(True)
         self._group.idClicked.connect(self.chosen)
+        self._group.idClicked.connect(self._draw_icons)
         self.retranslate_ui()
         self._draw_icons()
 

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import (
     QPushButton,
     QSlider,
     QSpinBox,
+    QToolButton,
     QWidget,
 )
 
@@ -20,7 +21,7 @@ from armui.settings import SettingsStore
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.main_window import MainWindow
-from armui.ui.theme import Theme, apply_theme
+from armui.ui.theme import LIGHT, Theme, apply_theme
 from armui.ui.translation import Translator
 from armui.viewport import palette
 from tests.ui.conftest import FakeView, arm_state, situation
@@ -136,6 +137,22 @@ def test_a_link_picked_in_3d_leads_to_its_joint(window, view, qtbot):
     qtbot.waitUntil(window.isActiveWindow)
     view.joint_picked.emit(4)
     assert window.focusWidget().objectName() == "target_field_4"
+
+
+def test_the_icon_of_the_chosen_panel_has_the_accent_colour(window, qtbot):
+    def accented(key):
+        picture = window.findChild(QToolButton, f"menu_{key}").icon().pixmap(20, 20).toImage()
+        seen = {
+            picture.pixelColor(x, y).name()
+            for x in range(picture.width())
+            for y in range(picture.height())
+            if picture.pixelColor(x, y).alpha() == 255
+        }
+        return LIGHT.accent in seen
+
+    assert (accented("motion"), accented("light")) == (True, False)
+    qtbot.mouseClick(window.findChild(QToolButton, "menu_light"), LEFT)
+    assert (accented("motion"), accented("light")) == (False, True)
 
 
 def test_a_robot_that_cannot_be_loaded_is_said(window, view):
