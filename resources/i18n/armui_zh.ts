@@ -1025,7 +1025,7 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
     <message>
         <source>Clear error sent to joint {joint}</source>
-        <translation type="unfinished"></translation>
+        <translation>已向关节 {joint} 发送清除错误</translation>
     </message>
     <message>
         <source>Joint {joint}: the arm has confirmed the command to clear the error. Where a fault is still shown, remove its cause, then clear it again.</source>
@@ -1564,7 +1564,7 @@ Afterwards the motors must be enabled again.</source>
     </message>
     <message>
         <source>clearing a joint&apos;s error</source>
-        <translation type="unfinished"></translation>
+        <translation>清除关节错误</translation>
     </message>
 </context>
 <context>
