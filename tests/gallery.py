@@ -159,8 +159,6 @@ def main() -> int:
             gallery.run()
         finally:
             desk.close()
-            # the motion library complains of an arm that is still there when Python ends
-            del desk.firmware, desk.node
     print(f"{gallery.count} pictures in {folder}")
     return 0
 
