@@ -44,6 +44,7 @@ NAMED = [
     "status_reached",
     "notice_label",
     "menu_motion",
+    "joint_status_button",
     "menu_light",
     "lamp_field",
     "all_lamps",

@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.control.joint_monitor import JointMonitor
 
-_HEIGHT_PX: Final = 696
 _HEADER_PAD_PX: Final = 20
 _FRAME_PX: Final = 1
 _OURS: Final = frozenset({"clear_error_sent", "clear_error_answered", "clear_error_unanswered"})
@@ -67,7 +66,8 @@ class JointStatusDialog(ArmDialog):
         self._table.selectionModel().currentChanged.connect(self._show_detail)
         self._model.dataChanged.connect(self._show_detail)
         self.retranslate_ui()
-        self.resize(self.sizeHint().width(), _HEIGHT_PX)
+        self.ensurePolished()
+        self.resize(self.sizeHint())
 
     # Layout -----------------------------------------------------------------------------------
 
@@ -79,6 +79,7 @@ class JointStatusDialog(ArmDialog):
         self._table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
         self._table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self._table.setTabKeyNavigation(False)
+        self._table.setSizeAdjustPolicy(QTableView.SizeAdjustPolicy.AdjustToContents)
         self._table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         across, down = self._table.horizontalHeader(), self._table.verticalHeader()
         across.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
