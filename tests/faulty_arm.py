@@ -22,7 +22,12 @@ class FaultyDrivers:
         self.silent: set[int] = set()
         # the firmware holds this; a reference back would keep both beyond the test
         self._step = weakref.WeakMethod(firmware.step)
+        self._firmware = weakref.ref(firmware)
         firmware.step = self.step
+
+    def mend(self) -> None:
+        """From now on the drivers say what is so."""
+        del self._firmware().step
 
     def step(self, dt_s: float) -> list[Frame]:
         """The firmware's frames with the faults in them."""

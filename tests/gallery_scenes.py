@@ -21,6 +21,7 @@ from armui.ui.dialogs.help import HelpDialog
 from armui.ui.dialogs.joint_status import JointStatusDialog
 from armui.ui.dialogs.settings import SettingsDialog
 from tests.desk import Desk
+from tests.faulty_arm import FaultyDrivers
 
 REACH_OUT_DEG = (35.0, 95.0, -70.0, 20.0, 45.0, -30.0)
 
@@ -164,6 +165,22 @@ def _help(desk: Desk) -> QDialog:
     return desk.dialog(HelpDialog)
 
 
+def _joint_status(desk: Desk) -> QDialog:
+    desk.window.open_joint_status_dialog()
+    return desk.dialog(JointStatusDialog)
+
+
+def _joint_status_faults(desk: Desk) -> QDialog:
+    drivers = FaultyDrivers(desk.firmware)
+    drivers.bits = {2: 0x04, 4: 0x11, 5: 0x80}
+    desk.firmware.set_communication_fault(6, present=True)
+    desk.run(0.2)
+    # gone with the next step of the arm's time, which stands still until then
+    desk.firmware.set_communication_fault(6, present=False)
+    drivers.mend()
+    return _joint_status(desk)
+
+
 def _file(desk: Desk) -> QDialog:
     dialog = _settings(desk)
     QTest.mouseClick(dialog.browse_button, Qt.MouseButton.LeftButton)
@@ -209,6 +226,10 @@ DIALOG_SCENES = (
     DialogScene("settings", "no-device", _settings),
     DialogScene("settings-refused", "no-device", _settings_refused),
     DialogScene("help", "no-device", _help),
+    DialogScene("joint-status-unknown", "no-device", _joint_status),
+    DialogScene("joint-status", "online", _joint_status),
+    DialogScene("joint-status-faults", "refused", _joint_status_faults),
+    DialogScene("joint-status-stale", "offline", _joint_status),
     DialogScene("file", "no-device", _file),
     DialogScene("confirm-disable", "refused", _confirm_disable),
     DialogScene("confirm-close", "moving", _confirm_close),

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QHeaderView,
     QLabel,
     QPushButton,
+    QSizePolicy,
     QTableView,
     QVBoxLayout,
     QWidget,
@@ -59,6 +60,7 @@ class JointStatusDialog(ArmDialog):
         self._message = MessageLine()
         self._message.setObjectName("joint_status_message")
         self.body.addWidget(self._message)
+        self.body.addStretch(1)
         self._build_footer()
         monitor.updated.connect(self._on_updated)
         controller.situation_changed.connect(self._on_situation_changed)
@@ -79,7 +81,9 @@ class JointStatusDialog(ArmDialog):
         self._table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
         self._table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self._table.setTabKeyNavigation(False)
+        # as high as its rows, lower on a small screen
         self._table.setSizeAdjustPolicy(QTableView.SizeAdjustPolicy.AdjustToContents)
+        self._table.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Maximum)
         self._table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         across, down = self._table.horizontalHeader(), self._table.verticalHeader()
         across.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
@@ -117,9 +121,9 @@ class JointStatusDialog(ArmDialog):
             row.addLayout(cell, 1)
         table_and_buttons = QVBoxLayout()
         table_and_buttons.setSpacing(6)
-        table_and_buttons.addWidget(self._table, 1)
+        table_and_buttons.addWidget(self._table)
         table_and_buttons.addLayout(row)
-        self.body.addLayout(table_and_buttons, 1)
+        self.body.addLayout(table_and_buttons)
 
     def _build_footer(self) -> None:
         self._detail = QLabel()

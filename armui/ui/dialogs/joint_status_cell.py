@@ -8,6 +8,7 @@ from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QPointF, QRectF, 
 from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPen
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
+from armui.ui import format as fmt
 from armui.ui.dialogs.joint_status_model import CELL_ROLE, CellView
 from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import state_mark
@@ -63,7 +64,8 @@ class JointCellDelegate(QStyledItemDelegate):
             center = QPointF(box.left() + _LEFT_PX + _MARK_PX, top + word_px / 2)
             state_mark.draw(painter, colors, center, _MARK_PX, view.mark, muted=view.stale)
         painter.setFont(word_font)
-        painter.setPen(QColor(colors.muted if view.stale else colors.text))
+        dim = view.stale or view.text == fmt.NOTHING
+        painter.setPen(QColor(colors.muted if dim else colors.text))
         painter.drawText(QRectF(left, top, width, word_px), Qt.AlignmentFlag.AlignLeft, view.text)
         if view.small:
             small_color = colors.text if is_fault and not view.stale else colors.muted
