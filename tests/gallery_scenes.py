@@ -95,6 +95,7 @@ def _stopped(desk: Desk) -> None:
 
 
 def _offline(desk: Desk) -> None:
+    desk.run(0.2)  # what a dialog's scene did to the arm is over before it falls silent
     desk.powered = False
     desk.run_until(lambda: "offline" in desk.codes())
     desk.powered = True
