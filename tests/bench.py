@@ -162,4 +162,6 @@ _COMMANDS = {
     "JointTarget34",
     "JointTarget56",
     "MotorEnable",
+    "JointSetting",
+    "LightControl",
 }

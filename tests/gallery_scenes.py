@@ -18,8 +18,10 @@ from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.dialogs.help import HelpDialog
+from armui.ui.dialogs.joint_status import JointStatusDialog
 from armui.ui.dialogs.settings import SettingsDialog
 from tests.desk import Desk
+from tests.faulty_arm import FaultyDrivers
 
 REACH_OUT_DEG = (35.0, 95.0, -70.0, 20.0, 45.0, -30.0)
 
@@ -51,7 +53,22 @@ def _online(desk: Desk) -> None:
     desk.connect()
 
 
+def _lights(desk: Desk) -> None:
+    desk.click("menu_light")
+    desk.click("light_joint_3")
+    for channel, value in (("red", 255), ("green", 140), ("blue", 26)):
+        desk.type_into(f"{channel}_field", str(value))
+    desk.click("light_confirm_button")
+    desk.step()
+
+
+def _lights_refused(desk: Desk) -> None:
+    desk.click("all_lamps")
+    desk.type_into("lamp_field", "300")
+
+
 def _moving(desk: Desk) -> None:
+    desk.click("menu_motion")
     desk.enable_by_hand()
     desk.controller.set_speed_percent(20)
     for joint, angle_deg in enumerate(REACH_OUT_DEG, start=1):
@@ -78,6 +95,7 @@ def _stopped(desk: Desk) -> None:
 
 
 def _offline(desk: Desk) -> None:
+    desk.run(0.2)  # what a dialog's scene did to the arm is over before it falls silent
     desk.powered = False
     desk.run_until(lambda: "offline" in desk.codes())
     desk.powered = True
@@ -91,6 +109,8 @@ def _lost(desk: Desk) -> None:
 WINDOW_SCENES = (
     Scene("no-device", _no_device),
     Scene("online", _online),
+    Scene("lights", _lights),
+    Scene("lights-refused", _lights_refused),
     Scene("moving", _moving),
     Scene("refused", _refused),
     Scene("offline", _offline),
@@ -146,6 +166,22 @@ def _help(desk: Desk) -> QDialog:
     return desk.dialog(HelpDialog)
 
 
+def _joint_status(desk: Desk) -> QDialog:
+    desk.window.open_joint_status_dialog()
+    return desk.dialog(JointStatusDialog)
+
+
+def _joint_status_faults(desk: Desk) -> QDialog:
+    drivers = FaultyDrivers(desk.firmware)
+    drivers.bits = {2: 0x04, 4: 0x11, 5: 0x80}
+    desk.firmware.set_communication_fault(6, present=True)
+    desk.run(0.2)
+    # gone with the next step of the arm's time, which stands still until then
+    desk.firmware.set_communication_fault(6, present=False)
+    drivers.mend()
+    return _joint_status(desk)
+
+
 def _file(desk: Desk) -> QDialog:
     dialog = _settings(desk)
     QTest.mouseClick(dialog.browse_button, Qt.MouseButton.LeftButton)
@@ -191,6 +227,10 @@ DIALOG_SCENES = (
     DialogScene("settings", "no-device", _settings),
     DialogScene("settings-refused", "no-device", _settings_refused),
     DialogScene("help", "no-device", _help),
+    DialogScene("joint-status-unknown", "no-device", _joint_status),
+    DialogScene("joint-status", "online", _joint_status),
+    DialogScene("joint-status-faults", "refused", _joint_status_faults),
+    DialogScene("joint-status-stale", "offline", _joint_status),
     DialogScene("file", "no-device", _file),
     DialogScene("confirm-disable", "refused", _confirm_disable),
     DialogScene("confirm-close", "moving", _confirm_close),

@@ -100,6 +100,21 @@ class DriverSlow:
     collision_protection: bool | None
     stall_protection: bool | None
 
+    @property
+    def status_code(self) -> int:
+        """Byte 5 as it was on the bus: the flags are its eight bits in both generations."""
+        flags = (
+            self.undervoltage,
+            self.motor_overtemperature,
+            self.overcurrent,
+            self.driver_overtemperature,
+            self.sensor_fault or self.collision_protection,
+            self.driver_fault,
+            self.enabled,
+            self.homed or self.stall_protection,
+        )
+        return sum(1 << bit for bit, flag in enumerate(flags) if flag)
+
 
 @dataclass(frozen=True, slots=True)
 class Gripper:

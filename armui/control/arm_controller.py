@@ -7,7 +7,7 @@ heard and moves on whatever is under way.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
@@ -22,13 +22,15 @@ from armui.control import gate, reports
 from armui.control.assessment import Circumstances, assess
 from armui.control.connection import Connection
 from armui.control.device_finder import DeviceFinder
+from armui.control.joint_errors import JointErrors
+from armui.control.lights import Lights
 from armui.control.notices import CODES
 from armui.control.request import Outcome, Request
 from armui.control.setpoint import Setpoint
 from armui.control.situation import Busy, LinkState, Notice, Situation, StopState
+from armui.control.speed import speed_frames
 from armui.control.stop import StopKeeper, is_stopped
 from armui.protocol import commands
-from armui.protocol.codes import ControlMode, MoveMode
 from armui.protocol.frame import Frame
 
 if TYPE_CHECKING:
@@ -56,6 +58,10 @@ class ArmController(QObject):
         simulated: Arms made of software, listed with the devices found.
         find: The search for devices.
         clock: Monotonic time in seconds.
+
+    Attributes:
+        lights: The lamps of the joints.
+        joint_errors: Clears the errors of the joints' drivers.
 
     Signals:
         state_changed: An :class:`ArmState`, at most 30 times a second, when something was heard.
@@ -87,6 +93,8 @@ class ArmController(QObject):
         self._connection = Connection(opener, clock, self)
         self._connection.changed.connect(self._on_connection)
         self._stop = StopKeeper(self._connection.send_urgent)
+        self.lights = Lights(self._connection, self._notice)
+        self.joint_errors = JointErrors(self._connection, self._notice, clock)
         self._request: tuple[Busy, Request] | None = None
         self._speed_percent = _FIRST_SPEED_PERCENT
         self._setpoint = Setpoint()
@@ -199,18 +207,9 @@ class ArmController(QObject):
         if not 0 <= percent <= 100:
             return self._refuse(Refusal("speed_out_of_range", {"value": percent}))
         self._speed_percent = round(percent)
-        status = self._state.status
-        blocked = gate.why_no_command(self._situation.link, self._situation.stop, None)
-        if blocked is None and status is not None:
-            mode = status.value.control_mode
-            if mode in {ControlMode.STANDBY, ControlMode.CAN_CONTROL}:
-                frames = commands.set_mode(
-                    self._connection.codec,
-                    control_mode=ControlMode(mode),
-                    move_mode=_known_move_mode(status.value.move_mode),
-                    speed_percent=self._speed_percent,
-                )
-                self._connection.send(frames)
+        if gate.why_no_command(self._situation.link, self._situation.stop, None) is None:
+            frames = speed_frames(self._connection.codec, self._state, self._speed_percent)
+            if frames and self._connection.send(frames):
                 self._notice("sent_speed", percent=self._speed_percent)
         self._refresh()
         return None
@@ -234,7 +233,7 @@ class ArmController(QObject):
 
     def send_joints(self, angles_deg: Sequence[float]) -> Refusal | None:
         """Move to six angles in degrees (MOVE J, 0x155–0x157 and 0x151)."""
-        return self._move(angles_deg, "sent_joints", **_numbered(angles_deg))
+        return self._move(angles_deg, "sent_joints", **reports.numbered(angles_deg))
 
     def go_home(self) -> Refusal | None:
         """Move to the factory zero angles."""
@@ -305,6 +304,7 @@ class ArmController(QObject):
         self._follow_online()
         self._follow_stop(now_s)
         self._follow_request(now_s)
+        self.joint_errors.advance()
         self._follow_handshake()
         self._refresh()
         if changed:
@@ -362,6 +362,7 @@ class ArmController(QObject):
 
     def _forget_arm(self) -> None:
         self._stop.forget()
+        self.joint_errors.forget()
         self._request = None
         self._setpoint.clear()
         self._was_online = False
@@ -389,14 +390,3 @@ class ArmController(QObject):
             generation=self._connection.generation,
         )
         return assess(self._state, around, now_s)
-
-
-def _known_move_mode(code: int) -> MoveMode:
-    try:
-        return MoveMode(code)
-    except ValueError:
-        return MoveMode.MOVE_J
-
-
-def _numbered(angles_deg: Iterable[float]) -> dict[str, float]:
-    return {f"j{number}": angle for number, angle in enumerate(angles_deg, start=1)}

@@ -6,7 +6,7 @@ from typing import Final
 
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Six
-from armui.control.situation import Busy, LinkState, StopState
+from armui.control.situation import Busy, LinkState, StopState, why_unreachable
 from armui.protocol.codes import ArmStatusCode, ControlMode
 
 _MOVABLE_MODES: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})
@@ -24,12 +24,9 @@ _MOVABLE_STATUSES: Final = frozenset(
 
 def why_no_command(link: LinkState, stop: StopState, busy: Busy | None) -> Refusal | None:
     """The reason against any command but the stop."""
-    if link is LinkState.LOST:
-        return Refusal("link_lost")
-    if link is LinkState.OFFLINE:
-        return Refusal("offline")
-    if link is not LinkState.ONLINE:
-        return Refusal("not_connected")
+    unreachable = why_unreachable(link)
+    if unreachable is not None:
+        return unreachable
     if stop is StopState.REQUESTED:
         return Refusal("stop_requested")
     if stop is StopState.STOPPED:

@@ -15,6 +15,8 @@ CODES: Final[Mapping[str, Level]] = {
     "jogged": Level.INFO,  # joint, target
     "went_home": Level.INFO,
     "sent_speed": Level.INFO,  # percent
+    "sent_lamp": Level.INFO,  # joint, lamp, color
+    "sent_lamps": Level.INFO,  # joint, color
     "stop_sent": Level.WARNING,
     "stop_not_sent": Level.FAULT,
     "stop_confirmed": Level.WARNING,
@@ -28,6 +30,9 @@ CODES: Final[Mapping[str, Level]] = {
     "disable_sent": Level.INFO,
     "disabled": Level.DONE,
     "disable_failed": Level.FAULT,  # joints
+    "clear_error_sent": Level.INFO,  # joint
+    "clear_error_answered": Level.DONE,  # joint
+    "clear_error_unanswered": Level.FAULT,  # joint
     "connected": Level.INFO,  # device
     "connect_failed": Level.FAULT,  # device, reason
     "disconnected": Level.INFO,  # device
@@ -58,6 +63,8 @@ REFUSALS: Final = frozenset(
         "speed_out_of_range",  # value
         "joint_out_of_limits",  # joint, value, minimum, maximum
         "joint_not_a_number",  # joint, value
+        "light_out_of_range",  # light, value, minimum, maximum
+        "light_not_a_number",  # light, value, minimum, maximum
         "joints_unknown",
         "other_control",  # mode
         "arm_fault",  # status

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from armui.arm.limits import plausible
 from armui.arm.state import ArmState
@@ -12,6 +12,11 @@ from armui.protocol.generation import Generation
 
 Report = tuple[str, Mapping[str, object]]
 """The code of a notice and its figures."""
+
+
+def numbered(angles_deg: Sequence[float]) -> dict[str, float]:
+    """Six angles as figures of a sentence: ``j1`` … ``j6``."""
+    return {f"j{number}": angle for number, angle in enumerate(angles_deg, start=1)}
 
 
 def on_handshake(state: ArmState, generation: Generation | None) -> Iterator[Report]:

@@ -27,6 +27,15 @@ class LinkState(enum.Enum):
     """The device is gone; the program keeps trying to reopen it."""
 
 
+def why_unreachable(link: LinkState) -> Refusal | None:
+    """The reason against sending anything at all: no arm is heard."""
+    if link is LinkState.LOST:
+        return Refusal("link_lost")
+    if link is LinkState.OFFLINE:
+        return Refusal("offline")
+    return None if link is LinkState.ONLINE else Refusal("not_connected")
+
+
 class StopState(enum.Enum):
     """Where the emergency stop stands, by the arm's own word (0x2A1 byte 1)."""
 
@@ -74,6 +83,11 @@ class Situation:
     speed_percent: int = 0
     moving: bool = False
     generation: Generation | None = None
+
+    @property
+    def unreachable(self) -> Refusal | None:
+        """Why nothing can be sent to the arm, or ``None``: it is online."""
+        return why_unreachable(self.link)
 
 
 class Level(enum.Enum):

@@ -18,14 +18,17 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.state import ArmState
+from armui.control.joint_monitor import JointMonitor
 from armui.control.situation import Situation
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
+from armui.ui.panels.light_panel import LightPanel
 from armui.ui.panels.motion_panel import MotionPanel
 from armui.ui.side_menu import MenuEntry, SideMenu
 from armui.ui.status_bar import StatusBar
 from armui.ui.theme import DARK, colors_of
 from armui.ui.top_bar import TopBar
+from armui.ui.widgets.joint_status_button import JointStatusButton
 from armui.ui.widgets.view_region import ViewRegion
 from armui.viewport import palette as scene_palette
 
@@ -67,7 +70,15 @@ class MainWindow(QMainWindow):
                 "motion",
                 self._make_motion_panel,
             ),
+            MenuEntry(
+                "light",
+                str(QT_TRANSLATE_NOOP("SideMenu", "Light control")),
+                "light",
+                lambda: LightPanel(self._controller),
+            ),
         )
+        self._joint_monitor = JointMonitor(controller, parent=self)
+        self._joint_status_button = JointStatusButton(self._joint_monitor)
         self._view_region = ViewRegion(view)
         self._status_bar = StatusBar(controller)
         self._lay_out()
@@ -79,7 +90,7 @@ class MainWindow(QMainWindow):
     # -- layout -------------------------------------------------------------------------------
 
     def _lay_out(self) -> None:
-        self._menu = SideMenu(self._entries)
+        self._menu = SideMenu(self._entries, self._joint_status_button)
         self._panels = QStackedWidget()
         self._panels.setObjectName("operation_area")
         for entry in self._entries:
@@ -117,6 +128,7 @@ class MainWindow(QMainWindow):
 
     def _connect(self) -> None:
         self._menu.chosen.connect(self._panels.setCurrentIndex)
+        self._joint_status_button.clicked.connect(self.open_joint_status_dialog)
         self._view_region.help_wanted.connect(self.open_help_dialog)
         self._view_region.reset_wanted.connect(self._view.reset_view)
         self._view_region.settings_wanted.connect(self.open_settings_dialog)
@@ -144,9 +156,10 @@ class MainWindow(QMainWindow):
         self._view.set_pose(state.end_pose(), stale=pose_stale)
 
     def _on_joint_picked(self, joint: int) -> None:
-        """A double click on a link leads to the joint that moves it."""
-        if self._motion_panel is not None and self._motion_panel.isVisible():
-            self._motion_panel.focus_joint(joint)
+        """A double click on a link leads to its joint in the panel that is shown."""
+        panel = self._panels.currentWidget()
+        if isinstance(panel, MotionPanel | LightPanel):
+            panel.focus_joint(joint)
 
     def _color_view(self) -> None:
         dark = colors_of(self) is DARK
@@ -170,6 +183,16 @@ class MainWindow(QMainWindow):
             return ConnectDialog(self._controller, self)
 
         self._open("connect", make)
+
+    def open_joint_status_dialog(self) -> None:
+        """Show the window 关节状态 (manual 1.0.10)."""
+
+        def make() -> QDialog:
+            from armui.ui.dialogs.joint_status import JointStatusDialog  # noqa: PLC0415 - faster start
+
+            return JointStatusDialog(self._controller, self._joint_monitor, self)
+
+        self._open("joint_status", make)
 
     def open_help_dialog(self) -> None:
         """Show how the 3D view is used."""

@@ -1,4 +1,4 @@
-"""Region 2: the vertical menu."""
+"""Region 2: the vertical menu; below it region 10."""
 
 from __future__ import annotations
 
@@ -35,13 +35,19 @@ class MenuEntry:
 class SideMenu(QWidget):
     """One entry a panel; the chosen one stands on pale blue.
 
+    Args:
+        entries: From top to bottom.
+        at_bottom: What stands apart from them at the lower end.
+
     Signals:
         chosen: The entry's place in the list.
     """
 
     chosen = Signal(int)
 
-    def __init__(self, entries: Sequence[MenuEntry], parent: QWidget | None = None) -> None:
+    def __init__(
+        self, entries: Sequence[MenuEntry], at_bottom: QWidget, parent: QWidget | None = None
+    ) -> None:
         super().__init__(parent)
         self.setObjectName("side_menu")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
@@ -62,8 +68,10 @@ class SideMenu(QWidget):
             self._group.addButton(button, place)
             layout.addWidget(button)
         layout.addStretch(1)
+        layout.addWidget(at_bottom)
         self._group.button(0).setChecked(True)
         self._group.idClicked.connect(self.chosen)
+        self._group.idClicked.connect(self._draw_icons)
         self.retranslate_ui()
         self._draw_icons()
 

@@ -521,6 +521,57 @@
     </message>
 </context>
 <context>
+    <name>JointItem</name>
+    <message>
+        <source>Status code:</source>
+        <translation>状态码:</translation>
+    </message>
+    <message>
+        <source>Supply voltage:</source>
+        <translation>电源电压:</translation>
+    </message>
+    <message>
+        <source>Motor temperature:</source>
+        <translation>电机温度:</translation>
+    </message>
+    <message>
+        <source>Driver current:</source>
+        <translation>驱动器电流:</translation>
+    </message>
+    <message>
+        <source>Driver temperature:</source>
+        <translation>驱动器温度:</translation>
+    </message>
+    <message>
+        <source>Sensor:</source>
+        <translation>传感器状态:</translation>
+    </message>
+    <message>
+        <source>Collision protection:</source>
+        <translation>碰撞保护:</translation>
+    </message>
+    <message>
+        <source>Driver error:</source>
+        <translation>驱动器错误状态:</translation>
+    </message>
+    <message>
+        <source>Driver enabled:</source>
+        <translation>驱动器使能状态:</translation>
+    </message>
+    <message>
+        <source>Homing:</source>
+        <translation>回零状态:</translation>
+    </message>
+    <message>
+        <source>Stall protection:</source>
+        <translation>堵转保护:</translation>
+    </message>
+    <message>
+        <source>Joint communication:</source>
+        <translation>关节通讯:</translation>
+    </message>
+</context>
+<context>
     <name>JointRow</name>
     <message>
         <source>Moves joint {joint} by −{step} at once. Hold to go on.</source>
@@ -565,6 +616,209 @@
     <message>
         <source>Factory limit: not read from the arm yet</source>
         <translation>出厂限位：尚未从机械臂读取</translation>
+    </message>
+</context>
+<context>
+    <name>JointStatusButton</name>
+    <message>
+        <source>Joint status</source>
+        <translation>关节状态</translation>
+    </message>
+    <message>
+        <source>The worst of the six joints. Press to see all of them.</source>
+        <translation>六个关节中最差的状态。点击查看全部关节。</translation>
+    </message>
+</context>
+<context>
+    <name>JointStatusDialog</name>
+    <message>
+        <source>Joint status</source>
+        <translation>关节状态</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>关节序号</translation>
+    </message>
+    <message>
+        <source>Clear error</source>
+        <translation>清除错误</translation>
+    </message>
+    <message>
+        <source>Ask the driver of joint {joint} to clear its error</source>
+        <translation>让关节 {joint} 的驱动器清除错误</translation>
+    </message>
+    <message>
+        <source>A time beside a fault says since when. Choose a cell to read it in full.</source>
+        <translation>故障旁的时间表示故障从何时开始。选中单元格可查看详情。</translation>
+    </message>
+</context>
+<context>
+    <name>JointStatusModel</name>
+    <message>
+        <source>since {time}</source>
+        <translation>自 {time} 起</translation>
+    </message>
+    <message>
+        <source>not heard of late</source>
+        <translation>最近没有收到</translation>
+    </message>
+</context>
+<context>
+    <name>JointVerdict</name>
+    <message>
+        <source>Normal</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>Disabled</source>
+        <translation>失能</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>有故障</translation>
+    </message>
+    <message>
+        <source>Offline</source>
+        <translation>离线</translation>
+    </message>
+</context>
+<context>
+    <name>JointWord</name>
+    <message>
+        <source>Normal</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>Too low</source>
+        <translation>过低</translation>
+    </message>
+    <message>
+        <source>Too hot</source>
+        <translation>过温</translation>
+    </message>
+    <message>
+        <source>Overcurrent</source>
+        <translation>过流</translation>
+    </message>
+    <message>
+        <source>Abnormal</source>
+        <translation>异常</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Triggered</source>
+        <translation>触发保护</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Disabled</source>
+        <translation>失能</translation>
+    </message>
+    <message>
+        <source>Not homed</source>
+        <translation>没有回零</translation>
+    </message>
+    <message>
+        <source>Homed</source>
+        <translation>已经回零</translation>
+    </message>
+</context>
+<context>
+    <name>LightFigure</name>
+    <message>
+        <source>Joint number</source>
+        <translation>关节序号</translation>
+    </message>
+    <message>
+        <source>Lamp number</source>
+        <translation>灯珠序号</translation>
+    </message>
+    <message>
+        <source>R channel</source>
+        <translation>R 通道</translation>
+    </message>
+    <message>
+        <source>G channel</source>
+        <translation>G 通道</translation>
+    </message>
+    <message>
+        <source>B channel</source>
+        <translation>B 通道</translation>
+    </message>
+</context>
+<context>
+    <name>LightPanel</name>
+    <message>
+        <source>Every lamp is chosen. Take the tick away to choose one.</source>
+        <translation>已选择全部灯珠。取消勾选后可选择单个灯珠。</translation>
+    </message>
+    <message>
+        <source>Sends the colour to the lamps; nothing moves.</source>
+        <translation>把颜色发送到灯珠，机械臂不会运动。</translation>
+    </message>
+    <message>
+        <source>Light control</source>
+        <translation>灯光控制</translation>
+    </message>
+    <message>
+        <source>Lamps of joint {joint}</source>
+        <translation>关节 {joint} 的灯珠</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>All lamps of the joint</source>
+        <translation>该关节的全部灯珠</translation>
+    </message>
+    <message>
+        <source>Hue and saturation</source>
+        <translation>色相和饱和度</translation>
+    </message>
+    <message>
+        <source>Click, drag or use the arrow keys to pick a colour.</source>
+        <translation>点击、拖动或按方向键选取颜色。</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>亮度</translation>
+    </message>
+    <message>
+        <source>The same colour, darker or brighter</source>
+        <translation>同一颜色，调暗或调亮</translation>
+    </message>
+    <message>
+        <source>Effect</source>
+        <translation>效果</translation>
+    </message>
+    <message>
+        <source>The colour that Confirm sends</source>
+        <translation>点击“确认”后发送的颜色</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>Works on joints that have a lamp board.
+Lamps give no feedback: this is only what will be sent.</source>
+        <translation>若已安装关节灯板，即可控制其灯光。
+灯光没有反馈：此处仅显示要发送的颜色。</translation>
     </message>
 </context>
 <context>
@@ -734,6 +988,14 @@
         <translation>恢复已发送。电机断电，机械臂会下落，请扶住机械臂。</translation>
     </message>
     <message>
+        <source>Sent to lamp {lamp} of joint {joint}: {color}</source>
+        <translation>已发送关节 {joint} 灯珠 {lamp}：{color}</translation>
+    </message>
+    <message>
+        <source>Sent to all lamps of joint {joint}: {color}</source>
+        <translation>已发送关节 {joint} 全部灯珠：{color}</translation>
+    </message>
+    <message>
         <source>The arm stays in emergency stop. Check it, then press Resume again.</source>
         <translation>机械臂仍处于急停状态。请检查机械臂，然后再按“恢复”。</translation>
     </message>
@@ -760,6 +1022,18 @@
     <message>
         <source>These joints did not disable: {joints}. Press Disable again, or use the emergency stop.</source>
         <translation>以下关节未能失能：{joints}。请再按一次“失能”，或使用急停。</translation>
+    </message>
+    <message>
+        <source>Clear error sent to joint {joint}</source>
+        <translation>已向关节 {joint} 发送清除错误</translation>
+    </message>
+    <message>
+        <source>Joint {joint}: the arm has confirmed the command to clear the error. Where a fault is still shown, remove its cause, then clear it again.</source>
+        <translation>关节 {joint}：机械臂已应答清除错误指令。若仍显示故障，请先排除原因，再次清除。</translation>
+    </message>
+    <message>
+        <source>Joint {joint}: the arm did not confirm within a second the command to clear the error. Try again; if it stays silent, check the CAN cable.</source>
+        <translation>关节 {joint}：机械臂在 1 秒内没有应答清除错误指令。请重试；若仍无应答，请检查 CAN 线缆。</translation>
     </message>
     <message>
         <source>Device open: {device}</source>
@@ -886,6 +1160,14 @@
     <message>
         <source>The arm is not in emergency stop: there is nothing to resume from.</source>
         <translation>机械臂不在急停状态，无需恢复。</translation>
+    </message>
+    <message>
+        <source>{light}: {value} is out of range. Enter a whole number from {minimum} to {maximum}.</source>
+        <translation>{light}：{value} 超出范围。请输入 {minimum} 至 {maximum} 的整数。</translation>
+    </message>
+    <message>
+        <source>{light}: “{value}” is not a whole number. Enter one from {minimum} to {maximum}.</source>
+        <translation>{light}：“{value}”不是整数。请输入 {minimum} 至 {maximum} 的整数。</translation>
     </message>
     <message>
         <source>The arm reports: {status}. Remove the cause. If the report stays: emergency stop, hold the arm, Resume.</source>
@@ -1092,6 +1374,10 @@
         <source>Motion control</source>
         <translation>运动控制</translation>
     </message>
+    <message>
+        <source>Light control</source>
+        <translation>灯光控制</translation>
+    </message>
 </context>
 <context>
     <name>SpeedControl</name>
@@ -1275,6 +1561,10 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>resuming after the emergency stop</source>
         <translation>急停恢复</translation>
+    </message>
+    <message>
+        <source>clearing a joint&apos;s error</source>
+        <translation>清除关节错误</translation>
     </message>
 </context>
 <context>

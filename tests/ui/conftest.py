@@ -84,6 +84,8 @@ class FakeController(QObject):
         self.calls: list[tuple[Any, ...]] = []
         self.answer: Refusal | None = None
         self.lagging = False
+        self.lights = FakeLights(self)
+        self.joint_errors = FakeJointErrors(self)
 
     # what a test makes it show
 
@@ -152,6 +154,26 @@ class FakeController(QObject):
     def _asked(self, *call: Any) -> Refusal | None:
         self.calls.append(call)
         return self.answer
+
+
+class FakeLights:
+    """The lamps of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+
+    def set_light(self, joint: int, lamp: int, red: int, green: int, blue: int) -> Refusal | None:
+        return self._controller._asked("set_light", joint, lamp, red, green, blue)
+
+
+class FakeJointErrors:
+    """The joints' errors of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+
+    def clear(self, joint: int) -> Refusal | None:
+        return self._controller._asked("clear_joint_error", joint)
 
 
 class FakeView(QWidget):

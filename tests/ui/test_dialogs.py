@@ -11,6 +11,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication, QDialog, QLabel, QWidget
 from pytestqt.qtbot import QtBot
 
+from armui.control.joint_monitor import JointMonitor
 from armui.control.situation import StopState
 from armui.settings import SettingsStore
 from armui.ui.dialogs.base import ArmDialog
@@ -18,6 +19,7 @@ from armui.ui.dialogs.confirm import ConfirmDialog, confirm
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.dialogs.files import FileDialog, choose_file
 from armui.ui.dialogs.help import HelpDialog
+from armui.ui.dialogs.joint_status import JointStatusDialog
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.theme import Theme, apply_theme
 from armui.ui.translation import Translator
@@ -47,6 +49,9 @@ DIALOGS: dict[str, MakeDialog] = {
     "connect": lambda controller, _store: ConnectDialog(controller),
     "settings": lambda controller, store: SettingsDialog(store, controller),
     "help": lambda controller, _store: HelpDialog(controller),
+    "joint status": lambda controller, _store: JointStatusDialog(
+        controller, JointMonitor(controller, parent=controller)
+    ),
     "confirm": lambda controller, _store: ConfirmDialog(
         controller, title="Title", text="Text", action_label="Do it"
     ),

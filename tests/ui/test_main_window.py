@@ -11,6 +11,7 @@ from PySide6.QtWidgets import (
     QPushButton,
     QSlider,
     QSpinBox,
+    QToolButton,
     QWidget,
 )
 
@@ -20,7 +21,7 @@ from armui.settings import SettingsStore
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.main_window import MainWindow
-from armui.ui.theme import Theme, apply_theme
+from armui.ui.theme import LIGHT, Theme, apply_theme
 from armui.ui.translation import Translator
 from armui.viewport import palette
 from tests.ui.conftest import FakeView, arm_state, situation
@@ -43,6 +44,17 @@ NAMED = [
     "status_reached",
     "notice_label",
     "menu_motion",
+    "joint_status_button",
+    "menu_light",
+    "lamp_field",
+    "all_lamps",
+    "hue_field",
+    "brightness_slider",
+    "effect_strip",
+    "light_confirm_button",
+    "light_message",
+    *(f"light_joint_{joint}" for joint in range(1, 7)),
+    *(f"{color}_{kind}" for color in ("red", "green", "blue") for kind in ("field", "slider")),
     "help_button",
     "reset_view_button",
     "settings_button",
@@ -126,6 +138,22 @@ def test_a_link_picked_in_3d_leads_to_its_joint(window, view, qtbot):
     qtbot.waitUntil(window.isActiveWindow)
     view.joint_picked.emit(4)
     assert window.focusWidget().objectName() == "target_field_4"
+
+
+def test_the_icon_of_the_chosen_panel_has_the_accent_colour(window, qtbot):
+    def accented(key):
+        picture = window.findChild(QToolButton, f"menu_{key}").icon().pixmap(20, 20).toImage()
+        seen = {
+            picture.pixelColor(x, y).name()
+            for x in range(picture.width())
+            for y in range(picture.height())
+            if picture.pixelColor(x, y).alpha() == 255
+        }
+        return LIGHT.accent in seen
+
+    assert (accented("motion"), accented("light")) == (True, False)
+    qtbot.mouseClick(window.findChild(QToolButton, "menu_light"), LEFT)
+    assert (accented("motion"), accented("light")) == (False, True)
 
 
 def test_a_robot_that_cannot_be_loaded_is_said(window, view):
@@ -220,11 +248,13 @@ def test_language_changes_while_running(qapp, window):
     assert send.text() == "Send"
 
 
+@pytest.mark.parametrize("panel", ["motion", "light"])
 @pytest.mark.parametrize("language", ["zh", "en"])
-def test_nothing_is_cut_off_at_1280_by_800(qapp, window, controller, language):
+def test_nothing_is_cut_off_at_1280_by_800(qapp, window, controller, qtbot, language, panel):
     translator = Translator(qapp)
     translator.set_language(language)
     controller.be_ready()
+    qtbot.mouseClick(window.findChild(QAbstractButton, f"menu_{panel}"), LEFT)
     qapp.processEvents()
     try:
         cut = [
@@ -236,7 +266,7 @@ def test_nothing_is_cut_off_at_1280_by_800(qapp, window, controller, language):
         ]
         assert cut == []
         assert window.size().toTuple() == (1280, 800)
-        message = window.findChild(QWidget, "motion_message")
+        message = window.findChild(QWidget, f"{panel}_message")
         bottom = message.mapTo(window, message.rect().bottomLeft()).y()
         assert bottom < window.findChild(QWidget, "status_bar").geometry().top() + 1
     finally:

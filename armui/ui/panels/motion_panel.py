@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QPushButton,
-    QScrollArea,
     QVBoxLayout,
     QWidget,
 )
@@ -25,6 +24,7 @@ from armui.control.situation import Level, Situation
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.freshness import is_stale
+from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.joint_row import JointRow
 from armui.ui.widgets.message_line import MessageLine
 
@@ -35,19 +35,7 @@ _STEPS_DEG: Final = (0.1, 1.0, 5.0, 10.0)
 _FAULTS: Final = frozenset({"stopped", "stop_requested", "arm_fault", "link_lost"})
 _FIELD_INDENT_PX: Final = 80
 _TALLEST_CARD_PX: Final = 600
-_LOWEST_CARD_PX: Final = 120
 _HOME_KEY, _LOAD_KEY, _SEND_KEY = "Ctrl+Shift+H", "Ctrl+L", "Ctrl+Return"
-
-
-def _scrolled(card: QFrame) -> QScrollArea:
-    """The joints scroll on a low screen, so that buttons and message stay where they are seen."""
-    area = QScrollArea()
-    area.setWidgetResizable(True)
-    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    area.setWidget(card)
-    area.setMinimumHeight(_LOWEST_CARD_PX)
-    area.setMaximumHeight(_TALLEST_CARD_PX)
-    return area
 
 
 class MotionPanel(QWidget):
@@ -108,7 +96,6 @@ class MotionPanel(QWidget):
         head.addWidget(self._step_box)
 
         card = QFrame()
-        card.setObjectName("joint_card")
         rows = QVBoxLayout(card)
         rows.setContentsMargins(16, 10, 16, 12)
         rows.setSpacing(4)
@@ -132,7 +119,7 @@ class MotionPanel(QWidget):
         layout.setContentsMargins(16, 14, 16, 14)
         layout.setSpacing(12)
         layout.addLayout(head)
-        layout.addWidget(_scrolled(card), 1)
+        layout.addWidget(scrolled(card, _TALLEST_CARD_PX), 1)
         layout.addLayout(buttons)
         layout.addWidget(self._message)
         layout.addStretch(0)

@@ -12,7 +12,7 @@ from armui.arm.limits import ANGLE_STEP_DEG, JointLimits, check_joint
 from armui.arm.refusal import Refusal
 from armui.ui import format as fmt
 from armui.ui.theme import scaled_font
-from armui.ui.widgets.angle_field import AngleField
+from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.value_label import ValueLabel
@@ -47,7 +47,7 @@ class JointRow(QWidget):
         self.minus.setObjectName(f"jog_minus_{joint}")
         self.plus = JogButton("+")
         self.plus.setObjectName(f"jog_plus_{joint}")
-        self.field = AngleField()
+        self.field = FigureField(fmt.DECIMALS, "°")
         self.field.setObjectName(f"target_field_{joint}")
         self.measured = ValueLabel(_WIDEST_ANGLE)
         self.measured.setObjectName(f"measured_{joint}")
@@ -91,7 +91,7 @@ class JointRow(QWidget):
     @property
     def target_deg(self) -> float | None:
         """The figure in the field, or ``None``."""
-        return self.field.value_deg
+        return self.field.value
 
     def beyond_limits(self) -> Refusal | None:
         """What is to be said against the figure in the field, if it is out of limits."""
@@ -157,14 +157,14 @@ class JointRow(QWidget):
 
     def set_step(self, step_deg: float) -> None:
         """How far one press of − or + goes."""
-        self.field.step_deg = step_deg
+        self.field.step = step_deg
         self._describe_jog("", step_deg)
 
     def allow_jog(self, why_not: str) -> None:
         """Enable − and +, or disable them and say why."""
         for button in (self.minus, self.plus):
             button.setEnabled(not why_not)
-        self._describe_jog(why_not, self.field.step_deg)
+        self._describe_jog(why_not, self.field.step)
 
     def _describe_jog(self, why_not: str, step_deg: float) -> None:
         step = fmt.short_angle(step_deg)

@@ -5,8 +5,9 @@ The words are looked up at every call, so a caller that asks again after the lan
 """
 
 from armui.ui.words.devices import device_name
+from armui.ui.words.joints import joint_item, joint_verdict, joint_word
 from armui.ui.words.notices import notice
-from armui.ui.words.refusals import refusal
+from armui.ui.words.refusals import light_figure, refusal
 from armui.ui.words.status import (
     arm_status,
     control_mode,
@@ -21,6 +22,10 @@ __all__ = [
     "control_mode",
     "control_mode_short",
     "device_name",
+    "joint_item",
+    "joint_verdict",
+    "joint_word",
+    "light_figure",
     "move_mode",
     "notice",
     "reached",

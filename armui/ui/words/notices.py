@@ -21,6 +21,8 @@ _NOTICES: Final[Mapping[str, object]] = {
     "jogged": QT_TRANSLATE_NOOP("Notice", "Sent J{joint} {target}°"),
     "went_home": QT_TRANSLATE_NOOP("Notice", "Home sent: all joints to 0°"),
     "sent_speed": QT_TRANSLATE_NOOP("Notice", "Sent speed {percent} %"),
+    "sent_lamp": QT_TRANSLATE_NOOP("Notice", "Sent to lamp {lamp} of joint {joint}: {color}"),
+    "sent_lamps": QT_TRANSLATE_NOOP("Notice", "Sent to all lamps of joint {joint}: {color}"),
     "stop_sent": QT_TRANSLATE_NOOP(
         "Notice", "Emergency stop sent. The motors go limp and the arm sinks: hold the arm."
     ),
@@ -58,6 +60,17 @@ _NOTICES: Final[Mapping[str, object]] = {
     "disable_failed": QT_TRANSLATE_NOOP(
         "Notice",
         "These joints did not disable: {joints}. Press Disable again, or use the emergency stop.",
+    ),
+    "clear_error_sent": QT_TRANSLATE_NOOP("Notice", "Clear error sent to joint {joint}"),
+    "clear_error_answered": QT_TRANSLATE_NOOP(
+        "Notice",
+        "Joint {joint}: the arm has confirmed the command to clear the error. Where a fault is "
+        "still shown, remove its cause, then clear it again.",
+    ),
+    "clear_error_unanswered": QT_TRANSLATE_NOOP(
+        "Notice",
+        "Joint {joint}: the arm did not confirm within a second the command to clear the error. "
+        "Try again; if it stays silent, check the CAN cable.",
     ),
     "connected": QT_TRANSLATE_NOOP("Notice", "Device open: {device}"),
     "connect_failed": QT_TRANSLATE_NOOP("Notice", "Not connected. {reason}"),

@@ -65,6 +65,14 @@ _REFUSALS: Final[Mapping[str, object]] = {
         "Refusal",
         "Joint {joint}: “{value}” is not an angle. Enter degrees in figures, for example 12.5.",
     ),
+    "light_out_of_range": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "{light}: {value} is out of range. Enter a whole number from {minimum} to {maximum}.",
+    ),
+    "light_not_a_number": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "{light}: “{value}” is not a whole number. Enter one from {minimum} to {maximum}.",
+    ),
     "joints_unknown": QT_TRANSLATE_NOOP(
         "Refusal",
         "The arm has not reported all of its joint angles yet. Wait until all six are shown.",
@@ -202,6 +210,7 @@ _UNDER_WAY: Final[Mapping[str, object]] = {
     "enabling": QT_TRANSLATE_NOOP("UnderWay", "enabling the motors"),
     "disabling": QT_TRANSLATE_NOOP("UnderWay", "disabling the motors"),
     "resuming": QT_TRANSLATE_NOOP("UnderWay", "resuming after the emergency stop"),
+    "clearing_error": QT_TRANSLATE_NOOP("UnderWay", "clearing a joint's error"),
 }
 
 _SETTINGS: Final[Mapping[str, object]] = {
@@ -209,6 +218,14 @@ _SETTINGS: Final[Mapping[str, object]] = {
     "theme": QT_TRANSLATE_NOOP("SettingName", "theme"),
     "jog_step_deg": QT_TRANSLATE_NOOP("SettingName", "jog step"),
     "urdf_path": QT_TRANSLATE_NOOP("SettingName", "robot description"),
+}
+
+_LIGHTS: Final[Mapping[str, object]] = {
+    "joint": QT_TRANSLATE_NOOP("LightFigure", "Joint number"),
+    "lamp": QT_TRANSLATE_NOOP("LightFigure", "Lamp number"),
+    "red": QT_TRANSLATE_NOOP("LightFigure", "R channel"),
+    "green": QT_TRANSLATE_NOOP("LightFigure", "G channel"),
+    "blue": QT_TRANSLATE_NOOP("LightFigure", "B channel"),
 }
 
 CODES: Final = frozenset(_REFUSALS)
@@ -226,10 +243,17 @@ def refusal(reason: Refusal) -> str:
         params["what"] = sentence("UnderWay", _UNDER_WAY.get(what, what), {})
     if isinstance(field := params.get("field"), str):
         params["field"] = sentence("SettingName", _SETTINGS.get(field, field), {})
+    if isinstance(light := params.get("light"), str):
+        params["light"] = light_figure(light)
     source = _REFUSALS.get(reason.code)
     if source is None:
         return _unexpected(reason)
     return sentence("Refusal", source, params)
+
+
+def light_figure(name: str) -> str:
+    """What a figure of the light command is called: a key of ``lights.RANGES``."""
+    return sentence("LightFigure", _LIGHTS.get(name, name), {})
 
 
 def _unexpected(reason: Refusal) -> str:

@@ -1,0 +1,320 @@
+"""The six joints' health as the manual's table has it: ten items each, and the worst of them all.
+
+The items are bits of 0x261–0x266 byte 5 and of 0x2A1 byte 7 (manual 1.0.10). Bits 4 and 7 of the
+first mean different things in the two generations; until it is known which one speaks, they say
+nothing.
+"""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from datetime import datetime
+from types import MappingProxyType
+from typing import Final
+
+from armui.arm.limits import JOINTS
+from armui.arm.state import ArmState, DriverFast, DriverSlow, Heard, Status
+from armui.protocol.generation import Generation
+
+
+class Item(enum.Enum):
+    """A row of the table."""
+
+    STATUS_CODE = enum.auto()
+    SUPPLY_VOLTAGE = enum.auto()
+    MOTOR_TEMPERATURE = enum.auto()
+    DRIVER_CURRENT = enum.auto()
+    DRIVER_TEMPERATURE = enum.auto()
+    SENSOR = enum.auto()
+    """Generation 1."""
+    COLLISION_PROTECTION = enum.auto()
+    """Generation 2."""
+    DRIVER_FAULT = enum.auto()
+    DRIVER_ENABLED = enum.auto()
+    HOMED = enum.auto()
+    """Generation 1."""
+    STALL_PROTECTION = enum.auto()
+    """Generation 2."""
+    COMMUNICATION = enum.auto()
+
+
+class Word(enum.Enum):
+    """What a cell says; the user interface has the manual's word for it."""
+
+    NORMAL = enum.auto()
+    TOO_LOW = enum.auto()
+    TOO_HOT = enum.auto()
+    OVERCURRENT = enum.auto()
+    ABNORMAL = enum.auto()
+    ERROR = enum.auto()
+    TRIGGERED = enum.auto()
+    ENABLED = enum.auto()
+    DISABLED = enum.auto()
+    NOT_HOMED = enum.auto()
+    HOMED = enum.auto()
+
+
+FAULTS: Final = frozenset(
+    {
+        Word.TOO_LOW,
+        Word.TOO_HOT,
+        Word.OVERCURRENT,
+        Word.ABNORMAL,
+        Word.ERROR,
+        Word.TRIGGERED,
+    }
+)
+"""The words that name a fault."""
+
+
+class Verdict(enum.Enum):
+    """How six joints are, the best first."""
+
+    NORMAL = enum.auto()
+    DISABLED = enum.auto()
+    UNKNOWN = enum.auto()
+    """Something has not been heard, or not of late, and nothing that was heard is a fault."""
+    FAULT = enum.auto()
+    OFFLINE = enum.auto()
+
+
+@dataclass(frozen=True, slots=True)
+class Worst:
+    """The worst of the six states.
+
+    Attributes:
+        verdict: What it is.
+        joints: The joints it is true of, in order; empty where it is about all of them.
+    """
+
+    verdict: Verdict
+    joints: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """One item of one joint.
+
+    Attributes:
+        word: What the arm said last; ``None`` if it has said nothing, and for the status code.
+        value: The figure behind it, in the unit of :data:`UNITS`; of the status code the byte.
+        since: When ``word`` began to be true, by the computer's clock.
+        stale: What stands here is older than half a second while other things are heard.
+    """
+
+    word: Word | None = None
+    value: float | None = None
+    since: datetime | None = None
+    stale: bool = False
+
+    @property
+    def fault(self) -> bool:
+        """Whether it names a fault."""
+        return self.word in FAULTS
+
+
+UNITS: Final[Mapping[Item, str]] = MappingProxyType(
+    {
+        Item.SUPPLY_VOLTAGE: "V",
+        Item.MOTOR_TEMPERATURE: "°C",
+        Item.DRIVER_CURRENT: "A",
+        Item.DRIVER_TEMPERATURE: "°C",
+        Item.DRIVER_ENABLED: "°/s",
+    }
+)
+"""The unit of the figure behind an item, where it has one."""
+
+
+_DRIVER_WORDS: Final[Mapping[Item, tuple[Callable[[DriverSlow], bool | None], Word, Word]]] = {
+    Item.SUPPLY_VOLTAGE: (lambda driver: driver.undervoltage, Word.NORMAL, Word.TOO_LOW),
+    Item.MOTOR_TEMPERATURE: (
+        lambda driver: driver.motor_overtemperature,
+        Word.NORMAL,
+        Word.TOO_HOT,
+    ),
+    Item.DRIVER_CURRENT: (lambda driver: driver.overcurrent, Word.NORMAL, Word.OVERCURRENT),
+    Item.DRIVER_TEMPERATURE: (
+        lambda driver: driver.driver_overtemperature,
+        Word.NORMAL,
+        Word.TOO_HOT,
+    ),
+    Item.SENSOR: (lambda driver: driver.sensor_fault, Word.NORMAL, Word.ABNORMAL),
+    Item.COLLISION_PROTECTION: (
+        lambda driver: driver.collision_protection,
+        Word.NORMAL,
+        Word.TRIGGERED,
+    ),
+    Item.DRIVER_FAULT: (lambda driver: driver.driver_fault, Word.NORMAL, Word.ERROR),
+    Item.DRIVER_ENABLED: (lambda driver: driver.enabled, Word.DISABLED, Word.ENABLED),
+    Item.HOMED: (lambda driver: driver.homed, Word.NOT_HOMED, Word.HOMED),
+    Item.STALL_PROTECTION: (lambda driver: driver.stall_protection, Word.NORMAL, Word.TRIGGERED),
+}
+"""How to read the bit behind an item, the word for 0 and the word for 1."""
+
+_SLOW_VALUES: Final[Mapping[Item, Callable[[DriverSlow], float]]] = {
+    Item.STATUS_CODE: lambda driver: driver.status_code,
+    Item.SUPPLY_VOLTAGE: lambda driver: driver.voltage_v,
+    Item.MOTOR_TEMPERATURE: lambda driver: driver.motor_temperature_c,
+    Item.DRIVER_TEMPERATURE: lambda driver: driver.driver_temperature_c,
+}
+_FAST_VALUES: Final[Mapping[Item, Callable[[DriverFast], float]]] = {
+    Item.DRIVER_CURRENT: lambda driver: driver.current_a,
+    Item.DRIVER_ENABLED: lambda driver: driver.speed_deg_s,
+}
+
+_OF_ONE_GENERATION: Final[Mapping[Item, Generation]] = {
+    Item.SENSOR: Generation.ONE,
+    Item.HOMED: Generation.ONE,
+    Item.COLLISION_PROTECTION: Generation.TWO,
+    Item.STALL_PROTECTION: Generation.TWO,
+}
+
+_ROWS: Final[Mapping[Generation, tuple[Item, ...]]] = {
+    generation: tuple(
+        item for item in Item if _OF_ONE_GENERATION.get(item, generation) is generation
+    )
+    for generation in Generation
+}
+
+
+def rows(generation: Generation | None) -> tuple[Item, ...]:
+    """The ten items, from top to bottom; the manual's while it is not known which arm it is."""
+    return _ROWS[generation or Generation.ONE]
+
+
+def word(state: ArmState, generation: Generation | None, item: Item, joint: int) -> Word | None:
+    """What the arm said last of one item of one joint (1–6)."""
+    if item is Item.STATUS_CODE:
+        return None
+    if item is Item.COMMUNICATION:
+        if state.status is None:
+            return None
+        broken = state.status.value.communication_fault[joint - 1]
+        return Word.ABNORMAL if broken else Word.NORMAL
+    driver = state.drivers_slow[joint - 1]
+    if driver is None or _OF_ONE_GENERATION.get(item, generation) is not generation:
+        return None
+    flag, when_clear, when_set = _DRIVER_WORDS[item]
+    is_set = flag(driver.value)
+    return None if is_set is None else when_set if is_set else when_clear
+
+
+def value(state: ArmState, item: Item, joint: int) -> float | None:
+    """The figure behind one item of one joint; see :data:`UNITS`."""
+    slow, fast = state.drivers_slow[joint - 1], state.drivers_fast[joint - 1]
+    if item in _SLOW_VALUES:
+        return None if slow is None else _SLOW_VALUES[item](slow.value)
+    if item in _FAST_VALUES:
+        return None if fast is None else _FAST_VALUES[item](fast.value)
+    return None
+
+
+def is_stale(state: ArmState, item: Item, joint: int) -> bool:
+    """Whether a frame an item comes from stays away while others are still heard."""
+    now_s = state.last_feedback_s
+    sources: list[Heard[Status] | Heard[DriverSlow] | Heard[DriverFast] | None]
+    if item is Item.COMMUNICATION:
+        sources = [state.status]
+    elif item in _FAST_VALUES:
+        sources = [state.drivers_slow[joint - 1], state.drivers_fast[joint - 1]]
+    else:
+        sources = [state.drivers_slow[joint - 1]]
+    return now_s is not None and any(
+        source is not None and not source.fresh(now_s) for source in sources
+    )
+
+
+def faults(state: ArmState, generation: Generation | None) -> list[tuple[int, Item, Word]]:
+    """Every fault there is, by joints: joint, item, and what is wrong with it."""
+    return [
+        (joint, item, said)
+        for joint in JOINTS
+        for item in rows(generation)
+        if (said := word(state, generation, item, joint)) is not None and said in FAULTS
+    ]
+
+
+def worst(state: ArmState, generation: Generation | None) -> Worst:
+    """The worst of the six states of an arm that is being heard.
+
+    A fault stands until the arm itself has taken it back: a joint that falls silent with a fault
+    still has it.
+    """
+    faulty = tuple(dict.fromkeys(joint for joint, _item, _word in faults(state, generation)))
+    if faulty:
+        return Worst(Verdict.FAULT, faulty)
+    unknown = tuple(
+        joint
+        for joint in JOINTS
+        if state.drivers_slow[joint - 1] is None or is_stale(state, Item.STATUS_CODE, joint)
+    )
+    no_status = state.status is None or is_stale(state, Item.COMMUNICATION, JOINTS[0])
+    if generation is None or no_status or len(unknown) == len(JOINTS):
+        return Worst(Verdict.UNKNOWN)
+    if unknown:
+        return Worst(Verdict.UNKNOWN, unknown)
+    off = tuple(joint for joint, on in zip(JOINTS, state.enabled(), strict=True) if not on)
+    if off:
+        return Worst(Verdict.DISABLED, off)
+    return Worst(Verdict.NORMAL)
+
+
+_WordKey = tuple[Generation | None, int | None, bool | None]
+
+
+class History:
+    """Remembers since when each word has been true.
+
+    What has not been heard has no beginning; what is heard for the first time begins then. Only
+    changes cost time: everything a joint's words hang on fits into one comparison.
+    """
+
+    def __init__(self) -> None:
+        self._keys: list[_WordKey | None] = [None] * len(JOINTS)
+        self._words: dict[tuple[Item, int], Word | None] = {}
+        self._since: dict[tuple[Item, int], datetime] = {}
+
+    def follow(self, state: ArmState, generation: Generation | None, at: datetime) -> bool:
+        """Take in a picture of the arm; whether any word or status code has changed by it."""
+        status = state.status
+        changed = False
+        for joint in JOINTS:
+            driver = state.drivers_slow[joint - 1]
+            key = (
+                generation,
+                None if driver is None else driver.value.status_code,
+                None if status is None else status.value.communication_fault[joint - 1],
+            )
+            if key != self._keys[joint - 1]:
+                self._keys[joint - 1] = key
+                self._take_in(state, generation, joint, at)
+                changed = True
+        return changed
+
+    def _take_in(
+        self, state: ArmState, generation: Generation | None, joint: int, at: datetime
+    ) -> None:
+        for item in Item:
+            said = word(state, generation, item, joint)
+            if said is self._words.get((item, joint)):
+                continue
+            self._words[item, joint] = said
+            if said is None:
+                del self._since[item, joint]
+            else:
+                self._since[item, joint] = at
+
+    def since(self, item: Item, joint: int) -> datetime | None:
+        """When the present word of an item began to be true."""
+        return self._since.get((item, joint))
+
+    def cell(self, state: ArmState, generation: Generation | None, item: Item, joint: int) -> Cell:
+        """One cell of the table, of the picture that was followed last."""
+        return Cell(
+            word=word(state, generation, item, joint),
+            value=value(state, item, joint),
+            since=self.since(item, joint),
+            stale=is_stale(state, item, joint),
+        )

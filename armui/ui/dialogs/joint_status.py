@@ -1,0 +1,219 @@
+"""The window 关节状态: what each driver says of itself, beside the work (manual 1.0.10)."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QTableView,
+    QVBoxLayout,
+    QWidget,
+)
+
+from armui.arm.joint_status import Item, Word
+from armui.arm.limits import JOINTS
+from armui.control.situation import Level, Notice, Situation
+from armui.ui import words
+from armui.ui.dialogs.base import ArmDialog
+from armui.ui.dialogs.joint_status_cell import JointCellDelegate, cell_width
+from armui.ui.dialogs.joint_status_model import JointStatusModel
+from armui.ui.widgets.message_line import MessageLine
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.control.joint_monitor import JointMonitor
+
+_HEADER_PAD_PX: Final = 20
+_FRAME_PX: Final = 1
+_OURS: Final = frozenset({"clear_error_sent", "clear_error_answered", "clear_error_unanswered"})
+
+
+class JointStatusDialog(ArmDialog):
+    """Stays open beside the work; looks at the joints only while it is shown.
+
+    Args:
+        controller: Clears errors.
+        monitor: Knows the joints.
+        parent: The main window.
+    """
+
+    def __init__(
+        self, controller: ArmController, monitor: JointMonitor, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(controller, parent)
+        self._controller = controller
+        self._monitor = monitor
+        self._notice: Notice | None = None
+        self._model = JointStatusModel(monitor)
+        self._build_table()
+        self._build_clear_buttons()
+        self._message = MessageLine()
+        self._message.setObjectName("joint_status_message")
+        self.body.addWidget(self._message)
+        self.body.addStretch(1)
+        self._build_footer()
+        monitor.updated.connect(self._on_updated)
+        controller.situation_changed.connect(self._on_situation_changed)
+        controller.noticed.connect(self._on_noticed)
+        self._table.selectionModel().currentChanged.connect(self._show_detail)
+        self._model.dataChanged.connect(self._show_detail)
+        self.retranslate_ui()
+        self.ensurePolished()
+        self.resize(self.sizeHint())
+
+    # Layout -----------------------------------------------------------------------------------
+
+    def _build_table(self) -> None:
+        self._table = QTableView()
+        self._table.setObjectName("joint_status_table")
+        self._table.setModel(self._model)
+        self._table.setItemDelegate(JointCellDelegate(self._table))
+        self._table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
+        self._table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self._table.setTabKeyNavigation(False)
+        # as high as its rows, lower on a small screen
+        self._table.setSizeAdjustPolicy(QTableView.SizeAdjustPolicy.AdjustToContents)
+        self._table.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Maximum)
+        self._table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        across, down = self._table.horizontalHeader(), self._table.verticalHeader()
+        across.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        across.setHighlightSections(False)
+        across.setSectionsClickable(False)
+        across.setDefaultAlignment(Qt.AlignmentFlag.AlignCenter)
+        down.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        down.setHighlightSections(False)
+        down.setSectionsClickable(False)
+        down.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self._corner_label = QLabel()
+        self._corner_label.setProperty("rank", "muted")
+        self._corner_label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self._table.setCornerButtonEnabled(False)
+        corner = self._table.findChild(QAbstractButton)
+        if corner is not None:  # Qt's own, and nowhere promised
+            layout = QVBoxLayout(corner)
+            layout.setContentsMargins(0, 0, 6, 0)
+            layout.addWidget(self._corner_label)
+
+    def _build_clear_buttons(self) -> None:
+        self._below_header = QWidget()
+        self.clear_buttons = [QPushButton() for _ in JOINTS]
+        row = QHBoxLayout()
+        row.setContentsMargins(_FRAME_PX, 0, _FRAME_PX, 0)
+        row.setSpacing(0)
+        row.addWidget(self._below_header)
+        for joint, button in zip(JOINTS, self.clear_buttons, strict=True):
+            button.setObjectName(f"clear_error_{joint}")
+            button.setAutoDefault(False)
+            button.clicked.connect(partial(self._clear_error, joint))
+            cell = QHBoxLayout()
+            cell.setContentsMargins(4, 0, 4, 0)
+            cell.addWidget(button)
+            row.addLayout(cell, 1)
+        table_and_buttons = QVBoxLayout()
+        table_and_buttons.setSpacing(6)
+        table_and_buttons.addWidget(self._table)
+        table_and_buttons.addLayout(row)
+        self.body.addLayout(table_and_buttons)
+
+    def _build_footer(self) -> None:
+        self._detail = QLabel()
+        self._detail.setObjectName("joint_status_detail")
+        self._detail.setProperty("rank", "muted")
+        self._detail.setTextFormat(Qt.TextFormat.PlainText)
+        self._detail.setWordWrap(True)
+        self.close_button = QPushButton()
+        self.close_button.setDefault(True)
+        self.close_button.clicked.connect(self.close)
+        self.footer.addWidget(self._detail, 1)
+        self.footer.addWidget(self.close_button)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.tr("Joint status"))
+        self.close_button.setText(self.tr("Close"))
+        self._corner_label.setText(self.tr("Joint"))
+        self._table.setAccessibleName(self.tr("Joint status"))
+        for joint, button in zip(JOINTS, self.clear_buttons, strict=True):
+            button.setText(self.tr("Clear error"))
+            button.setAccessibleName(f"{button.text()} J{joint}")
+        self._model.retranslate()
+        self._fit_columns()
+        self._show_usable(self._controller.situation)
+        self._show_detail()
+        self._show_notice()
+
+    def _fit_columns(self) -> None:
+        """Wide enough for every word there is, so that nothing moves when one changes."""
+        metrics = self._table.fontMetrics()
+        names = max(metrics.horizontalAdvance(words.joint_item(item)) for item in Item)
+        header_px = names + _HEADER_PAD_PX
+        self._table.verticalHeader().setFixedWidth(header_px)
+        self._below_header.setFixedWidth(header_px)
+        buttons = max(button.sizeHint().width() for button in self.clear_buttons) + 2 * 4
+        column_px = max(buttons, cell_width(self._table, [words.joint_word(w) for w in Word]))
+        self._table.setMinimumWidth(header_px + len(JOINTS) * column_px + 2 * _FRAME_PX)
+
+    # What the arm says ------------------------------------------------------------------------
+
+    def _on_updated(self) -> None:
+        if self.isVisible():
+            self._model.refresh()
+
+    def _on_situation_changed(self, situation: Situation) -> None:
+        if self.isVisible():
+            self._show_usable(situation)
+
+    def _show_usable(self, situation: Situation) -> None:
+        reason = situation.unreachable
+        for joint, button in zip(JOINTS, self.clear_buttons, strict=True):
+            button.setEnabled(reason is None)
+            button.setToolTip(
+                self.tr("Ask the driver of joint {joint} to clear its error").format(joint=joint)
+                if reason is None
+                else words.refusal(reason)
+            )
+
+    def _show_detail(self, *_cells: object) -> None:
+        """The cell the operator went to, in full: tooltips are out of the keyboard's reach."""
+        index = self._table.currentIndex()
+        if index.isValid():
+            self._detail.setText(self._model.describe(index))
+        else:
+            self._detail.setText(
+                self.tr("A time beside a fault says since when. Choose a cell to read it in full.")
+            )
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with what went by while the window was hidden."""
+        self._model.refresh()
+        self._show_usable(self._controller.situation)
+        super().showEvent(event)
+
+    # Clearing errors --------------------------------------------------------------------------
+
+    def _clear_error(self, joint: int) -> None:
+        self._notice = None
+        refusal = self._controller.joint_errors.clear(joint)
+        if refusal is not None:
+            self._message.show_message(words.refusal(refusal), Level.WARNING)
+
+    def _on_noticed(self, notice: Notice) -> None:
+        if notice.code in _OURS:
+            self._notice = notice
+            self._show_notice()
+
+    def _show_notice(self) -> None:
+        if self._notice is None:
+            self._message.show_message("")
+        else:
+            self._message.show_message(words.notice(self._notice), self._notice.level)

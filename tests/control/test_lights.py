@@ -1,0 +1,114 @@
+"""0x121: the lamps the simulated arm then has, the literal bytes, and what is refused."""
+
+import pytest
+
+from armui.control.lights import check_light
+from armui.protocol.codes import ALL_LAMPS
+from armui.protocol.frame import Frame
+
+
+def light(payload):
+    return Frame(0x121, bytes.fromhex(payload))
+
+
+def test_a_lamp_is_coloured_as_the_protocol_says(any_bench):
+    bench = any_bench
+    bench.connect()
+    bench.heard()
+    assert bench.controller.lights.set_light(2, 7, 255, 128, 1) is None
+    bench.step()
+    # enable, joint, lamp, red, green, blue, reserved, counter
+    assert bench.heard() == [light("01 02 07 FF 80 01 00 00")]
+    assert bench.firmware.settings.lights[2][:4] == (7, 255, 128, 1)
+    told = bench.notices[-1]
+    assert (told.code, told.params["color"]) == ("sent_lamp", "#FF8001")
+
+
+def test_all_lamps_are_lamp_0xff(any_bench):
+    bench = any_bench
+    bench.connect()
+    bench.heard()
+    assert bench.controller.lights.set_light(6, ALL_LAMPS, 0, 0, 16) is None
+    bench.step()
+    assert bench.heard() == [light("01 06 FF 00 00 10 00 00")]
+    assert bench.codes()[-1] == "sent_lamps"
+
+
+def test_the_counter_goes_round(bench):
+    bench.connect()
+    bench.heard()
+    for _ in range(258):
+        assert bench.controller.lights.set_light(1, 0, 0, 0, 0) is None
+    bench.step()
+    counted = [frame.data[7] for frame in bench.heard()]
+    assert counted == [*range(256), 0, 1]
+
+
+def test_what_was_refused_is_not_counted(bench):
+    bench.connect()
+    bench.heard()
+    lights = bench.controller.lights
+    assert lights.set_light(1, 0, 256, 0, 0).code == "light_out_of_range"
+    assert bench.codes()[-1] == "refused"
+    assert lights.set_light(1, 0, 1, 2, 3) is None
+    bench.step()
+    assert bench.heard() == [light("01 01 00 01 02 03 00 00")]
+
+
+def test_the_counter_goes_on_over_another_connection(bench):
+    bench.connect()
+    bench.controller.lights.set_light(1, 0, 0, 0, 0)
+    bench.step()
+    bench.controller.disconnect_device()
+    bench.notices.clear()
+    bench.connect()
+    bench.heard()
+    bench.controller.lights.set_light(1, 0, 0, 0, 0)
+    bench.step()
+    assert [frame.data[7] for frame in bench.heard()] == [1]
+
+
+def test_without_an_arm_it_is_refused_with_the_reason(bench):
+    lights = bench.controller.lights
+    assert lights.set_light(1, 0, 0, 0, 0).code == "not_connected"
+    bench.connect()
+    bench.powered = False
+    bench.run(0.6)
+    bench.heard()
+    assert lights.set_light(1, 0, 0, 0, 0).code == "offline"
+    bench.step()
+    assert bench.heard() == []
+
+
+def test_a_stopped_arm_can_be_lit(bench):
+    bench.ready()
+    bench.controller.emergency_stop()
+    bench.run_until(lambda: "stop_confirmed" in bench.codes())
+    bench.heard()
+    assert bench.controller.lights.set_light(1, ALL_LAMPS, 255, 0, 0) is None
+    bench.step()
+    assert bench.heard() == [light("01 01 FF FF 00 00 00 00")]
+
+
+@pytest.mark.parametrize(
+    ("figures", "wrong"),
+    [
+        ({"joint": 0}, ("joint", 0, 1, 6)),
+        ({"joint": 7}, ("joint", 7, 1, 6)),
+        ({"joint": 1, "lamp": -1}, ("lamp", -1, 0, 254)),
+        ({"lamp": 256}, ("lamp", 256, 0, 254)),
+        ({"red": 256}, ("red", 256, 0, 255)),
+        ({"red": 0, "green": -1}, ("green", -1, 0, 255)),
+        ({"blue": 1000}, ("blue", 1000, 0, 255)),
+    ],
+)
+def test_out_of_range_names_figure_value_and_range(figures, wrong):
+    refusal = check_light(**figures)
+    assert refusal.code == "light_out_of_range"
+    assert tuple(refusal.params.values()) == wrong
+
+
+@pytest.mark.parametrize("lamp", [0, 254, ALL_LAMPS])
+def test_the_ends_of_the_ranges_may_be_sent(lamp):
+    assert check_light(joint=1, lamp=lamp, red=0, green=255, blue=0) is None
+    assert check_light(joint=6, lamp=lamp, red=255, green=0, blue=255) is None

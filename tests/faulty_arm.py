@@ -1,0 +1,48 @@
+"""Faults put into the frames of the simulated arm: what its drivers say, byte by byte."""
+
+import weakref
+
+from armui.protocol.frame import Frame
+from armui.sim.firmware import Firmware
+
+_DRIVER_SLOW = 0x260
+_STATUS_BYTE = 5
+
+
+class FaultyDrivers:
+    """Sets bits of 0x261–0x266 byte 5 on their way out of a firmware, or keeps frames back.
+
+    Attributes:
+        bits: The bits to set, by joint.
+        silent: Joints whose drivers say nothing.
+    """
+
+    def __init__(self, firmware: Firmware) -> None:
+        self.bits: dict[int, int] = {}
+        self.silent: set[int] = set()
+        # the firmware holds this; a reference back would keep both beyond the test
+        self._step = weakref.WeakMethod(firmware.step)
+        self._firmware = weakref.ref(firmware)
+        firmware.step = self.step
+
+    def mend(self) -> None:
+        """From now on the drivers say what is so."""
+        del self._firmware().step
+
+    def step(self, dt_s: float) -> list[Frame]:
+        """The firmware's frames with the faults in them."""
+        step = self._step()
+        assert step is not None
+        return [
+            self._spoil(frame)
+            for frame in step(dt_s)
+            if frame.arbitration_id - _DRIVER_SLOW not in self.silent
+        ]
+
+    def _spoil(self, frame: Frame) -> Frame:
+        bits = self.bits.get(frame.arbitration_id - _DRIVER_SLOW, 0)
+        if not bits:
+            return frame
+        data = bytearray(frame.data)
+        data[_STATUS_BYTE] |= bits
+        return Frame(frame.arbitration_id, bytes(data))
