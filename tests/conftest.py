@@ -7,6 +7,7 @@ import threading
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 import pytest
+from PySide6.QtCore import QCoreApplication, QEvent
 
 from armui.protocol.generation import Generation
 from tests.bench import Bench
@@ -48,6 +49,12 @@ def any_desk(qapp, request, tmp_path, generation):
     desk = Desk(qapp, request.node.nodeid, tmp_path / "settings.json", generation)
     yield desk
     desk.close()
+
+
+def pytest_runtest_setup():
+    """Delete what the test before had closed: windows, and their timers, end with their test."""
+    if QCoreApplication.instance() is not None:
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
 
 
 @pytest.fixture(autouse=True)
