@@ -13,6 +13,8 @@ from armui.protocol.generation import Generation
 from tests.bench import Bench
 from tests.desk import Desk
 
+_ENDING_S = 2.0
+
 
 @pytest.fixture(params=[Generation.ONE, Generation.TWO], ids=["gen1", "gen2"])
 def generation(request):
@@ -67,4 +69,7 @@ def no_thread_outlives_the_test():
         for thread in set(threading.enumerate()) - before
         if not isinstance(thread, threading._DummyThread)
     ]
-    assert not left, f"left running: {left}"
+    for thread in left:
+        thread.join(_ENDING_S)  # python-can's search lets its threads end by themselves
+    still = [thread for thread in left if thread.is_alive()]
+    assert not still, f"left running: {still}"
