@@ -17,10 +17,8 @@ from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec, Oddity, OddityKind
 from armui.protocol.codes import (
     ALL_JOINTS,
-    ArmStatusCode,
     ControlMode,
     LinkageRole,
-    MotionState,
     MotorAction,
     MoveMode,
     SettingIndex,
@@ -46,6 +44,7 @@ from armui.sim.linkage import LinkedInput
 from armui.sim.motion import JOINT_COUNT, SixValues
 from armui.sim.moves import Moves
 from armui.sim.protection import Protection
+from armui.sim.readings import Readings
 from armui.sim.schedule import Schedule
 from armui.sim.settings import Linkage
 from armui.sim.teaching import Teaching
@@ -64,7 +63,7 @@ _CONTROL: Final = frozenset(
 _MIT_CONTROL: Final = tuple(f"MitControl{joint}" for joint in JOINTS)
 
 
-class Firmware:
+class Firmware(Readings):
     """A simulated arm.
 
     Attributes:
@@ -152,54 +151,9 @@ class Firmware:
         }
 
     @property
-    def joints_deg(self) -> SixValues:
-        """Where the joints are."""
-        return self.body.positions_deg
-
-    @property
     def targets_deg(self) -> SixValues:
         """The last joint targets it took on."""
         return self._moves.targets_deg
-
-    @property
-    def enabled(self) -> tuple[bool, ...]:
-        """Which motors have power."""
-        return self.body.powered
-
-    @property
-    def status(self) -> ArmStatusCode:
-        """As 0x2A1 byte 1 tells it."""
-        return self.condition.status
-
-    @property
-    def stopped(self) -> bool:
-        """Whether an emergency stop is in force."""
-        return self.condition.stopped
-
-    @property
-    def control_mode(self) -> ControlMode:
-        """Who commands the arm."""
-        return self.condition.control_mode
-
-    @property
-    def move_mode(self) -> MoveMode:
-        """Which kind of motion targets ask for."""
-        return self.condition.move_mode
-
-    @property
-    def speed_percent(self) -> int:
-        """Share of the joints' highest speeds."""
-        return self.condition.speed_percent
-
-    @property
-    def motion_state(self) -> MotionState:
-        """Whether the last target is reached."""
-        return self.condition.motion_state
-
-    @property
-    def teaching_state(self) -> TeachingState:
-        """What drag teaching does."""
-        return self.condition.teaching_state
 
     @property
     def silent(self) -> bool:
