@@ -1,0 +1,55 @@
+"""The same point the other way: joint angles as a pose, a pose as joint angles."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from armui.arm.kinematics import Kinematics, Pose
+from armui.arm.limits import JointLimits, check_joints
+from armui.arm.refusal import Refusal
+from armui.protocol.codes import MoveMode
+from armui.trajectory.program import Waypoint
+
+
+def to_pose(
+    point: Waypoint, kinematics: Kinematics, move: MoveMode = MoveMode.MOVE_P
+) -> Waypoint | Refusal:
+    """A point by the pose its joint angles give the flange.
+
+    Args:
+        point: The point; one that holds a pose keeps it.
+        kinematics: Of the arm.
+        move: MOVE_P or MOVE_L. An arc needs a middle that no conversion can know.
+    """
+    if move not in (MoveMode.MOVE_P, MoveMode.MOVE_L):
+        return Refusal("convert_needs_middle", {})
+    if not point.is_joint:
+        return replace(point, move=move, middle=None)
+    pose = kinematics.forward(point.target)
+    return replace(point, move=move, target=tuple(pose), middle=None)
+
+
+def to_joints(
+    point: Waypoint,
+    kinematics: Kinematics,
+    near_deg: Sequence[float],
+    limits: Sequence[JointLimits] | None = None,
+) -> Waypoint | Refusal:
+    """A point by joint angles that bring the flange to its pose.
+
+    Args:
+        point: The point; one that holds joint angles stays as it is.
+        kinematics: Of the arm.
+        near_deg: Of several ways the one nearest to these angles is taken.
+        limits: Where given, a way within them goes before a nearer one beyond.
+    """
+    if point.is_joint:
+        return point
+    ways = kinematics.inverse(Pose(*point.target), near_deg)
+    if not ways:
+        x, y, z = point.target[:3]
+        return Refusal("pose_out_of_reach", {"x": x, "y": y, "z": z})
+    within = [way for way in ways if limits is None or check_joints(way, limits) is None]
+    best = (within or ways)[0]
+    return replace(point, move=MoveMode.MOVE_J, target=tuple(best), middle=None)
