@@ -130,7 +130,7 @@ class Bench:
     def ready(self) -> None:
         """Connect and enable: the arm may move."""
         self.connect()
-        assert self.controller.enable_motors() is None
+        assert self.controller.motors.enable() is None
         self.run_until(lambda: self.controller.situation.cannot_move is None)
 
     def codes(self) -> list[str]:

@@ -70,7 +70,7 @@ def _lights_refused(desk: Desk) -> None:
 def _moving(desk: Desk) -> None:
     desk.click("menu_motion")
     desk.enable_by_hand()
-    desk.controller.set_speed_percent(20)
+    desk.controller.motion.set_speed_percent(20)
     for joint, angle_deg in enumerate(REACH_OUT_DEG, start=1):
         desk.type_into(f"target_field_{joint}", f"{angle_deg}")
     desk.click("send_button")

@@ -14,37 +14,26 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from armui.arm.device import Device
-from armui.arm.limits import check_joints
-from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.bus.link import BusReport
-from armui.control import gate, reports
+from armui.control import reports
 from armui.control.assessment import Circumstances, assess
 from armui.control.connection import Connection
+from armui.control.context import Context, Part
 from armui.control.device_finder import DeviceFinder
 from armui.control.joint_errors import JointErrors
 from armui.control.lights import Lights
+from armui.control.motion import Motion
+from armui.control.motors import Motors
 from armui.control.notices import CODES
-from armui.control.request import Outcome, Request
-from armui.control.setpoint import Setpoint
-from armui.control.situation import Busy, LinkState, Notice, Situation, StopState
-from armui.control.speed import speed_frames
+from armui.control.situation import Busy, LinkState, Notice, Situation
 from armui.control.stop import StopKeeper, is_stopped
 from armui.protocol import commands
-from armui.protocol.frame import Frame
 
 if TYPE_CHECKING:
     from armui.bus.worker import Opener
 
 _TICK_MS: Final = 33
-_HOME_DEG: Final = (0.0,) * 6
-_FIRST_SPEED_PERCENT: Final = 30
-
-_ENABLE_REPEAT_S: Final = 0.5
-_ENABLE_ATTEMPTS: Final = 3
-"""Real arms often want the enable command twice."""
-_RESUME_REPEAT_S: Final = 0.5
-_RESUME_ATTEMPTS: Final = 2
 
 
 class ArmController(QObject):
@@ -60,6 +49,8 @@ class ArmController(QObject):
         clock: Monotonic time in seconds.
 
     Attributes:
+        motion: Moves the joints.
+        motors: Switches the motors.
         lights: The lamps of the joints.
         joint_errors: Clears the errors of the joints' drivers.
 
@@ -93,16 +84,18 @@ class ArmController(QObject):
         self._connection = Connection(opener, clock, self)
         self._connection.changed.connect(self._on_connection)
         self._stop = StopKeeper(self._connection.send_urgent)
-        self.lights = Lights(self._connection, self._notice)
-        self.joint_errors = JointErrors(self._connection, self._notice, clock)
-        self._request: tuple[Busy, Request] | None = None
-        self._speed_percent = _FIRST_SPEED_PERCENT
-        self._setpoint = Setpoint()
+        context = Context(self._connection, self._notice, clock, lambda: self._state, self._refresh)
+        self.motion = Motion(context)
+        self.motors = Motors(context, before_switching=self.motion.halt)
+        self.lights = Lights(context)
+        self.joint_errors = JointErrors(context)
+        self._parts: tuple[Part, ...] = (self.motors, self.motion, self.joint_errors)
         self._was_online = False
+        self._was_stopped = False
         self._was_unconfirmed = False
         self._limits_told = False
         self._state = ArmState()
-        self._situation = Situation(speed_percent=self._speed_percent)
+        self._situation = Situation(speed_percent=self.motion.speed_percent)
         self._timer = QTimer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.setInterval(_TICK_MS)
@@ -117,11 +110,6 @@ class ArmController(QObject):
     def situation(self) -> Situation:
         """What the operator can do now."""
         return self._situation
-
-    @property
-    def setpoint_deg(self) -> tuple[float, ...] | None:
-        """The angles last sent, as long as they stand for what the arm is doing."""
-        return self._setpoint.angles_deg
 
     # Devices ----------------------------------------------------------------------------------
 
@@ -165,130 +153,14 @@ class ArmController(QObject):
 
     def emergency_stop(self) -> None:
         """Stop the arm at once: past every other frame, whatever else is under way (0x150)."""
-        self._setpoint.clear()
-        self._request = None
         if self._connection.device is None:
             self._notice("stop_not_sent")
             return
         frames = commands.emergency_stop(self._connection.codec)
         on_the_bus = self._stop.request(frames, self._clock())
+        self._halt()
         self._notice("stop_sent" if on_the_bus else "stop_not_sent")
         self._refresh()
-
-    def resume(self) -> Refusal | None:
-        """End the emergency stop: power is cut at once, the arm DROPS; then it must be enabled."""
-        if self._situation.stop is not StopState.STOPPED:
-            return self._refuse(Refusal("not_stopped"))
-        self._notice("resume_sent")
-        self._start(
-            Busy.RESUMING,
-            commands.resume(self._connection.codec),
-            lambda state: state.status is not None and not is_stopped(state),
-            _RESUME_REPEAT_S,
-            _RESUME_ATTEMPTS,
-        )
-        return None
-
-    # Motors and speed -------------------------------------------------------------------------
-
-    def enable_motors(self) -> Refusal | None:
-        """Enable all six motors (0x471), again until the drivers say that all are on."""
-        return self._switch_motors(on=True)
-
-    def disable_motors(self) -> Refusal | None:
-        """Disable all six motors (0x471): the arm DROPS."""
-        return self._switch_motors(on=False)
-
-    def set_speed_percent(self, percent: float) -> Refusal | None:
-        """Set the speed of motions, 0–100 % of the arm's maximum (0x151 byte 2).
-
-        The arm is told at once, in the mode it is in; it keeps that mode.
-        """
-        if not 0 <= percent <= 100:
-            return self._refuse(Refusal("speed_out_of_range", {"value": percent}))
-        self._speed_percent = round(percent)
-        if gate.why_no_command(self._situation.link, self._situation.stop, None) is None:
-            frames = speed_frames(self._connection.codec, self._state, self._speed_percent)
-            if frames and self._connection.send(frames):
-                self._notice("sent_speed", percent=self._speed_percent)
-        self._refresh()
-        return None
-
-    # Motion -----------------------------------------------------------------------------------
-
-    def jog(self, joint: int, delta_deg: float) -> Refusal | None:
-        """Move one joint by a step at once; the other five stay where they are or were going."""
-        base_deg = self._setpoint.jog_base_deg(
-            self._state, self._clock(), moving=self._situation.moving
-        )
-        if base_deg is None:
-            return self._refuse(self._situation.cannot_move or Refusal("joints_unknown"))
-        target_deg = list(base_deg)
-        target_deg[joint - 1] = round(target_deg[joint - 1] + delta_deg, 3)
-        return self._move(target_deg, "jogged", joint=joint, target=target_deg[joint - 1])
-
-    def jog_lagging(self, joint: int, step_deg: float) -> bool:
-        """Whether the arm is so far behind that a held button should not step on."""
-        return self._setpoint.lagging(self._state, joint, step_deg)
-
-    def send_joints(self, angles_deg: Sequence[float]) -> Refusal | None:
-        """Move to six angles in degrees (MOVE J, 0x155–0x157 and 0x151)."""
-        return self._move(angles_deg, "sent_joints", **reports.numbered(angles_deg))
-
-    def go_home(self) -> Refusal | None:
-        """Move to the factory zero angles."""
-        return self._move(_HOME_DEG, "went_home")
-
-    # How commands are carried out ---------------------------------------------------------------
-
-    def _move(self, angles_deg: Sequence[float], code: str, **figures: object) -> Refusal | None:
-        """Send six angles if that may be, and tell so with a notice."""
-        self._refresh()
-        refusal = self._situation.cannot_move or check_joints(angles_deg, self._situation.limits)
-        if refusal is not None:
-            return self._refuse(refusal)
-        frames = commands.move_joints(
-            self._connection.codec, angles_deg, speed_percent=self._speed_percent
-        )
-        if not self._connection.send(frames):
-            return self._refuse(Refusal("link_lost"))
-        self._setpoint.set(angles_deg, self._clock())
-        self._notice(code, **figures)
-        return None
-
-    def _switch_motors(self, *, on: bool) -> Refusal | None:
-        self._refresh()
-        if self._situation.cannot_enable is not None:
-            return self._refuse(self._situation.cannot_enable)
-        self._setpoint.clear()
-        command = commands.enable_motors if on else commands.disable_motors
-        self._notice("enable_sent" if on else "disable_sent")
-        self._start(
-            Busy.ENABLING if on else Busy.DISABLING,
-            command(self._connection.codec),
-            lambda state: all(enabled is on for enabled in state.enabled()),
-            _ENABLE_REPEAT_S,
-            _ENABLE_ATTEMPTS,
-        )
-        return None
-
-    def _start(
-        self,
-        busy: Busy,
-        frames: Sequence[Frame],
-        seen: Callable[[ArmState], bool],
-        repeat_s: float,
-        attempts: int,
-    ) -> None:
-        request = Request(frames, seen, self._connection.send, repeat_s, attempts)
-        self._request = (busy, request)
-        request.advance(self._state, self._clock())
-        self._refresh()
-
-    def _refuse(self, refusal: Refusal | None) -> Refusal:
-        refusal = refusal or Refusal("not_connected")
-        self._notice("refused", reason=refusal)
-        return refusal
 
     def _notice(self, code: str, **params: object) -> None:
         self.noticed.emit(Notice(datetime.now().astimezone(), CODES[code], code, params))
@@ -303,8 +175,8 @@ class ArmController(QObject):
         self._state = heard
         self._follow_online()
         self._follow_stop(now_s)
-        self._follow_request(now_s)
-        self.joint_errors.advance()
+        for part in self._parts:
+            part.advance()
         self._follow_handshake()
         self._refresh()
         if changed:
@@ -317,7 +189,7 @@ class ArmController(QObject):
             if online:
                 self._limits_told = False
             else:
-                self._setpoint.clear()
+                self.motion.forget()
             if self._connection.link in {LinkState.ONLINE, LinkState.OFFLINE}:
                 self._notice("online" if online else "offline")
 
@@ -328,19 +200,10 @@ class ArmController(QObject):
         if unconfirmed and not self._was_unconfirmed:
             self._notice("stop_unconfirmed")
         self._was_unconfirmed = unconfirmed
-        if is_stopped(self._state):
-            self._setpoint.clear()
-
-    def _follow_request(self, now_s: float) -> None:
-        if self._request is None:
-            return
-        busy, request = self._request
-        outcome = request.advance(self._state, now_s)
-        if outcome is Outcome.WAITING:
-            return
-        self._request = None
-        code, figures = reports.on_request(busy, self._state, done=outcome is Outcome.DONE)
-        self._notice(code, **figures)
+        stopped = is_stopped(self._state)
+        if stopped and not self._was_stopped:
+            self._halt()
+        self._was_stopped = stopped
 
     def _follow_handshake(self) -> None:
         handshake = self._connection.handshake
@@ -352,8 +215,7 @@ class ArmController(QObject):
 
     def _on_connection(self, report: BusReport, code: str) -> None:
         if code == "link_lost":
-            self._setpoint.clear()
-            self._request = None
+            self._forget_answers()
         elif code == "connect_failed":
             self._timer.stop()
             self._forget_arm()
@@ -362,19 +224,26 @@ class ArmController(QObject):
 
     def _forget_arm(self) -> None:
         self._stop.forget()
-        self.joint_errors.forget()
-        self._request = None
-        self._setpoint.clear()
-        self._was_online = False
+        self._forget_answers()
+        self._was_online = self._was_stopped = False
 
-    def _refresh(self) -> None:
+    def _forget_answers(self) -> None:
+        for part in self._parts:
+            part.forget()
+
+    def _halt(self) -> None:
+        for part in self._parts:
+            part.halt()
+
+    def _refresh(self) -> Situation:
         situation = self._assess(self._clock())
         if situation != self._situation:
             self._situation = situation
             self.situation_changed.emit(situation)
+        return self._situation
 
     def _assess(self, now_s: float) -> Situation:
-        busy = self._request[0] if self._request is not None else None
+        busy = self.motors.busy
         around = Circumstances(
             link=self._connection.link,
             device=self._connection.device,
@@ -386,7 +255,7 @@ class ArmController(QObject):
             ),
             stop_unconfirmed=self._stop.unconfirmed(now_s),
             busy=busy,
-            speed_percent=self._speed_percent,
+            speed_percent=self.motion.speed_percent,
             generation=self._connection.generation,
         )
         return assess(self._state, around, now_s)

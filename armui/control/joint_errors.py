@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
+from armui.control.context import Context
 from armui.control.situation import why_unreachable
 from armui.protocol import commands
 from armui.protocol.codes import SettingIndex
 
 if TYPE_CHECKING:
-    from armui.control.connection import Connection
-    from armui.control.lights import Tell
     from armui.protocol.codec import Message
 
 _ANSWER_S: Final = 1.0
@@ -25,40 +23,38 @@ class JointErrors:
     that the arm has heard; whether the fault has gone is what the drivers' feedback says.
 
     Args:
-        connection: The way to the arm.
-        tell: Takes the notices.
-        clock: Monotonic time in seconds.
+        context: What the parts of the controller share.
     """
 
-    def __init__(self, connection: Connection, tell: Tell, clock: Callable[[], float]) -> None:
-        self._connection = connection
-        self._tell = tell
-        self._clock = clock
+    def __init__(self, context: Context) -> None:
+        self._context = context
         self._joint: int | None = None
         self._deadline_s = 0.0
-        connection.answered.connect(self._on_answer)
+        context.connection.answered.connect(self._on_answer)
 
     def clear(self, joint: int) -> Refusal | None:
         """Ask a joint (1–6) to clear its error: ``None`` if it is on its way, or why it is not."""
-        refusal = why_unreachable(self._connection.link)
+        refusal = why_unreachable(self._context.connection.link)
         if refusal is None and self._joint is not None:
             refusal = Refusal("busy", {"what": "clearing_error"})
         if refusal is None:
-            frames = commands.clear_joint_error(self._connection.codec, joint)
-            if not self._connection.send(frames):
+            frames = commands.clear_joint_error(self._context.connection.codec, joint)
+            if not self._context.connection.send(frames):
                 refusal = Refusal("link_lost")
         if refusal is not None:
-            self._tell("refused", reason=refusal)
-            return refusal
+            return self._context.refuse(refusal)
         self._joint = joint
-        self._deadline_s = self._clock() + _ANSWER_S
-        self._tell("clear_error_sent", joint=joint)
+        self._deadline_s = self._context.clock() + _ANSWER_S
+        self._context.tell("clear_error_sent", joint=joint)
         return None
 
     def advance(self) -> None:
         """Say so if an answer is overdue; called regularly while a device is open."""
-        if self._joint is not None and self._clock() >= self._deadline_s:
+        if self._joint is not None and self._context.clock() >= self._deadline_s:
             self._finish("clear_error_unanswered")
+
+    def halt(self) -> None:
+        """Clearing an error moves nothing: a stop leaves it be."""
 
     def forget(self) -> None:
         """The device was disconnected on purpose: no answer will come."""
@@ -72,4 +68,4 @@ class JointErrors:
 
     def _finish(self, code: str) -> None:
         joint, self._joint = self._joint, None
-        self._tell(code, joint=joint)
+        self._context.tell(code, joint=joint)

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Final, Protocol
+from typing import Final
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
+from armui.control.context import Context
 from armui.control.situation import why_unreachable
 from armui.protocol import commands
 from armui.protocol.codes import ALL_LAMPS
-
-if TYPE_CHECKING:
-    from armui.control.connection import Connection
 
 RANGES: Final[Mapping[str, range]] = {
     "joint": JOINTS,
@@ -26,12 +24,6 @@ RANGES: Final[Mapping[str, range]] = {
 _COUNTS: Final = 256
 
 
-class Tell(Protocol):
-    """Tells the operator something: the code of a notice and its figures."""
-
-    def __call__(self, code: str, **params: object) -> None: ...  # noqa: D102 - said above
-
-
 class Lights:
     """Sends colours to the lamps and counts the frames.
 
@@ -39,13 +31,11 @@ class Lights:
     nothing, so it may be set whenever the arm is online, enabled or not, stopped or not.
 
     Args:
-        connection: The way to the arm.
-        tell: Takes the notices.
+        context: What the parts of the controller share.
     """
 
-    def __init__(self, connection: Connection, tell: Tell) -> None:
-        self._connection = connection
-        self._tell = tell
+    def __init__(self, context: Context) -> None:
+        self._context = context
         self._counter = 0
 
     def set_light(self, joint: int, lamp: int, red: int, green: int, blue: int) -> Refusal | None:
@@ -61,25 +51,24 @@ class Lights:
         Returns:
             ``None`` if it is on its way, or why nothing was sent.
         """
-        refusal = why_unreachable(self._connection.link) or check_light(
+        refusal = why_unreachable(self._context.connection.link) or check_light(
             joint=joint, lamp=lamp, red=red, green=green, blue=blue
         )
         if refusal is None:
             frames = commands.set_light(
-                self._connection.codec,
+                self._context.connection.codec,
                 joint,
                 (red, green, blue),
                 lamp=lamp,
                 counter=self._counter,
             )
-            if not self._connection.send(frames):
+            if not self._context.connection.send(frames):
                 refusal = Refusal("link_lost")
         if refusal is not None:
-            self._tell("refused", reason=refusal)
-            return refusal
+            return self._context.refuse(refusal)
         self._counter = (self._counter + 1) % _COUNTS
         code = "sent_lamps" if lamp == ALL_LAMPS else "sent_lamp"
-        self._tell(code, joint=joint, lamp=lamp, color=f"#{red:02X}{green:02X}{blue:02X}")
+        self._context.tell(code, joint=joint, lamp=lamp, color=f"#{red:02X}{green:02X}{blue:02X}")
         return None
 
 

@@ -27,7 +27,11 @@ CODES: Final[Mapping[str, Level]] = {
     "enable_sent": Level.INFO,
     "enabled": Level.DONE,
     "enable_failed": Level.FAULT,  # joints
+    "enable_sent_joint": Level.INFO,  # joint
+    "enabled_joint": Level.DONE,  # joint
     "disable_sent": Level.INFO,
+    "disable_sent_joint": Level.INFO,  # joint
+    "disabled_joint": Level.DONE,  # joint
     "disabled": Level.DONE,
     "disable_failed": Level.FAULT,  # joints
     "clear_error_sent": Level.INFO,  # joint

@@ -32,12 +32,16 @@ def on_handshake(state: ArmState, generation: Generation | None) -> Iterator[Rep
             yield "limits_corrupt", {"joint": joint}
 
 
-def on_request(busy: Busy, state: ArmState, *, done: bool) -> Report:
-    """How switching the motors, or recovering from a stop, ended."""
+def on_motors(busy: Busy, state: ArmState, joints: Sequence[int], *, done: bool) -> Report:
+    """How switching motors, or recovering from a stop, ended."""
     if busy is Busy.RESUMING:
         return ("resumed" if done else "resume_failed"), {}
     wanted = busy is Busy.ENABLING
+    word = "enabled" if wanted else "disabled"
+    if done and len(joints) > 1:
+        return word, {}
     if done:
-        return ("enabled" if wanted else "disabled"), {}
-    left = [joint for joint, on in enumerate(state.enabled(), start=1) if on is not wanted]
+        return f"{word}_joint", {"joint": joints[0]}
+    enabled = state.enabled()
+    left = [joint for joint in joints if enabled[joint - 1] is not wanted]
     return ("enable_failed" if wanted else "disable_failed"), {"joints": joint_list(left)}

@@ -79,12 +79,12 @@ class TopBar(QWidget):
                 "Afterwards the motors must be enabled again."
             ),
             action_label=self.tr("Resume"),
-            on_confirmed=self._controller.resume,
+            on_confirmed=self._controller.motors.resume,
         )
 
     def _on_enable(self) -> None:
         if not self._enable.turns_off:
-            self._controller.enable_motors()
+            self._controller.motors.enable()
             return
         confirm(
             self.window(),
@@ -92,7 +92,7 @@ class TopBar(QWidget):
             title=self.tr("Disable the motors"),
             text=self.tr("The arm will drop when its motors are disabled. Hold the arm."),
             action_label=self.tr("Disable"),
-            on_confirmed=self._controller.disable_motors,
+            on_confirmed=self._controller.motors.disable,
         )
 
     def changeEvent(self, event: QEvent) -> None:

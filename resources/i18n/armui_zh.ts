@@ -1012,6 +1012,22 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>以下关节未能使能：{joints}。请再按一次“使能”；若仍失败，请检查其驱动器和机械臂电源。</translation>
     </message>
     <message>
+        <source>Enable sent to joint {joint}</source>
+        <translation>已发送关节 {joint} 使能</translation>
+    </message>
+    <message>
+        <source>Joint {joint} is enabled.</source>
+        <translation>关节 {joint} 已使能。</translation>
+    </message>
+    <message>
+        <source>Disable sent to joint {joint}</source>
+        <translation>已发送关节 {joint} 失能</translation>
+    </message>
+    <message>
+        <source>Joint {joint} is disabled.</source>
+        <translation>关节 {joint} 已失能。</translation>
+    </message>
+    <message>
         <source>Disable sent to all six motors. The arm drops: hold the arm.</source>
         <translation>已向 6 个电机发送失能。机械臂会下落，请扶住机械臂。</translation>
     </message>

@@ -24,9 +24,9 @@ def angles(bench):
 
 def test_without_a_device_everything_is_refused_and_says_so(bench):
     assert bench.controller.situation.link is LinkState.NO_DEVICE
-    assert bench.controller.jog(1, 1.0).code == "not_connected"
-    assert bench.controller.enable_motors().code == "not_connected"
-    assert bench.controller.send_joints([0] * 6).code == "not_connected"
+    assert bench.controller.motion.jog(1, 1.0).code == "not_connected"
+    assert bench.controller.motors.enable().code == "not_connected"
+    assert bench.controller.motion.send_joints([0] * 6).code == "not_connected"
     bench.controller.emergency_stop()
     assert bench.codes()[-1] == "stop_not_sent"
 
@@ -53,22 +53,22 @@ def test_enable_and_disable_are_over_when_the_drivers_say_so(any_bench):
     bench = any_bench
     bench.connect()
     assert bench.controller.situation.enabled == (False,) * 6
-    assert bench.controller.enable_motors() is None
-    assert bench.controller.jog(1, 1.0).code == "busy"
+    assert bench.controller.motors.enable() is None
+    assert bench.controller.motion.jog(1, 1.0).code == "busy"
     bench.run_until(lambda: "enabled" in bench.codes())
     assert bench.controller.situation.enabled == (True,) * 6
     assert bench.heard()[0] == ENABLE
-    assert bench.controller.disable_motors() is None
+    assert bench.controller.motors.disable() is None
     bench.run_until(lambda: "disabled" in bench.codes())
     assert bench.heard()[0] == DISABLE
-    assert bench.controller.jog(1, 1.0).code == "not_enabled"
+    assert bench.controller.motion.jog(1, 1.0).code == "not_enabled"
 
 
 def test_six_angles_are_sent_as_the_protocol_says_and_reached(any_bench):
     bench = any_bench
     bench.ready()
     bench.heard()
-    assert bench.controller.send_joints([12, 30, -20, 5, -5, 60]) is None
+    assert bench.controller.motion.send_joints([12, 30, -20, 5, -5, 60]) is None
     bench.step()
     assert bench.heard() == [
         Frame(0x155, bytes.fromhex("00002EE0 00007530")),  # 12000, 30000
@@ -84,19 +84,19 @@ def test_six_angles_are_sent_as_the_protocol_says_and_reached(any_bench):
 
 def test_home_is_all_zeros(bench):
     bench.ready()
-    bench.controller.send_joints([10, 20, -20, 0, 0, 0])
+    bench.controller.motion.send_joints([10, 20, -20, 0, 0, 0])
     bench.run_until(lambda: angles(bench)[0] == 10)
-    assert bench.controller.go_home() is None
+    assert bench.controller.motion.go_home() is None
     bench.run_until(lambda: angles(bench) == [0] * 6)
     assert "went_home" in bench.codes()
 
 
 def test_a_jog_moves_one_joint_by_one_step(bench):
     bench.ready()
-    assert bench.controller.jog(2, 1.0) is None
+    assert bench.controller.motion.jog(2, 1.0) is None
     bench.run_until(lambda: angles(bench)[1] == 1)
     bench.run(0.2)
-    assert bench.controller.jog(2, 0.5) is None
+    assert bench.controller.motion.jog(2, 0.5) is None
     bench.run_until(lambda: angles(bench)[1] == 1.5)
     assert angles(bench) == [0, 1.5, 0, 0, 0, 0]
 
@@ -104,7 +104,7 @@ def test_a_jog_moves_one_joint_by_one_step(bench):
 def test_steps_add_up_while_the_arm_is_still_moving(bench):
     bench.ready()
     for _ in range(5):
-        assert bench.controller.jog(1, 2.0) is None
+        assert bench.controller.motion.jog(1, 2.0) is None
         bench.step()
     bench.run_until(lambda: angles(bench)[0] == 10)
     assert angles(bench) == [10, 0, 0, 0, 0, 0]
@@ -112,20 +112,20 @@ def test_steps_add_up_while_the_arm_is_still_moving(bench):
 
 def test_a_held_button_waits_for_an_arm_that_lags(bench):
     bench.ready()
-    assert not bench.controller.jog_lagging(1, 5.0)
+    assert not bench.controller.motion.jog_lagging(1, 5.0)
     for _ in range(3):
-        bench.controller.jog(1, 5.0)
-    assert bench.controller.jog_lagging(1, 5.0)
+        bench.controller.motion.jog(1, 5.0)
+    assert bench.controller.motion.jog_lagging(1, 5.0)
     bench.run_until(lambda: angles(bench)[0] == 15)
     bench.run(0.1)
-    assert not bench.controller.jog_lagging(1, 5.0)
+    assert not bench.controller.motion.jog_lagging(1, 5.0)
 
 
 @pytest.mark.parametrize("delta_deg", [-0.001, 181.0])
 def test_a_jog_beyond_the_limits_is_refused_and_nothing_is_sent(bench, delta_deg):
     bench.ready()
     bench.heard()
-    refusal = bench.controller.jog(2, delta_deg)
+    refusal = bench.controller.motion.jog(2, delta_deg)
     assert (refusal.code, refusal.params["joint"]) == ("joint_out_of_limits", 2)
     bench.step()
     assert bench.heard() == []
@@ -134,9 +134,9 @@ def test_a_jog_beyond_the_limits_is_refused_and_nothing_is_sent(bench, delta_deg
 def test_angles_beyond_the_limits_are_refused_and_nothing_is_sent(bench):
     bench.ready()
     bench.heard()
-    refusal = bench.controller.send_joints([0, 0, 0, 0, 70.001, 0])
+    refusal = bench.controller.motion.send_joints([0, 0, 0, 0, 70.001, 0])
     assert refusal.params == {"joint": 5, "value": 70.001, "minimum": -70, "maximum": 70}
-    assert bench.controller.send_joints([float("nan")] * 6).code == "joint_not_a_number"
+    assert bench.controller.motion.send_joints([float("nan")] * 6).code == "joint_not_a_number"
     bench.step()
     assert bench.heard() == []
 
@@ -144,14 +144,14 @@ def test_angles_beyond_the_limits_are_refused_and_nothing_is_sent(bench):
 def test_the_speed_goes_to_the_arm_in_the_mode_it_is_in(bench):
     bench.ready()
     bench.heard()
-    assert bench.controller.set_speed_percent(55) is None
+    assert bench.controller.motion.set_speed_percent(55) is None
     bench.step()
     assert bench.heard() == [Frame(0x151, bytes.fromhex("00 00 37 00 00 00 00 00"))]  # standby
-    bench.controller.jog(1, 1.0)
+    bench.controller.motion.jog(1, 1.0)
     bench.run_until(lambda: bench.firmware.control_mode is ControlMode.CAN_CONTROL)
     bench.run(0.1)
     bench.heard()
-    bench.controller.set_speed_percent(80)
+    bench.controller.motion.set_speed_percent(80)
     bench.step()
     assert bench.heard() == [Frame(0x151, bytes.fromhex("01 01 50 00 00 00 00 00"))]
     assert bench.firmware.speed_percent == 80
@@ -160,20 +160,20 @@ def test_the_speed_goes_to_the_arm_in_the_mode_it_is_in(bench):
 @pytest.mark.parametrize("percent", [-1, 100.5, 255])
 def test_an_impossible_speed_is_refused(bench, percent):
     bench.connect()
-    assert bench.controller.set_speed_percent(percent).code == "speed_out_of_range"
+    assert bench.controller.motion.set_speed_percent(percent).code == "speed_out_of_range"
     assert bench.controller.situation.speed_percent == 30
 
 
 def test_at_zero_percent_a_motion_is_refused(bench):
     bench.ready()
-    bench.controller.set_speed_percent(0)
-    assert bench.controller.go_home().code == "speed_zero"
+    bench.controller.motion.set_speed_percent(0)
+    assert bench.controller.motion.go_home().code == "speed_zero"
 
 
 def test_stop_resume_enable_and_on(any_bench):
     bench = any_bench
     bench.ready()
-    bench.controller.send_joints([90, 90, -90, 0, 0, 0])
+    bench.controller.motion.send_joints([90, 90, -90, 0, 0, 0])
     bench.run(0.5)
     bench.heard()
     bench.controller.emergency_stop()
@@ -182,18 +182,18 @@ def test_stop_resume_enable_and_on(any_bench):
     bench.run_until(lambda: bench.controller.situation.stop is StopState.STOPPED)
     assert bench.firmware.stopped
     assert bench.codes()[-1] == "stop_confirmed"
-    assert bench.controller.jog(1, 1.0).code == "stopped"
-    assert bench.controller.enable_motors().code == "stopped"
+    assert bench.controller.motion.jog(1, 1.0).code == "stopped"
+    assert bench.controller.motors.enable().code == "stopped"
 
-    assert bench.controller.resume() is None
+    assert bench.controller.motors.resume() is None
     bench.run_until(lambda: bench.controller.situation.stop is StopState.RUNNING)
     assert bench.heard()[0] == RESUME
     assert not bench.firmware.stopped
     bench.run(0.3)  # the slow driver feedback has to come round
-    assert bench.controller.jog(1, 1.0).code == "not_enabled"
+    assert bench.controller.motion.jog(1, 1.0).code == "not_enabled"
 
     before = angles(bench)
-    assert bench.controller.enable_motors() is None
+    assert bench.controller.motors.enable() is None
     bench.run_until(lambda: bench.controller.situation.cannot_move is None)
     bench.run(0.5)
     assert angles(bench)[0] == before[0]  # the old target is forgotten
@@ -202,7 +202,7 @@ def test_stop_resume_enable_and_on(any_bench):
 def test_a_stop_drops_what_was_about_to_be_sent(bench):
     bench.ready()
     bench.heard()
-    bench.controller.send_joints([10, 10, -10, 0, 0, 0])
+    bench.controller.motion.send_joints([10, 10, -10, 0, 0, 0])
     bench.controller.emergency_stop()
     bench.run(0.3)
     frames = bench.heard()
@@ -227,7 +227,7 @@ def test_a_stop_is_repeated_until_the_arm_confirms_it(bench):
 
 def test_resume_is_refused_unless_the_arm_is_stopped(bench):
     bench.ready()
-    assert bench.controller.resume().code == "not_stopped"
+    assert bench.controller.motors.resume().code == "not_stopped"
 
 
 def test_a_silent_arm_is_offline_after_half_a_second_and_moves_no_more(bench):
@@ -238,7 +238,7 @@ def test_a_silent_arm_is_offline_after_half_a_second_and_moves_no_more(bench):
     bench.run(0.12)
     assert bench.controller.situation.link is LinkState.OFFLINE
     assert bench.controller.situation.enabled == (None,) * 6
-    assert bench.controller.jog(1, 1.0).code == "offline"
+    assert bench.controller.motion.jog(1, 1.0).code == "offline"
     bench.powered = True
     bench.run_until(lambda: bench.controller.situation.link is LinkState.ONLINE)
     assert bench.codes().count("online") == 2
@@ -251,7 +251,7 @@ def test_a_stopped_arm_that_falls_silent_can_be_stopped_again_not_resumed(bench)
     bench.powered = False
     bench.run(0.6)
     assert bench.controller.situation.stop is StopState.RUNNING
-    assert bench.controller.resume().code == "not_stopped"
+    assert bench.controller.motors.resume().code == "not_stopped"
     bench.heard()
     bench.controller.emergency_stop()
     assert bench.heard() == [STOP]
@@ -275,7 +275,7 @@ def test_an_unplugged_device_is_told_and_taken_up_again(bench, qtbot):
     qtbot.waitUntil(lambda: "link_lost" in bench.codes())
     situation = bench.controller.situation
     assert (situation.link, situation.link_problem.code) == (LinkState.LOST, "bus_gone")
-    assert bench.controller.jog(1, 1.0).code == "link_lost"
+    assert bench.controller.motion.jog(1, 1.0).code == "link_lost"
     bench.plug_in()
     qtbot.waitUntil(lambda: "reconnected" in bench.codes())
     bench.run_until(lambda: bench.controller.situation.cannot_move is None)
@@ -321,7 +321,7 @@ def test_an_arm_under_another_ones_control_is_not_moved(bench):
     bench.ready()
     bench.firmware.condition.control_mode = ControlMode.TEACHING
     bench.run(0.1)
-    refusal = bench.controller.jog(1, 1.0)
+    refusal = bench.controller.motion.jog(1, 1.0)
     assert (refusal.code, refusal.params) == ("other_control", {"mode": 2})
 
 
@@ -329,7 +329,7 @@ def test_an_arm_with_a_fault_is_not_moved(bench):
     bench.ready()
     bench.firmware.condition.communication_fault[2] = True
     bench.run(0.1)
-    refusal = bench.controller.jog(1, 1.0)
+    refusal = bench.controller.motion.jog(1, 1.0)
     assert (refusal.code, refusal.params) == ("arm_fault", {"status": 5})
 
 

@@ -14,6 +14,7 @@ from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Heard, Status
 from armui.control.situation import LinkState, Situation
+from armui.protocol.codes import ALL_JOINTS
 from armui.ui.theme import Theme, apply_theme
 
 NOW_S = 100.0
@@ -80,10 +81,10 @@ class FakeController(QObject):
         super().__init__()
         self.state = ArmState()
         self.situation = Situation(speed_percent=30)
-        self.setpoint_deg: tuple[float, ...] | None = None
         self.calls: list[tuple[Any, ...]] = []
         self.answer: Refusal | None = None
-        self.lagging = False
+        self.motion = FakeMotion(self)
+        self.motors = FakeMotors(self)
         self.lights = FakeLights(self)
         self.joint_errors = FakeJointErrors(self)
 
@@ -119,41 +120,58 @@ class FakeController(QObject):
     def emergency_stop(self) -> None:
         self.calls.append(("emergency_stop",))
 
+    def _asked(self, *call: Any) -> Refusal | None:
+        self.calls.append(call)
+        return self.answer
+
+
+class FakeMotors:
+    """The motors' power of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+
+    def enable(self, joint: int = ALL_JOINTS) -> Refusal | None:
+        return self._controller._asked("enable", joint)
+
+    def disable(self, joint: int = ALL_JOINTS) -> Refusal | None:
+        return self._controller._asked("disable", joint)
+
     def resume(self) -> Refusal | None:
-        return self._asked("resume")
+        return self._controller._asked("resume")
 
-    def enable_motors(self) -> Refusal | None:
-        return self._asked("enable_motors")
 
-    def disable_motors(self) -> Refusal | None:
-        return self._asked("disable_motors")
+class FakeMotion:
+    """The joint motions of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+        self.setpoint_deg: tuple[float, ...] | None = None
+        self.lagging = False
 
     def set_speed_percent(self, percent: float) -> Refusal | None:
-        refusal = self._asked("set_speed_percent", percent)
+        controller = self._controller
+        refusal = controller._asked("set_speed_percent", percent)
         if refusal is None:
-            self.be(replace(self.situation, speed_percent=round(percent)))
+            controller.be(replace(controller.situation, speed_percent=round(percent)))
         return refusal
 
     def jog(self, joint: int, delta_deg: float) -> Refusal | None:
-        refusal = self._asked("jog", joint, delta_deg)
+        refusal = self._controller._asked("jog", joint, delta_deg)
         if refusal is None:
-            base = list(self.setpoint_deg or self.state.angles_deg() or (0.0,) * 6)
+            base = list(self.setpoint_deg or self._controller.state.angles_deg() or (0.0,) * 6)
             base[joint - 1] = round(base[joint - 1] + delta_deg, 3)
             self.setpoint_deg = tuple(base)
         return refusal
 
     def send_joints(self, angles_deg: Sequence[float]) -> Refusal | None:
-        return self._asked("send_joints", tuple(angles_deg))
+        return self._controller._asked("send_joints", tuple(angles_deg))
 
     def go_home(self) -> Refusal | None:
-        return self._asked("go_home")
+        return self._controller._asked("go_home")
 
     def jog_lagging(self, joint: int, step_deg: float) -> bool:
         return self.lagging
-
-    def _asked(self, *call: Any) -> Refusal | None:
-        self.calls.append(call)
-        return self.answer
 
 
 class FakeLights:

@@ -193,13 +193,13 @@ def test_held_button_repeats_until_let_go(panel, controller, qtbot):
 
 def test_held_button_waits_for_a_lagging_arm(panel, controller, qtbot):
     controller.be_ready(ANGLES)
-    controller.lagging = True
+    controller.motion.lagging = True
     button = push(panel, "jog_plus_1")
     qtbot.mousePress(button, LEFT)
     with qtbot.waitSignal(button.repeated):
         pass
     assert controller.calls == [("jog", 1, 1.0)]
-    controller.lagging = False
+    controller.motion.lagging = False
     qtbot.waitUntil(lambda: len(controller.calls) == 2)
     qtbot.mouseRelease(button, LEFT)
 

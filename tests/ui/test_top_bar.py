@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QSpinBox
 
 from armui.arm.refusal import Refusal
 from armui.control.situation import Busy, LinkState, Situation
+from armui.protocol.codes import ALL_JOINTS
 from armui.protocol.generation import Generation
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.top_bar import TopBar
@@ -170,7 +171,7 @@ def test_enable_button_shows_the_six_joints(enable, controller, marks, busy, wor
 def test_a_click_enables_unless_all_are_enabled(enable, controller, qtbot, marks):
     controller.be(situation(enabled=marks))
     qtbot.mouseClick(enable, LEFT)
-    assert controller.calls == [("enable_motors",)]
+    assert controller.calls == [("enable", ALL_JOINTS)]
 
 
 def test_disabling_says_first_that_the_arm_drops(bar, enable, controller, qtbot):
@@ -180,7 +181,7 @@ def test_disabling_says_first_that_the_arm_drops(bar, enable, controller, qtbot)
     (question,) = bar.findChildren(ConfirmDialog)
     assert "drop" in question.text()
     qtbot.mouseClick(question.action_button, LEFT)
-    assert controller.calls == [("disable_motors",)]
+    assert controller.calls == [("disable", ALL_JOINTS)]
 
 
 def test_what_cannot_be_enabled_says_why(enable, controller):

@@ -168,18 +168,18 @@ class MotionPanel(QWidget):
 
     def _on_repeated(self, joint: int, direction: int) -> None:
         """A held button waits for an arm that doesn't keep up: letting go must end the motion."""
-        if not self._controller.jog_lagging(joint, self.jog_step_deg):
+        if not self._controller.motion.jog_lagging(joint, self.jog_step_deg):
             self._on_stepped(joint, direction)
 
     def _on_stepped(self, joint: int, direction: int) -> None:
-        if self._took(self._controller.jog(joint, direction * self.jog_step_deg)):
-            setpoint_deg = self._controller.setpoint_deg
+        if self._took(self._controller.motion.jog(joint, direction * self.jog_step_deg)):
+            setpoint_deg = self._controller.motion.setpoint_deg
             if setpoint_deg is not None:
                 self._rows[joint - 1].show_target(setpoint_deg[joint - 1])
                 self._show_message()
 
     def _on_home(self) -> None:
-        self._took(self._controller.go_home())
+        self._took(self._controller.motion.go_home())
 
     def _on_load(self) -> None:
         angles_deg = self._controller.state.angles_deg()
@@ -196,7 +196,7 @@ class MotionPanel(QWidget):
                 self._took(self._why_no_figure(row))
                 return
             targets_deg.append(row.target_deg)
-        self._took(self._controller.send_joints(targets_deg))
+        self._took(self._controller.motion.send_joints(targets_deg))
 
     @staticmethod
     def _why_no_figure(row: JointRow) -> Refusal:

@@ -74,7 +74,7 @@ class SpeedControl(QWidget):
 
     def _on_chosen(self, percent: int) -> None:
         if percent != self._controller.situation.speed_percent:
-            self._controller.set_speed_percent(percent)
+            self._controller.motion.set_speed_percent(percent)
         self._show_setpoint()
 
     def _on_situation_changed(self, situation: Situation) -> None:

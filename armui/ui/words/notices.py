@@ -53,6 +53,10 @@ _NOTICES: Final[Mapping[str, object]] = {
         "These joints did not enable: {joints}. Press Enable again; if that fails, check their "
         "drivers and the arm's power.",
     ),
+    "enable_sent_joint": QT_TRANSLATE_NOOP("Notice", "Enable sent to joint {joint}"),
+    "enabled_joint": QT_TRANSLATE_NOOP("Notice", "Joint {joint} is enabled."),
+    "disable_sent_joint": QT_TRANSLATE_NOOP("Notice", "Disable sent to joint {joint}"),
+    "disabled_joint": QT_TRANSLATE_NOOP("Notice", "Joint {joint} is disabled."),
     "disable_sent": QT_TRANSLATE_NOOP(
         "Notice", "Disable sent to all six motors. The arm drops: hold the arm."
     ),
