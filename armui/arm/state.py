@@ -147,6 +147,8 @@ class ArmState:
         limits: Angle range and highest speed of each joint, 0x473.
         accelerations_deg_s2: Highest acceleration of each joint, 0x47C.
         firmware: Version text of 0x4AF; generation 1 has none.
+        foreign_targets_s: When the joint targets of another sender, a teaching input or another
+            host, were last heard in full (0x155–0x157, with any identifier offset).
         frames: How many frames have been received since the bus was opened.
         oddities: How many frames of each kind were not understood.
     """
@@ -162,6 +164,7 @@ class ArmState:
     limits: Six[Heard[JointLimits] | None] = _NOTHING
     accelerations_deg_s2: Six[Heard[float] | None] = _NOTHING
     firmware: str | None = None
+    foreign_targets_s: float | None = None
     frames: int = 0
     oddities: Mapping[str, int] = field(default_factory=lambda: _NO_ODDITIES)
 

@@ -14,6 +14,7 @@ from typing import Any, Final
 
 from armui.arm.limits import JOINTS, JointLimits
 from armui.arm.state import ArmState, DriverFast, DriverSlow, Gripper, Heard, Six, Status
+from armui.protocol.addressing import OFFSETS
 from armui.protocol.codec import Codec, Message, Oddity
 
 _Signals = Mapping[str, float]
@@ -27,6 +28,14 @@ _DEGREES_PER: Final = {
     "rad/s^2": math.degrees(1.0),
 }
 """Degrees (per second, per second squared) in one of the protocol's units."""
+
+_TARGET_MESSAGES: Final = ("JointTarget12", "JointTarget34", "JointTarget56")
+_TARGET_PLACES: Final = {
+    target_id + offset: place
+    for offset in OFFSETS
+    for place, target_id in enumerate(range(0x155, 0x158))
+}
+"""Where the joint targets of any sender belong, whatever its identifier offset (0x470)."""
 
 _VERSION_CHARACTERS: Final = 8
 _VERSION_START: Final = "S-V"
@@ -53,6 +62,7 @@ class Tracker:
         self._accelerations: list[Heard[float] | None] = [None] * 6
         self._version_bytes = bytearray()
         self._firmware: str | None = None
+        self._foreign_targets_s: list[float | None] = [None] * len(_TARGET_MESSAGES)
         self._handlers = self._make_handlers()
 
     def fold(self, heard: Message | Oddity, at_s: float) -> None:
@@ -62,12 +72,15 @@ class Tracker:
         if isinstance(heard, Oddity):
             self._oddities[heard.kind.name] += 1
             if heard.message is None:
+                self._note_foreign_target(_TARGET_PLACES.get(heard.arbitration_id), at_s)
                 return
             heard = heard.message
         handler = self._handlers.get(heard.name)
         if handler is not None:
             handler(heard.signals, at_s)
             self._last_feedback_s = at_s
+        elif heard.name in _TARGET_MESSAGES:
+            self._note_foreign_target(_TARGET_MESSAGES.index(heard.name), at_s)
 
     def picture(self) -> ArmState:
         """The arm as heard up to now; the same object as before if nothing new was folded in."""
@@ -89,6 +102,7 @@ class Tracker:
             limits=_six(self._limits),
             accelerations_deg_s2=_six(self._accelerations),
             firmware=self._firmware,
+            foreign_targets_s=self._all_targets_s(),
             frames=self._frames,
             oddities=MappingProxyType(dict(self._oddities)),
         )
@@ -113,6 +127,15 @@ class Tracker:
             handlers[f"DriverFast{joint}"] = self._driver_fast_handler(joint)
             handlers[f"DriverSlow{joint}"] = self._driver_slow_handler(joint)
         return handlers
+
+    def _note_foreign_target(self, place: int | None, at_s: float) -> None:
+        if place is not None:
+            self._foreign_targets_s[place] = at_s
+
+    def _all_targets_s(self) -> float | None:
+        """When the oldest of the three was heard: a single one may be a stray frame."""
+        times = [at_s for at_s in self._foreign_targets_s if at_s is not None]
+        return min(times) if len(times) == len(_TARGET_MESSAGES) else None
 
     def _on_status(self, signals: _Signals, at_s: float) -> None:
         status = Status(

@@ -155,6 +155,8 @@ class BusWorker(QThread):
             self._state = self._tracker.picture()
 
     def _take_in(self, message: can.Message, now_s: float) -> None:
+        if not message.is_rx:
+            return  # some adapters hand back what they have sent: nobody else said it
         heard = _oddity(message) or self._codec.decode(
             Frame(message.arbitration_id, bytes(message.data))
         )

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from armui.arm.device import Device
 from armui.arm.limits import FACTORY_LIMITS, plausible
 from armui.arm.refusal import Refusal
-from armui.arm.state import ArmState, Six
+from armui.arm.state import ArmState, Six, is_fresh
 from armui.control import gate
 from armui.control.situation import Busy, LinkState, Situation, StopState
 from armui.protocol.generation import Generation
@@ -63,6 +63,8 @@ def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
         and state.status is not None
         and not state.status.value.reached,
         generation=around.generation,
+        teaching_input=around.link is LinkState.OFFLINE
+        and is_fresh(state.foreign_targets_s, now_s),
     )
 
 

@@ -67,6 +67,7 @@ class Situation:
         speed_percent: What motions are sent with.
         moving: The arm says that it has not reached its target, and is not stopped.
         generation: The protocol the arm speaks, once that is known.
+        teaching_input: Commands are heard and no feedback: the arm is a teaching input (0x470).
     """
 
     link: LinkState = LinkState.NO_DEVICE
@@ -83,6 +84,7 @@ class Situation:
     speed_percent: int = 0
     moving: bool = False
     generation: Generation | None = None
+    teaching_input: bool = False
 
     @property
     def unreachable(self) -> Refusal | None:

@@ -131,3 +131,20 @@ def test_an_arm_is_online_for_half_a_second_after_its_last_frame(listener):
 def test_the_programs_own_commands_do_not_make_an_arm_online(listener):
     # another host's joint target on the bus
     assert not listener.hear(0x155, "00002EE0 00000000").online(1.0)
+
+
+TARGETS = (0x155, 0x156, 0x157)
+
+
+@pytest.mark.parametrize("offset", [0x00, 0x10, 0x20])
+def test_another_senders_joint_targets_are_noticed_whatever_their_offset(listener, offset):
+    for at_s, target_id in enumerate(TARGETS, start=2):
+        picture = listener.hear(target_id + offset, "00002EE0 00000000", at_s=float(at_s))
+    assert picture.foreign_targets_s == 2.0
+    assert not picture.online(2.0)
+
+
+def test_a_stray_joint_target_makes_no_teaching_input(listener):
+    listener.hear(0x155, "00002EE0 00000000")
+    listener.hear(0x156, "00002EE0 00000000")
+    assert listener.hear(0x155, "00002EE0 00000000", at_s=5.0).foreign_targets_s is None

@@ -136,3 +136,15 @@ def test_another_generation_can_be_spoken_from_the_next_frame_on(rig):
     rig.arm.send(status)
     rig.qtbot.waitUntil(lambda: rig.worker.state.status is not None)
     assert rig.worker.state.status.value.speed_percent == 30
+
+
+def test_what_an_adapter_echoes_of_the_programs_own_was_said_by_nobody(rig):
+    rig.start()
+    rig.bus.receive_own_messages = True
+    targets = [Frame(target_id, bytes(8)) for target_id in (0x155, 0x156, 0x157)]
+    assert rig.worker.send(targets)
+    assert [rig.arm.recv(1.0).arbitration_id for _ in targets] == [0x155, 0x156, 0x157]
+    rig.arm.send(JOINTS_12)
+    rig.qtbot.waitUntil(lambda: rig.worker.state.last_feedback_s is not None)
+    assert rig.worker.state.foreign_targets_s is None
+    assert rig.worker.state.frames == 1
