@@ -46,3 +46,29 @@ class FaultyDrivers:
         data = bytearray(frame.data)
         data[_STATUS_BYTE] |= bits
         return Frame(frame.arbitration_id, bytes(data))
+
+
+class HardOfHearing:
+    """Keeps frames from a firmware, or its answers from the bus.
+
+    Attributes:
+        deaf_to: Arbitration IDs the arm never hears.
+        mute_on: Arbitration IDs it never sends.
+        heard: What it did hear.
+    """
+
+    def __init__(self, firmware: Firmware) -> None:
+        self.deaf_to: set[int] = set()
+        self.mute_on: set[int] = set()
+        self.heard: list[Frame] = []
+        self._on_frame = weakref.WeakMethod(firmware.on_frame)
+        firmware.on_frame = self.on_frame
+
+    def on_frame(self, frame: Frame) -> list[Frame]:
+        """The firmware's answers, those that get through."""
+        on_frame = self._on_frame()
+        assert on_frame is not None
+        if frame.arbitration_id in self.deaf_to:
+            return []
+        self.heard.append(frame)
+        return [each for each in on_frame(frame) if each.arbitration_id not in self.mute_on]

@@ -131,6 +131,41 @@ class Gripper:
     enabled: bool
 
 
+@dataclass(frozen=True, slots=True)
+class EndLimits:
+    """What the end of the arm may do, 0x478."""
+
+    max_linear_speed_m_s: float
+    max_angular_speed_rad_s: float
+    max_linear_acceleration_m_s2: float
+    max_angular_acceleration_rad_s2: float
+
+
+@dataclass(frozen=True, slots=True)
+class TeachingHandle:
+    """What generation 2 keeps for the teaching handle and the gripper, 0x47E.
+
+    Attributes:
+        range_percent: How far the handle's travel is stretched to the gripper's, 100–200.
+        stroke_limit_mm: 70 small gripper, 100 large gripper, 0 not set.
+        friction: 1–10.
+    """
+
+    range_percent: float
+    stroke_limit_mm: float
+    friction: float
+
+
+@dataclass(frozen=True, slots=True)
+class EndMotion:
+    """A joint's part in the motion of the end, 0x481–0x486; sent only while switched on."""
+
+    linear_speed_m_s: float
+    angular_speed_rad_s: float
+    linear_acceleration_m_s2: float
+    angular_acceleration_rad_s2: float
+
+
 _NOTHING: Final = (None, None, None, None, None, None)
 _NO_ODDITIES: Final[Mapping[str, int]] = MappingProxyType({})
 
@@ -146,6 +181,10 @@ class ArmState:
         pose: X, Y, Z in mm and RX, RY, RZ in degrees of the flange, 0x2A2–0x2A4.
         limits: Angle range and highest speed of each joint, 0x473.
         accelerations_deg_s2: Highest acceleration of each joint, 0x47C.
+        end_limits: Highest speeds and accelerations of the end, 0x478.
+        collision_levels: 0 (none) to 8 of each joint, 0x47B.
+        teaching_handle: 0x47E, generation 2.
+        end_motion: Each joint's part in the motion of the end, 0x481–0x486.
         firmware: Version text of 0x4AF; generation 1 has none.
         foreign_targets_s: When the joint targets of another sender, a teaching input or another
             host, were last heard in full (0x155–0x157, with any identifier offset).
@@ -163,6 +202,10 @@ class ArmState:
     drivers_slow: Six[Heard[DriverSlow] | None] = _NOTHING
     limits: Six[Heard[JointLimits] | None] = _NOTHING
     accelerations_deg_s2: Six[Heard[float] | None] = _NOTHING
+    end_limits: Heard[EndLimits] | None = None
+    collision_levels: Heard[Six[int]] | None = None
+    teaching_handle: Heard[TeachingHandle] | None = None
+    end_motion: Six[Heard[EndMotion] | None] = _NOTHING
     firmware: str | None = None
     foreign_targets_s: float | None = None
     frames: int = 0

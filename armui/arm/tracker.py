@@ -6,28 +6,29 @@ may go anywhere.
 
 from __future__ import annotations
 
-import math
 from collections import Counter
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, Final
 
 from armui.arm.limits import JOINTS, JointLimits
-from armui.arm.state import ArmState, DriverFast, DriverSlow, Gripper, Heard, Six, Status
+from armui.arm.state import (
+    ArmState,
+    DriverFast,
+    DriverSlow,
+    EndLimits,
+    EndMotion,
+    Gripper,
+    Heard,
+    Six,
+    Status,
+    TeachingHandle,
+)
+from armui.arm.units import DEGREES_PER
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codec import Codec, Message, Oddity
 
 _Signals = Mapping[str, float]
-
-_DEGREES_PER: Final = {
-    "deg": 1.0,
-    "rad": math.degrees(1.0),
-    "rpm": 6.0,
-    "rad/s": math.degrees(1.0),
-    "rpm/s": 6.0,
-    "rad/s^2": math.degrees(1.0),
-}
-"""Degrees (per second, per second squared) in one of the protocol's units."""
 
 _TARGET_MESSAGES: Final = ("JointTarget12", "JointTarget34", "JointTarget56")
 _TARGET_PLACES: Final = {
@@ -60,6 +61,10 @@ class Tracker:
         self._drivers_slow: list[Heard[DriverSlow] | None] = [None] * 6
         self._limits: list[Heard[JointLimits] | None] = [None] * 6
         self._accelerations: list[Heard[float] | None] = [None] * 6
+        self._end_limits: Heard[EndLimits] | None = None
+        self._collision_levels: Heard[Six[int]] | None = None
+        self._teaching_handle: Heard[TeachingHandle] | None = None
+        self._end_motion: list[Heard[EndMotion] | None] = [None] * 6
         self._version_bytes = bytearray()
         self._firmware: str | None = None
         self._foreign_targets_s: list[float | None] = [None] * len(_TARGET_MESSAGES)
@@ -101,6 +106,10 @@ class Tracker:
             drivers_slow=_six(self._drivers_slow),
             limits=_six(self._limits),
             accelerations_deg_s2=_six(self._accelerations),
+            end_limits=self._end_limits,
+            collision_levels=self._collision_levels,
+            teaching_handle=self._teaching_handle,
+            end_motion=_six(self._end_motion),
             firmware=self._firmware,
             foreign_targets_s=self._all_targets_s(),
             frames=self._frames,
@@ -115,6 +124,9 @@ class Tracker:
             "GripperFeedback": self._on_gripper,
             "LimitFeedback": self._on_limits,
             "AccelerationFeedback": self._on_acceleration,
+            "EndLimitFeedback": self._on_end_limits,
+            "CollisionFeedback": self._on_collision_levels,
+            "TeachingFeedback": self._on_teaching_handle,
             "FirmwareVersion": self._on_firmware,
             "JointFeedback12": _pair(self._joints, 0, "J1", "J2"),
             "JointFeedback34": _pair(self._joints, 2, "J3", "J4"),
@@ -126,6 +138,7 @@ class Tracker:
         for joint in JOINTS:
             handlers[f"DriverFast{joint}"] = self._driver_fast_handler(joint)
             handlers[f"DriverSlow{joint}"] = self._driver_slow_handler(joint)
+            handlers[f"EndMotion{joint}"] = self._end_motion_handler(joint)
         return handlers
 
     def _note_foreign_target(self, place: int | None, at_s: float) -> None:
@@ -172,6 +185,39 @@ class Tracker:
         acceleration_deg_s2 = signals["MaxAcceleration"] * factor
         self._accelerations[int(signals["Joint"]) - 1] = Heard(acceleration_deg_s2, at_s)
 
+    def _on_end_limits(self, signals: _Signals, at_s: float) -> None:
+        limits = EndLimits(
+            max_linear_speed_m_s=signals["MaxLinearSpeed"],
+            max_angular_speed_rad_s=signals["MaxAngularSpeed"],
+            max_linear_acceleration_m_s2=signals["MaxLinearAcceleration"],
+            max_angular_acceleration_rad_s2=signals["MaxAngularAcceleration"],
+        )
+        self._end_limits = Heard(limits, at_s)
+
+    def _on_collision_levels(self, signals: _Signals, at_s: float) -> None:
+        levels: Six[int] = _six([int(signals[f"J{joint}"]) for joint in JOINTS])
+        self._collision_levels = Heard(levels, at_s)
+
+    def _on_teaching_handle(self, signals: _Signals, at_s: float) -> None:
+        handle = TeachingHandle(
+            range_percent=signals["TeachingRange"],
+            stroke_limit_mm=signals["StrokeLimit"],
+            friction=signals["Friction"],
+        )
+        self._teaching_handle = Heard(handle, at_s)
+
+    def _end_motion_handler(self, joint: int) -> Callable[[_Signals, float], None]:
+        def on_end_motion(signals: _Signals, at_s: float) -> None:
+            motion = EndMotion(
+                linear_speed_m_s=signals["LinearSpeed"],
+                angular_speed_rad_s=signals["AngularSpeed"],
+                linear_acceleration_m_s2=signals["LinearAcceleration"],
+                angular_acceleration_rad_s2=signals["AngularAcceleration"],
+            )
+            self._end_motion[joint - 1] = Heard(motion, at_s)
+
+        return on_end_motion
+
     def _on_firmware(self, signals: _Signals, _at_s: float) -> None:
         self._version_bytes += bytes(int(signals[f"Byte{n}"]) for n in range(8))
         text = self._version_bytes.decode("ascii", "replace")
@@ -186,7 +232,7 @@ class Tracker:
     def _driver_fast_handler(self, joint: int) -> Callable[[_Signals, float], None]:
         name = f"DriverFast{joint}"
         speed_factor = self._degrees_per(name, "Speed")
-        position_factor = _DEGREES_PER.get(self._codec.unit(name, "Position"))
+        position_factor = DEGREES_PER.get(self._codec.unit(name, "Position"))
 
         def on_driver(signals: _Signals, at_s: float) -> None:
             driver = DriverFast(
@@ -221,7 +267,7 @@ class Tracker:
         return on_driver
 
     def _degrees_per(self, message: str, signal: str) -> float:
-        return _DEGREES_PER[self._codec.unit(message, signal)]
+        return DEGREES_PER[self._codec.unit(message, signal)]
 
 
 def _pair(

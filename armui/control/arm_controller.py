@@ -17,6 +17,7 @@ from armui.arm.device import Device
 from armui.arm.state import ArmState
 from armui.bus.link import BusReport
 from armui.control import reports
+from armui.control.arm_settings import ArmSettings
 from armui.control.assessment import Circumstances, assess
 from armui.control.connection import Connection
 from armui.control.context import Context, Part
@@ -26,6 +27,7 @@ from armui.control.lights import Lights
 from armui.control.motion import Motion
 from armui.control.motors import Motors
 from armui.control.notices import CODES
+from armui.control.orders import OrderLine
 from armui.control.situation import Busy, LinkState, Notice, Situation
 from armui.control.stop import StopKeeper, is_stopped
 from armui.protocol import commands
@@ -52,6 +54,8 @@ class ArmController(QObject):
         motion: Moves the joints.
         motors: Switches the motors.
         lights: The lamps of the joints.
+        orders: Carries out the commands that are answered.
+        settings: Reads and sets the parameters the arm keeps.
         joint_errors: Clears the errors of the joints' drivers.
 
     Signals:
@@ -88,8 +92,10 @@ class ArmController(QObject):
         self.motion = Motion(context)
         self.motors = Motors(context, before_switching=self.motion.halt)
         self.lights = Lights(context)
-        self.joint_errors = JointErrors(context)
-        self._parts: tuple[Part, ...] = (self.motors, self.motion, self.joint_errors)
+        self.orders = OrderLine(context)
+        self.settings = ArmSettings(context, self.orders, self)
+        self.joint_errors = JointErrors(context, self.orders)
+        self._parts: tuple[Part, ...] = (self.motors, self.motion, self.orders, self.settings)
         self._was_online = False
         self._was_stopped = False
         self._was_unconfirmed = False

@@ -1,71 +1,54 @@
-"""清除错误: a joint's error is cleared, and the arm's answer awaited (0x475 byte 5, 0x476)."""
+"""清除错误: the errors of the joints' drivers are cleared, and the arm's answer awaited (0x475)."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from functools import partial
 
 from armui.arm.refusal import Refusal
 from armui.control.context import Context
+from armui.control.orders import Order, OrderLine
 from armui.control.situation import why_unreachable
 from armui.protocol import commands
 from armui.protocol.codes import SettingIndex
 
-if TYPE_CHECKING:
-    from armui.protocol.codec import Message
-
-_ANSWER_S: Final = 1.0
-
 
 class JointErrors:
-    """Clears errors one joint after the other: the arm's answer does not say which one it is about.
+    """Clears errors one order after the other: the arm's answer does not name the joint.
 
     It moves nothing, so it may be done whenever the arm is online, stopped or not. The answer says
     that the arm has heard; whether the fault has gone is what the drivers' feedback says.
 
     Args:
         context: What the parts of the controller share.
+        orders: Carries out commands that are answered.
     """
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, context: Context, orders: OrderLine) -> None:
         self._context = context
+        self._orders = orders
         self._joint: int | None = None
-        self._deadline_s = 0.0
-        context.connection.answered.connect(self._on_answer)
 
     def clear(self, joint: int) -> Refusal | None:
-        """Ask a joint (1–6) to clear its error: ``None`` if it is on its way, or why it is not."""
-        refusal = why_unreachable(self._context.connection.link)
+        """Ask a joint (1–6, 7 all) to clear its error: ``None`` if it is on its way, or why not."""
+        context = self._context
+        refusal = why_unreachable(context.connection.link)
         if refusal is None and self._joint is not None:
             refusal = Refusal("busy", {"what": "clearing_error"})
-        if refusal is None:
-            frames = commands.clear_joint_error(self._context.connection.codec, joint)
-            if not self._context.connection.send(frames):
-                refusal = Refusal("link_lost")
         if refusal is not None:
-            return self._context.refuse(refusal)
+            return context.refuse(refusal)
         self._joint = joint
-        self._deadline_s = self._context.clock() + _ANSWER_S
-        self._context.tell("clear_error_sent", joint=joint)
+        context.tell("clear_error_sent", joint=joint)
+        self._orders.submit(
+            Order(
+                commands.clear_joint_error(context.connection.codec, joint),
+                partial(self._on_finished, joint),
+                SettingIndex.JOINT_SETTING,
+            )
+        )
         return None
 
-    def advance(self) -> None:
-        """Say so if an answer is overdue; called regularly while a device is open."""
-        if self._joint is not None and self._context.clock() >= self._deadline_s:
-            self._finish("clear_error_unanswered")
-
-    def halt(self) -> None:
-        """Clearing an error moves nothing: a stop leaves it be."""
-
-    def forget(self) -> None:
-        """The device was disconnected on purpose: no answer will come."""
+    def _on_finished(self, joint: int, refusal: Refusal | None) -> None:
         self._joint = None
-
-    def _on_answer(self, answer: Message) -> None:
-        if self._joint is None or answer.name != "SettingResponse":
-            return
-        if answer.signals["Index"] == SettingIndex.JOINT_SETTING:
-            self._finish("clear_error_answered")
-
-    def _finish(self, code: str) -> None:
-        joint, self._joint = self._joint, None
-        self._context.tell(code, joint=joint)
+        code = "clear_error_answered" if refusal is None else "clear_error_unanswered"
+        if refusal is None or refusal.code == "setting_unanswered":
+            self._context.tell(code, joint=joint)

@@ -37,6 +37,11 @@ CODES: Final[Mapping[str, Level]] = {
     "clear_error_sent": Level.INFO,  # joint
     "clear_error_answered": Level.DONE,  # joint
     "clear_error_unanswered": Level.FAULT,  # joint
+    "settings_sent": Level.INFO,  # count
+    "settings_saved": Level.DONE,  # count
+    "settings_refused": Level.FAULT,  # count, total, reason
+    "settings_reset_sent": Level.INFO,
+    "settings_reset": Level.DONE,
     "connected": Level.INFO,  # device
     "connect_failed": Level.FAULT,  # device, reason
     "disconnected": Level.INFO,  # device
@@ -70,6 +75,16 @@ REFUSALS: Final = frozenset(
         "light_out_of_range",  # light, value, minimum, maximum
         "light_not_a_number",  # light, value, minimum, maximum
         "joints_unknown",
+        "generation_unknown",
+        "setting_out_of_range",  # parameter, joint, value, minimum, maximum
+        "setting_not_a_number",  # parameter, joint, value, minimum, maximum
+        "setting_no_choice",  # parameter, joint, value, choices
+        "setting_unknown",  # parameter, joint
+        "setting_corrupt",  # parameter, joint
+        "limits_crossed",  # joint, minimum, maximum
+        "setting_unanswered",
+        "setting_not_read_back",
+        "setting_not_taken",  # parameter, joint, value, held
         "other_control",  # mode
         "arm_fault",  # status
         "bus_gone",  # device, interface

@@ -166,6 +166,22 @@ class Codec:
         """
         return self._signal(message, signal).unit
 
+    def step(self, message: str, signal: str) -> float:
+        """The smallest difference a signal can carry, in its unit.
+
+        Raises:
+            EncodeError: No such message or signal in this generation.
+        """
+        return self._signal(message, signal).scale
+
+    def can_leave(self, message: str, signal: str) -> bool:
+        """Whether ``None`` may be encoded: leave the arm's own value (0x7FFF, generation 2).
+
+        Raises:
+            EncodeError: No such message or signal in this generation.
+        """
+        return self._signal(message, signal).unchanged_raw is not None
+
     def word(self, message: str, signal: str, value: float) -> str | None:
         """The value table's word for a physical value, None when it has none.
 

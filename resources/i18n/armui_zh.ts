@@ -1052,6 +1052,26 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>关节 {joint}：机械臂在 1 秒内没有应答清除错误指令。请重试；若仍无应答，请检查 CAN 线缆。</translation>
     </message>
     <message>
+        <source>Settings sent to the arm: {count}</source>
+        <translation>已向机械臂发送 {count} 项参数</translation>
+    </message>
+    <message>
+        <source>Settings saved, read back from the arm and the same: {count}</source>
+        <translation>{count} 项参数已保存，回读一致</translation>
+    </message>
+    <message>
+        <source>{count} of {total} settings are not in the arm. {reason}</source>
+        <translation>{total} 项参数中有 {count} 项未生效。{reason}</translation>
+    </message>
+    <message>
+        <source>Asked the arm for its factory values</source>
+        <translation>已发送初始化指令</translation>
+    </message>
+    <message>
+        <source>The arm has answered that its factory values are back; they are read again.</source>
+        <translation>机械臂已应答恢复出厂值，正在重新读取。</translation>
+    </message>
+    <message>
         <source>Device open: {device}</source>
         <translation>设备已打开：{device}</translation>
     </message>
@@ -1102,6 +1122,57 @@ Lamps give no feedback: this is only what will be sent.</source>
     <message>
         <source>Event: {code}</source>
         <translation>事件：{code}</translation>
+    </message>
+</context>
+<context>
+    <name>Parameter</name>
+    <message>
+        <source>Max. angle</source>
+        <translation>最大角度</translation>
+    </message>
+    <message>
+        <source>Min. angle</source>
+        <translation>最小角度</translation>
+    </message>
+    <message>
+        <source>Max. speed</source>
+        <translation>最大速度</translation>
+    </message>
+    <message>
+        <source>Max. acceleration</source>
+        <translation>最大加速度</translation>
+    </message>
+    <message>
+        <source>Max. linear speed of the end</source>
+        <translation>末端最大线速度</translation>
+    </message>
+    <message>
+        <source>Max. angular speed of the end</source>
+        <translation>末端最大角速度</translation>
+    </message>
+    <message>
+        <source>Max. linear acceleration of the end</source>
+        <translation>末端最大线加速度</translation>
+    </message>
+    <message>
+        <source>Max. angular acceleration of the end</source>
+        <translation>末端最大角加速度</translation>
+    </message>
+    <message>
+        <source>Collision level</source>
+        <translation>碰撞等级</translation>
+    </message>
+    <message>
+        <source>Teaching range</source>
+        <translation>示教范围</translation>
+    </message>
+    <message>
+        <source>Gripper stroke limit</source>
+        <translation>夹爪行程</translation>
+    </message>
+    <message>
+        <source>Teaching friction</source>
+        <translation>示教摩擦力</translation>
     </message>
 </context>
 <context>
@@ -1296,6 +1367,46 @@ Lamps give no feedback: this is only what will be sent.</source>
     <message>
         <source>Not possible now: {reason}.</source>
         <translation>现在无法执行：{reason}。</translation>
+    </message>
+    <message>
+        <source>The program is still finding out which protocol the arm speaks. Wait a second.</source>
+        <translation>程序仍在识别机械臂使用的协议，请稍候一秒。</translation>
+    </message>
+    <message>
+        <source>{parameter}: {value} is out of range. Enter a value from {minimum} to {maximum}.</source>
+        <translation>{parameter}：{value} 超出范围，请输入 {minimum} 至 {maximum} 之间的值。</translation>
+    </message>
+    <message>
+        <source>{parameter}: “{value}” is not a number. Enter a value from {minimum} to {maximum}.</source>
+        <translation>{parameter}：“{value}”不是数字，请输入 {minimum} 至 {maximum} 之间的值。</translation>
+    </message>
+    <message>
+        <source>{parameter}: {value} is not possible. Choose one of {choices}.</source>
+        <translation>{parameter}：不能设为 {value}，请从 {choices} 中选择。</translation>
+    </message>
+    <message>
+        <source>{parameter} would have to be sent along unchanged and has not been read from the arm. Read it first.</source>
+        <translation>{parameter}须随同原值一起发送，但尚未从机械臂读到，请先读取。</translation>
+    </message>
+    <message>
+        <source>{parameter} would have to be sent along, and what the arm holds there is corrupt. Enter a value for it as well.</source>
+        <translation>{parameter}须随同发送，而机械臂中保存的值已损坏，请同时为它输入一个值。</translation>
+    </message>
+    <message>
+        <source>Joint {joint}: the min. angle {minimum}° must be below the max. angle {maximum}°. Change one of them.</source>
+        <translation>关节 {joint}：最小角度 {minimum}° 必须小于最大角度 {maximum}°，请修改其中之一。</translation>
+    </message>
+    <message>
+        <source>The arm did not answer (0x476). Nothing says that it took this over: read the values again, then save once more.</source>
+        <translation>机械臂没有应答（0x476），无法确认已生效：请重新读取后再保存一次。</translation>
+    </message>
+    <message>
+        <source>The arm did not answer when asked for the value: what it holds is not known. Read again.</source>
+        <translation>读取时机械臂没有应答，其当前值未知，请重新读取。</translation>
+    </message>
+    <message>
+        <source>{parameter}: {value} was sent and answered, but the arm holds {held}. It did not take this value; try another one.</source>
+        <translation>{parameter}：已发送 {value} 且有应答，但机械臂中仍为 {held}，该值未被采用，请换一个值。</translation>
     </message>
 </context>
 <context>
@@ -1577,6 +1688,10 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>resuming after the emergency stop</source>
         <translation>急停恢复</translation>
+    </message>
+    <message>
+        <source>reading or saving the arm&apos;s settings</source>
+        <translation>读取或保存机械臂参数</translation>
     </message>
     <message>
         <source>clearing a joint&apos;s error</source>

@@ -148,3 +148,33 @@ def test_a_stray_joint_target_makes_no_teaching_input(listener):
     listener.hear(0x155, "00002EE0 00000000")
     listener.hear(0x156, "00002EE0 00000000")
     assert listener.hear(0x155, "00002EE0 00000000", at_s=5.0).foreign_targets_s is None
+
+
+def test_what_an_arm_keeps_is_read_in_the_operators_units(listener):
+    # 500 -> 0.5 m/s, 1000 -> 1 rad/s, 1500 -> 1.5 m/s², 65535 -> 65.535 rad/s²
+    limits = listener.hear(0x478, "01F4 03E8 05DC FFFF").end_limits.value
+    assert (limits.max_linear_speed_m_s, limits.max_angular_speed_rad_s) == (0.5, 1.0)
+    assert limits.max_linear_acceleration_m_s2 == 1.5
+    assert limits.max_angular_acceleration_rad_s2 == 65.535
+    assert listener.hear(0x47B, "01 02 03 08 00 01 00 00").collision_levels.value == (
+        *(1, 2, 3),
+        *(8, 0, 1),
+    )
+
+
+def test_generation_2_keeps_a_teaching_handle():
+    listener = Listener(Generation.TWO)
+    handle = listener.hear(0x47E, "96 46 05 00 00 00 00 00").teaching_handle.value
+    assert (handle.range_percent, handle.stroke_limit_mm, handle.friction) == (150, 70, 5)
+
+
+def test_a_corrupt_memory_is_shown_as_it_was_read(listener):
+    picture = listener.hear(0x47B, "FF FF FF FF FF FF 00 00")
+    assert picture.collision_levels.value == (255,) * 6
+
+
+def test_the_motion_of_the_end_comes_a_joint_a_frame(listener):
+    # 100 -> 0.1 m/s, 200 -> 0.2 rad/s, 300 -> 0.3 m/s², 400 -> 0.4 rad/s²
+    motion = listener.hear(0x483, "0064 00C8 012C 0190").end_motion[2].value
+    assert (motion.linear_speed_m_s, motion.angular_speed_rad_s) == (0.1, 0.2)
+    assert (motion.linear_acceleration_m_s2, motion.angular_acceleration_rad_s2) == (0.3, 0.4)

@@ -76,6 +76,17 @@ _NOTICES: Final[Mapping[str, object]] = {
         "Joint {joint}: the arm did not confirm within a second the command to clear the error. "
         "Try again; if it stays silent, check the CAN cable.",
     ),
+    "settings_sent": QT_TRANSLATE_NOOP("Notice", "Settings sent to the arm: {count}"),
+    "settings_saved": QT_TRANSLATE_NOOP(
+        "Notice", "Settings saved, read back from the arm and the same: {count}"
+    ),
+    "settings_refused": QT_TRANSLATE_NOOP(
+        "Notice", "{count} of {total} settings are not in the arm. {reason}"
+    ),
+    "settings_reset_sent": QT_TRANSLATE_NOOP("Notice", "Asked the arm for its factory values"),
+    "settings_reset": QT_TRANSLATE_NOOP(
+        "Notice", "The arm has answered that its factory values are back; they are read again."
+    ),
     "connected": QT_TRANSLATE_NOOP("Notice", "Device open: {device}"),
     "connect_failed": QT_TRANSLATE_NOOP("Notice", "Not connected. {reason}"),
     "disconnected": QT_TRANSLATE_NOOP("Notice", "Disconnected from {device}"),

@@ -9,6 +9,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.arm.refusal import Refusal
 from armui.ui.words import status
+from armui.ui.words.setting_refusals import SETTING_REFUSALS, with_units
 from armui.ui.words.text import NOT_KNOWN, sentence
 
 _REFUSALS: Final[Mapping[str, object]] = {
@@ -206,10 +207,13 @@ _REFUSALS: Final[Mapping[str, object]] = {
     ),
 }
 
+_ALL: Final[Mapping[str, object]] = {**_REFUSALS, **SETTING_REFUSALS}
+
 _UNDER_WAY: Final[Mapping[str, object]] = {
     "enabling": QT_TRANSLATE_NOOP("UnderWay", "enabling the motors"),
     "disabling": QT_TRANSLATE_NOOP("UnderWay", "disabling the motors"),
     "resuming": QT_TRANSLATE_NOOP("UnderWay", "resuming after the emergency stop"),
+    "settings": QT_TRANSLATE_NOOP("UnderWay", "reading or saving the arm's settings"),
     "clearing_error": QT_TRANSLATE_NOOP("UnderWay", "clearing a joint's error"),
 }
 
@@ -228,13 +232,13 @@ _LIGHTS: Final[Mapping[str, object]] = {
     "blue": QT_TRANSLATE_NOOP("LightFigure", "B channel"),
 }
 
-CODES: Final = frozenset(_REFUSALS)
+CODES: Final = frozenset(_ALL)
 """The refusals there is a sentence for."""
 
 
 def refusal(reason: Refusal) -> str:
     """A reason against an action in the operator's language."""
-    params: dict[str, object] = dict(reason.params)
+    params = with_units(dict(reason.params))
     if isinstance(mode := params.get("mode"), int):
         params["mode"] = status.control_mode(mode)
     if isinstance(code := params.get("status"), int):
@@ -245,7 +249,7 @@ def refusal(reason: Refusal) -> str:
         params["field"] = sentence("SettingName", _SETTINGS.get(field, field), {})
     if isinstance(light := params.get("light"), str):
         params["light"] = light_figure(light)
-    source = _REFUSALS.get(reason.code)
+    source = _ALL.get(reason.code)
     if source is None:
         return _unexpected(reason)
     return sentence("Refusal", source, params)

@@ -1,0 +1,270 @@
+"""The parameters an arm keeps: what each is called, its unit, its range, and where it is read.
+
+One catalogue for the panels, the backup file and the frames. Values are in the operator's units
+whatever the generation puts on the wire (manual sections 1.0.7.4–1.0.7.6; 0x473, 0x47C, 0x478,
+0x47B, 0x47E).
+"""
+
+from __future__ import annotations
+
+import enum
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, Final, NamedTuple
+
+from armui.arm.limits import JOINTS, plausible
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState, Heard
+
+
+class Group(enum.Enum):
+    """Parameters that one frame sets and one question reads."""
+
+    JOINT_LIMITS = "joint_limits"
+    """Of one joint: 0x474, asked by 0x472, answered by 0x473."""
+    JOINT_ACCELERATION = "joint_acceleration"
+    """Of one joint: 0x475, asked by 0x472, answered by 0x47C."""
+    END_LIMITS = "end_limits"
+    """0x479, asked by 0x477, answered by 0x478."""
+    COLLISION = "collision"
+    """0x47A, asked by 0x477, answered by 0x47B."""
+    TEACHING = "teaching"
+    """0x47D, asked by 0x477, answered by 0x47E; generation 2."""
+
+
+OF_ONE_JOINT: Final = frozenset({Group.JOINT_LIMITS, Group.JOINT_ACCELERATION})
+"""Groups of which each joint has its own."""
+
+
+class Parameter(NamedTuple):
+    """One value an arm keeps.
+
+    Attributes:
+        name: A key of :data:`KINDS`.
+        joint: 1–6, or 0 for what belongs to the whole arm.
+    """
+
+    name: str
+    joint: int = 0
+
+    @property
+    def kind(self) -> Kind:
+        """What is the same for every joint."""
+        return KINDS[self.name]
+
+    @property
+    def batch(self) -> Batch:
+        """With which others it is set and read."""
+        group = self.kind.group
+        return Batch(group, self.joint if group in OF_ONE_JOINT else 0)
+
+
+class Batch(NamedTuple):
+    """What one frame sets: a group, of one joint where each has its own."""
+
+    group: Group
+    joint: int = 0
+
+    def parameters(self) -> tuple[Parameter, ...]:
+        """All of them, in the order of the frame."""
+        names = [name for name, kind in KINDS.items() if kind.group is self.group]
+        if self.group is Group.COLLISION:
+            return tuple(Parameter(names[0], joint) for joint in JOINTS)
+        return tuple(Parameter(name, self.joint) for name in names)
+
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """What a parameter is.
+
+    Attributes:
+        group: With which others it is set and read.
+        message, signal: Where it is set; the signal has the same name where it is read.
+            ``{joint}`` in it stands for the joint.
+        unit: The operator's.
+        minimum, maximum: What may be asked for. The arm may hold less: it is read back.
+        decimals: How the operator sees it.
+        choices: The only values there are, if they are few.
+        corrupt_from: From here on it can only be a corrupted memory, read as 0xFFFF.
+        read: Where it stands in what was heard.
+    """
+
+    group: Group
+    message: str
+    signal: str
+    unit: str
+    minimum: float
+    maximum: float
+    decimals: int
+    read: Callable[[ArmState, int], Heard[float] | None]
+    choices: tuple[float, ...] = ()
+    corrupt_from: float = math.inf
+
+
+def _joint_limit(field: str) -> Callable[[ArmState, int], Heard[float] | None]:
+    return lambda state, joint: _field(state.limits[joint - 1], field)
+
+
+def _end_limit(signal: str, field: str, unit: str) -> Kind:
+    return Kind(
+        Group.END_LIMITS,
+        "EndLimitSetting",
+        signal,
+        unit,
+        0.001,
+        _MOST_END_LIMIT,
+        3,
+        lambda state, _joint: _field(state.end_limits, field),
+        corrupt_from=_CORRUPT_END_LIMIT,
+    )
+
+
+def _teaching(
+    field: str, signal: str, unit: str, span: tuple[float, float], *choices: float
+) -> Kind:
+    return Kind(
+        Group.TEACHING,
+        "TeachingSetting",
+        signal,
+        unit,
+        *span,
+        0,
+        lambda state, _joint: _field(state.teaching_handle, field),
+        choices,
+        corrupt_from=span[1] + 1,
+    )
+
+
+def _field(heard: Heard[Any] | None, field: str) -> Heard[float] | None:
+    return None if heard is None else Heard(float(getattr(heard.value, field)), heard.at_s)
+
+
+def _collision_level(state: ArmState, joint: int) -> Heard[float] | None:
+    heard = state.collision_levels
+    return None if heard is None else Heard(float(heard.value[joint - 1]), heard.at_s)
+
+
+_MOST_ANGLE_DEG: Final = 360.0
+_MOST_SPEED_DEG_S: Final = 360.0
+_MOST_ACCELERATION_DEG_S2: Final = 1800.0
+_MOST_END_LIMIT: Final = 32.766
+"""0x7FFF, one step more, means «leave it» in generation 2."""
+_CORRUPT_SPEED_DEG_S: Final = 3600.0
+"""Far above any joint of this arm, below 0xFFFF in either generation's unit."""
+_CORRUPT_ACCELERATION_DEG_S2: Final = 36_000.0
+_CORRUPT_END_LIMIT: Final = 65.535
+
+KINDS: Final[Mapping[str, Kind]] = {
+    "max_angle_deg": Kind(
+        Group.JOINT_LIMITS,
+        "LimitSetting",
+        "MaxAngle",
+        "°",
+        -_MOST_ANGLE_DEG,
+        _MOST_ANGLE_DEG,
+        1,
+        _joint_limit("max_deg"),
+    ),
+    "min_angle_deg": Kind(
+        Group.JOINT_LIMITS,
+        "LimitSetting",
+        "MinAngle",
+        "°",
+        -_MOST_ANGLE_DEG,
+        _MOST_ANGLE_DEG,
+        1,
+        _joint_limit("min_deg"),
+    ),
+    "max_speed_deg_s": Kind(
+        Group.JOINT_LIMITS,
+        "LimitSetting",
+        "MaxSpeed",
+        "°/s",
+        0.1,
+        _MOST_SPEED_DEG_S,
+        1,
+        _joint_limit("max_speed_deg_s"),
+        corrupt_from=_CORRUPT_SPEED_DEG_S,
+    ),
+    "max_acceleration_deg_s2": Kind(
+        Group.JOINT_ACCELERATION,
+        "JointSetting",
+        "MaxAcceleration",
+        "°/s²",
+        0.1,
+        _MOST_ACCELERATION_DEG_S2,
+        1,
+        lambda state, joint: state.accelerations_deg_s2[joint - 1],
+        corrupt_from=_CORRUPT_ACCELERATION_DEG_S2,
+    ),
+    "max_linear_speed_m_s": _end_limit("MaxLinearSpeed", "max_linear_speed_m_s", "m/s"),
+    "max_angular_speed_rad_s": _end_limit("MaxAngularSpeed", "max_angular_speed_rad_s", "rad/s"),
+    "max_linear_acceleration_m_s2": _end_limit(
+        "MaxLinearAcceleration", "max_linear_acceleration_m_s2", "m/s²"
+    ),
+    "max_angular_acceleration_rad_s2": _end_limit(
+        "MaxAngularAcceleration", "max_angular_acceleration_rad_s2", "rad/s²"
+    ),
+    "collision_level": Kind(
+        Group.COLLISION,
+        "CollisionSetting",
+        "J{joint}",
+        "",
+        0,
+        8,
+        0,
+        _collision_level,
+        corrupt_from=9,
+    ),
+    "teaching_range_percent": _teaching("range_percent", "TeachingRange", "%", (100, 200)),
+    "stroke_limit_mm": _teaching("stroke_limit_mm", "StrokeLimit", "mm", (0, 100), 0, 70, 100),
+    "teaching_friction": _teaching("friction", "Friction", "", (1, 10)),
+}
+"""Every parameter by name; those of one group in the order of its frame."""
+
+
+def all_batches(*, teaching: bool) -> Iterator[Batch]:
+    """Everything an arm can be asked for; the teaching handle's in generation 2 only."""
+    for group in (Group.JOINT_LIMITS, Group.JOINT_ACCELERATION):
+        yield from (Batch(group, joint) for joint in JOINTS)
+    yield Batch(Group.END_LIMITS)
+    yield Batch(Group.COLLISION)
+    if teaching:
+        yield Batch(Group.TEACHING)
+
+
+def heard(state: ArmState, parameter: Parameter) -> Heard[float] | None:
+    """What the arm last said of a parameter, or ``None`` if it has not been read."""
+    return parameter.kind.read(state, parameter.joint)
+
+
+def is_corrupt(state: ArmState, parameter: Parameter) -> bool:
+    """Whether what was read can only come from a corrupted memory (0xFFFF)."""
+    known = heard(state, parameter)
+    if known is None:
+        return False
+    if parameter.kind.group is Group.JOINT_LIMITS and parameter.kind.unit == "°":
+        limits = state.limits[parameter.joint - 1]
+        return limits is not None and not plausible(limits.value)
+    return known.value >= parameter.kind.corrupt_from
+
+
+def check_value(parameter: Parameter, value: float) -> Refusal | None:
+    """Whether a value may be asked for: ``None``, or the reason against it."""
+    kind = parameter.kind
+    figures: dict[str, float | int | str] = {
+        "parameter": parameter.name,
+        "joint": parameter.joint,
+        "value": value,
+        "minimum": kind.minimum,
+        "maximum": kind.maximum,
+    }
+    if not math.isfinite(value):
+        return Refusal("setting_not_a_number", figures)
+    if not kind.minimum <= value <= kind.maximum:
+        return Refusal("setting_out_of_range", figures)
+    if kind.choices and value not in kind.choices:
+        choices = ", ".join(f"{choice:g}" for choice in kind.choices)
+        return Refusal("setting_no_choice", figures | {"choices": choices})
+    return None

@@ -1,0 +1,296 @@
+"""The parameters the arm keeps: read, set, read back and compared (manual 1.0.7.4–1.0.7.6)."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QObject, Signal
+
+from armui.arm.limits import JOINTS
+from armui.arm.parameters import Batch, Group, Parameter, heard
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.control.context import Context
+from armui.control.orders import Order, OrderLine, ReadBack
+from armui.control.setting_checks import Changes, batches_of, frame_values, not_taken, why_not
+from armui.control.setting_frames import INDEX, query_frames, setting_frames
+from armui.control.situation import why_unreachable
+from armui.protocol import commands
+from armui.protocol.codes import SettingIndex
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from armui.protocol.codec import Codec
+    from armui.protocol.frame import Frame
+
+_JOINT_BATCHES: Final = tuple(
+    Batch(group, joint)
+    for joint in JOINTS
+    for group in (Group.JOINT_LIMITS, Group.JOINT_ACCELERATION)
+)
+
+
+class CellState(enum.Enum):
+    """How a parameter stands between the program and the arm."""
+
+    UNREAD = enum.auto()
+    READING = enum.auto()
+    READ = enum.auto()
+    SAVING = enum.auto()
+    SAVED = enum.auto()
+    """Asked for, read back, and the same."""
+    REFUSED = enum.auto()
+    """Not read or not taken; the reason says why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """A parameter's state, and the reason if it was refused."""
+
+    state: CellState = CellState.UNREAD
+    reason: Refusal | None = None
+
+
+_UNREAD: Final = Cell()
+
+
+class ArmSettings(QObject):
+    """Follows every parameter; the values themselves are those last heard (:class:`ArmState`).
+
+    Args:
+        context: What the parts of the controller share.
+        orders: Carries out commands that are answered.
+
+    Signals:
+        changed: How some parameter stands is another.
+        finished: Nothing is being read or saved any more.
+    """
+
+    changed = Signal()
+    finished = Signal()
+
+    def __init__(self, context: Context, orders: OrderLine, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._context = context
+        self._orders = orders
+        self._cells: dict[Parameter, Cell] = {}
+        self._open = 0
+        self._saving: list[Parameter] = []
+
+    @property
+    def busy(self) -> bool:
+        """Whether something is being read or saved."""
+        return self._open > 0
+
+    def cell(self, parameter: Parameter) -> Cell:
+        """How a parameter stands."""
+        cell = self._cells.get(parameter, _UNREAD)
+        if cell.state not in {CellState.READ, CellState.SAVED}:
+            return cell
+        # an arm that went and came back has not said anything yet
+        return _UNREAD if heard(self._context.state(), parameter) is None else cell
+
+    # What the operator wants ------------------------------------------------------------------
+
+    def read(self, batches: Iterable[Batch]) -> Refusal | None:
+        """Ask the arm for what it holds; what is being read or saved already is left alone.
+
+        Returns:
+            ``None`` if it was asked, or why not.
+        """
+        refusal = self._why_unknown()
+        if refusal is not None:
+            return refusal
+        for batch in batches:
+            if not any(
+                self.cell(parameter).state in {CellState.READING, CellState.SAVING}
+                for parameter in batch.parameters()
+            ):
+                self._read(batch)
+        self.changed.emit()
+        return None
+
+    def save(self, changes: Changes) -> Refusal | None:
+        """Set parameters and see whether the arm has taken them.
+
+        Only what is named is changed; what a frame carries beside it is marked «leave it»
+        (generation 2) or sent as it was read.
+
+        Args:
+            changes: New values in the operator's units.
+
+        Returns:
+            ``None`` if they are on their way, or why nothing was sent.
+        """
+        codec = self._codec()
+        if isinstance(codec, Refusal):
+            return codec
+        refusal = why_not(codec, self._context.state(), changes)
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        self._context.tell("settings_sent", count=len(changes))
+        self._saving = list(changes)
+        for batch in batches_of(changes):
+            self._save(codec, batch, changes)
+        self.changed.emit()
+        return None
+
+    def reset_end_limits(self) -> Refusal | None:
+        """【初始化】: the end's limits as they left the factory (0x477), then read back."""
+        return self._reset(commands.reset_end_limits, [Batch(Group.END_LIMITS)])
+
+    def reset_joint_limits(self) -> Refusal | None:
+        """Limits, speeds and accelerations of all joints as they left the factory (0x477)."""
+        return self._reset(commands.reset_joint_limits, _JOINT_BATCHES)
+
+    def settle(self, parameters: Iterable[Parameter]) -> None:
+        """Forget how the last saving of parameters ended: the operator has seen it."""
+        for parameter in parameters:
+            if self.cell(parameter).state in {CellState.SAVED, CellState.REFUSED}:
+                known = heard(self._context.state(), parameter)
+                self._cells[parameter] = _UNREAD if known is None else Cell(CellState.READ)
+        self.changed.emit()
+
+    # How it is carried out --------------------------------------------------------------------
+
+    def _codec(self) -> Codec | Refusal:
+        """What to speak, or why nothing can be said now."""
+        refusal = self._why_unknown()
+        if refusal is None and self.busy:
+            refusal = Refusal("busy", {"what": "settings"})
+        return self._context.connection.codec if refusal is None else self._context.refuse(refusal)
+
+    def _why_unknown(self) -> Refusal | None:
+        """Why the arm cannot be asked: it is not there, or its protocol is not known yet."""
+        connection = self._context.connection
+        refusal = why_unreachable(connection.link)
+        if refusal is None and connection.generation is None:
+            return Refusal("generation_unknown")
+        return refusal
+
+    def _read(self, batch: Batch) -> None:
+        self._mark(batch.parameters(), Cell(CellState.READING))
+        self._submit(Order((), partial(self._after_reading, batch), read_back=self._back(batch)))
+
+    def _save(self, codec: Codec, batch: Batch, changes: Changes) -> None:
+        values = frame_values(codec, self._context.state(), batch, changes)
+        wanted = {parameter: changes[parameter] for parameter in values if parameter in changes}
+        self._mark(wanted, Cell(CellState.SAVING))
+        self._submit(
+            Order(
+                setting_frames(codec, batch, values),
+                partial(self._after_saving, wanted),
+                INDEX[batch.group],
+                read_back=self._back(batch, wanted),
+            )
+        )
+
+    def _back(self, batch: Batch, wanted: Changes | None = None) -> ReadBack:
+        codec = self._context.connection.codec
+        first = batch.parameters()[0]
+
+        def heard_since(state: ArmState, since_s: float) -> bool:
+            known = heard(state, first)
+            return known is not None and known.at_s > since_s
+
+        def against(state: ArmState) -> Refusal | None:
+            return next(iter(not_taken(codec, state, wanted or {}).values()), None)
+
+        return ReadBack(query_frames(codec, batch), heard_since, against)
+
+    def _reset(
+        self, command: Callable[[Codec], Sequence[Frame]], batches: Sequence[Batch]
+    ) -> Refusal | None:
+        codec = self._codec()
+        if isinstance(codec, Refusal):
+            return codec
+        for batch in batches:
+            self._mark(batch.parameters(), Cell(CellState.READING))
+        self._context.tell("settings_reset_sent")
+        self._submit(
+            Order(
+                command(codec), partial(self._after_reset, batches), SettingIndex.PARAMETER_COMMAND
+            )
+        )
+        self.changed.emit()
+        return None
+
+    def _submit(self, order: Order) -> None:
+        self._open += 1
+        self._orders.submit(order)
+
+    # How it ends ------------------------------------------------------------------------------
+
+    def _after_reading(self, batch: Batch, refusal: Refusal | None) -> None:
+        state = CellState.READ if refusal is None else CellState.REFUSED
+        self._mark(batch.parameters(), Cell(state, refusal))
+        self._closed()
+
+    def _after_saving(self, wanted: Changes, refusal: Refusal | None) -> None:
+        differing = {}
+        if refusal is not None and refusal.code == "setting_not_taken":
+            codec = self._context.connection.codec
+            differing = not_taken(codec, self._context.state(), wanted)
+        for parameter in wanted:
+            reason = differing.get(parameter) if differing else refusal
+            state = CellState.SAVED if reason is None else CellState.REFUSED
+            self._mark([parameter], Cell(state, reason))
+        self._closed()
+        if not any(self.cell(each).state is CellState.SAVING for each in self._saving):
+            self._tell_saved()
+
+    def _after_reset(self, batches: Sequence[Batch], refusal: Refusal | None) -> None:
+        if refusal is not None:
+            self._context.refuse(refusal)
+            for batch in batches:
+                self._mark(batch.parameters(), Cell(CellState.REFUSED, refusal))
+        else:
+            self._context.tell("settings_reset")
+            for batch in batches:
+                self._read(batch)
+        self._closed()
+
+    def _tell_saved(self) -> None:
+        reasons = [
+            cell.reason for each in self._saving if (cell := self.cell(each)).reason is not None
+        ]
+        count = len(self._saving)
+        self._saving = []
+        if not reasons:
+            self._context.tell("settings_saved", count=count)
+        else:
+            self._context.tell(
+                "settings_refused", count=len(reasons), total=count, reason=reasons[0]
+            )
+
+    def _closed(self) -> None:
+        self._open -= 1
+        self.changed.emit()
+        if not self.busy:
+            self.finished.emit()
+
+    def _mark(self, parameters: Iterable[Parameter], cell: Cell) -> None:
+        for parameter in parameters:
+            self._cells[parameter] = cell
+
+    # A part of the controller -----------------------------------------------------------------
+
+    def advance(self) -> None:
+        """The order line moves on by itself."""
+
+    def halt(self) -> None:
+        """Settings move nothing: a stop leaves them be."""
+
+    def forget(self) -> None:
+        """Another arm may come: only what was refused is kept, so that it can be read."""
+        self._cells = {
+            parameter: cell
+            for parameter, cell in self._cells.items()
+            if cell.state is CellState.REFUSED
+        }
+        self.changed.emit()

@@ -1,0 +1,123 @@
+"""Parameters of an arm as frames: asked for, set, and what of a value fits into a frame."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.parameters import Batch, Group, Parameter
+from armui.arm.units import DEGREES_PER
+from armui.protocol import commands
+from armui.protocol.codes import SettingIndex
+
+if TYPE_CHECKING:
+    from armui.protocol.codec import Codec
+    from armui.protocol.frame import Frame
+
+INDEX: Final[Mapping[Group, SettingIndex]] = {
+    Group.JOINT_LIMITS: SettingIndex.LIMIT_SETTING,
+    Group.JOINT_ACCELERATION: SettingIndex.JOINT_SETTING,
+    Group.END_LIMITS: SettingIndex.END_LIMIT_SETTING,
+    Group.COLLISION: SettingIndex.COLLISION_SETTING,
+    Group.TEACHING: SettingIndex.TEACHING_SETTING,
+}
+"""What 0x476 names when it answers a setting."""
+
+Values = Mapping[Parameter, float | None]
+"""``None``: leave it as it is."""
+
+
+def query_frames(codec: Codec, batch: Batch) -> list[Frame]:
+    """The question that reads a batch."""
+    match batch.group:
+        case Group.JOINT_LIMITS:
+            return commands.query_limits(codec, batch.joint)
+        case Group.JOINT_ACCELERATION:
+            return commands.query_acceleration(codec, batch.joint)
+        case Group.END_LIMITS:
+            return commands.query_end_limits(codec)
+        case Group.COLLISION:
+            return commands.query_collision_levels(codec)
+        case Group.TEACHING:
+            return commands.query_teaching(codec)
+
+
+def setting_frames(codec: Codec, batch: Batch, values: Values) -> list[Frame]:
+    """The frame that sets a batch.
+
+    Args:
+        codec: The arm's codec.
+        batch: What to set.
+        values: Every parameter of the batch, in the operator's units.
+    """
+    signals = {
+        parameter.kind.signal.format(joint=parameter.joint): to_wire(codec, parameter, value)
+        for parameter, value in values.items()
+    }
+    match batch.group:
+        case Group.JOINT_LIMITS:
+            return commands.set_limits(
+                codec,
+                batch.joint,
+                max_angle_deg=signals["MaxAngle"],
+                min_angle_deg=signals["MinAngle"],
+                max_speed=signals["MaxSpeed"],
+            )
+        case Group.JOINT_ACCELERATION:
+            return commands.set_joint_acceleration(codec, batch.joint, signals["MaxAcceleration"])
+        case Group.END_LIMITS:
+            return commands.set_end_limits(
+                codec,
+                max_linear_speed_m_s=signals["MaxLinearSpeed"],
+                max_angular_speed_rad_s=signals["MaxAngularSpeed"],
+                max_linear_acceleration_m_s2=signals["MaxLinearAcceleration"],
+                max_angular_acceleration_rad_s2=signals["MaxAngularAcceleration"],
+            )
+        case Group.COLLISION:
+            levels = [round(level) for level in signals.values() if level is not None]
+            return commands.set_collision_levels(codec, levels)
+        case Group.TEACHING:
+            return commands.set_teaching(
+                codec,
+                teaching_range_percent=signals["TeachingRange"] or 0,
+                stroke_limit_mm=round(signals["StrokeLimit"] or 0),
+                friction=round(signals["Friction"] or 0),
+            )
+
+
+def can_leave_unchanged(codec: Codec, batch: Batch) -> bool:
+    """Whether single values of a batch can be left out of its frame (0x7FFF, generation 2)."""
+    first = batch.parameters()[0]
+    signal = first.kind.signal.format(joint=first.joint)
+    return codec.can_leave(first.kind.message, signal)
+
+
+def to_wire(codec: Codec, parameter: Parameter, value: float | None) -> float | None:
+    """A value in the unit of the frame, rounded to what the frame can carry."""
+    if value is None:
+        return None
+    kind = parameter.kind
+    signal = kind.signal.format(joint=parameter.joint)
+    step = codec.step(kind.message, signal)
+    return round(value / _factor(codec, parameter) / step) * step
+
+
+def as_carried(codec: Codec, parameter: Parameter, value: float) -> float:
+    """The value nearest to one asked for that a frame can carry, in the operator's unit."""
+    wire = to_wire(codec, parameter, value)
+    return value if wire is None else wire * _factor(codec, parameter)
+
+
+def step_of(codec: Codec, parameter: Parameter) -> float:
+    """The smallest difference a frame can carry, in the operator's unit."""
+    kind = parameter.kind
+    signal = kind.signal.format(joint=parameter.joint)
+    return codec.step(kind.message, signal) * _factor(codec, parameter)
+
+
+def _factor(codec: Codec, parameter: Parameter) -> float:
+    """How many of the operator's units one of the frame's is."""
+    kind = parameter.kind
+    if not kind.unit.startswith("°"):
+        return 1.0
+    return DEGREES_PER[codec.unit(kind.message, kind.signal.format(joint=parameter.joint))]

@@ -1,0 +1,48 @@
+"""The parameters an arm keeps, in the words of the manual (sections 1.0.7.4–1.0.7.6)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
+from armui.arm.parameters import KINDS, Parameter
+from armui.ui.words.text import sentence
+
+_NAMES: Final[Mapping[str, object]] = {
+    "max_angle_deg": QT_TRANSLATE_NOOP("Parameter", "Max. angle"),
+    "min_angle_deg": QT_TRANSLATE_NOOP("Parameter", "Min. angle"),
+    "max_speed_deg_s": QT_TRANSLATE_NOOP("Parameter", "Max. speed"),
+    "max_acceleration_deg_s2": QT_TRANSLATE_NOOP("Parameter", "Max. acceleration"),
+    "max_linear_speed_m_s": QT_TRANSLATE_NOOP("Parameter", "Max. linear speed of the end"),
+    "max_angular_speed_rad_s": QT_TRANSLATE_NOOP("Parameter", "Max. angular speed of the end"),
+    "max_linear_acceleration_m_s2": QT_TRANSLATE_NOOP(
+        "Parameter", "Max. linear acceleration of the end"
+    ),
+    "max_angular_acceleration_rad_s2": QT_TRANSLATE_NOOP(
+        "Parameter", "Max. angular acceleration of the end"
+    ),
+    "collision_level": QT_TRANSLATE_NOOP("Parameter", "Collision level"),
+    "teaching_range_percent": QT_TRANSLATE_NOOP("Parameter", "Teaching range"),
+    "stroke_limit_mm": QT_TRANSLATE_NOOP("Parameter", "Gripper stroke limit"),
+    "teaching_friction": QT_TRANSLATE_NOOP("Parameter", "Teaching friction"),
+}
+
+
+def parameter_name(name: str) -> str:
+    """What a parameter is called: a key of ``parameters.KINDS``."""
+    return sentence("Parameter", _NAMES[name], {})
+
+
+def full_name(parameter: Parameter) -> str:
+    """A parameter's name with its joint, if it belongs to one («J3 max. speed»)."""
+    name = parameter_name(parameter.name)
+    return f"J{parameter.joint} {name}" if parameter.joint else name
+
+
+def value_text(name: str, value: float) -> str:
+    """A value with as many decimals as it has a meaning, and its unit."""
+    kind = KINDS[name]
+    gap = "" if kind.unit.startswith("°") or not kind.unit else " "
+    return f"{value:.{kind.decimals}f}{gap}{kind.unit}"
