@@ -28,6 +28,7 @@ from armui.control.motion import Motion
 from armui.control.motors import Motors
 from armui.control.notices import CODES
 from armui.control.orders import OrderLine
+from armui.control.player import Player
 from armui.control.situation import Busy, LinkState, Notice, Situation
 from armui.control.stop import StopKeeper, is_stopped
 from armui.protocol import commands
@@ -54,6 +55,7 @@ class ArmController(QObject):
         motion: Moves the joints.
         motors: Switches the motors.
         lights: The lamps of the joints.
+        player: Runs trajectories.
         orders: Carries out the commands that are answered.
         settings: Reads and sets the parameters the arm keeps.
         joint_errors: Clears the errors of the joints' drivers.
@@ -92,10 +94,17 @@ class ArmController(QObject):
         self.motion = Motion(context)
         self.motors = Motors(context, before_switching=self.motion.halt)
         self.lights = Lights(context)
+        self.player = Player(context, self.motion.halt, self)
         self.orders = OrderLine(context)
         self.settings = ArmSettings(context, self.orders, self)
         self.joint_errors = JointErrors(context, self.orders)
-        self._parts: tuple[Part, ...] = (self.motors, self.motion, self.orders, self.settings)
+        self._parts: tuple[Part, ...] = (
+            self.motors,
+            self.motion,
+            self.player,
+            self.orders,
+            self.settings,
+        )
         self._was_online = False
         self._was_stopped = False
         self._was_unconfirmed = False
@@ -262,6 +271,7 @@ class ArmController(QObject):
             stop_unconfirmed=self._stop.unconfirmed(now_s),
             busy=busy,
             speed_percent=self.motion.speed_percent,
+            running=self.player.running,
             generation=self._connection.generation,
         )
         return assess(self._state, around, now_s)

@@ -25,6 +25,7 @@ class Circumstances:
     stop_unconfirmed: bool
     busy: Busy | None
     speed_percent: int
+    running: bool
     generation: Generation | None
 
 
@@ -32,6 +33,11 @@ def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
     """What the operator can do at monotonic time ``now_s``."""
     enabled = _fresh_enabled(state, now_s)
     no_command = gate.why_no_command(around.link, around.stop, around.busy)
+    cannot_run = _first(
+        lambda: no_command,
+        lambda: gate.why_not_enabled(enabled),
+        lambda: gate.why_not_ready(state),
+    )
     read = [
         heard.value if heard is not None and plausible(heard.value) else None
         for heard in state.limits
@@ -46,11 +52,12 @@ def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
         enabled=enabled,
         busy=around.busy,
         cannot_move=_first(
-            lambda: no_command,
-            lambda: gate.why_not_enabled(enabled),
-            lambda: gate.why_not_ready(state),
+            lambda: cannot_run,
+            lambda: Refusal("busy", {"what": "running"}) if around.running else None,
             lambda: Refusal("speed_zero") if around.speed_percent == 0 else None,
         ),
+        cannot_run=cannot_run,
+        running=around.running,
         cannot_enable=no_command,
         limits=tuple(
             limits or factory for limits, factory in zip(read, FACTORY_LIMITS, strict=True)

@@ -42,6 +42,12 @@ CODES: Final[Mapping[str, Level]] = {
     "settings_refused": Level.FAULT,  # count, total, reason
     "settings_reset_sent": Level.INFO,
     "settings_reset": Level.DONE,
+    "run_started": Level.INFO,  # name
+    "run_paused": Level.INFO,  # row
+    "run_continued": Level.INFO,  # row
+    "run_done": Level.DONE,  # name
+    "run_ended": Level.INFO,  # row
+    "run_failed": Level.FAULT,  # row, reason
     "connected": Level.INFO,  # device
     "connect_failed": Level.FAULT,  # device, reason
     "disconnected": Level.INFO,  # device
@@ -76,6 +82,16 @@ REFUSALS: Final = frozenset(
         "light_not_a_number",  # light, value, minimum, maximum
         "joints_unknown",
         "generation_unknown",
+        "not_running",
+        "not_paused",
+        "run_empty",  # name
+        "run_no_such_row",  # row, maximum
+        "run_stopped",
+        "run_too_slow",  # seconds
+        "run_elsewhere",  # away
+        "run_not_ended",
+        "pose_unknown",
+        "gripper_other_generation",  # row
         "setting_out_of_range",  # parameter, joint, value, minimum, maximum
         "setting_not_a_number",  # parameter, joint, value, minimum, maximum
         "setting_no_choice",  # parameter, joint, value, choices

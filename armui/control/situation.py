@@ -63,6 +63,8 @@ class Situation:
         stop_unconfirmed: A stop was asked for over half a second ago and the arm has not said so.
         enabled: Each motor by the arm's word; ``None`` where it has not been heard of late.
         cannot_move, cannot_enable: Why not, or ``None``: it may.
+        cannot_run: Why a trajectory cannot be run, or the one that runs cannot go on.
+        running: A trajectory moves the arm.
         limits: Of each joint, as read from the arm where ``limits_read``, else the factory's.
         speed_percent: What motions are sent with.
         moving: The arm says that it has not reached its target, and is not stopped.
@@ -78,11 +80,13 @@ class Situation:
     enabled: Six[bool | None] = (None, None, None, None, None, None)
     busy: Busy | None = None
     cannot_move: Refusal | None = field(default_factory=lambda: Refusal("not_connected"))
+    cannot_run: Refusal | None = field(default_factory=lambda: Refusal("not_connected"))
     cannot_enable: Refusal | None = field(default_factory=lambda: Refusal("not_connected"))
     limits: tuple[JointLimits, ...] = FACTORY_LIMITS
     limits_read: Six[bool] = (False, False, False, False, False, False)
     speed_percent: int = 0
     moving: bool = False
+    running: bool = False
     generation: Generation | None = None
     teaching_input: bool = False
 

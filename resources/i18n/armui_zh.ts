@@ -1072,6 +1072,30 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>机械臂已应答恢复出厂值，正在重新读取。</translation>
     </message>
     <message>
+        <source>Running “{name}”</source>
+        <translation>开始执行“{name}”</translation>
+    </message>
+    <message>
+        <source>Run paused in row {row}: the arm holds</source>
+        <translation>已在第 {row} 行暂停，机械臂保持位置</translation>
+    </message>
+    <message>
+        <source>Run goes on in row {row}</source>
+        <translation>从第 {row} 行继续执行</translation>
+    </message>
+    <message>
+        <source>“{name}” has been run to its end.</source>
+        <translation>“{name}”执行完毕。</translation>
+    </message>
+    <message>
+        <source>Run ended in row {row}; the arm stands.</source>
+        <translation>已在第 {row} 行结束执行，机械臂已停稳。</translation>
+    </message>
+    <message>
+        <source>Run ended in row {row}. {reason}</source>
+        <translation>在第 {row} 行中止执行。{reason}</translation>
+    </message>
+    <message>
         <source>Device open: {device}</source>
         <translation>设备已打开：{device}</translation>
     </message>
@@ -1408,6 +1432,46 @@ Lamps give no feedback: this is only what will be sent.</source>
         <source>{parameter}: {value} was sent and answered, but the arm holds {held}. It did not take this value; try another one.</source>
         <translation>{parameter}：已发送 {value} 且有应答，但机械臂中仍为 {held}，该值未被采用，请换一个值。</translation>
     </message>
+    <message>
+        <source>No trajectory is running: nothing to pause.</source>
+        <translation>没有正在执行的轨迹，无法暂停。</translation>
+    </message>
+    <message>
+        <source>No trajectory is paused: nothing to go on with.</source>
+        <translation>没有已暂停的轨迹，无法继续。</translation>
+    </message>
+    <message>
+        <source>“{name}” has no points. Add points, or choose another trajectory.</source>
+        <translation>“{name}”没有轨迹点，请添加轨迹点或选择其他轨迹。</translation>
+    </message>
+    <message>
+        <source>There is no row {row}: the last one is {maximum}. Choose another row.</source>
+        <translation>没有第 {row} 行，最后一行是第 {maximum} 行，请另选一行。</translation>
+    </message>
+    <message>
+        <source>The arm is in emergency stop. Hold the arm, press Resume, enable the motors; then the run can go on from this row.</source>
+        <translation>机械臂处于急停状态。请扶住机械臂，按恢复并重新使能电机，之后可从本行继续。</translation>
+    </message>
+    <message>
+        <source>The point was not reached within {seconds} s. See what keeps the arm, then go on from this row.</source>
+        <translation>{seconds} 秒内未到达该点，请检查机械臂受阻原因，之后可从本行继续。</translation>
+    </message>
+    <message>
+        <source>The arm says that it is there, but measures itself away from the point: {away}. See what keeps it, then go on from this row.</source>
+        <translation>机械臂报告已到达，但测量值与目标相差 {away}，请检查原因，之后可从本行继续。</translation>
+    </message>
+    <message>
+        <source>The arm was told to end its motion and still moves. Press the emergency stop if it must not.</source>
+        <translation>已发送终止指令，但机械臂仍在运动；如有危险请按急停。</translation>
+    </message>
+    <message>
+        <source>The arm has not reported its end pose: an arc has no beginning. Wait for it.</source>
+        <translation>机械臂尚未反馈末端位姿，圆弧没有起点，请稍候。</translation>
+    </message>
+    <message>
+        <source>Row {row}: this arm&apos;s protocol moves the gripper by other figures (generation 1 by an angle, generation 2 by an opening). Change the gripper&apos;s action.</source>
+        <translation>第 {row} 行：本机械臂协议的夹爪参数不同（第一代用角度，第二代用开度），请修改夹爪动作。</translation>
+    </message>
 </context>
 <context>
     <name>SettingName</name>
@@ -1688,6 +1752,10 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>resuming after the emergency stop</source>
         <translation>急停恢复</translation>
+    </message>
+    <message>
+        <source>running a trajectory</source>
+        <translation>执行轨迹</translation>
     </message>
     <message>
         <source>reading or saving the arm&apos;s settings</source>

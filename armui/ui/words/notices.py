@@ -87,6 +87,12 @@ _NOTICES: Final[Mapping[str, object]] = {
     "settings_reset": QT_TRANSLATE_NOOP(
         "Notice", "The arm has answered that its factory values are back; they are read again."
     ),
+    "run_started": QT_TRANSLATE_NOOP("Notice", "Running “{name}”"),
+    "run_paused": QT_TRANSLATE_NOOP("Notice", "Run paused in row {row}: the arm holds"),
+    "run_continued": QT_TRANSLATE_NOOP("Notice", "Run goes on in row {row}"),
+    "run_done": QT_TRANSLATE_NOOP("Notice", "“{name}” has been run to its end."),
+    "run_ended": QT_TRANSLATE_NOOP("Notice", "Run ended in row {row}; the arm stands."),
+    "run_failed": QT_TRANSLATE_NOOP("Notice", "Run ended in row {row}. {reason}"),
     "connected": QT_TRANSLATE_NOOP("Notice", "Device open: {device}"),
     "connect_failed": QT_TRANSLATE_NOOP("Notice", "Not connected. {reason}"),
     "disconnected": QT_TRANSLATE_NOOP("Notice", "Disconnected from {device}"),

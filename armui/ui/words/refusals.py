@@ -9,6 +9,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.arm.refusal import Refusal
 from armui.ui.words import status
+from armui.ui.words.run_refusals import RUN_REFUSALS
 from armui.ui.words.setting_refusals import SETTING_REFUSALS, with_units
 from armui.ui.words.text import NOT_KNOWN, sentence
 
@@ -207,12 +208,13 @@ _REFUSALS: Final[Mapping[str, object]] = {
     ),
 }
 
-_ALL: Final[Mapping[str, object]] = {**_REFUSALS, **SETTING_REFUSALS}
+_ALL: Final[Mapping[str, object]] = {**_REFUSALS, **SETTING_REFUSALS, **RUN_REFUSALS}
 
 _UNDER_WAY: Final[Mapping[str, object]] = {
     "enabling": QT_TRANSLATE_NOOP("UnderWay", "enabling the motors"),
     "disabling": QT_TRANSLATE_NOOP("UnderWay", "disabling the motors"),
     "resuming": QT_TRANSLATE_NOOP("UnderWay", "resuming after the emergency stop"),
+    "running": QT_TRANSLATE_NOOP("UnderWay", "running a trajectory"),
     "settings": QT_TRANSLATE_NOOP("UnderWay", "reading or saving the arm's settings"),
     "clearing_error": QT_TRANSLATE_NOOP("UnderWay", "clearing a joint's error"),
 }

@@ -1,0 +1,305 @@
+"""【发送】: runs a trajectory point by point, each followed until the arm says that it is there."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QObject, Signal
+
+from armui.arm.refusal import Refusal
+from armui.control.arrival import Arrival, ArrivalWatch
+from armui.control.context import Context
+from armui.control.point_frames import action_frames, point_frames, why_not_possible
+from armui.control.run import ENDLESS, OVER, Phase, Progress, Run, Schedule
+from armui.control.stillness import Stillness
+from armui.protocol import commands
+from armui.protocol.codes import TrajectoryCommand
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from armui.protocol.codec import Codec
+    from armui.protocol.frame import Frame
+
+_REST_WITHIN_S: Final = 2.0
+"""An arm told to end its motion stands within this time, or the operator is warned."""
+
+
+_UNKNOWN_FOR_S: Final = 1.0
+_PASSING: Final = frozenset({"enabled_unknown", "joints_unknown"})
+"""Reasons that may be gone with the next frame."""
+
+
+class Player(QObject):
+    """One run at a time; everything it does follows from what the arm says.
+
+    Args:
+        context: What the parts of the controller share.
+        before_moving: Called when the run sends the arm somewhere: setpoints are void.
+
+    Signals:
+        progressed: A :class:`Progress`, when it differs.
+    """
+
+    progressed = Signal(object)
+
+    def __init__(
+        self,
+        context: Context,
+        before_moving: Callable[[], None],
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._context = context
+        self._before_moving = before_moving
+        self._run: Run | None = None
+        self._schedule: Schedule | None = None
+        self._progress = Progress()
+        self._phase = Phase.IDLE
+        self._paused_phase = Phase.IDLE
+        self._paused_s = 0.0
+        self._since_s = self._known_s = 0.0
+        self._index = 0
+        self._lap = 1
+        self._watch: ArrivalWatch | None = None
+        self._stillness = Stillness()
+
+    @property
+    def progress(self) -> Progress:
+        """How far the run has come."""
+        return self._progress
+
+    @property
+    def running(self) -> bool:
+        """Whether a run moves the arm, or will."""
+        return self._phase not in OVER
+
+    # What the operator wants ------------------------------------------------------------------
+
+    def start(self, run: Run) -> Refusal | None:
+        """Begin a run: ``None`` if the arm is on its way, or why not."""
+        context = self._context
+        refusal = Refusal("busy", {"what": "running"}) if self.running else None
+        refusal = refusal or context.situation().cannot_run or _why_empty(run)
+        if refusal is None:
+            refusal = why_not_possible(context.connection.generation, run.points)
+        if refusal is not None:
+            return context.refuse(refusal)
+        self._run, self._schedule = run, Schedule(run)
+        self._index, self._lap = run.first, 1
+        context.tell("run_started", name=run.name)
+        self._send_point()
+        return None
+
+    def pause(self) -> Refusal | None:
+        """Have the arm hold where it is (0x150 byte 1 = 1)."""
+        if self._phase not in {Phase.MOVING, Phase.DWELLING}:
+            return self._context.refuse(Refusal("not_running"))
+        if self._phase is Phase.MOVING:
+            self._send(commands.trajectory_command(self._codec, TrajectoryCommand.PAUSE))
+        self._paused_phase, self._phase = self._phase, Phase.PAUSED
+        self._paused_s = self._context.clock()
+        self._context.tell("run_paused", row=self._index + 1)
+        self._publish()
+        return None
+
+    def go_on(self) -> Refusal | None:
+        """End a pause (0x150 byte 1 = 2), or take the next step."""
+        if self._phase is Phase.WAITING:
+            self._next_point()
+            return None
+        if self._phase is not Phase.PAUSED:
+            return self._context.refuse(Refusal("not_paused"))
+        refusal = self._context.situation().cannot_run
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        if self._paused_phase is Phase.MOVING:
+            self._send(commands.trajectory_command(self._codec, TrajectoryCommand.CONTINUE))
+        self._phase = self._paused_phase
+        self._since_s += self._context.clock() - self._paused_s
+        self._context.tell("run_continued", row=self._index + 1)
+        self._publish()
+        return None
+
+    def stop(self) -> None:
+        """End the run: the arm ends its motion where it is and stays powered (0x150 byte 1 = 6)."""
+        if not self.running or self._phase is Phase.STOPPING:
+            return
+        self._send(commands.trajectory_command(self._codec, TrajectoryCommand.ABORT))
+        self._since_s = self._context.clock()
+        self._stillness = Stillness()
+        self._phase = Phase.STOPPING
+        self._publish()
+
+    # What time and the arm bring --------------------------------------------------------------
+
+    def advance(self) -> None:
+        """Move on with the run; the controller's tick calls it."""
+        if not self.running:
+            return
+        reason = self._hindrance()
+        if reason is not None:
+            self._fail(reason)
+        elif self._phase is Phase.MOVING:
+            self._follow_motion()
+        elif self._phase is Phase.DWELLING:
+            self._follow_dwell()
+        elif self._phase is Phase.STOPPING:
+            self._follow_stopping()
+        self._publish()
+
+    def halt(self) -> None:
+        """An emergency stop ends the run."""
+        if self.running:
+            self._fail(Refusal("run_stopped"))
+            self._publish()
+
+    def forget(self) -> None:
+        """So does the loss of the arm."""
+        if self.running:
+            self._fail(Refusal("link_lost"))
+            self._publish()
+
+    def _hindrance(self) -> Refusal | None:
+        """Why the run cannot go on; what is not known for a moment is waited for."""
+        reason = self._context.situation().cannot_run
+        now_s = self._context.clock()
+        if reason is None or reason.code not in _PASSING:
+            self._known_s = now_s
+            return reason
+        return reason if now_s - self._known_s > _UNKNOWN_FOR_S else None
+
+    def _follow_motion(self) -> None:
+        run, watch, schedule = self._run, self._watch, self._schedule
+        if run is None or watch is None or schedule is None:
+            return
+        now_s = self._context.clock()
+        arrival = watch.look(self._context.state(), now_s)
+        if isinstance(arrival, Refusal):
+            self._fail(arrival)
+        elif arrival is Arrival.REACHED:
+            self._arrive(run, now_s)
+        elif now_s - self._since_s > (limit_s := schedule.time_limit_s(self._index)):
+            self._fail(Refusal("run_too_slow", {"seconds": round(limit_s)}))
+
+    def _arrive(self, run: Run, now_s: float) -> None:
+        self._send(action_frames(self._codec, run.points[self._index]))
+        self._since_s = now_s
+        self._phase = Phase.DWELLING
+        self._follow_dwell()
+
+    def _follow_dwell(self) -> None:
+        run = self._run
+        if run is None or self._context.clock() - self._since_s < run.points[self._index].dwell_s:
+            return
+        if run.step_by_step and not self._at_end(run):
+            self._phase = Phase.WAITING
+        else:
+            self._next_point()
+
+    def _at_end(self, run: Run) -> bool:
+        last = self._index == len(run.points) - 1
+        return last and run.laps != ENDLESS and self._lap >= run.laps
+
+    def _next_point(self) -> None:
+        run = self._run
+        if run is None:
+            return
+        if self._at_end(run):
+            self._phase = Phase.DONE
+            self._context.tell("run_done", name=run.name)
+        else:
+            self._index += 1
+            if self._index == len(run.points):
+                self._index = 0
+                self._lap += 1
+            self._send_point()
+        self._publish()
+
+    def _send_point(self) -> None:
+        run = self._run
+        if run is None:
+            return
+        point = run.points[self._index]
+        frames = point_frames(
+            self._codec, point, self._context.state(), run.speed_percent(self._index)
+        )
+        if isinstance(frames, Refusal):
+            self._fail(frames)
+            return
+        self._before_moving()
+        if not self._send(frames):
+            self._fail(Refusal("link_lost"))
+            return
+        self._since_s = self._context.clock()
+        self._watch = ArrivalWatch(point, self._since_s)
+        self._phase = Phase.MOVING
+        self._publish()
+
+    def _follow_stopping(self) -> None:
+        now_s = self._context.clock()
+        if self._stillness.still(self._context.state(), now_s):
+            self._phase = Phase.STOPPED
+            self._context.tell("run_ended", row=self._index + 1)
+        elif now_s - self._since_s > _REST_WITHIN_S:
+            self._fail(Refusal("run_not_ended"))
+
+    def _fail(self, reason: Refusal) -> None:
+        self._phase = Phase.FAILED
+        row = self._index + 1
+        self._context.tell("run_failed", row=row, reason=reason)
+        self._progress = self._snapshot(reason)
+        self.progressed.emit(self._progress)
+
+    # Small things -----------------------------------------------------------------------------
+
+    @property
+    def _codec(self) -> Codec:
+        return self._context.connection.codec
+
+    def _send(self, frames: Sequence[Frame]) -> bool:
+        return not frames or self._context.connection.send(frames)
+
+    def _publish(self) -> None:
+        progress = self._snapshot(self._progress.reason if self._phase is Phase.FAILED else None)
+        if progress != self._progress:
+            self._progress = progress
+            self.progressed.emit(progress)
+
+    def _snapshot(self, reason: Refusal | None) -> Progress:
+        run, schedule = self._run, self._schedule
+        if run is None or schedule is None:
+            return Progress()
+        over = self._phase is Phase.DONE
+        elapsed_s = self._elapsed_s(run)
+        return Progress(
+            phase=self._phase,
+            name=run.name,
+            index=self._index,
+            count=len(run.points),
+            lap=self._lap,
+            laps=run.laps,
+            done=1.0 if over else schedule.in_lap_s(self._index, elapsed_s) / (schedule.lap_s or 1),
+            remaining_s=0.0 if over else schedule.remaining_s(self._index, self._lap, elapsed_s),
+            reason=reason,
+        )
+
+    def _elapsed_s(self, run: Run) -> float:
+        """Since the point under way was sent, as the schedule counts."""
+        until_s = self._paused_s if self._phase is Phase.PAUSED else self._context.clock()
+        phase = self._paused_phase if self._phase is Phase.PAUSED else self._phase
+        elapsed_s = max(0.0, until_s - self._since_s)
+        if phase is not Phase.DWELLING:
+            return elapsed_s
+        # on arrival all but the dwell is behind, however long it took
+        factor, point = run.speed_factor, run.points[self._index]
+        return max(0.0, run.expected_s[self._index] - point.dwell_s) / factor + elapsed_s
+
+
+def _why_empty(run: Run) -> Refusal | None:
+    if not run.points:
+        return Refusal("run_empty", {"name": run.name})
+    if not 0 <= run.first < len(run.points):
+        return Refusal("run_no_such_row", {"row": run.first + 1, "maximum": len(run.points)})
+    return None

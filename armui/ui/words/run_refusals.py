@@ -1,0 +1,47 @@
+"""Every reason against running a trajectory, or why a run ended."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
+RUN_REFUSALS: Final[Mapping[str, object]] = {
+    "not_running": QT_TRANSLATE_NOOP("Refusal", "No trajectory is running: nothing to pause."),
+    "not_paused": QT_TRANSLATE_NOOP("Refusal", "No trajectory is paused: nothing to go on with."),
+    "run_empty": QT_TRANSLATE_NOOP(
+        "Refusal", "“{name}” has no points. Add points, or choose another trajectory."
+    ),
+    "run_no_such_row": QT_TRANSLATE_NOOP(
+        "Refusal", "There is no row {row}: the last one is {maximum}. Choose another row."
+    ),
+    "run_stopped": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm is in emergency stop. Hold the arm, press Resume, enable the motors; then the "
+        "run can go on from this row.",
+    ),
+    "run_too_slow": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The point was not reached within {seconds} s. See what keeps the arm, then go on from "
+        "this row.",
+    ),
+    "run_elsewhere": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm says that it is there, but measures itself away from the point: {away}. See what "
+        "keeps it, then go on from this row.",
+    ),
+    "run_not_ended": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm was told to end its motion and still moves. Press the emergency stop if it must "
+        "not.",
+    ),
+    "pose_unknown": QT_TRANSLATE_NOOP(
+        "Refusal", "The arm has not reported its end pose: an arc has no beginning. Wait for it."
+    ),
+    "gripper_other_generation": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Row {row}: this arm's protocol moves the gripper by other figures (generation 1 by an "
+        "angle, generation 2 by an opening). Change the gripper's action.",
+    ),
+}

@@ -1,0 +1,297 @@
+"""Trajectories run on the simulated arm: the path it really took, its dwells, its ends."""
+
+from dataclasses import replace
+
+import can
+import pytest
+
+from armui.arm.kinematics import Kinematics
+from armui.control.run import ENDLESS, Phase, Run
+from armui.protocol.codes import MoveMode
+from armui.protocol.generation import Generation
+from armui.sim import faults
+from armui.trajectory.program import (
+    GripperAngle,
+    GripperOpening,
+    LightAction,
+    Waypoint,
+)
+from tests.faulty_arm import HardOfHearing
+
+OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
+BACK = (-15.0, 30.0, -30.0, -10.0, 30.0, -20.0)
+UP = (0.0, 60.0, -60.0, 0.0, 20.0, 0.0)
+
+
+def to(joints_deg, **more):
+    return Waypoint(MoveMode.MOVE_J, joints_deg, speed_percent=100, **more)
+
+
+def run_of(*points, **more):
+    return Run("test", points, [2.0 + point.dwell_s for point in points], **more)
+
+
+class Journey:
+    """Where the simulated arm really was, at each step."""
+
+    def __init__(self, bench):
+        self.bench = bench
+        self.path = []
+
+    def until(self, condition, seconds=30.0):
+        def look():
+            self.path.append((self.bench.time_s, tuple(self.bench.firmware.joints_deg)))
+            return condition()
+
+        self.bench.run_until(look, seconds)
+
+    def times_at(self, joints_deg, tolerance_deg=0.1):
+        return [time_s for time_s, here in self.path if _near(here, joints_deg, tolerance_deg)]
+
+
+def _near(here, there, tolerance_deg=0.1):
+    return all(abs(a - b) <= tolerance_deg for a, b in zip(here, there, strict=True))
+
+
+@pytest.fixture
+def ready(any_bench):
+    any_bench.ready()
+    return any_bench
+
+
+def phase(bench):
+    return bench.controller.player.progress.phase
+
+
+def over(bench):
+    return lambda: not bench.controller.player.running
+
+
+def test_every_point_is_passed_in_order(ready):
+    journey = Journey(ready)
+    assert ready.controller.player.start(run_of(to(OUT), to(BACK), to(UP))) is None
+    journey.until(over(ready))
+    assert phase(ready) is Phase.DONE
+    first, second, third = (journey.times_at(each)[0] for each in (OUT, BACK, UP))
+    assert first < second < third
+    assert ready.codes()[-1] == "run_done"
+    progress = ready.controller.player.progress
+    assert (progress.done, progress.remaining_s, progress.index) == (1.0, 0.0, 2)
+
+
+def test_the_arm_stays_as_long_as_it_shall(ready):
+    journey = Journey(ready)
+    ready.controller.player.start(run_of(to(OUT, dwell_s=1.5), to(BACK)))
+    journey.until(over(ready))
+    times = journey.times_at(OUT, tolerance_deg=0.01)
+    assert 1.5 <= times[-1] - times[0] <= 1.8
+
+
+def test_laps_are_counted(ready):
+    journey = Journey(ready)
+    ready.controller.player.start(run_of(to(OUT), to(BACK), laps=3))
+    journey.until(over(ready), seconds=60.0)
+    assert phase(ready) is Phase.DONE
+    visits = 0
+    was_there = False
+    for _, here in journey.path:
+        there = _near(here, OUT)
+        visits += there and not was_there
+        was_there = there
+    assert visits == 3
+    assert ready.controller.player.progress.lap == 3
+
+
+def test_an_endless_run_ends_when_the_operator_says_so(ready):
+    player = ready.controller.player
+    player.start(run_of(to(OUT), to(UP), laps=ENDLESS))
+    ready.run_until(lambda: player.progress.lap == 3)
+    assert player.progress.remaining_s is None
+    player.stop()
+    ready.run_until(over(ready))
+    assert phase(ready) is Phase.STOPPED
+    at = tuple(ready.firmware.joints_deg)
+    ready.run(1.0)
+    assert tuple(ready.firmware.joints_deg) == at
+    assert ready.controller.situation.cannot_move is None
+
+
+def test_a_pause_holds_the_arm_and_the_rest_follows(ready):
+    player = ready.controller.player
+    player.start(run_of(to(OUT), to(BACK)))
+    ready.run(0.4)
+    assert player.pause() is None
+    ready.run(1.0)
+    at = tuple(ready.firmware.joints_deg)
+    remaining_s = player.progress.remaining_s
+    ready.run(8.0)
+    assert tuple(ready.firmware.joints_deg) == at
+    assert phase(ready) is Phase.PAUSED
+    assert player.progress.remaining_s == remaining_s
+    assert player.go_on() is None
+    ready.run_until(over(ready))
+    assert phase(ready) is Phase.DONE
+    assert _near(ready.firmware.joints_deg, BACK)
+
+
+def test_a_pause_in_a_dwell_holds_its_clock(ready):
+    player = ready.controller.player
+    player.start(run_of(to(OUT, dwell_s=2.0), to(BACK)))
+    ready.run_until(lambda: phase(ready) is Phase.DWELLING)
+    ready.run(1.0)
+    player.pause()
+    ready.run(4.0)
+    player.go_on()
+    ready.run(0.8)
+    assert _near(ready.firmware.joints_deg, OUT)
+    ready.run_until(over(ready))
+    assert _near(ready.firmware.joints_deg, BACK)
+
+
+def test_step_by_step_waits_for_the_operator(ready):
+    player = ready.controller.player
+    player.start(run_of(to(OUT), to(BACK), step_by_step=True))
+    ready.run_until(lambda: phase(ready) is Phase.WAITING)
+    ready.run(2.0)
+    assert _near(ready.firmware.joints_deg, OUT)
+    assert player.go_on() is None
+    ready.run_until(over(ready))
+    assert _near(ready.firmware.joints_deg, BACK)
+
+
+def test_a_run_may_begin_further_on(ready):
+    journey = Journey(ready)
+    ready.controller.player.start(run_of(to(OUT), to(BACK), first=1))
+    journey.until(over(ready))
+    assert journey.times_at(OUT) == []
+    assert _near(ready.firmware.joints_deg, BACK)
+
+
+def test_the_speed_of_a_point_is_changed_by_the_runs_factor(ready):
+    ear = HardOfHearing(ready.firmware)
+    point = replace(to(OUT), speed_percent=40)
+    ready.controller.player.start(run_of(point, speed_factor=0.5))
+    ready.run_until(over(ready))
+    assert {frame.data[2] for frame in ear.heard if frame.arbitration_id == 0x151} == {20}
+
+
+def test_lines_and_arcs_are_run(ready):
+    flange = Kinematics()
+    start, middle, end = (
+        tuple(flange.forward(joints))
+        for joints in (
+            OUT,
+            (10.0, 45.0, -45.0, 5.0, 20.0, 5.0),
+            (-5.0, 40.0, -40.0, 5.0, 20.0, 0.0),
+        )
+    )
+    points = (
+        to(OUT),
+        Waypoint(MoveMode.MOVE_L, middle, speed_percent=100),
+        Waypoint(MoveMode.MOVE_P, start, speed_percent=100),
+        Waypoint(MoveMode.MOVE_C, end, middle=middle, speed_percent=100),
+    )
+    ready.controller.player.start(run_of(*points))
+    ready.run_until(over(ready), seconds=60.0)
+    assert ready.controller.player.progress.reason is None
+    assert ready.controller.state.end_pose() == pytest.approx(end, abs=0.1)
+
+
+def test_gripper_and_lamps_act_on_arrival(ready):
+    generation = ready.controller.situation.generation
+    gripper = GripperOpening(30.0) if generation is Generation.TWO else GripperAngle(10.0)
+    other = GripperAngle(10.0) if generation is Generation.TWO else GripperOpening(30.0)
+    player = ready.controller.player
+    refusal = player.start(run_of(to(OUT, gripper=other)))
+    assert refusal.code == "gripper_other_generation"
+    player.start(run_of(to(OUT, gripper=gripper, light=LightAction(2, 255, 0, 0), dwell_s=3.0)))
+    ready.run_until(over(ready))
+    assert ready.firmware.settings.lights[2][:4] == (255, 255, 0, 0)
+    heard = ready.controller.state.gripper.value
+    assert (heard.opening_mm, heard.angle_deg) in {(30.0, None), (None, 10.0)}
+
+
+def test_a_point_beyond_the_limits_ends_the_run_with_the_arms_word(ready):
+    beyond = (170.0, *OUT[1:])
+    ready.controller.player.start(run_of(to(OUT), to(beyond)))
+    ready.run_until(over(ready))
+    progress = ready.controller.player.progress
+    assert (progress.phase, progress.index) == (Phase.FAILED, 1)
+    assert progress.reason.code == "arm_fault"
+    assert _near(ready.firmware.joints_deg, OUT)
+
+
+def test_an_emergency_stop_ends_the_run(ready):
+    ready.controller.player.start(run_of(to(OUT), to(BACK)))
+    ready.run(0.4)
+    ready.controller.emergency_stop()
+    assert phase(ready) is Phase.FAILED
+    assert ready.controller.player.progress.reason.code == "run_stopped"
+    ready.run(1.0)
+    assert not ready.controller.player.running
+
+
+def test_a_lost_cable_ends_the_run(ready, qtbot):
+    ready.controller.player.start(run_of(to(OUT), to(BACK)))
+    ready.run(0.4)
+    ready.unplug(can.CanOperationError("gone"))
+    qtbot.waitUntil(lambda: "link_lost" in ready.codes())
+    assert ready.controller.player.progress.reason.code == "link_lost"
+
+
+def test_a_silent_arm_ends_the_run(ready):
+    ready.controller.player.start(run_of(to(OUT), to(BACK)))
+    ready.run(0.4)
+    ready.powered = False
+    ready.run_until(over(ready))
+    assert ready.controller.player.progress.reason.code == "offline"
+
+
+def test_a_collision_ends_the_run(ready):
+    ready.controller.player.start(run_of(to(OUT), to(BACK)))
+    ready.run(0.4)
+    ready.node.faults.start(faults.read_fault("collision:2@0"))
+    ready.run_until(over(ready))
+    progress = ready.controller.player.progress
+    assert progress.phase is Phase.FAILED
+    assert progress.reason.code in {"arm_fault", "not_enabled"}
+
+
+def test_a_blocked_arm_does_not_run_for_ever(ready):
+    ear = HardOfHearing(ready.firmware)
+    ear.deaf_to = {0x156}  # a whole target never comes
+    ready.controller.player.start(run_of(to(OUT)))
+    ready.run_until(over(ready), seconds=60.0)
+    assert ready.controller.player.progress.reason.code in {"run_elsewhere", "run_too_slow"}
+
+
+def test_nothing_else_moves_the_arm_meanwhile(ready):
+    ready.controller.player.start(run_of(to(OUT)))
+    ready.step()
+    refusal = ready.controller.motion.jog(1, 5.0)
+    assert (refusal.code, refusal.params["what"]) == ("busy", "running")
+    assert ready.controller.player.start(run_of(to(BACK))).code == "busy"
+    ready.run_until(over(ready))
+    assert _near(ready.firmware.joints_deg, OUT)
+
+
+def test_an_arm_that_is_not_enabled_is_not_run(any_bench):
+    any_bench.connect()
+    assert any_bench.controller.player.start(run_of(to(OUT))).code == "not_enabled"
+    assert any_bench.controller.player.start(run_of()).code == "not_enabled"
+
+
+@pytest.mark.parametrize(
+    ("run", "code"),
+    [(run_of(), "run_empty"), (run_of(to(OUT), first=1), "run_no_such_row")],
+)
+def test_a_run_of_nothing_is_refused(ready, run, code):
+    assert ready.controller.player.start(run).code == code
+
+
+def test_words_out_of_place(ready):
+    player = ready.controller.player
+    assert player.pause().code == "not_running"
+    assert player.go_on().code == "not_paused"
+    player.stop()
+    assert phase(ready) is Phase.IDLE
