@@ -12,14 +12,13 @@ import numpy.typing as npt
 from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation
 
-from armui.arm.kinematics import Kinematics, Matrix, wrapped_deg
+from armui.arm.kinematics import Kinematics, Matrix
 from armui.arm.limits import ANGLE_STEP_DEG
-from armui.arm.wrist import STRETCHED_DEG, bend_deg, bent_wrist, stretched_wrist
+from armui.arm.tool_path import ToolPath, follow
 from armui.protocol.codes import ArmStatusCode
 from armui.sim.motion import JOINT_COUNT, STANDSTILL, SixValues
 from armui.sim.rail import Rail
 from armui.sim.settings import Settings
-from armui.sim.tool_path import ToolPath
 
 Values = npt.NDArray[np.float64]
 
@@ -135,7 +134,7 @@ def plan(
     units = max(path.length_mm / _STEP_MM, path.angle_deg / _STEP_DEG)
     steps = max(math.ceil(units), _FEWEST_STEPS)
     targets = path.poses(np.linspace(0.0, 1.0, steps + 1))
-    joints = _follow(kinematics, targets, start_deg)
+    joints = follow(kinematics, targets, start_deg)
     _check(joints, units / steps, settings)
     places = np.linspace(0.0, units, steps + 1)
     way = CubicSpline(places, joints)
@@ -172,35 +171,6 @@ def plan_replay(recording: Sequence[SixValues], sample_s: float, settings: Setti
     if not (top_speed > 0.0 and acceleration > 0.0):
         raise Trouble(ArmStatusCode.NO_SOLUTION)
     return PathMotion(way, end, top_speed, min(acceleration, _REPLAY_START_1_S))
-
-
-def _follow(kinematics: Kinematics, targets: Matrix, start_deg: Sequence[float]) -> Values:
-    """Joints along the targets on the branch where the arm stands, NaN from where it ends."""
-    ways = kinematics.arm_branches(targets)
-    gaps = np.abs(ways[0] - np.asarray(start_deg[:3])).max(axis=1)
-    arms = ways[:, int(np.argmin(np.where(np.isnan(gaps), math.inf, gaps)))]
-    joints = np.full((len(targets), JOINT_COUNT), math.nan)
-    missing = np.isnan(arms[:, 0])
-    count = int(np.argmax(missing)) if missing.any() else len(targets)
-    joints[:count, :3] = arms[:count]
-    hands = kinematics.hands(arms[:count], targets[:count])
-    stretched = bend_deg(hands) < STRETCHED_DEG
-    joints[0] = start_deg
-    last: Sequence[float] = tuple(start_deg[3:])
-    for index, wrists in enumerate(bent_wrist(hands).tolist()):
-        if stretched[index]:
-            wrists = [stretched_wrist(hands[index], last[0])]  # noqa: PLW2901 - the same thing
-        near = [
-            [
-                before + wrapped_deg(angle - before)
-                for angle, before in zip(wrist, last, strict=True)
-            ]
-            for wrist in wrists
-        ]
-        last = min(near, key=lambda wrist: math.dist(wrist, last))
-        if index:
-            joints[index, 3:] = last
-    return joints
 
 
 def _check(joints: Values, units_a_step: float, settings: Settings) -> None:

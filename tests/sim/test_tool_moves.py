@@ -12,7 +12,7 @@ from armui.arm.kinematics import Kinematics, Matrix, Pose, pose_to_matrix
 from armui.protocol.codes import ArmStatusCode, MotionState
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
-from armui.sim.tool_path import Arc, Line
+from armui.arm.tool_path import Arc, Line
 from tests.sim.talk import (
     BOTH,
     STANDBY,

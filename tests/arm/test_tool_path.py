@@ -10,7 +10,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from armui.arm.kinematics import Matrix, Pose, pose_to_matrix
-from armui.sim.tool_path import Arc, ArcError, Line
+from armui.arm.tool_path import Arc, ArcError, Line
 
 SHARES = np.linspace(0.0, 1.0, 101)
 

@@ -1,15 +1,20 @@
-"""Where the tool goes: straight lines and arcs of the flange, as geometry without time."""
+"""Where the tool goes: straight lines and arcs of the flange, and the joints that lead it there.
+
+Geometry without time; the simulated arm moves by it, and the host checks by it before it sends.
+"""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Final, Protocol
 
 import numpy as np
 import numpy.typing as npt
 from scipy.spatial.transform import Rotation, RotationSpline, Slerp
 
-from armui.arm.kinematics import Matrix
+from armui.arm.kinematics import Kinematics, Matrix, wrapped_deg
+from armui.arm.wrist import STRETCHED_DEG, bend_deg, bent_wrist, stretched_wrist
 
 _SMALLEST_TRIANGLE: Final = 1e-4
 """Sine of the angle at an arc's start under which its three points lie on a line."""
@@ -95,6 +100,44 @@ class Arc:
         spoke = point_mm - self._centre_mm
         angle = math.atan2(float(spoke @ self._aside), float(spoke @ self._ahead))
         return angle % (2.0 * math.pi)
+
+
+def follow(kinematics: Kinematics, targets: Matrix, start_deg: Sequence[float]) -> Matrix:
+    """Joints along a path, on the branch where the arm stands.
+
+    Args:
+        kinematics: Of the arm.
+        targets: (n, 4, 4) transforms of the flange, the first of them where it is.
+        start_deg: Six joint angles there.
+
+    Returns:
+        (n, 6) angles in degrees, NaN from where the branch ends.
+    """
+    ways = kinematics.arm_branches(targets)
+    gaps = np.abs(ways[0] - np.asarray(start_deg[:3])).max(axis=1)
+    arms = ways[:, int(np.argmin(np.where(np.isnan(gaps), math.inf, gaps)))]
+    joints = np.full((len(targets), len(start_deg)), math.nan)
+    missing = np.isnan(arms[:, 0])
+    count = int(np.argmax(missing)) if missing.any() else len(targets)
+    joints[:count, :3] = arms[:count]
+    hands = kinematics.hands(arms[:count], targets[:count])
+    stretched = bend_deg(hands) < STRETCHED_DEG
+    joints[0] = start_deg
+    last: Sequence[float] = tuple(start_deg[3:])
+    for index, wrists in enumerate(bent_wrist(hands).tolist()):
+        if stretched[index]:
+            wrists = [stretched_wrist(hands[index], last[0])]  # noqa: PLW2901 - the same thing
+        near = [
+            [
+                before + wrapped_deg(angle - before)
+                for angle, before in zip(wrist, last, strict=True)
+            ]
+            for wrist in wrists
+        ]
+        last = min(near, key=lambda wrist: math.dist(wrist, last))
+        if index:
+            joints[index, 3:] = last
+    return joints
 
 
 def _to_centre(over: Matrix, across: Matrix) -> Matrix:
