@@ -162,6 +162,11 @@ class Kinematics:
                     solutions.append(solution)
         return sorted(solutions, key=lambda joints: math.dist(joints, near_deg))
 
+    def missing_mm(self, pose: Pose) -> float:
+        """How far the wrist's centre is out of the arm's reach for a pose; 0 within it."""
+        _, extension_mm = self._ask_library(pose_to_matrix(pose)[None])
+        return max(0.0, -float(extension_mm[0]))
+
     def arm_branches(self, targets: Matrix) -> Matrix:
         """Joints 1–3 of the ways to bring the wrist's centre where the targets want it.
 

@@ -16,7 +16,7 @@ import can
 
 from armui.protocol.frame import Frame
 
-_KEEP_S: Final = 0.5
+KEEP_S: Final = 0.5
 """An ordinary frame that could not be sent for so long is dropped: a command must not act late."""
 
 _URGENT_LOCK_S: Final = 0.05
@@ -61,13 +61,18 @@ class Outbox:
             self._drop_waiting()
             self._urgent.clear()
 
-    def put(self, frames: Iterable[Frame]) -> bool:
-        """Queue frames in order; false if there is no bus, and then nothing is queued."""
-        now_s = self._clock()
+    def put(self, frames: Iterable[Frame], keep_s: float = KEEP_S) -> bool:
+        """Queue frames in order; false if there is no bus, and then nothing is queued.
+
+        Args:
+            frames: What to send.
+            keep_s: Frames that could not be sent within this time are dropped.
+        """
+        until_s = self._clock() + keep_s
         with self._lock:
             if self._bus is None:
                 return False
-            self._waiting.extend((now_s, frame) for frame in frames)
+            self._waiting.extend((until_s, frame) for frame in frames)
             return True
 
     def put_urgent(self, frames: Sequence[Frame]) -> bool:
@@ -134,8 +139,8 @@ class Outbox:
             self._dropped += 1
 
     def _drop_old(self) -> None:
-        oldest_s = self._clock() - _KEEP_S
-        while self._waiting and self._waiting[0][0] < oldest_s:
+        now_s = self._clock()
+        while self._waiting and self._waiting[0][0] < now_s:
             self._waiting.popleft()
             self._dropped += 1
 

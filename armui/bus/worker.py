@@ -95,9 +95,9 @@ class BusWorker(QThread):
         """The arm as last heard; may be read from any thread."""
         return self._state
 
-    def send(self, frames: Sequence[Frame]) -> bool:
-        """Queue frames in order; false if the device is not open."""
-        return self._outbox.put(frames)
+    def send(self, frames: Sequence[Frame], keep_s: float | None = None) -> bool:
+        """Queue frames in order; false if the device is not open; see :meth:`Outbox.put`."""
+        return self._outbox.put(frames) if keep_s is None else self._outbox.put(frames, keep_s)
 
     def send_urgent(self, frames: Sequence[Frame]) -> bool:
         """Send at once from the calling thread, past everything that waits; see :class:`Outbox`."""

@@ -19,9 +19,11 @@ from armui.bus.link import BusReport
 from armui.control import reports
 from armui.control.arm_settings import ArmSettings
 from armui.control.assessment import Circumstances, assess
+from armui.control.cartesian import Cartesian
 from armui.control.connection import Connection
 from armui.control.context import Context, Part
 from armui.control.device_finder import DeviceFinder
+from armui.control.jogging import Jogging
 from armui.control.joint_errors import JointErrors
 from armui.control.lights import Lights
 from armui.control.motion import Motion
@@ -53,6 +55,8 @@ class ArmController(QObject):
 
     Attributes:
         motion: Moves the joints.
+        cartesian: Moves the tool.
+        jogging: Moves joints and tool while something is held.
         motors: Switches the motors.
         lights: The lamps of the joints.
         player: Runs trajectories.
@@ -92,6 +96,8 @@ class ArmController(QObject):
         self._stop = StopKeeper(self._connection.send_urgent)
         context = Context(self._connection, self._notice, clock, lambda: self._state, self._refresh)
         self.motion = Motion(context)
+        self.cartesian = Cartesian(context, self.motion)
+        self.jogging = Jogging(context, self.motion, self.cartesian)
         self.motors = Motors(context, before_switching=self.motion.halt)
         self.lights = Lights(context)
         self.player = Player(context, self.motion.halt, self)
@@ -102,6 +108,8 @@ class ArmController(QObject):
             self.motors,
             self.motion,
             self.player,
+            self.cartesian,
+            self.jogging,
             self.orders,
             self.settings,
         )

@@ -104,9 +104,19 @@ class Connection(QObject):
         self.problem = None
         self.handshake = None
 
-    def send(self, frames: Sequence[Frame]) -> bool:
-        """Queue frames in order; false if no device is open."""
-        return self._worker is not None and self._worker.send(frames)
+    @property
+    def newest(self) -> ArmState:
+        """The arm as heard until this very moment, newer than the controller's last tick."""
+        return ArmState() if self._worker is None else self._worker.state
+
+    def send(self, frames: Sequence[Frame], keep_s: float | None = None) -> bool:
+        """Queue frames in order; false if no device is open.
+
+        Args:
+            frames: What to say.
+            keep_s: Frames that could not be sent within this time are dropped.
+        """
+        return self._worker is not None and self._worker.send(frames, keep_s)
 
     def send_urgent(self, frames: Sequence[Frame]) -> bool:
         """Send at once, past everything that waits."""

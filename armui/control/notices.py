@@ -14,6 +14,13 @@ CODES: Final[Mapping[str, Level]] = {
     "sent_joints": Level.INFO,  # j1 … j6
     "jogged": Level.INFO,  # joint, target
     "went_home": Level.INFO,
+    "jogging_joint": Level.INFO,  # joint, sign
+    "jogging_tool": Level.INFO,  # axis, sign
+    "jog_ended": Level.WARNING,  # reason
+    "sent_pose": Level.INFO,  # x … rz
+    "sent_line": Level.INFO,  # x … rz
+    "sent_arc": Level.INFO,
+    "stepped_tool": Level.INFO,  # axis, step with its unit
     "sent_speed": Level.INFO,  # percent
     "sent_lamp": Level.INFO,  # joint, lamp, color
     "sent_lamps": Level.INFO,  # joint, color
@@ -78,6 +85,24 @@ REFUSALS: Final = frozenset(
         "speed_out_of_range",  # value
         "joint_out_of_limits",  # joint, value, minimum, maximum
         "joint_not_a_number",  # joint, value
+        "still_moving",
+        "jog_at_limit",  # joint, limit
+        "jog_out_of_reach",
+        "jog_singular",  # joint
+        "jog_not_following",
+        "jog_no_feedback",
+        "jog_held_up",  # value
+        "pose_unknown",
+        "pose_not_a_number",  # axis, value
+        "pose_out_of_reach",  # missing
+        "pose_beyond_limits",  # joint, value, minimum, maximum
+        "path_out_of_reach",  # gone
+        "path_beyond_limits",  # joint, value, minimum, maximum, gone
+        "path_singular",  # joint, gone
+        "arc_not_at_start",  # distance, turned
+        "arc_is_none",
+        "arc_incomplete",  # point
+        "model_differs",
         "light_out_of_range",  # light, value, minimum, maximum
         "light_not_a_number",  # light, value, minimum, maximum
         "joints_unknown",

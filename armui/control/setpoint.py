@@ -17,20 +17,28 @@ _LAG_STEPS: Final = 2
 
 
 class Setpoint:
-    """Where the next jog starts from."""
+    """Where the next jog starts from.
+
+    Attributes:
+        angles_deg: Six angles, or ``None``.
+        revision: Grows whenever somebody sets or clears them.
+    """
 
     def __init__(self) -> None:
         self.angles_deg: tuple[float, ...] | None = None
+        self.revision = 0
         self._sent_s = 0.0
 
     def set(self, angles_deg: Sequence[float], now_s: float) -> None:
         """The arm has been sent to these six angles."""
         self.angles_deg = tuple(angles_deg)
+        self.revision += 1
         self._sent_s = now_s
 
     def clear(self) -> None:
         """The arm is no longer where it was sent: stopped, limp, lost."""
         self.angles_deg = None
+        self.revision += 1
 
     def jog_base_deg(
         self, state: ArmState, now_s: float, *, moving: bool

@@ -7,12 +7,12 @@ from functools import partial
 from typing import Final
 
 from armui.arm.kinematics import Kinematics, Pose, pose_to_matrix
+from armui.arm.tool_path import Arc, ArcError, Line
 from armui.protocol.codes import ArcPointNumber, ArmStatusCode, MoveMode
 from armui.sim.condition import Condition
 from armui.sim.joint_moves import beyond_limits
 from armui.sim.motion import SixValues
 from armui.sim.settings import Settings
-from armui.arm.tool_path import Arc, ArcError, Line
 from armui.sim.tool_plan import PathMotion, Trouble, plan
 from armui.sim.travel import Leg, Travel
 

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from armui.arm.kinematics import Kinematics, Matrix, Pose, pose_to_matrix
+from armui.arm.tool_path import Arc, Line
 from armui.protocol.codes import ArmStatusCode, MotionState
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
-from armui.arm.tool_path import Arc, Line
 from tests.sim.talk import (
     BOTH,
     STANDBY,

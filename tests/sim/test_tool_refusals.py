@@ -11,9 +11,9 @@ import pytest
 
 from armui.arm.kinematics import Kinematics, Pose, matrix_to_pose, pose_to_matrix
 from armui.arm.limits import FACTORY_LIMITS, check_joints
+from armui.arm.tool_path import Line
 from armui.protocol.codes import ArmStatusCode, MotionState
 from armui.protocol.generation import Generation
-from armui.arm.tool_path import Line
 from tests.sim.talk import BOTH, arc_point, mode, pose_target, ready, status_bytes, target, tell
 
 ONE, TWO = Generation.ONE, Generation.TWO

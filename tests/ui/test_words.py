@@ -57,6 +57,7 @@ def test_there_is_a_sentence_for_every_refusal() -> None:
         "setting_bad",
         "jog_step_out_of_range",
         "jog_step_not_a_number",
+        "tool_not_possible",
         "urdf_missing",
     }
     assert REFUSALS | LOAD_REFUSALS | of_settings == refusals.CODES

@@ -20,6 +20,17 @@ _NOTICES: Final[Mapping[str, object]] = {
     ),
     "jogged": QT_TRANSLATE_NOOP("Notice", "Sent J{joint} {target}°"),
     "went_home": QT_TRANSLATE_NOOP("Notice", "Home sent: all joints to 0°"),
+    "jogging_joint": QT_TRANSLATE_NOOP("Notice", "Jogging J{joint} {sign}"),
+    "jogging_tool": QT_TRANSLATE_NOOP("Notice", "Jogging {axis} {sign}"),
+    "jog_ended": QT_TRANSLATE_NOOP("Notice", "Jogging ended. {reason}"),
+    "sent_pose": QT_TRANSLATE_NOOP(
+        "Notice", "Sent MOVE P to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°"
+    ),
+    "sent_line": QT_TRANSLATE_NOOP(
+        "Notice", "Sent MOVE L to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°"
+    ),
+    "sent_arc": QT_TRANSLATE_NOOP("Notice", "Sent MOVE C through the three captured poses"),
+    "stepped_tool": QT_TRANSLATE_NOOP("Notice", "Sent a step of {step} along {axis}"),
     "sent_speed": QT_TRANSLATE_NOOP("Notice", "Sent speed {percent} %"),
     "sent_lamp": QT_TRANSLATE_NOOP("Notice", "Sent to lamp {lamp} of joint {joint}: {color}"),
     "sent_lamps": QT_TRANSLATE_NOOP("Notice", "Sent to all lamps of joint {joint}: {color}"),

@@ -67,6 +67,90 @@ _REFUSALS: Final[Mapping[str, object]] = {
         "Refusal",
         "Joint {joint}: “{value}” is not an angle. Enter degrees in figures, for example 12.5.",
     ),
+    "still_moving": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm is still moving. Wait until it stands still, then press again.",
+    ),
+    "jog_at_limit": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Joint {joint} is at its limit of {limit}°. Jog the other way.",
+    ),
+    "jog_out_of_reach": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm reaches no further this way. Jog in another direction.",
+    ),
+    "jog_singular": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm is at a singular pose: joint {joint} would have to turn far too fast. Jog "
+        "another way, or turn joint 5 away from 0° under Motion control.",
+    ),
+    "jog_not_following": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm does not follow. Check that nothing blocks it and what its status says.",
+    ),
+    "jog_no_feedback": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The joint angles are no longer heard from the arm. Check its power and the CAN cable.",
+    ),
+    "jog_held_up": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The program was held up for {value} ms. Let go and press again.",
+    ),
+    "pose_unknown": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm has not reported its pose yet. Wait until all six values are shown.",
+    ),
+    "pose_not_a_number": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "{axis}: “{value}” is no figure. Enter mm or degrees in figures, for example 12.5.",
+    ),
+    "pose_out_of_reach": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The target is {missing} mm out of the arm's reach. Choose one nearer to the arm, or "
+        "turn the tool.",
+    ),
+    "pose_beyond_limits": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "At the target joint {joint} would stand at {value}°, beyond its limits of {minimum}° to "
+        "{maximum}°. Choose another position or turn the tool.",
+    ),
+    "path_out_of_reach": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "After {gone} % of the way the arm reaches no further. Choose MOVE P, or another target.",
+    ),
+    "path_beyond_limits": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "After {gone} % of the way joint {joint} would be at {value}°, beyond its limits of "
+        "{minimum}° to {maximum}°. Choose MOVE P, or another target.",
+    ),
+    "path_singular": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "After {gone} % of the way the arm comes to a singular pose: joint {joint} would have to "
+        "jump. Choose MOVE P, or move joint 5 away from 0° first.",
+    ),
+    "arc_not_at_start": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm stands {distance} mm and {turned}° away from the start of the arc. Press Go to "
+        "start first.",
+    ),
+    "arc_is_none": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The three poses lie on a line, or two in one place: that is no arc. Capture others.",
+    ),
+    "arc_incomplete": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Not captured yet: {point}. Bring the arm there and press its button.",
+    ),
+    "model_differs": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The pose the arm reports does not fit its joint angles: the program cannot compute its "
+        "way. Check the joints' zeros; the joints can still be moved one by one.",
+    ),
+    "tool_not_possible": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Tool centre point: {value} is not possible. Enter lengths up to {maximum} mm and angles "
+        "up to 180°.",
+    ),
     "light_out_of_range": QT_TRANSLATE_NOOP(
         "Refusal",
         "{light}: {value} is out of range. Enter a whole number from {minimum} to {maximum}.",

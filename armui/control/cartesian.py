@@ -1,0 +1,258 @@
+"""末端控制: the tool is sent to poses, on lines and arcs, and step by step (0x152–0x154, 0x158).
+
+Every target is checked before it is sent, by the inverse kinematics and the limits of the joints;
+a line and an arc over their whole length. What the arm itself then says of a target (0x2A1 byte 1)
+still counts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.control.context import Context
+from armui.control.jog_ways import AXES, LINEAR_AXES
+from armui.protocol import commands
+from armui.protocol.codes import MoveMode
+
+# The kinematics and what stands on it bring numpy and scipy along. They are loaded when the first
+# pose is asked for: the window starts without them.
+if TYPE_CHECKING:
+    from armui.arm.kinematics import Kinematics, Matrix, Pose
+    from armui.arm.poses import JogFrame
+    from armui.control.motion import Motion
+    from armui.protocol.frame import Frame
+
+_NO_TOOL: Final = (0.0,) * 6
+_MODEL_MM: Final = 5.0
+_MODEL_DEG: Final = 2.0
+"""The program's kinematics and the arm's own may differ by this, and not more."""
+_UNDER_WAY_S: Final = 0.3
+_AT_START_MM: Final = 1.0
+_AT_START_DEG: Final = 1.0
+
+
+class Cartesian:
+    """Motions of the tool centre point.
+
+    Args:
+        context: What the parts of the controller share.
+        motion: Owns the setpoint and the speed.
+
+    Attributes:
+        tool: The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees. The arm
+            knows nothing of it: it is told, and tells, where the flange is.
+    """
+
+    def __init__(self, context: Context, motion: Motion) -> None:
+        self._context = context
+        self._motion = motion
+        self._model: Kinematics | None = None
+        self._stepped_to: Matrix | None = None
+        self._stepped_s = 0.0
+        self.tool: tuple[float, ...] = _NO_TOOL
+
+    # What is known --------------------------------------------------------------------------
+
+    def kinematics(self) -> Kinematics:
+        """Of the geometry that fits the pose the arm reports best.
+
+        Older firmware counts joints 2 and 3 from other zeros, and an arm of generation 1 tells no
+        version: its own pose does.
+        """
+        from armui.arm.kinematics import Geometry, Kinematics  # noqa: PLC0415 - see above
+
+        state = self._context.state()
+        if self._model is None or not self._fits(self._model, state):
+            models = [Kinematics(geometry) for geometry in Geometry]
+            fitting = [model for model in models if self._fits(model, state)]
+            self._model = (fitting or models)[0]
+        return self._model
+
+    def tool_pose(self, state: ArmState) -> Pose | None:
+        """Where the tool centre point is measured, or ``None`` while the pose is not known."""
+        flange = state.end_pose()
+        if flange is None:
+            return None
+        from armui.arm.poses import tool_pose  # noqa: PLC0415 - see above
+
+        return tool_pose(flange, self.tool)
+
+    def why_unknown(self) -> Refusal | None:
+        """The reason against computing with poses: not heard, or not those of this kind of arm."""
+        state = self._context.state()
+        if state.angles_deg() is None:
+            return Refusal("joints_unknown")
+        if state.end_pose() is None:
+            return Refusal("pose_unknown")
+        if self._context.situation().moving or self._fits(self.kinematics(), state):
+            return None
+        return Refusal("model_differs")
+
+    @staticmethod
+    def _fits(model: Kinematics, state: ArmState) -> bool:
+        from armui.arm.kinematics import Pose  # noqa: PLC0415 - see above
+        from armui.arm.reach import apart  # noqa: PLC0415 - see above
+
+        joints_deg, pose = state.angles_deg(), state.end_pose()
+        if joints_deg is None or pose is None:
+            return True
+        off_mm, off_deg = apart(model.forward(joints_deg), Pose(*pose))
+        return off_mm <= _MODEL_MM and off_deg <= _MODEL_DEG
+
+    # Motions --------------------------------------------------------------------------------
+
+    def check(self, target: Sequence[float], move_mode: MoveMode) -> Refusal | None:
+        """Whether the tool centre point can go from where it is to a pose.
+
+        Args:
+            target: X, Y, Z in mm and RX, RY, RZ in degrees.
+            move_mode: MOVE_P, or MOVE_L for a straight line.
+        """
+        unknown = self.why_unknown()
+        if unknown is not None:
+            return unknown
+        from armui.arm.kinematics import pose_to_matrix  # noqa: PLC0415 - see above
+        from armui.arm.poses import flange_pose  # noqa: PLC0415 - see above
+        from armui.arm.reach import check_path, check_pose  # noqa: PLC0415 - see above
+        from armui.arm.tool_path import Line  # noqa: PLC0415 - see above
+
+        model, start_deg = self.kinematics(), self._start_deg()
+        limits = self._context.situation().limits
+        flange = flange_pose(target, self.tool)
+        answer = check_pose(model, flange, start_deg, limits)
+        if isinstance(answer, Refusal):
+            return answer
+        if move_mode is not MoveMode.MOVE_L:
+            return None
+        line = Line(model.matrix(start_deg), pose_to_matrix(flange))
+        return check_path(model, line, start_deg, limits)
+
+    def move(self, target: Sequence[float], move_mode: MoveMode) -> Refusal | None:
+        """Send the tool centre point to a pose, with MOVE P or on a straight line with MOVE L."""
+        self._stepped_to = None
+        code = "sent_line" if move_mode is MoveMode.MOVE_L else "sent_pose"
+        figures: dict[str, object] = dict(zip(map(str.lower, AXES), target, strict=True))
+        return self._move(target, move_mode, code, figures)
+
+    def step(self, axis: int, amount: float, frame: JogFrame) -> Refusal | None:
+        """Move the tool centre point by a step, on a straight line.
+
+        While the arm is still on its way, the step is added to the target of the one before.
+
+        Args:
+            axis: 0–5 for X, Y, Z, RX, RY, RZ.
+            amount: In mm or degrees.
+            frame: Whose axes.
+        """
+        unknown = self._context.situation().cannot_move or self.why_unknown()
+        if unknown is not None:
+            return self._context.refuse(unknown)
+        from armui.arm.kinematics import matrix_to_pose  # noqa: PLC0415 - see above
+        from armui.arm.poses import shifted, tool_matrix  # noqa: PLC0415 - see above
+
+        base = self._stepped_to
+        if base is None or not self._stepping():
+            base = tool_matrix(self.kinematics().matrix(self._start_deg()), self.tool)
+        target = shifted(base, axis, amount, frame)
+        unit = "mm" if axis < LINEAR_AXES else "°"
+        figures: dict[str, object] = {"axis": AXES[axis], "step": f"{amount:+g} {unit}"}
+        refusal = self._move(matrix_to_pose(target), MoveMode.MOVE_L, "stepped_tool", figures)
+        if refusal is None:
+            self._stepped_to, self._stepped_s = target, self._context.clock()
+        return refusal
+
+    def move_arc(self, *points: Sequence[float]) -> Refusal | None:
+        """Move on the arc through three poses of the tool centre point (MOVE C).
+
+        The arm must stand at the first of them, so that it goes no way nobody has checked.
+
+        Args:
+            *points: Start, middle and end.
+        """
+        context = self._context
+        refusal = context.situation().cannot_move or self.why_unknown() or self.check_arc(*points)
+        if refusal is not None:
+            return context.refuse(refusal)
+        from armui.arm.poses import flange_pose  # noqa: PLC0415 - see above
+
+        start, middle, end = (flange_pose(point, self.tool) for point in points)
+        frames = commands.move_arc(
+            context.connection.codec, start, middle, end, speed_percent=self._motion.speed_percent
+        )
+        return self._send(frames, "sent_arc", {})
+
+    def check_arc(self, *points: Sequence[float]) -> Refusal | None:
+        """Whether the arm stands at the start of an arc and can follow it to its end."""
+        from armui.arm.kinematics import Pose, pose_to_matrix  # noqa: PLC0415 - see above
+        from armui.arm.poses import flange_pose  # noqa: PLC0415 - see above
+        from armui.arm.reach import apart, check_path  # noqa: PLC0415 - see above
+        from armui.arm.tool_path import Arc, ArcError  # noqa: PLC0415 - see above
+
+        model, start_deg = self.kinematics(), self._start_deg()
+        flanges = [flange_pose(Pose(*point), self.tool) for point in points]
+        off_mm, off_deg = apart(flanges[0], model.forward(start_deg))
+        if off_mm > _AT_START_MM or off_deg > _AT_START_DEG:
+            return Refusal(
+                "arc_not_at_start", {"distance": round(off_mm, 1), "turned": round(off_deg, 1)}
+            )
+        try:
+            arc = Arc(*map(pose_to_matrix, flanges))
+        except ArcError:
+            return Refusal("arc_is_none")
+        return check_path(model, arc, start_deg, self._context.situation().limits)
+
+    def _move(
+        self,
+        target: Sequence[float],
+        move_mode: MoveMode,
+        code: str,
+        figures: dict[str, object],
+    ) -> Refusal | None:
+        context = self._context
+        refusal = context.situation().cannot_move or self.check(target, move_mode)
+        if refusal is not None:
+            return context.refuse(refusal)
+        from armui.arm.poses import flange_pose  # noqa: PLC0415 - see above
+
+        frames = commands.move_pose(
+            context.connection.codec,
+            flange_pose(target, self.tool),
+            speed_percent=self._motion.speed_percent,
+            move_mode=move_mode,
+        )
+        return self._send(frames, code, figures)
+
+    def _send(
+        self, frames: Sequence[Frame], code: str, figures: dict[str, object]
+    ) -> Refusal | None:
+        context = self._context
+        if not context.connection.send(frames):
+            return context.refuse(Refusal("link_lost"))
+        # which angles the arm takes there is its own choice: steps of joints start where it is
+        self._motion.setpoint.clear()
+        context.tell(code, **figures)
+        return None
+
+    def _stepping(self) -> bool:
+        """Whether the last step is under way; the arm's own word on it takes a moment."""
+        context = self._context
+        recent = context.clock() - self._stepped_s < _UNDER_WAY_S
+        return recent or context.situation().moving
+
+    def _start_deg(self) -> Sequence[float]:
+        return self._context.state().angles_deg() or _NO_TOOL
+
+    def advance(self) -> None:
+        """A motion goes on by itself."""
+
+    def halt(self) -> None:
+        """The arm is no longer where it was sent."""
+        self._stepped_to = None
+
+    def forget(self) -> None:
+        """Nothing is known of an arm that is gone; another one may be of another geometry."""
+        self._stepped_to = None
+        self._model = None
