@@ -86,6 +86,7 @@ class FakeController(QObject):
         self.motion = FakeMotion(self)
         self.motors = FakeMotors(self)
         self.lights = FakeLights(self)
+        self.jogging = FakeJogging(self)
         self.joint_errors = FakeJointErrors(self)
 
     # what a test makes it show
@@ -172,6 +173,24 @@ class FakeMotion:
 
     def jog_lagging(self, joint: int, step_deg: float) -> bool:
         return self.lagging
+
+
+class FakeJogging:
+    """The held motions of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+        self.active = False
+
+    def start(self, jog: Any) -> Refusal | None:
+        refusal = self._controller._asked("jog_start", jog)
+        self.active = refusal is None
+        return refusal
+
+    def stop(self) -> None:
+        if self.active:
+            self._controller.calls.append(("jog_stop",))
+        self.active = False
 
 
 class FakeLights:

@@ -172,13 +172,19 @@ def test_refused_jog_leaves_the_field_and_says_why(panel, controller, qtbot):
 def test_jog_step_can_be_chosen(panel, controller, qtbot):
     controller.be_ready(ANGLES)
     box = panel.findChild(QComboBox, "jog_step")
-    assert [box.itemText(i) for i in range(box.count())] == ["0.1°", "1°", "5°", "10°"]
+    assert [box.itemText(i) for i in range(box.count())] == [
+        "0.1°",
+        "1°",
+        "5°",
+        "10°",
+        "Continuous",
+    ]
     box.setCurrentIndex(3)
     qtbot.mouseClick(push(panel, "jog_minus_6"), LEFT)
     assert controller.calls == [("jog", 6, -10.0)]
     panel.set_jog_step(2.5)
     assert box.currentText() == "2.5°"
-    assert box.count() == 5
+    assert box.count() == 6
 
 
 def test_held_button_repeats_until_let_go(panel, controller, qtbot):

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeySequence, QShowEvent
 from PySide6.QtWidgets import (
-    QComboBox,
     QFrame,
     QHBoxLayout,
     QLabel,
     QPushButton,
+    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -20,21 +20,27 @@ from armui.arm.device import Device
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
-from armui.control.situation import Level, Situation
+from armui.control.jog_ways import JointJog
+from armui.control.situation import Level, Notice, Situation
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.freshness import is_stale
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.joint_row import JointRow
+from armui.ui.widgets.key_pad import KeyPad
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.step_box import StepBox
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
-_STEPS_DEG: Final = (0.1, 1.0, 5.0, 10.0)
 _FAULTS: Final = frozenset({"stopped", "stop_requested", "arm_fault", "link_lost"})
 _FIELD_INDENT_PX: Final = 80
 _TALLEST_CARD_PX: Final = 600
+_KEYS: Final = tuple(
+    (f"J{joint}", plus, minus)
+    for joint, plus, minus in zip(JOINTS, "QWERTY", "ASDFGH", strict=True)
+)
 _HOME_KEY, _LOAD_KEY, _SEND_KEY = "Ctrl+Shift+H", "Ctrl+L", "Ctrl+Return"
 
 
@@ -57,11 +63,17 @@ class MotionPanel(QWidget):
         self._situation = controller.situation
         self._refusal: Refusal | None = None
         self._filled_for: Device | None = None
+        self._jogged: int | None = None
         self._title = QLabel()
         self._title.setProperty("rank", "title")
         self._step_label = QLabel()
-        self._step_box = QComboBox()
-        self._step_box.setObjectName("jog_step")
+        self._step_box = StepBox(fmt.short_angle)
+        self._keys = QToolButton()
+        self._keys.setObjectName("jog_keys_button")
+        self._keys.setCheckable(True)
+        self._keys.setProperty("choice", True)
+        self._key_pad = KeyPad(_KEYS)
+        self._key_pad.hide()
         self._step_label.setBuddy(self._step_box)
         self._target_head = QLabel()
         self._measured_head = QLabel()
@@ -92,6 +104,7 @@ class MotionPanel(QWidget):
         head = QHBoxLayout()
         head.addWidget(self._title)
         head.addStretch(1)
+        head.addWidget(self._keys)
         head.addWidget(self._step_label)
         head.addWidget(self._step_box)
 
@@ -120,6 +133,7 @@ class MotionPanel(QWidget):
         layout.setSpacing(12)
         layout.addLayout(head)
         layout.addWidget(scrolled(card, _TALLEST_CARD_PX), 1)
+        layout.addWidget(self._key_pad)
         layout.addLayout(buttons)
         layout.addWidget(self._message)
         layout.addStretch(0)
@@ -128,29 +142,30 @@ class MotionPanel(QWidget):
         for row in self._rows:
             row.stepped.connect(self._on_stepped)
             row.repeated.connect(self._on_repeated)
+            row.held.connect(self._on_held)
+            row.let_go.connect(self._on_let_go)
             row.edited.connect(self._on_edited)
-        self._step_box.currentIndexChanged.connect(self._on_step_chosen)
+        self._step_box.chosen.connect(self._on_step_chosen)
+        self._keys.toggled.connect(self._on_keys_toggled)
+        self._key_pad.pressed.connect(self._on_key_pressed)
+        self._key_pad.let_go.connect(self._on_let_go)
         self._home.clicked.connect(self._on_home)
         self._load.clicked.connect(self._on_load)
         self._send.clicked.connect(self._on_send)
         self._controller.state_changed.connect(self._on_state_changed)
         self._controller.situation_changed.connect(self._on_situation_changed)
+        self._controller.noticed.connect(self._on_noticed)
 
     # -- step ---------------------------------------------------------------------------------
 
     @property
     def jog_step_deg(self) -> float:
         """How far one press of − or + goes."""
-        return float(self._step_box.currentData())
+        return self._step_box.step
 
     def set_jog_step(self, step_deg: float) -> None:
         """Take the step of the settings; the usual ones can still be chosen."""
-        blocked = self._step_box.blockSignals(True)
-        self._step_box.clear()
-        for step in sorted({*_STEPS_DEG, step_deg}):
-            self._step_box.addItem(fmt.short_angle(step), step)
-        self._step_box.setCurrentIndex(self._step_box.findData(step_deg))
-        self._step_box.blockSignals(blocked)
+        self._step_box.set_step(step_deg)
         self._on_step_chosen()
 
     def focus_joint(self, joint: int) -> None:
@@ -161,7 +176,7 @@ class MotionPanel(QWidget):
 
     def _on_step_chosen(self) -> None:
         for row in self._rows:
-            row.set_step(self.jog_step_deg)
+            row.set_step(self.jog_step_deg, continuous=self._step_box.continuous)
         self._show_possible()
 
     # -- actions ------------------------------------------------------------------------------
@@ -177,6 +192,39 @@ class MotionPanel(QWidget):
             if setpoint_deg is not None:
                 self._rows[joint - 1].show_target(setpoint_deg[joint - 1])
                 self._show_message()
+
+    def _on_held(self, joint: int, direction: int) -> None:
+        self._jogged = joint
+        self._took(self._controller.jogging.start(JointJog(joint, direction)))
+
+    def _on_let_go(self) -> None:
+        self._controller.jogging.stop()
+        self._show_jogged()
+
+    def _on_key_pressed(self, place: int, direction: int) -> None:
+        joint = JOINTS[place]
+        if self._step_box.continuous:
+            self._on_held(joint, direction)
+        else:
+            self._on_stepped(joint, direction)
+
+    def _on_keys_toggled(self, wanted: bool) -> None:
+        self._key_pad.setVisible(wanted)
+        if wanted:
+            self._key_pad.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def _on_noticed(self, notice: Notice) -> None:
+        """What ended a jog is said where the operator looks."""
+        reason = notice.params.get("reason")
+        if notice.code == "jog_ended" and isinstance(reason, Refusal) and self.isVisible():
+            self._took(reason)
+            self._show_jogged()
+
+    def _show_jogged(self) -> None:
+        """The field of the joint goes along with a jog: sending it must not take it back."""
+        setpoint_deg, joint = self._controller.motion.setpoint_deg, self._jogged
+        if setpoint_deg is not None and joint is not None:
+            self._rows[joint - 1].show_target(setpoint_deg[joint - 1])
 
     def _on_home(self) -> None:
         self._took(self._controller.motion.go_home())
@@ -220,6 +268,8 @@ class MotionPanel(QWidget):
         self._fill_once(state)
         if self.isVisible():
             self._show_measured(state)
+            if self._controller.jogging.active:
+                self._show_jogged()
 
     def _show_measured(self, state: ArmState) -> None:
         for row, heard in zip(self._rows, state.joints_deg, strict=True):
@@ -272,6 +322,7 @@ class MotionPanel(QWidget):
         why_not = "" if blocked is None else words.refusal(blocked)
         for row in self._rows:
             row.allow_jog(why_not)
+        self._key_pad.allow(why_not)
         heard = self._controller.state.angles_deg() is not None
         no_angles = "" if heard else words.refusal(Refusal("joints_unknown"))
         for button, hindrance, use, key in (
@@ -313,6 +364,9 @@ class MotionPanel(QWidget):
         self._step_label.setText(self.tr("Step"))
         self._step_box.setAccessibleName(self.tr("Step of − and +"))
         self._step_box.setToolTip(self.tr("How far one press of − or + moves a joint"))
+        self._keys.setText(self.tr("Keys"))
+        self._keys.setAccessibleName(self.tr("Keyboard jogging"))
+        self._keys.setToolTip(self.tr("Jog by keys, with the space bar held as dead-man key"))
         self._target_head.setText(self.tr("Target"))
         self._measured_head.setText(self.tr("Measured"))
         for button, text in (

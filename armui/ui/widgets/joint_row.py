@@ -33,6 +33,9 @@ class JointRow(QWidget):
     """Jog: the joint, and +1 or −1."""
     repeated = Signal(int, int)
     """The same, from a button that is still held."""
+    held = Signal(int, int)
+    """Jog until :attr:`let_go`: the joint, and +1 or −1."""
+    let_go = Signal()
     edited = Signal(int)
     """The operator changed the target of the joint; nothing is sent."""
 
@@ -63,6 +66,8 @@ class JointRow(QWidget):
         for button, direction in ((self.minus, -1), (self.plus, 1)):
             button.stepped.connect(partial(self.stepped.emit, joint, direction))
             button.repeated.connect(partial(self.repeated.emit, joint, direction))
+            button.held.connect(partial(self.held.emit, joint, direction))
+            button.let_go.connect(self.let_go)
         self.field.value_edited.connect(self._on_field_edited)
         self.slider.valueChanged.connect(self._on_slider_moved)
         self.show_target(None)
@@ -155,9 +160,11 @@ class JointRow(QWidget):
 
     # -- use ----------------------------------------------------------------------------------
 
-    def set_step(self, step_deg: float) -> None:
-        """How far one press of − or + goes."""
+    def set_step(self, step_deg: float, *, continuous: bool) -> None:
+        """How far one press of − or + goes, or whether it goes on while they are held."""
         self.field.step = step_deg
+        for button in (self.minus, self.plus):
+            button.continuous = continuous
         self._describe_jog("", step_deg)
 
     def allow_jog(self, why_not: str) -> None:
@@ -168,10 +175,15 @@ class JointRow(QWidget):
 
     def _describe_jog(self, why_not: str, step_deg: float) -> None:
         step = fmt.short_angle(step_deg)
-        for button, tip in (
-            (self.minus, self.tr("Moves joint {joint} by −{step} at once. Hold to go on.")),
-            (self.plus, self.tr("Moves joint {joint} by +{step} at once. Hold to go on.")),
-        ):
+        if self.minus.continuous:
+            hold = self.tr("Moves joint {joint} while it is held; let go to stop.")
+            tips = (hold, hold)
+        else:
+            tips = (
+                self.tr("Moves joint {joint} by −{step} at once. Hold to go on."),
+                self.tr("Moves joint {joint} by +{step} at once. Hold to go on."),
+            )
+        for button, tip in zip((self.minus, self.plus), tips, strict=True):
             button.setToolTip(why_not or tip.format(joint=self.joint, step=step))
 
     def retranslate_ui(self) -> None:

@@ -1,0 +1,162 @@
+"""Jogging by keys: only while the dead-man key and exactly one key of a direction are held."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QFocusEvent, QHideEvent, QKeyEvent
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QVBoxLayout, QWidget
+
+from armui.ui.widgets.hold_guard import HoldGuard
+
+DEAD_MAN_KEY: Final = Qt.Key.Key_Space
+"""Under the thumb of either hand, no letter, and none of the keys that stop the arm."""
+
+Keys = Sequence[tuple[str, str, str]]
+"""Of each place, in order: its name, the key for + and the key for −, as on the keyboard."""
+
+_KEYS: Final = {
+    "↑": Qt.Key.Key_Up,
+    "↓": Qt.Key.Key_Down,
+    "←": Qt.Key.Key_Left,
+    "→": Qt.Key.Key_Right,
+    "PgUp": Qt.Key.Key_PageUp,
+    "PgDn": Qt.Key.Key_PageDown,
+}
+_COLUMNS: Final = 3
+
+
+class KeyPad(QFrame):
+    """Takes keys only while it has the focus, and says on itself which key does what.
+
+    Releasing either key, a second key of a direction, the loss of the focus and all that
+    :class:`HoldGuard` watches for end the motion. It takes a new press to begin again.
+
+    Args:
+        keys: What can be moved, and by which keys.
+    """
+
+    pressed = Signal(int, int)
+    """A key of a direction went down: the place in ``keys``, and +1 or −1."""
+    let_go = Signal()
+    """The hold is over; comes once after each :attr:`pressed`."""
+
+    def __init__(self, keys: Keys, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("key_pad")
+        self.setProperty("card", True)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self._moves: dict[int, tuple[int, int]] = {}
+        self._down: set[int] = set()
+        self._armed = False
+        self._holding = False
+        self._why_not = ""
+        self._guard = HoldGuard(self)
+        self._guard.lost.connect(self._forget)
+        self._hint = QLabel()
+        self._hint.setObjectName("key_pad_hint")
+        self._hint.setWordWrap(True)
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(18)
+        grid.setVerticalSpacing(2)
+        for place, (name, plus, minus) in enumerate(keys):
+            for text, direction in ((plus, 1), (minus, -1)):
+                self._moves[_key(text)] = (place, direction)
+            label = QLabel(f"{name}   + {plus}   − {minus}")
+            label.setProperty("rank", "muted")
+            grid.addWidget(label, place % _COLUMNS, place // _COLUMNS)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(14, 8, 14, 8)
+        layout.setSpacing(4)
+        layout.addWidget(self._hint)
+        layout.addLayout(grid)
+        self.retranslate_ui()
+
+    def allow(self, why_not: str) -> None:
+        """Take keys, or none and say why."""
+        self._why_not = why_not
+        if why_not:
+            self._forget()
+        self.retranslate_ui()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Begin with the one key of a direction that goes down while the dead-man key is held."""
+        key = event.key()
+        if key != DEAD_MAN_KEY and key not in self._moves:
+            super().keyPressEvent(event)
+            return
+        if event.isAutoRepeat():
+            return
+        if key == DEAD_MAN_KEY:
+            self._armed = True
+            return
+        self._end()
+        self._down.add(key)
+        if self._armed and len(self._down) == 1 and not self._why_not:
+            self._holding = True
+            self._guard.watch()
+            self.pressed.emit(*self._moves[key])
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        """Either key that comes up ends it."""
+        key = event.key()
+        if key != DEAD_MAN_KEY and key not in self._moves:
+            super().keyReleaseEvent(event)
+            return
+        if event.isAutoRepeat():
+            return
+        self._down.discard(key)
+        if key == DEAD_MAN_KEY:
+            self._armed = False
+        self._end()
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        """Show that keys are taken now."""
+        super().focusInEvent(event)
+        self.retranslate_ui()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        """No key that is released elsewhere is heard of: none counts as held."""
+        self._forget()
+        super().focusOutEvent(event)
+        self.retranslate_ui()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """What is not seen is not held."""
+        self._forget()
+        super().hideEvent(event)
+
+    def _forget(self) -> None:
+        self._armed = False
+        self._down.clear()
+        self._end()
+
+    def _end(self) -> None:
+        self._guard.release()
+        if self._holding:
+            self._holding = False
+            self.let_go.emit()
+
+    def retranslate_ui(self) -> None:
+        """Say what the keys do, or what is missing."""
+        self.setAccessibleName(self.tr("Keyboard jogging"))
+        if self._why_not:
+            text = self._why_not
+        elif self.hasFocus():
+            text = self.tr("Hold the space bar and press a key; release either and the arm stops.")
+        else:
+            text = self.tr("Click here to jog by keys.")
+        self._hint.setText(text)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)
+
+
+def _key(text: str) -> int:
+    named = _KEYS.get(text)
+    return int(named) if named is not None else ord(text)
