@@ -30,9 +30,12 @@ from armui.control.motion import Motion
 from armui.control.motors import Motors
 from armui.control.notices import CODES
 from armui.control.orders import OrderLine
+from armui.control.planned_motion import PlannedMotion
 from armui.control.player import Player
+from armui.control.recovery import Recovery
 from armui.control.situation import Busy, LinkState, Notice, Situation
 from armui.control.stop import StopKeeper, is_stopped
+from armui.control.teaching import Teaching
 from armui.protocol import commands
 
 if TYPE_CHECKING:
@@ -63,10 +66,14 @@ class ArmController(QObject):
         orders: Carries out the commands that are answered.
         settings: Reads and sets the parameters the arm keeps.
         joint_errors: Clears the errors of the joints' drivers.
+        teaching: Commands drag teaching.
+        planned_motion: Pauses, continues and clears motions.
+        recovery: The next step towards an arm that may be moved.
 
     Signals:
         state_changed: An :class:`ArmState`, at most 30 times a second, when something was heard.
         situation_changed: A :class:`Situation`, when it differs.
+        step_changed: A :class:`Step`, when the next step of recovery differs.
         noticed: A :class:`Notice`.
         devices_found: A list of :class:`Device`, the answer to :meth:`search_devices`.
         searching_changed: Whether a search is under way.
@@ -74,6 +81,7 @@ class ArmController(QObject):
 
     state_changed = Signal(object)
     situation_changed = Signal(object)
+    step_changed = Signal(object)
     noticed = Signal(object)
     devices_found = Signal(object)
     searching_changed = Signal(bool)
@@ -104,6 +112,16 @@ class ArmController(QObject):
         self.orders = OrderLine(context)
         self.settings = ArmSettings(context, self.orders, self)
         self.joint_errors = JointErrors(context, self.orders)
+        self.teaching = Teaching(context)
+        self.planned_motion = PlannedMotion(context)
+        self.recovery = Recovery(
+            context,
+            motors=self.motors,
+            joint_errors=self.joint_errors,
+            teaching=self.teaching,
+            stop=self.emergency_stop,
+            announce=self.step_changed.emit,
+        )
         self._parts: tuple[Part, ...] = (
             self.motors,
             self.motion,
@@ -112,6 +130,9 @@ class ArmController(QObject):
             self.jogging,
             self.orders,
             self.settings,
+            self.teaching,
+            self.planned_motion,
+            self.recovery,  # the last: it looks at what the others are doing
         )
         self._was_online = False
         self._was_stopped = False
@@ -153,6 +174,7 @@ class ArmController(QObject):
         self._connection.open(device)
         self._timer.start()
         self._refresh()
+        self.recovery.advance()
 
     def disconnect_device(self) -> None:
         """Close the device. The arm goes on with what it was told last."""
@@ -166,6 +188,7 @@ class ArmController(QObject):
         self._notice("disconnected", device=device)
         self.state_changed.emit(self._state)
         self._refresh()
+        self.recovery.advance()
 
     def shutdown(self) -> None:
         """Close the device and end every thread; nothing is sent."""
@@ -244,6 +267,7 @@ class ArmController(QObject):
             self._forget_arm()
         self._notice(code, device=report.device, reason=report.problem)
         self._refresh()
+        self.recovery.advance()
 
     def _forget_arm(self) -> None:
         self._stop.forget()

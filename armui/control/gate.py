@@ -9,7 +9,7 @@ from armui.arm.state import ArmState, Six
 from armui.control.situation import Busy, LinkState, StopState, why_unreachable
 from armui.protocol.codes import ArmStatusCode, ControlMode
 
-_MOVABLE_MODES: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})
+MOVABLE_MODES: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})
 
 _MOVABLE_STATUSES: Final = frozenset(
     {
@@ -49,7 +49,7 @@ def why_not_ready(state: ArmState) -> Refusal | None:
     if state.status is None or state.angles_deg() is None:
         return Refusal("joints_unknown")
     status = state.status.value
-    if status.control_mode not in _MOVABLE_MODES:
+    if status.control_mode not in MOVABLE_MODES:
         return Refusal("other_control", {"mode": status.control_mode})
     if status.arm_status not in _MOVABLE_STATUSES:
         return Refusal("arm_fault", {"status": status.arm_status})

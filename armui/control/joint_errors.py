@@ -28,6 +28,11 @@ class JointErrors:
         self._orders = orders
         self._joint: int | None = None
 
+    @property
+    def busy(self) -> bool:
+        """Whether an answer is awaited."""
+        return self._joint is not None
+
     def clear(self, joint: int) -> Refusal | None:
         """Ask a joint (1–6, 7 all) to clear its error: ``None`` if it is on its way, or why not."""
         context = self._context

@@ -55,6 +55,13 @@ CODES: Final[Mapping[str, Level]] = {
     "run_done": Level.DONE,  # name
     "run_ended": Level.INFO,  # row
     "run_failed": Level.FAULT,  # row, reason
+    "teaching_sent": Level.INFO,  # command
+    "teaching_done": Level.DONE,  # command
+    "teaching_unanswered": Level.FAULT,  # command
+    "plan_sent": Level.INFO,  # plan
+    "standby_sent": Level.INFO,
+    "motion_output_sent": Level.INFO,
+    "step_in_vain": Level.FAULT,
     "connected": Level.INFO,  # device
     "connect_failed": Level.FAULT,  # device, reason
     "disconnected": Level.INFO,  # device
@@ -79,6 +86,14 @@ REFUSALS: Final = frozenset(
         "stop_requested",
         "not_stopped",
         "busy",  # what
+        "step_gone",
+        "step_in_vain",
+        "teaching_off",
+        "teaching_idle",
+        "teaching_recording",
+        "teaching_replaying",
+        "teaching_paused",
+        "not_moving",
         "not_enabled",  # joints
         "enabled_unknown",
         "speed_zero",

@@ -29,6 +29,7 @@ from armui.ui.status_bar import StatusBar
 from armui.ui.theme import DARK, colors_of
 from armui.ui.top_bar import TopBar
 from armui.ui.widgets.joint_status_button import JointStatusButton
+from armui.ui.widgets.recovery_line import RecoveryLine
 from armui.ui.widgets.view_region import ViewRegion
 from armui.viewport import palette as scene_palette
 
@@ -110,7 +111,11 @@ class MainWindow(QMainWindow):
         middle = QHBoxLayout()
         middle.setSpacing(0)
         middle.addWidget(self._menu)
-        middle.addWidget(splitter, 1)
+        work = QVBoxLayout()
+        work.setSpacing(0)
+        work.addWidget(RecoveryLine(self._controller, self.open_connect_dialog))
+        work.addWidget(splitter, 1)
+        middle.addLayout(work, 1)
 
         central = QWidget()
         whole = QVBoxLayout(central)

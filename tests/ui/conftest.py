@@ -13,7 +13,8 @@ from PySide6.QtWidgets import QApplication, QWidget
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Heard, Status
-from armui.control.situation import LinkState, Situation
+from armui.control.recovery_steps import Action, Kind, Step
+from armui.control.situation import Level, LinkState, Situation
 from armui.protocol.codes import ALL_JOINTS
 from armui.ui.theme import Theme, apply_theme
 
@@ -73,6 +74,7 @@ class FakeController(QObject):
 
     state_changed = Signal(object)
     situation_changed = Signal(object)
+    step_changed = Signal(object)
     noticed = Signal(object)
     devices_found = Signal(object)
     searching_changed = Signal(bool)
@@ -88,6 +90,7 @@ class FakeController(QObject):
         self.lights = FakeLights(self)
         self.jogging = FakeJogging(self)
         self.joint_errors = FakeJointErrors(self)
+        self.recovery = FakeRecovery(self)
 
     # what a test makes it show
 
@@ -211,6 +214,21 @@ class FakeJointErrors:
 
     def clear(self, joint: int) -> Refusal | None:
         return self._controller._asked("clear_joint_error", joint)
+
+
+class FakeRecovery:
+    """The next step of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+        self.step = Step(Kind.NO_DEVICE, Level.INFO, action=Action.CONNECT)
+
+    def show(self, step: Step) -> None:
+        self.step = step
+        self._controller.step_changed.emit(step)
+
+    def act(self, step: Step) -> Refusal | None:
+        return self._controller._asked("act", step)
 
 
 class FakeView(QWidget):

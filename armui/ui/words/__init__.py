@@ -16,6 +16,8 @@ from armui.ui.words.status import (
     reached,
     teaching,
 )
+from armui.ui.words.steps import step, step_action, step_danger, step_question
+from armui.ui.words.teaching import teaching_command, teaching_phase, trajectory_command
 
 __all__ = [
     "arm_status",
@@ -30,5 +32,12 @@ __all__ = [
     "notice",
     "reached",
     "refusal",
+    "step",
+    "step_action",
+    "step_danger",
+    "step_question",
     "teaching",
+    "teaching_command",
+    "teaching_phase",
+    "trajectory_command",
 ]

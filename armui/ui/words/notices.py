@@ -10,8 +10,10 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.control.situation import Notice
+from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.ui.words.devices import device_name
 from armui.ui.words.refusals import refusal
+from armui.ui.words.teaching import teaching_command, trajectory_command
 from armui.ui.words.text import sentence
 
 _NOTICES: Final[Mapping[str, object]] = {
@@ -104,6 +106,23 @@ _NOTICES: Final[Mapping[str, object]] = {
     "run_done": QT_TRANSLATE_NOOP("Notice", "“{name}” has been run to its end."),
     "run_ended": QT_TRANSLATE_NOOP("Notice", "Run ended in row {row}; the arm stands."),
     "run_failed": QT_TRANSLATE_NOOP("Notice", "Run ended in row {row}. {reason}"),
+    "teaching_sent": QT_TRANSLATE_NOOP("Notice", "Sent: {command}"),
+    "teaching_done": QT_TRANSLATE_NOOP("Notice", "The arm has confirmed: {command}"),
+    "teaching_unanswered": QT_TRANSLATE_NOOP(
+        "Notice",
+        "The arm did not follow within 1.5 s: {command}. Look at its status; if it has no "
+        "recording, record first.",
+    ),
+    "plan_sent": QT_TRANSLATE_NOOP(
+        "Notice",
+        "Sent: {plan}. The arm does not report this; watch it.",
+    ),
+    "standby_sent": QT_TRANSLATE_NOOP("Notice", "Standby sent"),
+    "motion_output_sent": QT_TRANSLATE_NOOP("Notice", "Sent: motion output (0xFC)"),
+    "step_in_vain": QT_TRANSLATE_NOOP(
+        "Notice",
+        "The arm did not react. Look at the step above the panel.",
+    ),
     "connected": QT_TRANSLATE_NOOP("Notice", "Device open: {device}"),
     "connect_failed": QT_TRANSLATE_NOOP("Notice", "Not connected. {reason}"),
     "disconnected": QT_TRANSLATE_NOOP("Notice", "Disconnected from {device}"),
@@ -148,6 +167,10 @@ def notice(event: Notice) -> str:
         params.pop("firmware", None)  # generation 1 has none
     if isinstance(device := params.get("device"), Device):
         params["device"] = device_name(device)
+    if isinstance(command := params.get("command"), int):
+        params["command"] = teaching_command(TeachingState(command))
+    if isinstance(plan := params.get("plan"), int):
+        params["plan"] = trajectory_command(TrajectoryCommand(plan))
     source = _NOTICES.get(event.code)
     if source is None:
         source = QT_TRANSLATE_NOOP("Notice", "Event: {code}")

@@ -41,6 +41,32 @@ _REFUSALS: Final[Mapping[str, object]] = {
         "The arm is not in emergency stop: there is nothing to resume from.",
     ),
     "busy": QT_TRANSLATE_NOOP("Refusal", "Still under way: {what}. Wait until it is done."),
+    "step_gone": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm is in another state by now: nothing was sent. Look at the step that is shown now.",
+    ),
+    "step_in_vain": QT_TRANSLATE_NOOP("Refusal", "The arm did not react."),
+    "teaching_off": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm is not in drag teaching. Start recording first, or press the button on the arm.",
+    ),
+    "teaching_idle": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Nothing is under way in drag teaching. Start recording or replay first.",
+    ),
+    "teaching_recording": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm is recording. Stop recording first.",
+    ),
+    "teaching_replaying": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm is replaying. Pause or terminate the replay first.",
+    ),
+    "teaching_paused": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The replay is paused. Continue or terminate it first.",
+    ),
+    "not_moving": QT_TRANSLATE_NOOP("Refusal", "The arm is not moving: there is nothing to pause."),
     "not_enabled": QT_TRANSLATE_NOOP(
         "Refusal",
         "The motors of these joints are not enabled: {joints}. Press Enable first.",
@@ -301,6 +327,8 @@ _UNDER_WAY: Final[Mapping[str, object]] = {
     "running": QT_TRANSLATE_NOOP("UnderWay", "running a trajectory"),
     "settings": QT_TRANSLATE_NOOP("UnderWay", "reading or saving the arm's settings"),
     "clearing_error": QT_TRANSLATE_NOOP("UnderWay", "clearing a joint's error"),
+    "teaching": QT_TRANSLATE_NOOP("UnderWay", "a teaching command"),
+    "recovery": QT_TRANSLATE_NOOP("UnderWay", "the step before"),
 }
 
 _SETTINGS: Final[Mapping[str, object]] = {
@@ -330,7 +358,7 @@ def refusal(reason: Refusal) -> str:
     if isinstance(code := params.get("status"), int):
         params["status"] = status.arm_status(code)
     if isinstance(what := params.get("what"), str):
-        params["what"] = sentence("UnderWay", _UNDER_WAY.get(what, what), {})
+        params["what"] = under_way(what)
     if isinstance(field := params.get("field"), str):
         params["field"] = sentence("SettingName", _SETTINGS.get(field, field), {})
     if isinstance(light := params.get("light"), str):
@@ -339,6 +367,11 @@ def refusal(reason: Refusal) -> str:
     if source is None:
         return _unexpected(reason)
     return sentence("Refusal", source, params)
+
+
+def under_way(what: str) -> str:
+    """What the program is waiting for the arm to do."""
+    return sentence("UnderWay", _UNDER_WAY.get(what, what), {})
 
 
 def light_figure(name: str) -> str:

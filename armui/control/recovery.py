@@ -1,0 +1,243 @@
+"""Guided recovery: the next step, its one action, and whether the arm has done what was asked."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.refusal import Refusal
+from armui.control.context import Context
+from armui.control.recovery_rules import next_step
+from armui.control.recovery_steps import Action, Kind, Step
+from armui.control.request import Outcome, Request
+from armui.control.situation import Level, why_unreachable
+from armui.protocol import commands
+from armui.protocol.codes import ALL_JOINTS, ControlMode, LinkageRole, MoveMode, TeachingState
+from armui.protocol.frame import Frame
+
+if TYPE_CHECKING:
+    from armui.control.joint_errors import JointErrors
+    from armui.control.motors import Motors
+    from armui.control.teaching import Teaching
+
+_REPEAT_S: Final = 0.5
+_ATTEMPTS: Final = 3
+_SHOWS_LATER_S: Final = 0.5
+"""Between an answer and the feedback that shows its effect: drivers report ten times a second."""
+
+_SETTLE_S: Final = 0.25
+_MAY_BE_BRIEF: Final = frozenset(
+    {Kind.HANDSHAKE, Kind.STATUS_UNKNOWN, Kind.MOTORS_UNKNOWN, Kind.MOTORS_MIXED}
+)
+"""Drivers and controller report one after the other: what lasts shorter than ``_SETTLE_S`` is no
+step, and a line that flickers leads to wrong clicks."""
+
+_Deed = Callable[[Step], Refusal | None]
+
+
+@dataclass(slots=True)
+class _Attempt:
+    """An action under way; it is over when the arm is in another state.
+
+    Attributes:
+        step: What it is to settle.
+        idle_since_s: Since when nothing of it is on its way any more.
+    """
+
+    step: Step
+    idle_since_s: float | None = None
+
+
+class Recovery:
+    """Knows the next step at any time and takes it on request.
+
+    Args:
+        context: What the parts of the controller share.
+        motors: Switches the motors.
+        joint_errors: Clears the errors of the drivers.
+        teaching: Commands drag teaching.
+        stop: The emergency stop.
+        announce: Called with each new step.
+
+    Attributes:
+        step: The next step.
+    """
+
+    def __init__(
+        self,
+        context: Context,
+        *,
+        motors: Motors,
+        joint_errors: JointErrors,
+        teaching: Teaching,
+        stop: Callable[[], None],
+        announce: Callable[[Step], object],
+    ) -> None:
+        self._context = context
+        self._motors = motors
+        self._joint_errors = joint_errors
+        self._teaching = teaching
+        self._stop = stop
+        self._announce = announce
+        self._attempt: _Attempt | None = None
+        self._in_vain: dict[Kind, int] = {}
+        self._to_clear: list[int] = []
+        self._request: Request | None = None
+        self._brief_since_s: float | None = None
+        self.step = Step(Kind.NO_DEVICE, Level.INFO, action=Action.CONNECT)
+        self._deeds: Mapping[Action, _Deed] = {
+            Action.LEAVE_TEACHING_INPUT: self._leave_teaching_input,
+            Action.RESUME: lambda _step: self._motors.resume(),
+            Action.ENABLE: lambda _step: self._motors.enable(),
+            Action.CLEAR_ERRORS: self._clear_errors,
+            Action.RESET: self._reset,
+            Action.STOP_RECORDING: self._teach(TeachingState.STOP_RECORDING),
+            Action.ABORT_REPLAY: self._teach(TeachingState.ABORT),
+            Action.LEAD_BY_HAND: self._teach(TeachingState.START_RECORDING),
+            Action.STANDBY: self._take_command,
+        }
+
+    def act(self, step: Step) -> Refusal | None:
+        """Take a step that was shown: ``None`` if it is under way, or why nothing was sent.
+
+        Args:
+            step: What the operator agreed to. If the arm is in another state by now, the step is
+                not taken: its action may mean something else there.
+
+        Raises:
+            KeyError: The action is none of the controller's: connecting is the window's.
+        """
+        now = self._look()
+        if (now.kind, now.action) != (step.kind, step.action) or now.action is None:
+            return self._context.refuse(Refusal("step_gone"))
+        if self._attempt is not None:
+            return self._context.refuse(Refusal("busy", {"what": "recovery"}))
+        self._give_up()
+        refusal = self._deeds[now.action](now)
+        if refusal is None and now.action is not Action.RESET:
+            self._attempt = _Attempt(now)
+        self.advance()
+        return refusal
+
+    def advance(self) -> None:
+        """Look at what was heard; called regularly while a device is open."""
+        now_s = self._context.clock()
+        if self._request is not None:
+            outcome = self._request.advance(self._context.state(), now_s)
+            if outcome is not Outcome.WAITING:
+                self._request = None
+        if self._to_clear and not self._joint_errors.busy:
+            self._joint_errors.clear(self._to_clear.pop(0))
+        step = self._look()
+        if step.kind is not Kind.WORKING:  # another kind is another trouble
+            self._in_vain = {kind: n for kind, n in self._in_vain.items() if kind is step.kind}
+        step = self._follow(step, now_s)
+        if self._holds(step, now_s) and step != self.step:
+            self.step = step
+            self._announce(step)
+
+    def halt(self) -> None:
+        """A stop was asked for: it changes everything."""
+        self._give_up()
+
+    def forget(self) -> None:
+        """The arm is gone: no answer will come."""
+        self._give_up()
+
+    def _look(self) -> Step:
+        context = self._context
+        return next_step(context.state(), context.situation(), context.clock(), self._in_vain)
+
+    def _give_up(self) -> None:
+        self._attempt = None
+        self._request = None
+        self._to_clear.clear()
+
+    # How an action fares --------------------------------------------------------------------------
+
+    def _follow(self, step: Step, now_s: float) -> Step:
+        """The step with what has become of the action taken against it."""
+        attempt = self._attempt
+        if attempt is None:
+            return step
+        if step.kind is Kind.WORKING:
+            return replace(attempt.step, waiting=True)
+        if step.kind is not attempt.step.kind or step.joints != attempt.step.joints:
+            self._give_up()
+            return step
+        if self._under_way:
+            attempt.idle_since_s = None
+        elif attempt.idle_since_s is None:
+            attempt.idle_since_s = now_s
+        elif now_s - attempt.idle_since_s >= _SHOWS_LATER_S:
+            self._give_up()
+            self._in_vain[step.kind] = self._in_vain.get(step.kind, 0) + 1
+            self._context.tell("step_in_vain")
+            return self._look()
+        return replace(step, waiting=True)
+
+    @property
+    def _under_way(self) -> bool:
+        """Whether something of the action may still have an effect."""
+        return (
+            self._request is not None
+            or bool(self._to_clear)
+            or self._joint_errors.busy
+            or self._teaching.pending is not None
+            or self._motors.busy is not None
+        )
+
+    def _holds(self, step: Step, now_s: float) -> bool:
+        """Whether a step is to be shown: some states are passed through in a moment."""
+        if step.kind not in _MAY_BE_BRIEF or step.kind is self.step.kind:
+            self._brief_since_s = None
+            return True
+        if self._brief_since_s is None:
+            self._brief_since_s = now_s
+        return now_s - self._brief_since_s >= _SETTLE_S
+
+    # What the actions do --------------------------------------------------------------------------
+
+    def _teach(self, command: TeachingState) -> _Deed:
+        return lambda _step: self._teaching.command(command)
+
+    def _reset(self, _step: Step) -> Refusal | None:
+        self._stop()
+        return None
+
+    def _clear_errors(self, step: Step) -> Refusal | None:
+        refusal = why_unreachable(self._context.connection.link)
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        self._to_clear = list(step.joints) or [ALL_JOINTS]
+        return None
+
+    def _take_command(self, _step: Step) -> Refusal | None:
+        """Back to standby: entering CAN control might start a target somebody left in the arm."""
+        frames = commands.set_mode(
+            self._context.connection.codec,
+            control_mode=ControlMode.STANDBY,
+            move_mode=MoveMode.MOVE_J,
+            speed_percent=0,
+        )
+        return self._send("standby_sent", frames)
+
+    def _leave_teaching_input(self, _step: Step) -> Refusal | None:
+        frames = commands.set_linkage(self._context.connection.codec, LinkageRole.MOTION_OUTPUT)
+        return self._send("motion_output_sent", frames)
+
+    def _send(self, code: str, frames: Sequence[Frame]) -> Refusal | None:
+        """Send until the arm is in another state, or time is up."""
+        context = self._context
+        kind = self._look().kind
+        self._request = Request(
+            frames,
+            lambda _state: self._look().kind is not kind,
+            context.connection.send,
+            _REPEAT_S,
+            _ATTEMPTS,
+        )
+        context.tell(code)
+        self._request.advance(context.state(), context.clock())
+        return None

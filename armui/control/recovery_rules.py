@@ -1,0 +1,349 @@
+"""The next valid step towards an arm that may be moved: pure, a table read from top to bottom.
+
+What stands higher must be settled before what stands lower can be: without a link nothing else
+matters, a stop hides every other fault, a driver with a fault keeps its motor off, motors without
+power cannot be moved out of a limit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Final
+
+from armui.arm.limits import JOINTS
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState, DriverSlow, Status
+from armui.control import gate
+from armui.control.recovery_steps import Action, Kind, Params, Step
+from armui.control.situation import Level, LinkState, Situation, StopState
+from armui.control.teaching_phase import NEAR_REST_DEG, Phase, farthest_from_rest, phase_of
+from armui.protocol.codes import ArmStatusCode, ControlMode
+
+_NONE: Final[Params] = {}
+_IN_VAIN_TWICE: Final = 2
+"""The gentle action is worth a second try, with the cause gone; then a stronger one is offered."""
+
+
+@dataclass(frozen=True, slots=True)
+class _View:
+    """What the rules look at: only what is heard of late counts."""
+
+    state: ArmState
+    situation: Situation
+    status: Status | None
+    drivers: tuple[DriverSlow | None, ...]
+
+    @property
+    def code(self) -> int | None:
+        return None if self.status is None else self.status.arm_status
+
+    @property
+    def phase(self) -> Phase:
+        return Phase.OFF if self.status is None else phase_of(self.status)
+
+    @property
+    def in_drag_mode(self) -> bool:
+        return self.status is not None and self.status.control_mode == ControlMode.TEACHING
+
+    @property
+    def enabled(self) -> bool:
+        return all(self.situation.enabled)
+
+
+_Applies = Callable[[_View], Params | None]
+"""The figures of a rule's sentence if the rule applies, else ``None``."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Rule:
+    kind: Kind
+    level: Level
+    action: Action | None
+    applies: _Applies
+    escalation: Action | None = None
+    """What to offer once the action has come to nothing twice."""
+
+
+def next_step(
+    state: ArmState,
+    situation: Situation,
+    now_s: float,
+    in_vain: Mapping[Kind, int] | None = None,
+) -> Step:
+    """The one next step.
+
+    Args:
+        state: The arm as last heard.
+        situation: What the operator can do, assessed from the same state.
+        now_s: Monotonic time.
+        in_vain: How often the action against the present trouble came to nothing.
+    """
+    heard = state.status
+    view = _View(
+        state,
+        situation,
+        heard.value if heard is not None and heard.fresh(now_s) else None,
+        tuple(
+            each.value if each is not None and each.fresh(now_s) else None
+            for each in state.drivers_slow
+        ),
+    )
+    for rule in _RULES:
+        params = rule.applies(view)
+        if params is not None:
+            break
+    failures = (in_vain or {}).get(rule.kind, 0)
+    stronger = failures >= _IN_VAIN_TWICE and rule.escalation is not None
+    joints = params.get("numbers", ()) if params else ()
+    return Step(
+        rule.kind,
+        rule.level,
+        {name: value for name, value in (params or {}).items() if name != "numbers"},
+        rule.escalation if stronger else rule.action,
+        joints if isinstance(joints, tuple) else (),
+        failed=Refusal("step_in_vain") if failures else None,
+    )
+
+
+# What the rules ask -------------------------------------------------------------------------------
+
+
+def _when(condition: Callable[[_View], bool]) -> _Applies:
+    return lambda view: _NONE if condition(view) else None
+
+
+def _link(link: LinkState) -> _Applies:
+    return _when(lambda view: view.situation.link is link)
+
+
+def _code(code: ArmStatusCode) -> _Applies:
+    return _when(lambda view: view.code == code)
+
+
+def _phase(phase: Phase) -> _Applies:
+    return _when(lambda view: view.phase is phase)
+
+
+def _joints(flagged: Callable[[_View], list[bool]], code: ArmStatusCode | None = None) -> _Applies:
+    """Some joints are flagged, or the arm's status says so without naming one."""
+
+    def applies(view: _View) -> Params | None:
+        numbers = [joint for joint, flag in zip(JOINTS, flagged(view), strict=True) if flag]
+        if numbers:
+            return {"joints": gate.joint_list(numbers), "numbers": tuple(numbers)}
+        return _NONE if code is not None and view.code == code else None
+
+    return applies
+
+
+def _drivers(fault: Callable[[DriverSlow], bool | None]) -> Callable[[_View], list[bool]]:
+    return lambda view: [each is not None and bool(fault(each)) for each in view.drivers]
+
+
+def _status_flags(flags: Callable[[Status], tuple[bool, ...]]) -> Callable[[_View], list[bool]]:
+    return lambda view: [False] * len(JOINTS) if view.status is None else list(flags(view.status))
+
+
+def _stop_waits(view: _View) -> bool:
+    situation = view.situation
+    return situation.link is LinkState.LOST and situation.stop is StopState.REQUESTED
+
+
+def _is_teaching_input(view: _View) -> bool:
+    status = view.status
+    told = status is not None and status.control_mode == ControlMode.LINKED_TEACHING_INPUT
+    return view.situation.teaching_input or told
+
+
+def _working(view: _View) -> Params | None:
+    busy = view.situation.busy
+    return None if busy is None else {"what": busy.value}
+
+
+def _unknown_status(view: _View) -> Params | None:
+    known = view.code in frozenset(ArmStatusCode)
+    return None if known or view.code is None else {"status": view.code}
+
+
+def _other_control(view: _View) -> Params | None:
+    mode = None if view.status is None else view.status.control_mode
+    if mode is None or mode in gate.MOVABLE_MODES or mode == ControlMode.TEACHING:
+        return None
+    return {"mode": mode}
+
+
+def _near_rest(view: _View) -> bool:
+    farthest = farthest_from_rest(view.state)
+    return view.in_drag_mode and farthest is not None and abs(farthest[1]) <= NEAR_REST_DEG
+
+
+def _far_from_rest(condition: Callable[[_View], bool]) -> _Applies:
+    def applies(view: _View) -> Params | None:
+        farthest = farthest_from_rest(view.state)
+        if farthest is None or not view.in_drag_mode or not condition(view):
+            return None
+        joint, angle_deg = farthest
+        return {"joint": joint, "angle": angle_deg, "near": f"{NEAR_REST_DEG:g}"}
+
+    return applies
+
+
+def _motors_mixed(view: _View) -> list[bool]:
+    enabled = view.situation.enabled
+    return [on is False and any(enabled) for on in enabled]
+
+
+_overspeed = _code(ArmStatusCode.OVERSPEED_WHILE_TEACHING)
+
+
+_RULES: Final = (
+    _Rule(Kind.NO_DEVICE, Level.INFO, Action.CONNECT, _link(LinkState.NO_DEVICE)),
+    _Rule(Kind.OPENING, Level.INFO, None, _link(LinkState.OPENING)),
+    _Rule(Kind.STOP_WAITS_FOR_DEVICE, Level.FAULT, Action.CONNECT, _when(_stop_waits)),
+    _Rule(Kind.DEVICE_LOST, Level.FAULT, Action.CONNECT, _link(LinkState.LOST)),
+    # it obeys nothing but this: neither a stop nor a resume
+    _Rule(
+        Kind.TEACHING_INPUT,
+        Level.WARNING,
+        Action.LEAVE_TEACHING_INPUT,
+        _when(_is_teaching_input),
+    ),
+    _Rule(
+        Kind.STOP_UNCONFIRMED,
+        Level.FAULT,
+        None,
+        _when(lambda view: view.situation.stop_unconfirmed),
+    ),
+    _Rule(
+        Kind.STOP_REQUESTED,
+        Level.WARNING,
+        None,
+        _when(lambda view: view.situation.stop is StopState.REQUESTED),
+    ),
+    _Rule(Kind.OFFLINE, Level.WARNING, Action.CONNECT, _link(LinkState.OFFLINE)),
+    _Rule(Kind.WORKING, Level.INFO, None, _working),
+    _Rule(
+        Kind.STOPPED,
+        Level.WARNING,
+        Action.RESUME,
+        _when(lambda view: view.situation.stop is StopState.STOPPED),
+    ),
+    _Rule(Kind.HANDSHAKE, Level.INFO, None, _when(lambda view: view.situation.generation is None)),
+    _Rule(
+        Kind.STATUS_UNKNOWN,
+        Level.WARNING,
+        Action.CONNECT,
+        _when(lambda view: view.status is None or view.state.angles_deg() is None),
+    ),
+    _Rule(
+        Kind.COMMUNICATION,
+        Level.FAULT,
+        Action.RESET,
+        _joints(
+            _status_flags(lambda status: status.communication_fault),
+            ArmStatusCode.JOINT_COMMUNICATION_FAULT,
+        ),
+    ),
+    _Rule(
+        Kind.COLLISION,
+        Level.FAULT,
+        Action.CLEAR_ERRORS,
+        _joints(_drivers(lambda each: each.collision_protection), ArmStatusCode.COLLISION),
+        escalation=Action.RESET,
+    ),
+    _Rule(
+        Kind.DRIVER_FAULT,
+        Level.FAULT,
+        Action.CLEAR_ERRORS,
+        _joints(_drivers(lambda each: each.driver_fault)),
+        escalation=Action.RESET,
+    ),
+    _Rule(
+        Kind.OVERCURRENT,
+        Level.FAULT,
+        Action.CLEAR_ERRORS,
+        _joints(_drivers(lambda each: each.overcurrent)),
+        escalation=Action.RESET,
+    ),
+    _Rule(
+        Kind.STALL,
+        Level.FAULT,
+        Action.CLEAR_ERRORS,
+        _joints(_drivers(lambda each: each.stall_protection)),
+        escalation=Action.RESET,
+    ),
+    _Rule(
+        Kind.SENSOR,
+        Level.FAULT,
+        Action.CLEAR_ERRORS,
+        _joints(_drivers(lambda each: each.sensor_fault)),
+        escalation=Action.RESET,
+    ),
+    # these two tell the moment: they go by themselves with their cause
+    _Rule(Kind.UNDERVOLTAGE, Level.FAULT, None, _joints(_drivers(lambda each: each.undervoltage))),
+    _Rule(
+        Kind.OVERTEMPERATURE,
+        Level.FAULT,
+        None,
+        _joints(_drivers(lambda each: each.motor_overtemperature or each.driver_overtemperature)),
+    ),
+    _Rule(
+        Kind.JOINT_STATUS,
+        Level.FAULT,
+        Action.CLEAR_ERRORS,
+        _code(ArmStatusCode.JOINT_STATUS_ABNORMAL),
+        escalation=Action.RESET,
+    ),
+    _Rule(Kind.BRAKE_CLOSED, Level.FAULT, Action.RESET, _code(ArmStatusCode.JOINT_BRAKE_CLOSED)),
+    _Rule(
+        Kind.CONTROLLER_HOT,
+        Level.FAULT,
+        Action.RESET,
+        _code(ArmStatusCode.MAIN_CONTROLLER_TOO_HOT),
+    ),
+    _Rule(
+        Kind.RESISTOR_HOT, Level.FAULT, Action.RESET, _code(ArmStatusCode.BRAKE_RESISTOR_TOO_HOT)
+    ),
+    _Rule(Kind.OTHER_FAULT, Level.FAULT, Action.RESET, _code(ArmStatusCode.OTHER_FAULT)),
+    _Rule(Kind.UNKNOWN_STATUS, Level.FAULT, Action.RESET, _unknown_status),
+    _Rule(Kind.RECORDING, Level.INFO, Action.STOP_RECORDING, _phase(Phase.RECORDING)),
+    _Rule(Kind.REPLAYING, Level.INFO, Action.ABORT_REPLAY, _phase(Phase.REPLAYING)),
+    _Rule(Kind.REPLAY_PAUSED, Level.INFO, Action.ABORT_REPLAY, _phase(Phase.PAUSED)),
+    _Rule(Kind.OTHER_CONTROL, Level.WARNING, Action.STANDBY, _other_control),
+    _Rule(
+        Kind.MOTORS_UNKNOWN,
+        Level.WARNING,
+        Action.CONNECT,
+        _when(lambda view: None in view.situation.enabled),
+    ),
+    # the way out of drag teaching: near the rest pose, then a reset
+    _Rule(Kind.DRAG_MODE_AT_REST, Level.WARNING, Action.RESET, _when(_near_rest)),
+    _Rule(
+        Kind.DRAG_MODE_WITHOUT_POWER,
+        Level.WARNING,
+        Action.ENABLE,
+        _far_from_rest(lambda view: not view.enabled),
+    ),
+    _Rule(
+        Kind.OVERSPEED,
+        Level.WARNING,
+        Action.LEAD_BY_HAND,
+        _far_from_rest(lambda view: _overspeed(view) is not None),
+    ),
+    _Rule(Kind.DRAG_MODE, Level.WARNING, Action.LEAD_BY_HAND, _far_from_rest(lambda _view: True)),
+    _Rule(Kind.OVERSPEED_REPORTED, Level.FAULT, Action.RESET, _overspeed),
+    _Rule(Kind.MOTORS_MIXED, Level.WARNING, Action.ENABLE, _joints(_motors_mixed)),
+    _Rule(Kind.MOTORS_OFF, Level.INFO, Action.ENABLE, _when(lambda view: not view.enabled)),
+    # a target was refused; the arm stands where it was and takes the next
+    _Rule(
+        Kind.BEYOND_LIMIT,
+        Level.WARNING,
+        None,
+        _joints(_status_flags(lambda status: status.limit_exceeded)),
+    ),
+    _Rule(Kind.TARGET_BEYOND_LIMIT, Level.WARNING, None, _code(ArmStatusCode.TARGET_BEYOND_LIMIT)),
+    _Rule(Kind.NO_SOLUTION, Level.WARNING, None, _code(ArmStatusCode.NO_SOLUTION)),
+    _Rule(Kind.SINGULARITY, Level.WARNING, None, _code(ArmStatusCode.SINGULARITY)),
+    _Rule(Kind.READY, Level.DONE, None, _when(lambda _view: True)),
+)

@@ -1,0 +1,187 @@
+"""The next step towards an arm that may be moved: one line, one button, above the panels."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt
+from PySide6.QtGui import QMouseEvent, QPaintEvent
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
+
+from armui.control.recovery_steps import Action, Kind, Step
+from armui.control.situation import Level
+from armui.ui import words
+from armui.ui.dialogs.confirm import confirm
+from armui.ui.theme import Colors, colors_of
+from armui.ui.widgets import icons, painting
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_ICON_PX: Final = 20
+_BUTTON_PX: Final = 132
+_GAP_PX: Final = 10
+_MARGIN_PX: Final = 16
+_TOP_PX: Final = 6
+_PADDING_PX: Final = 5
+_TWO_LINES: Final = "急\n急"
+
+_CALM: Final = frozenset({Kind.NO_DEVICE, Kind.OPENING, Kind.HANDSHAKE, Kind.READY})
+"""Nothing is wrong: said in muted words without a ground, and without a button."""
+
+
+class StepButton(QPushButton):
+    """Takes a step; the second click of a double click is no answer to the step that follows."""
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """Do nothing."""
+        event.accept()
+
+
+class RecoveryLine(QWidget):
+    """Says the next step and takes it; dangerous steps ask first.
+
+    Its room is kept when there is nothing to do: nothing moves under the mouse when a fault comes
+    or goes.
+
+    Args:
+        controller: Who knows the step.
+        open_connection: Opens the window in which a CAN device is chosen.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        open_connection: Callable[[], None],
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName("recovery_line")
+        self._controller = controller
+        self._open_connection = open_connection
+        self._step = controller.recovery.step
+        self._pressed = self._step
+        self._icon = QLabel()
+        self._icon.setFixedWidth(_ICON_PX)
+        self._text = QLabel()
+        self._text.setObjectName("recovery_text")
+        self._text.setWordWrap(True)
+        self._text.setTextFormat(Qt.TextFormat.PlainText)
+        self._text.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
+        self._button = StepButton()
+        self._button.setObjectName("recovery_button")
+        self._button.setMinimumWidth(_BUTTON_PX)
+        layout = QHBoxLayout(self)
+        side = _MARGIN_PX + _GAP_PX
+        layout.setContentsMargins(side, _TOP_PX, side, 0)
+        layout.setSpacing(_GAP_PX)
+        layout.addWidget(self._icon)
+        layout.addWidget(self._text, 1)
+        layout.addWidget(self._button, 0, Qt.AlignmentFlag.AlignVCenter)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self._button.pressed.connect(self._on_pressed)
+        self._button.clicked.connect(self._on_clicked)
+        controller.step_changed.connect(self._on_step_changed)
+        self._show_step()
+
+    # -- behaviour ----------------------------------------------------------------------------
+
+    def _on_pressed(self) -> None:
+        """What the operator has read when the button goes down is what is agreed to."""
+        self._pressed = self._step
+
+    def _on_clicked(self) -> None:
+        step = self._pressed
+        if step.action is Action.CONNECT:
+            self._open_connection()
+        elif step.action is not None and step.dangerous:
+            confirm(
+                self.window(),
+                self._controller,
+                title=words.step_question(step.action),
+                text=words.step_danger(step.action),
+                action_label=words.step_action(step.action).rstrip("…"),
+                on_confirmed=lambda: self._controller.recovery.act(step),
+            )
+        elif step.action is not None:
+            self._controller.recovery.act(step)
+
+    # -- appearance ---------------------------------------------------------------------------
+
+    def _on_step_changed(self, step: Step) -> None:
+        self._step = step
+        self._show_step()
+
+    def _show_step(self) -> None:
+        step = self._step
+        calm = step.kind in _CALM
+        text = words.step(step)
+        self._text.setText(text)
+        self._text.setProperty("rank", "muted" if calm else None)
+        self._text.style().unpolish(self._text)
+        self._text.style().polish(self._text)
+        self.setAccessibleName(text)
+        action = None if calm else step.action
+        self._button.setVisible(action is not None)
+        self._button.setEnabled(not step.waiting)
+        self._button.setAccessibleName(self.tr("Next step"))
+        if action is not None:
+            label = self.tr("Waiting…") if step.waiting else words.step_action(action)
+            self._button.setText(label)
+            self._button.setAccessibleName(label)
+            danger = words.step_danger(action) if step.dangerous else text
+            self._button.setToolTip(self.tr("Waiting for the arm") if step.waiting else danger)
+        self._draw_icon()
+        self.update()
+
+    def _draw_icon(self) -> None:
+        colors = colors_of(self)
+        ratio = self.devicePixelRatioF()
+        if self._step.kind in _CALM:
+            if self._step.kind is Kind.READY:
+                self._icon.setPixmap(icons.pixmap("check", colors.ok, _ICON_PX, ratio))
+            else:
+                self._icon.clear()
+            return
+        _fill, ink = _paint_colors(colors, self._step.level)
+        name = "info" if self._step.level is Level.INFO else "warning"
+        self._icon.setPixmap(icons.pixmap(name, ink, _ICON_PX, ratio))
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language and the colours."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self._show_step()
+        elif event.type() == QEvent.Type.PaletteChange:
+            self._draw_icon()
+        super().changeEvent(event)
+
+    def sizeHint(self) -> QSize:
+        """Always room for two lines and the button."""
+        text = self.fontMetrics().size(0, _TWO_LINES).height()
+        height = max(text, self._button.sizeHint().height())
+        return QSize(400, height + 2 * _PADDING_PX + _TOP_PX)
+
+    def minimumSizeHint(self) -> QSize:
+        """Never lower than that."""
+        return QSize(0, self.sizeHint().height())
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw the ground, unless there is nothing to do."""
+        if self._step.kind in _CALM:
+            return
+        fill, _ink = _paint_colors(colors_of(self), self._step.level)
+        painter = painting.begin(self)
+        ground = QRectF(self.rect()).adjusted(_MARGIN_PX, _TOP_PX, -_MARGIN_PX, 0)
+        painting.panel(painter, ground, fill, fill)
+        painter.end()
+
+
+def _paint_colors(colors: Colors, level: Level) -> tuple[str, str]:
+    """Ground and sign."""
+    return {
+        Level.INFO: (colors.accent_pale, colors.accent),
+        Level.DONE: (colors.accent_pale, colors.ok),
+        Level.WARNING: (colors.warn_pale, colors.warn),
+        Level.FAULT: (colors.stop_pale, colors.stop),
+    }[level]

@@ -1,0 +1,268 @@
+"""The steps of recovery in the operator's language: the sentence, the button, the danger."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
+
+from armui.control.recovery_steps import Action, Kind, Step
+from armui.ui.words import status
+from armui.ui.words.refusals import refusal, under_way
+from armui.ui.words.text import sentence
+
+_SENTENCES: Final[Mapping[Kind, object]] = {
+    Kind.NO_DEVICE: QT_TRANSLATE_NOOP("RecoveryStep", "No arm is connected."),
+    Kind.OPENING: QT_TRANSLATE_NOOP("RecoveryStep", "The device is being opened."),
+    Kind.DEVICE_LOST: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The CAN device is gone. Plug it in again, or choose another one.",
+    ),
+    Kind.STOP_WAITS_FOR_DEVICE: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The CAN device is gone; the stop goes out once it is back. Cut the arm's power if "
+        "it moves.",
+    ),
+    Kind.TEACHING_INPUT: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The arm is a teaching input: it sends commands and obeys none. Make it a motion "
+        "output again.",
+    ),
+    Kind.STOP_UNCONFIRMED: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The arm has NOT confirmed the stop; it is sent again and again. Cut its power if it "
+        "moves.",
+    ),
+    Kind.STOP_REQUESTED: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "Stop sent. Waiting for the arm to confirm it.",
+    ),
+    Kind.OFFLINE: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "Nothing is heard from the arm. Check its power, the CAN cable and the bit rate.",
+    ),
+    Kind.WORKING: QT_TRANSLATE_NOOP("RecoveryStep", "Waiting for the arm: {what}."),
+    Kind.STOPPED: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "Stopped. Support the arm: power will be cut and the arm drops. Then resume.",
+    ),
+    Kind.HANDSHAKE: QT_TRANSLATE_NOOP("RecoveryStep", "The arm is being asked for its protocol."),
+    Kind.STATUS_UNKNOWN: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The arm sends no complete feedback. If it stays so, check its power and connect again.",
+    ),
+    Kind.COMMUNICATION: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "No communication with joint {joints}. Check its cable; if the message stays, reset "
+        "the arm.",
+    ),
+    Kind.COLLISION: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "Collision, joint {joints}. Remove what the arm hit, then clear the error.",
+    ),
+    Kind.DRIVER_FAULT: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "Driver error, joint {joints}: its motor is off. Hold the arm, then clear the error.",
+    ),
+    Kind.OVERCURRENT: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "Overcurrent, joint {joints}: its motor may be off. Hold the arm, take the load "
+        "away, clear the error.",
+    ),
+    Kind.STALL: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "Joint {joints} is held fast. Free it, then clear the error.",
+    ),
+    Kind.SENSOR: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint's "
+        "encoder.",
+    ),
+    Kind.UNDERVOLTAGE: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "Supply voltage too low, joint {joints}. Check the 24 V supply; the arm goes on by itself.",
+    ),
+    Kind.OVERTEMPERATURE: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "Too hot, joint {joints}. Let the arm cool down; the message goes by itself.",
+    ),
+    Kind.JOINT_STATUS: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The arm reports a joint status fault. Look at the joint status, then clear the errors.",
+    ),
+    Kind.BRAKE_CLOSED: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "A joint's brake is not released. Hold the arm, then reset it.",
+    ),
+    Kind.CONTROLLER_HOT: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The main controller is too hot. Let it cool down; if the message stays, reset the arm.",
+    ),
+    Kind.RESISTOR_HOT: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The brake resistor is too hot. Let it cool down; if the message stays, reset the arm.",
+    ),
+    Kind.OTHER_FAULT: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The arm reports an unspecified fault. Look at the joint status, then reset the arm.",
+    ),
+    Kind.UNKNOWN_STATUS: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The arm reports a status this program does not know ({status}). Reset the arm.",
+    ),
+    Kind.RECORDING: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The arm records: lead it by hand. Stop recording when done.",
+    ),
+    Kind.REPLAYING: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The arm replays what it was taught. Keep clear.",
+    ),
+    Kind.REPLAY_PAUSED: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The replay is paused. Continue under Teaching, or terminate it.",
+    ),
+    Kind.OTHER_CONTROL: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The arm takes its commands from elsewhere: {mode}. Take the command.",
+    ),
+    Kind.MOTORS_UNKNOWN: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "Not every motor has reported. If it stays so, check power and cable, and connect again.",
+    ),
+    Kind.DRAG_MODE_AT_REST: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "Still in drag teaching, near the rest pose. Hold the arm and reset it; if it stays, "
+        "switch it off and on.",
+    ),
+    Kind.DRAG_MODE_WITHOUT_POWER: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "Still in drag teaching, joint {joint} at {angle}°. Enable the motors, then lead the "
+        "arm to its rest pose.",
+    ),
+    Kind.OVERSPEED: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "Dragged too fast: the recording has ended. Lead the arm slowly to within {near}° of "
+        "zero (joint {joint}: {angle}°).",
+    ),
+    Kind.DRAG_MODE: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "Still in drag teaching. Lead every joint by hand to within {near}° of zero (joint "
+        "{joint}: {angle}°).",
+    ),
+    Kind.OVERSPEED_REPORTED: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The arm was dragged too fast. Hold it, then reset it.",
+    ),
+    Kind.MOTORS_MIXED: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The motors of joint {joints} are off. Hold the arm, then enable them.",
+    ),
+    Kind.MOTORS_OFF: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The motors are off. Enable them to move the arm.",
+    ),
+    Kind.BEYOND_LIMIT: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "Joint {joints} beyond its limit. The arm stands still; send a target within the limits.",
+    ),
+    Kind.TARGET_BEYOND_LIMIT: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The last target is beyond a limit. The arm stands still; send another target.",
+    ),
+    Kind.NO_SOLUTION: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "No way to the last target was found. The arm stands still; send another target.",
+    ),
+    Kind.SINGULARITY: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The way to the last target is singular. The arm stands still; send another target, "
+        "or by joints.",
+    ),
+    Kind.READY: QT_TRANSLATE_NOOP("RecoveryStep", "Ready"),
+}
+
+_SOMEWHERE: Final[Mapping[Kind, object]] = {
+    Kind.COMMUNICATION: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The arm has lost a joint. Check the cables; if the message stays, reset the arm.",
+    ),
+    Kind.COLLISION: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The arm has hit something. Remove it, then clear the errors.",
+    ),
+}
+"""What to say where the arm does not tell which joint it is."""
+
+_BUTTONS: Final[Mapping[Action, object]] = {
+    Action.CONNECT: QT_TRANSLATE_NOOP("RecoveryAction", "Connection…"),
+    Action.LEAVE_TEACHING_INPUT: QT_TRANSLATE_NOOP("RecoveryAction", "Motion output"),
+    Action.RESUME: QT_TRANSLATE_NOOP("RecoveryAction", "Resume…"),
+    Action.ENABLE: QT_TRANSLATE_NOOP("RecoveryAction", "Enable"),
+    Action.CLEAR_ERRORS: QT_TRANSLATE_NOOP("RecoveryAction", "Clear error"),
+    Action.RESET: QT_TRANSLATE_NOOP("RecoveryAction", "Reset…"),
+    Action.STOP_RECORDING: QT_TRANSLATE_NOOP("RecoveryAction", "Stop recording"),
+    Action.ABORT_REPLAY: QT_TRANSLATE_NOOP("RecoveryAction", "Terminate"),
+    Action.LEAD_BY_HAND: QT_TRANSLATE_NOOP("RecoveryAction", "Lead by hand…"),
+    Action.STANDBY: QT_TRANSLATE_NOOP("RecoveryAction", "Take command…"),
+}
+
+_QUESTIONS: Final[Mapping[Action, object]] = {
+    Action.RESUME: QT_TRANSLATE_NOOP("RecoveryDanger", "Resume after the emergency stop"),
+    Action.RESET: QT_TRANSLATE_NOOP("RecoveryDanger", "Reset the arm"),
+    Action.LEAD_BY_HAND: QT_TRANSLATE_NOOP("RecoveryDanger", "Lead the arm by hand"),
+    Action.STANDBY: QT_TRANSLATE_NOOP("RecoveryDanger", "Take the command"),
+}
+
+_DANGERS: Final[Mapping[Action, object]] = {
+    Action.RESUME: QT_TRANSLATE_NOOP(
+        "RecoveryDanger",
+        "Resuming cuts the power of the motors: the arm will drop. Hold the arm.\nAfterwards "
+        "the motors must be enabled again.",
+    ),
+    Action.RESET: QT_TRANSLATE_NOOP(
+        "RecoveryDanger",
+        "First the emergency stop: the motors go limp and the arm sinks. Then Resume cuts "
+        "their power: the arm will drop. Hold the arm from now on.",
+    ),
+    Action.LEAD_BY_HAND: QT_TRANSLATE_NOOP(
+        "RecoveryDanger",
+        "The arm will give way to the hand and starts a new recording; the one it holds is "
+        "lost. Hold the arm.\nLead it near its rest pose, then stop recording.",
+    ),
+    Action.STANDBY: QT_TRANSLATE_NOOP(
+        "RecoveryDanger",
+        "The arm will no longer follow the other control; a motion under way ends. Make sure "
+        "that nobody relies on it.",
+    ),
+}
+
+
+def step(this: Step) -> str:
+    """What stands in the way and what to do, with what became of the last attempt before it."""
+    params: dict[str, object] = dict(this.params)
+    if isinstance(mode := params.get("mode"), int):
+        params["mode"] = status.control_mode(mode)
+    if isinstance(code := params.get("status"), int):
+        params["status"] = f"0x{code:02X}"
+    if isinstance(what := params.get("what"), str):
+        params["what"] = under_way(what)
+    table = _SENTENCES if this.joints or this.kind not in _SOMEWHERE else _SOMEWHERE
+    text = sentence("RecoveryStep", table[this.kind], params)
+    return text if this.failed is None else f"{refusal(this.failed)} {text}"
+
+
+def step_action(action: Action) -> str:
+    """What the button of a step is called."""
+    return QCoreApplication.translate("RecoveryAction", str(_BUTTONS[action]))
+
+
+def step_question(action: Action) -> str:
+    """The title of the question before a dangerous action."""
+    return QCoreApplication.translate("RecoveryDanger", str(_QUESTIONS[action]))
+
+
+def step_danger(action: Action) -> str:
+    """What will physically happen, said before a dangerous action."""
+    return QCoreApplication.translate("RecoveryDanger", str(_DANGERS[action]))

@@ -1,0 +1,250 @@
+"""The next step over all combinations of what an arm and its link can be in."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator
+from dataclasses import replace
+
+import pytest
+
+from armui.arm.device import Device
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState, DriverSlow, Heard, Status
+from armui.control.assessment import Circumstances, assess
+from armui.control.recovery_rules import next_step
+from armui.control.recovery_steps import Action, Kind, Step
+from armui.control.situation import Busy, Level, LinkState, Situation, StopState
+from armui.control.teaching_phase import why_not
+from armui.protocol.codes import ArmStatusCode, ControlMode, TeachingState
+from armui.protocol.generation import Generation
+from armui.ui import words
+
+NOW_S = 100.0
+FALSE = (False,) * 6
+JOINT_2 = (False, True, False, False, False, False)
+UNKNOWN_CODE = 0x2F
+
+HEALTHY = DriverSlow(
+    voltage_v=24.0,
+    driver_temperature_c=30.0,
+    motor_temperature_c=30.0,
+    bus_current_a=0.0,
+    undervoltage=False,
+    motor_overtemperature=False,
+    overcurrent=False,
+    driver_overtemperature=False,
+    driver_fault=False,
+    enabled=True,
+    sensor_fault=None,
+    homed=None,
+    collision_protection=False,
+    stall_protection=False,
+)
+PROTECTIONS = (
+    {},
+    {"undervoltage": True},
+    {"motor_overtemperature": True},
+    {"driver_overtemperature": True},
+    {"overcurrent": True},
+    {"driver_fault": True},
+    {"sensor_fault": True, "collision_protection": None, "stall_protection": None},  # generation 1
+    {"collision_protection": True},
+    {"stall_protection": True},
+)
+ENABLED = ((True,) * 6, FALSE, (True, False, True, True, True, True), (None, *(True,) * 5))
+CONTROL_MODES = (*ControlMode, UNKNOWN_CODE)
+STATUSES = (*ArmStatusCode, UNKNOWN_CODE)
+FLAGS = ({}, {"communication_fault": JOINT_2}, {"limit_exceeded": JOINT_2})
+POSES_DEG = ((0.0,) * 6, (0.0, 40.0, 0.0, 0.0, 0.0, 0.0))
+STOPS = (
+    # stop, unconfirmed, busy; how a stop stands while the arm's own status is not «stopped»
+    (StopState.RUNNING, False, None),
+    (StopState.REQUESTED, False, None),
+    (StopState.REQUESTED, True, None),
+    (StopState.RESUMING, False, Busy.RESUMING),
+    (StopState.RUNNING, False, Busy.ENABLING),
+    (StopState.RUNNING, False, Busy.DISABLING),
+)
+
+
+def status(**changes) -> Status:
+    normal = Status(
+        control_mode=ControlMode.CAN_CONTROL,
+        arm_status=ArmStatusCode.NORMAL,
+        move_mode=1,
+        teaching=TeachingState.OFF,
+        reached=True,
+        speed_percent=None,
+        trajectory_point=None,
+        limit_exceeded=FALSE,
+        communication_fault=FALSE,
+    )
+    return replace(normal, **changes)
+
+
+def arm(heard: Status, enabled=ENABLED[0], protection=None, pose_deg=POSES_DEG[0]) -> ArmState:
+    """An arm heard just now; joint 2 has the protection, ``None`` in enabled says nothing."""
+    drivers = [None if on is None else Heard(replace(HEALTHY, enabled=on), NOW_S) for on in enabled]
+    if protection and drivers[1] is not None:
+        drivers[1] = Heard(replace(drivers[1].value, **protection), NOW_S)
+    return ArmState(
+        sequence=1,
+        last_feedback_s=NOW_S,
+        status=Heard(heard, NOW_S),
+        joints_deg=tuple(Heard(angle, NOW_S) for angle in pose_deg),
+        drivers_slow=tuple(drivers),
+    )
+
+
+def situation(state: ArmState, link=LinkState.ONLINE, **changes) -> Situation:
+    stopped = state.status is not None and state.status.value.arm_status == 1
+    around = Circumstances(
+        link=link,
+        device=Device("virtual", "test"),
+        link_problem=None,
+        stop=StopState.STOPPED if stopped and link is LinkState.ONLINE else StopState.RUNNING,
+        stop_unconfirmed=False,
+        busy=None,
+        running=False,
+        speed_percent=30,
+        generation=Generation.TWO,
+    )
+    return assess(state, replace(around, **changes), NOW_S)
+
+
+def step_of(state: ArmState, **changes) -> Step:
+    return next_step(state, situation(state, **changes), NOW_S)
+
+
+def without_link() -> Iterator[tuple[ArmState, Situation]]:
+    led = replace(ArmState(), foreign_targets_s=NOW_S)
+    # a picture from before, as old as it may be
+    states = (ArmState(), led, arm(status()), arm(status(arm_status=ArmStatusCode.EMERGENCY_STOP)))
+    for link, state, unconfirmed in itertools.product(LinkState, states, (False, True)):
+        if link is LinkState.ONLINE:
+            continue
+        for stop in (StopState.RUNNING, StopState.REQUESTED):
+            unheard = unconfirmed and stop is StopState.REQUESTED
+            yield state, situation(state, link=link, stop=stop, stop_unconfirmed=unheard)
+
+
+def online() -> Iterator[tuple[ArmState, Situation]]:
+    told = itertools.product(CONTROL_MODES, STATUSES, (*TeachingState, UNKNOWN_CODE), FLAGS)
+    for mode, code, teaching, flags in told:
+        for reached in (True, False) if teaching in {3, 5, 7} else (True,):
+            heard = status(
+                control_mode=mode, arm_status=code, teaching=teaching, reached=reached, **flags
+            )
+            poses = POSES_DEG if mode == ControlMode.TEACHING else POSES_DEG[:1]
+            for enabled, pose_deg in itertools.product(ENABLED, poses):
+                state = arm(heard, enabled, None, pose_deg)
+                yield state, situation(state)
+    for code, protection, enabled in itertools.product(STATUSES, PROTECTIONS, ENABLED):
+        for mode in CONTROL_MODES:
+            state = arm(status(control_mode=mode, arm_status=code), enabled, protection)
+            yield state, situation(state)
+    for code, mode, enabled, (stop, unconfirmed, busy) in itertools.product(
+        STATUSES, CONTROL_MODES, ENABLED, STOPS
+    ):
+        if stop is StopState.RUNNING and code == ArmStatusCode.EMERGENCY_STOP:
+            continue
+        state = arm(status(control_mode=mode, arm_status=code), enabled)
+        yield state, situation(state, stop=stop, stop_unconfirmed=unconfirmed, busy=busy)
+    for generation in (None, *Generation):
+        yield ArmState(last_feedback_s=NOW_S), situation(ArmState(), generation=generation)
+
+
+def is_valid(action: Action, state: ArmState, now: Situation) -> bool:
+    """Whether the controller would take the action now."""
+    commanded = {
+        Action.STOP_RECORDING: TeachingState.STOP_RECORDING,
+        Action.ABORT_REPLAY: TeachingState.ABORT,
+        Action.LEAD_BY_HAND: TeachingState.START_RECORDING,
+    }
+    if action in commanded:
+        return why_not(commanded[action], state, now) is None
+    if action is Action.RESUME:
+        return now.stop is StopState.STOPPED
+    if action is Action.ENABLE:
+        return now.cannot_enable is None and not all(now.enabled)
+    if action is Action.LEAVE_TEACHING_INPUT:
+        return now.link in {LinkState.OFFLINE, LinkState.ONLINE}
+    if action in {Action.CLEAR_ERRORS, Action.STANDBY, Action.RESET}:
+        return now.link is LinkState.ONLINE and now.busy is None
+    return action is Action.CONNECT
+
+
+WAITS = {
+    # what goes on by itself, is the operator's at the arm, or wants another target
+    *(Kind.OPENING, Kind.STOP_UNCONFIRMED, Kind.STOP_REQUESTED, Kind.WORKING, Kind.HANDSHAKE),
+    *(Kind.UNDERVOLTAGE, Kind.OVERTEMPERATURE),
+    *(Kind.BEYOND_LIMIT, Kind.TARGET_BEYOND_LIMIT, Kind.NO_SOLUTION, Kind.SINGULARITY),
+    Kind.READY,
+}
+
+
+def test_every_combination_has_one_next_step_that_can_be_taken(qapp):
+    seen: dict[tuple[Kind, frozenset[str], bool], Step] = {}
+    for state, now in itertools.chain(without_link(), online()):
+        step = next_step(state, now, NOW_S)
+        told = (step, state.status, now.link, now.stop)
+        if step.action is None:
+            assert step.kind in WAITS, told
+        else:
+            assert is_valid(step.action, state, now), told
+            again = next_step(state, now, NOW_S, {step.kind: 2})
+            assert again.kind is step.kind
+            assert again.action is not None
+            assert is_valid(again.action, state, now), told
+        if step.kind is Kind.READY:
+            assert now.cannot_move is None, told
+        seen.setdefault((step.kind, frozenset(step.params), bool(step.joints)), step)
+    assert {kind for kind, _, _ in seen} == set(Kind)
+    for step in seen.values():
+        assert "—" not in words.step(step), step
+
+
+@pytest.mark.parametrize("code", STATUSES)
+def test_each_code_of_the_status_has_a_step_of_its_own(code):
+    kinds = [step_of(arm(status(arm_status=each))).kind for each in STATUSES]
+    assert kinds.count(kinds[STATUSES.index(code)]) == 1
+    assert (kinds[STATUSES.index(code)] is Kind.READY) is (code == ArmStatusCode.NORMAL)
+
+
+def test_what_a_step_is_about_is_named():
+    step = step_of(arm(status(arm_status=7), protection={"collision_protection": True}))
+    assert (step.kind, step.joints, step.params) == (Kind.COLLISION, (2,), {"joints": "2"})
+    assert "joint 2" in words.step(step)
+    step = step_of(arm(status(arm_status=7)))
+    assert (step.kind, step.joints) == (Kind.COLLISION, ())
+    step = step_of(arm(status(control_mode=ControlMode.TEACHING), pose_deg=POSES_DEG[1]))
+    assert step.params == {"joint": 2, "angle": 40.0, "near": "15"}
+
+
+def test_what_was_tried_in_vain_leads_to_the_next_stronger_means():
+    state = arm(status(arm_status=7), protection={"collision_protection": True})
+    first, second = (
+        next_step(state, situation(state), NOW_S, {Kind.COLLISION: count}) for count in (1, 2)
+    )
+    assert first.action is Action.CLEAR_ERRORS
+    assert words.step(first).startswith("The arm did not react.")
+    assert (second.action, second.failed) == (Action.RESET, Refusal("step_in_vain"))
+    assert second.dangerous
+
+
+def test_an_old_status_is_no_status():
+    state = replace(arm(status()), status=Heard(status(), NOW_S - 1.0))
+    assert step_of(state).kind is Kind.STATUS_UNKNOWN
+
+
+def test_faults_are_red_and_what_can_wait_is_not():
+    assert step_of(arm(status(communication_fault=JOINT_2))).level is Level.FAULT
+    assert step_of(arm(status(), enabled=FALSE)).level is Level.INFO
+    assert step_of(arm(status(arm_status=4))).level is Level.WARNING
+
+
+def test_danger_is_said_before_power_is_cut(qapp):
+    for action in (Action.RESUME, Action.RESET):
+        assert "the arm will drop. Hold the arm" in words.step_danger(action)
+        assert words.step_action(action).endswith("…")
