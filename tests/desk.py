@@ -89,6 +89,14 @@ class Desk(Bench):
         """Press the button of the open question that does the deed."""
         self.click(self.dialog(ConfirmDialog).action_button)
 
+    def hold(self, share: float = 1.0) -> None:
+        """Hold the button of the open question; its time passes at once, or a share of it."""
+        button = self.dialog(ConfirmDialog).action_button
+        self.press(button)
+        button.progress.setCurrentTime(round(share * button.progress.duration()))
+        if share < 1.0:
+            QTest.mouseRelease(button, Qt.MouseButton.LeftButton, pos=_middle(button))
+
     def enable_by_hand(self) -> None:
         """Press 使能 and wait for the arm's word."""
         self.click("enable_button")

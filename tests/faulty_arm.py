@@ -15,11 +15,13 @@ class FaultyDrivers:
     Attributes:
         bits: The bits to set, by joint.
         silent: Joints whose drivers say nothing.
+        missing: Arbitration IDs that never leave the arm.
     """
 
     def __init__(self, firmware: Firmware) -> None:
         self.bits: dict[int, int] = {}
         self.silent: set[int] = set()
+        self.missing: set[int] = set()
         # the firmware holds this; a reference back would keep both beyond the test
         self._step = weakref.WeakMethod(firmware.step)
         self._firmware = weakref.ref(firmware)
@@ -37,6 +39,7 @@ class FaultyDrivers:
             self._spoil(frame)
             for frame in step(dt_s)
             if frame.arbitration_id - _DRIVER_SLOW not in self.silent
+            and frame.arbitration_id not in self.missing
         ]
 
     def _spoil(self, frame: Frame) -> Frame:

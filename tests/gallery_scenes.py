@@ -67,6 +67,12 @@ def _lights_refused(desk: Desk) -> None:
     desk.type_into("lamp_field", "300")
 
 
+def _motors(desk: Desk) -> None:
+    desk.click("menu_motor")
+    desk.click("enable_motor_2")
+    desk.run(0.4)
+
+
 def _moving(desk: Desk) -> None:
     desk.click("menu_motion")
     desk.enable_by_hand()
@@ -111,6 +117,7 @@ WINDOW_SCENES = (
     Scene("online", _online),
     Scene("lights", _lights),
     Scene("lights-refused", _lights_refused),
+    Scene("motors", _motors),
     Scene("moving", _moving),
     Scene("refused", _refused),
     Scene("offline", _offline),
@@ -195,6 +202,21 @@ def _confirm_disable(desk: Desk) -> QDialog:
     return desk.dialog(ConfirmDialog)
 
 
+def _hold_zero(desk: Desk) -> QDialog:
+    desk.click("zero_motor_2")
+    dialog = desk.dialog(ConfirmDialog)
+    desk.press(dialog.action_button)
+    progress = dialog.action_button.progress
+    progress.setCurrentTime(progress.duration() * 2 // 3)
+    progress.pause()
+    return dialog
+
+
+def _hold_disable(desk: Desk) -> QDialog:
+    desk.click("disable_motor_7")
+    return desk.dialog(ConfirmDialog)
+
+
 def _confirm_resume(desk: Desk) -> QDialog:
     desk.click("stop_button")
     return desk.dialog(ConfirmDialog)
@@ -233,6 +255,8 @@ DIALOG_SCENES = (
     DialogScene("joint-status-stale", "offline", _joint_status),
     DialogScene("file", "no-device", _file),
     DialogScene("confirm-disable", "refused", _confirm_disable),
+    DialogScene("hold-zero", "motors", _hold_zero),
+    DialogScene("hold-disable", "motors", _hold_disable),
     DialogScene("confirm-close", "moving", _confirm_close),
     DialogScene("confirm-resume", "stopped", _confirm_resume),
 )

@@ -36,6 +36,7 @@ from armui.control.recovery import Recovery
 from armui.control.situation import Busy, LinkState, Notice, Situation
 from armui.control.stop import StopKeeper, is_stopped
 from armui.control.teaching import Teaching
+from armui.control.zeroing import Zeroing
 from armui.protocol import commands
 
 if TYPE_CHECKING:
@@ -69,6 +70,7 @@ class ArmController(QObject):
         teaching: Commands drag teaching.
         planned_motion: Pauses, continues and clears motions.
         recovery: The next step towards an arm that may be moved.
+        zeroing: Sets the zeros of the joints.
 
     Signals:
         state_changed: An :class:`ArmState`, at most 30 times a second, when something was heard.
@@ -122,6 +124,7 @@ class ArmController(QObject):
             stop=self.emergency_stop,
             announce=self.step_changed.emit,
         )
+        self.zeroing = Zeroing(context, self.orders, before_zeroing=self.motion.halt)
         self._parts: tuple[Part, ...] = (
             self.motors,
             self.motion,
@@ -290,7 +293,7 @@ class ArmController(QObject):
         return self._situation
 
     def _assess(self, now_s: float) -> Situation:
-        busy = self.motors.busy
+        busy = self.motors.busy or (Busy.ZEROING if self.zeroing.busy else None)
         around = Circumstances(
             link=self._connection.link,
             device=self._connection.device,

@@ -44,6 +44,11 @@ CODES: Final[Mapping[str, Level]] = {
     "clear_error_sent": Level.INFO,  # joint
     "clear_error_answered": Level.DONE,  # joint
     "clear_error_unanswered": Level.FAULT,  # joint
+    "zero_sent": Level.INFO,
+    "zero_sent_joint": Level.INFO,  # joint
+    "zero_set": Level.DONE,
+    "zero_set_joint": Level.DONE,  # joint
+    "zero_failed": Level.FAULT,  # reason
     "settings_sent": Level.INFO,  # count
     "settings_saved": Level.DONE,  # count
     "settings_refused": Level.FAULT,  # count, total, reason
@@ -141,6 +146,11 @@ REFUSALS: Final = frozenset(
         "setting_unanswered",
         "setting_not_read_back",
         "setting_not_taken",  # parameter, joint, value, held
+        "speed_unknown",  # joints
+        "joints_moving",  # joints
+        "zero_not_set",  # joints
+        "zero_not_taken",  # joints
+        "ended_by_stop",
         "other_control",  # mode
         "arm_fault",  # status
         "bus_gone",  # device, interface

@@ -51,6 +51,7 @@ class Order:
         index: What the answer names; ``None``: no answer is awaited.
         against: What speaks against it by the answer itself.
         read_back: How it is checked, where that can be.
+        ends_with_stop: It must not be given again to an arm that is being stopped.
     """
 
     frames: Sequence[Frame]
@@ -58,6 +59,7 @@ class Order:
     index: SettingIndex | None = None
     against: Callable[[Message], Refusal | None] = lambda _answer: None
     read_back: ReadBack | None = None
+    ends_with_stop: bool = False
 
 
 class _Phase(enum.Enum):
@@ -104,7 +106,13 @@ class OrderLine:
             self._on_overdue(order)
 
     def halt(self) -> None:
-        """Settings move nothing: a stop leaves them be."""
+        """Settings move nothing: a stop leaves them be, but for those that say otherwise."""
+        dropped = [order for order in self._waiting if order.ends_with_stop]
+        self._waiting = deque(order for order in self._waiting if not order.ends_with_stop)
+        for order in dropped:
+            order.finished(Refusal("ended_by_stop"))
+        if self._order is not None and self._order.ends_with_stop:
+            self._end(Refusal("ended_by_stop"))
 
     def forget(self) -> None:
         """The arm is gone: whatever waits will not be done."""

@@ -52,6 +52,7 @@ class Busy(enum.Enum):
     ENABLING = "enabling"
     DISABLING = "disabling"
     RESUMING = "resuming"
+    ZEROING = "zeroing"
 
 
 @dataclass(frozen=True, slots=True)

@@ -24,6 +24,7 @@ from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
 from armui.ui.panels.light_panel import LightPanel
 from armui.ui.panels.motion_panel import MotionPanel
+from armui.ui.panels.motor_panel import MotorPanel
 from armui.ui.side_menu import MenuEntry, SideMenu
 from armui.ui.status_bar import StatusBar
 from armui.ui.theme import DARK, colors_of
@@ -76,6 +77,12 @@ class MainWindow(QMainWindow):
                 str(QT_TRANSLATE_NOOP("SideMenu", "Light control")),
                 "light",
                 lambda: LightPanel(self._controller),
+            ),
+            MenuEntry(
+                "motor",
+                str(QT_TRANSLATE_NOOP("SideMenu", "Motor settings")),
+                "motor",
+                lambda: MotorPanel(self._controller),
             ),
         )
         self._joint_monitor = JointMonitor(controller, parent=self)
@@ -163,7 +170,7 @@ class MainWindow(QMainWindow):
     def _on_joint_picked(self, joint: int) -> None:
         """A double click on a link leads to its joint in the panel that is shown."""
         panel = self._panels.currentWidget()
-        if isinstance(panel, MotionPanel | LightPanel):
+        if isinstance(panel, MotionPanel | LightPanel | MotorPanel):
             panel.focus_joint(joint)
 
     def _color_view(self) -> None:

@@ -7,7 +7,14 @@ from dataclasses import dataclass
 from typing import Final
 
 from PySide6.QtCore import QCoreApplication, QEvent, QSize, Qt, Signal
-from PySide6.QtWidgets import QButtonGroup, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QScrollArea,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
@@ -33,7 +40,7 @@ class MenuEntry:
 
 
 class SideMenu(QWidget):
-    """One entry a panel; the chosen one stands on pale blue.
+    """One entry a panel; the chosen one stands on pale blue. Scrolls on a low screen.
 
     Args:
         entries: From top to bottom.
@@ -54,9 +61,10 @@ class SideMenu(QWidget):
         self._entries = tuple(entries)
         self._group = QButtonGroup(self)
         self.setFixedWidth(_WIDTH_PX)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(8, 14, 8, 14)
-        layout.setSpacing(4)
+        column = QWidget()
+        layout = QVBoxLayout(column)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(2)
         for place, entry in enumerate(self._entries):
             button = QToolButton()
             button.setObjectName(f"menu_{entry.key}")
@@ -68,12 +76,27 @@ class SideMenu(QWidget):
             self._group.addButton(button, place)
             layout.addWidget(button)
         layout.addStretch(1)
-        layout.addWidget(at_bottom)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(8, 12, 8, 14)
+        whole.setSpacing(8)
+        whole.addWidget(self._scrolled(column), 1)
+        whole.addWidget(at_bottom)
         self._group.button(0).setChecked(True)
         self._group.idClicked.connect(self.chosen)
         self._group.idClicked.connect(self._draw_icons)
         self.retranslate_ui()
         self._draw_icons()
+
+    def _scrolled(self, column: QWidget) -> QScrollArea:
+        area = QScrollArea()
+        area.setObjectName("side_menu_entries")
+        area.setWidgetResizable(True)
+        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        area.setWidget(column)
+        area.viewport().setAutoFillBackground(False)
+        column.setAutoFillBackground(False)
+        return area
 
     def retranslate_ui(self) -> None:
         """Put the entries into the operator's language."""

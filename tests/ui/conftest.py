@@ -91,6 +91,7 @@ class FakeController(QObject):
         self.jogging = FakeJogging(self)
         self.joint_errors = FakeJointErrors(self)
         self.recovery = FakeRecovery(self)
+        self.zeroing = FakeZeroing(self)
 
     # what a test makes it show
 
@@ -229,6 +230,16 @@ class FakeRecovery:
 
     def act(self, step: Step) -> Refusal | None:
         return self._controller._asked("act", step)
+
+
+class FakeZeroing:
+    """The zeros of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+
+    def set_zero(self, joint: int = ALL_JOINTS) -> Refusal | None:
+        return self._controller._asked("set_zero", joint)
 
 
 class FakeView(QWidget):

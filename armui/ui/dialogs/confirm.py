@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QWidget
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
+from armui.ui.widgets.hold_button import HoldButton
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -30,6 +31,7 @@ class ConfirmDialog(ArmDialog):
         title: The question in a few words.
         text: What will physically happen, and what to do before.
         action_label: What the button does, in a word.
+        hold: The button must be held for a second: for what a double click must not do.
     """
 
     def __init__(
@@ -40,6 +42,7 @@ class ConfirmDialog(ArmDialog):
         title: str,
         text: str,
         action_label: str,
+        hold: bool = False,
     ) -> None:
         super().__init__(controller, parent)
         self.set_title(title)
@@ -54,12 +57,21 @@ class ConfirmDialog(ArmDialog):
         content.addWidget(self._text, 1, Qt.AlignmentFlag.AlignTop)
         self.body.addLayout(content)
 
-        self.action_button = QPushButton(action_label)
-        self.action_button.setAutoDefault(False)
-        self.action_button.clicked.connect(self.accept)
+        self._hint = QLabel()
+        self._hint.setProperty("rank", "muted")
+        self._hint.setVisible(hold)
+        self.action_button: QPushButton
+        if hold:
+            self.action_button = HoldButton(action_label)
+            self.action_button.held.connect(self.accept)
+        else:
+            self.action_button = QPushButton(action_label)
+            self.action_button.setAutoDefault(False)
+            self.action_button.clicked.connect(self.accept)
         self.cancel_button = QPushButton()
         self.cancel_button.setDefault(True)
         self.cancel_button.clicked.connect(self.reject)
+        self.footer.addWidget(self._hint)
         self.footer.addStretch(1)
         self.footer.addWidget(self.action_button)
         self.footer.addWidget(self.cancel_button)
@@ -72,7 +84,8 @@ class ConfirmDialog(ArmDialog):
         return self._text.text()
 
     def retranslate_ui(self) -> None:
-        """Only the cancel button is this dialog's own word."""
+        """Only what is not the asker's: how to answer."""
+        self._hint.setText(self.tr("Hold the button, or the space bar on it, for one second."))
         self.cancel_button.setText(self.tr("Cancel"))
 
     def changeEvent(self, event: QEvent) -> None:
@@ -94,6 +107,7 @@ def confirm(
     text: str,
     action_label: str,
     on_confirmed: Callable[[], object],
+    hold: bool = False,
 ) -> ConfirmDialog:
     """Ask, without holding up anything; an older question of the same title is withdrawn.
 
@@ -104,6 +118,7 @@ def confirm(
         text: What will physically happen, and what to do before.
         action_label: What the button does, in a word.
         on_confirmed: Called when the operator agrees.
+        hold: The button must be held for a second.
 
     Returns:
         The open question; it deletes itself once answered.
@@ -111,7 +126,9 @@ def confirm(
     for older in parent.findChildren(ConfirmDialog):
         if older.windowTitle() == title:
             older.reject()
-    dialog = ConfirmDialog(controller, parent, title=title, text=text, action_label=action_label)
+    dialog = ConfirmDialog(
+        controller, parent, title=title, text=text, action_label=action_label, hold=hold
+    )
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     dialog.accepted.connect(on_confirmed)
     dialog.open()

@@ -89,6 +89,15 @@ _NOTICES: Final[Mapping[str, object]] = {
         "Joint {joint}: the arm did not confirm within a second the command to clear the error. "
         "Try again; if it stays silent, check the CAN cable.",
     ),
+    "zero_sent": QT_TRANSLATE_NOOP("Notice", "Zero setting sent to all six joints"),
+    "zero_sent_joint": QT_TRANSLATE_NOOP("Notice", "Zero setting sent to joint {joint}"),
+    "zero_set": QT_TRANSLATE_NOOP(
+        "Notice", "The arm has set the zeros of all six joints; their angles now read 0."
+    ),
+    "zero_set_joint": QT_TRANSLATE_NOOP(
+        "Notice", "The arm has set the zero of joint {joint}; its angle now reads 0."
+    ),
+    "zero_failed": QT_TRANSLATE_NOOP("Notice", "Zero setting failed. {reason}"),
     "settings_sent": QT_TRANSLATE_NOOP("Notice", "Settings sent to the arm: {count}"),
     "settings_saved": QT_TRANSLATE_NOOP(
         "Notice", "Settings saved, read back from the arm and the same: {count}"

@@ -189,6 +189,28 @@ _REFUSALS: Final[Mapping[str, object]] = {
         "Refusal",
         "The arm has not reported all of its joint angles yet. Wait until all six are shown.",
     ),
+    "speed_unknown": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Whether these joints stand still is not known: {joints}. Their drivers report no speed: "
+        "check the arm's power and the CAN cable.",
+    ),
+    "joints_moving": QT_TRANSLATE_NOOP(
+        "Refusal", "These joints are moving: {joints}. Wait until the arm stands still."
+    ),
+    "zero_not_set": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm answered that it did not set the zero of these joints: {joints}. Let the arm "
+        "stand still, clear its errors, then try again.",
+    ),
+    "zero_not_taken": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm answered that the zero is set, but these joints do not read 0°: {joints}. Do not "
+        "move the arm before the zero is set anew.",
+    ),
+    "ended_by_stop": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The stop came first; it is not sent again. Look at what the arm shows, then repeat it.",
+    ),
     "other_control": QT_TRANSLATE_NOOP(
         "Refusal",
         "The arm takes its commands from elsewhere: {mode}. Leave that mode first.",
@@ -326,6 +348,7 @@ _UNDER_WAY: Final[Mapping[str, object]] = {
     "resuming": QT_TRANSLATE_NOOP("UnderWay", "resuming after the emergency stop"),
     "running": QT_TRANSLATE_NOOP("UnderWay", "running a trajectory"),
     "settings": QT_TRANSLATE_NOOP("UnderWay", "reading or saving the arm's settings"),
+    "zeroing": QT_TRANSLATE_NOOP("UnderWay", "setting a zero"),
     "clearing_error": QT_TRANSLATE_NOOP("UnderWay", "clearing a joint's error"),
     "teaching": QT_TRANSLATE_NOOP("UnderWay", "a teaching command"),
     "recovery": QT_TRANSLATE_NOOP("UnderWay", "the step before"),

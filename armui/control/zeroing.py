@@ -1,0 +1,139 @@
+"""零点设置: where a joint stands becomes its zero, if the arm says so (0x475 byte 1, 0x476 byte 1).
+
+The joint's limits are counted from its zero: with a wrong zero the arm runs into its stops. So it
+is done only to an arm that stands still, and what the arm answers is checked against its angles.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.limits import JOINTS
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.control.gate import joint_list
+from armui.control.orders import Order, OrderLine, ReadBack
+from armui.protocol import commands
+from armui.protocol.codes import ALL_JOINTS, SettingIndex
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from armui.control.context import Context
+    from armui.protocol.codec import Message
+
+STILL_DEG_S: Final = 1.0
+"""Slower than this a joint stands still: drivers report a little noise at rest."""
+
+_AT_ZERO_DEG: Final = 0.5
+_LONGEST_S: Final = 0.3
+"""By then the new zero must show in the angles; a moment after the answer they may be old ones."""
+
+
+class Zeroing:
+    """Sets zeros, one order at a time.
+
+    Args:
+        context: What the parts of the controller share.
+        orders: Carries out commands that are answered.
+        before_zeroing: Called when angles are about to be counted anew: setpoints are void.
+    """
+
+    def __init__(
+        self, context: Context, orders: OrderLine, before_zeroing: Callable[[], None]
+    ) -> None:
+        self._context = context
+        self._orders = orders
+        self._before_zeroing = before_zeroing
+        self._busy = False
+
+    @property
+    def busy(self) -> bool:
+        """Whether a zero has been sent and its end is not known."""
+        return self._busy
+
+    def set_zero(self, joint: int = ALL_JOINTS) -> Refusal | None:
+        """Make the present position of a joint (1–6, 7 all) its zero.
+
+        Returns:
+            ``None`` if it is on its way, or why nothing was sent.
+        """
+        context = self._context
+        refusal = context.situation().cannot_enable or why_not_still(context.state())
+        if refusal is not None:
+            return context.refuse(refusal)
+        self._before_zeroing()
+        self._busy = True
+        joints = JOINTS if joint == ALL_JOINTS else (joint,)
+        context.tell("zero_sent" if joint == ALL_JOINTS else "zero_sent_joint", joint=joint)
+        self._orders.submit(
+            Order(
+                commands.set_joint_zero(context.connection.codec, joint),
+                partial(self._on_finished, joint),
+                SettingIndex.JOINT_SETTING,
+                against=partial(_against_answer, joint_list(list(joints))),
+                read_back=ReadBack((), partial(_shown, joints), partial(_not_at_zero, joints)),
+                ends_with_stop=True,
+            )
+        )
+        context.situation()
+        return None
+
+    def _on_finished(self, joint: int, refusal: Refusal | None) -> None:
+        self._busy = False
+        if refusal is not None:
+            self._context.tell("zero_failed", reason=refusal)
+        elif joint == ALL_JOINTS:
+            self._context.tell("zero_set")
+        else:
+            self._context.tell("zero_set_joint", joint=joint)
+
+
+def why_not_still(state: ArmState) -> Refusal | None:
+    """The reason against a new zero that lies in the arm: it moves, or nobody knows."""
+    speeds = [
+        heard.value.speed_deg_s
+        if heard is not None
+        and state.last_feedback_s is not None
+        and heard.fresh(state.last_feedback_s)
+        else None
+        for heard in state.drivers_fast
+    ]
+    unknown = [joint for joint, speed in zip(JOINTS, speeds, strict=True) if speed is None]
+    if unknown:
+        return Refusal("speed_unknown", {"joints": joint_list(unknown)})
+    moving = [
+        joint
+        for joint, speed in zip(JOINTS, speeds, strict=True)
+        if speed is not None and abs(speed) >= STILL_DEG_S
+    ]
+    return Refusal("joints_moving", {"joints": joint_list(moving)}) if moving else None
+
+
+def _against_answer(joints: str, answer: Message) -> Refusal | None:
+    if answer.signals["ZeroSet"] == 1:
+        return None
+    return Refusal("zero_not_set", {"joints": joints})
+
+
+def _off_zero(joints: Sequence[int], state: ArmState) -> list[int]:
+    angles = {joint: state.joints_deg[joint - 1] for joint in joints}
+    return [
+        joint for joint, heard in angles.items() if heard is None or abs(heard.value) > _AT_ZERO_DEG
+    ]
+
+
+def _shown(joints: Sequence[int], state: ArmState, since_s: float) -> bool:
+    """Whether the angles tell of the zero: they are at it, or have had time to be."""
+    heard = [state.joints_deg[joint - 1] for joint in joints]
+    times = [each.at_s for each in heard if each is not None and each.at_s > since_s]
+    if len(times) < len(joints):
+        return False
+    return not _off_zero(joints, state) or min(times) - since_s > _LONGEST_S
+
+
+def _not_at_zero(joints: Sequence[int], state: ArmState) -> Refusal | None:
+    off = _off_zero(joints, state)
+    return Refusal("zero_not_taken", {"joints": joint_list(off)}) if off else None

@@ -1,0 +1,232 @@
+"""电机设置: each motor's power, zero and errors, beside what its driver says (manual 1.0.7.7)."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+
+from armui.arm.limits import JOINTS
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.control.situation import Level, Notice, Situation
+from armui.protocol.codes import ALL_JOINTS
+from armui.ui import words
+from armui.ui.dialogs.confirm import confirm
+from armui.ui.freshness import is_stale
+from armui.ui.widgets.card import scrolled
+from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.motor_row import COLUMN_GAP_PX, FIGURE_PX, ActButtons, MotorAct, MotorRow
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from armui.control.arm_controller import ArmController
+
+_TALLEST_CARD_PX: Final = 520
+_OURS: Final = (
+    "enable",
+    "disable",
+    "zero_",
+    "clear_error_",
+)
+"""How the codes of the notices that are told here begin."""
+
+
+class MotorPanel(QWidget):
+    """Six rows of figures and buttons, and the buttons once more for all joints.
+
+    Disabling lets the arm drop and a wrong zero makes it run into its stops: both say so and must
+    be confirmed by holding a button.
+
+    Args:
+        controller: Whom to tell.
+    """
+
+    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._controller = controller
+        self._situation = controller.situation
+        self._notice: Notice | None = None
+        self._title = QLabel()
+        self._title.setProperty("rank", "title")
+        self._heads = [QLabel() for _ in range(4)]
+        self._rows = [MotorRow(joint) for joint in JOINTS]
+        self._all_label = QLabel()
+        self._all = ActButtons(ALL_JOINTS)
+        self._message = MessageLine()
+        self._message.setObjectName("motor_message")
+        self._lay_out()
+        for acts in self._all_acts():
+            acts.wanted.connect(self._on_wanted)
+        controller.state_changed.connect(self._on_state_changed)
+        controller.situation_changed.connect(self._on_situation_changed)
+        controller.noticed.connect(self._on_noticed)
+        self.retranslate_ui()
+
+    def _lay_out(self) -> None:
+        card = QFrame()
+        rows = QVBoxLayout(card)
+        rows.setContentsMargins(12, 8, 12, 10)
+        rows.setSpacing(9)
+        heads = QHBoxLayout()
+        heads.setSpacing(COLUMN_GAP_PX)
+        heads.addStretch(1)
+        for head in self._heads:
+            head.setProperty("rank", "muted")
+            head.setFixedWidth(FIGURE_PX)
+            head.setAlignment(Qt.AlignmentFlag.AlignRight)
+            heads.addWidget(head)
+        rows.addLayout(heads)
+        for row in self._rows:
+            rows.addWidget(row)
+        rows.addStretch(1)
+
+        every = QVBoxLayout()
+        every.setSpacing(4)
+        every.addWidget(self._all_label)
+        every.addWidget(self._all)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(16, 14, 16, 14)
+        layout.setSpacing(10)
+        layout.addWidget(self._title)
+        layout.addWidget(scrolled(card, _TALLEST_CARD_PX), 1)
+        layout.addLayout(every)
+        layout.addWidget(self._message)
+        layout.addStretch(0)
+
+    def _all_acts(self) -> list[ActButtons]:
+        return [*(row.acts for row in self._rows), self._all]
+
+    def focus_joint(self, joint: int) -> None:
+        """Bring the operator to the buttons of a joint."""
+        button = self._rows[joint - 1].acts.buttons[MotorAct.ENABLE]
+        button.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    # -- actions ------------------------------------------------------------------------------
+
+    def _on_wanted(self, joint: int, act: MotorAct) -> None:
+        controller = self._controller
+        if act is MotorAct.ENABLE:
+            self._took(controller.motors.enable(joint))
+        elif act is MotorAct.CLEAR:
+            self._took(controller.joint_errors.clear(joint))
+        elif act is MotorAct.DISABLE:
+            self._ask_to_disable(joint)
+        else:
+            self._ask_for_zero(joint)
+
+    def _ask_to_disable(self, joint: int) -> None:
+        danger = self.tr("The arm will drop when it loses its power. Hold the arm.")
+        if joint == ALL_JOINTS:
+            title = self.tr("Disable all six motors")
+            text = danger
+        else:
+            title = self.tr("Disable the motor of joint {joint}").format(joint=joint)
+            text = self.tr("Joint {joint} and what hangs on it gives way.").format(joint=joint)
+            text = f"{danger}\n{text}"
+        act = partial(self._controller.motors.disable, joint)
+        self._ask(title, text, self.tr("Disable"), act)
+
+    def _ask_for_zero(self, joint: int) -> None:
+        if joint == ALL_JOINTS:
+            title = self.tr("Set the zero of all six joints")
+            text = self.tr("Where all six joints stand now becomes their 0°.")
+        else:
+            title = self.tr("Set the zero of joint {joint}").format(joint=joint)
+            text = self.tr("Where joint {joint} stands now becomes its 0°.").format(joint=joint)
+        danger = self.tr(
+            "The limits move with the zero, and so does every stored trajectory. With a wrong zero "
+            "the arm runs into its stops.\nSet it only at the mark of the joint's zero, with the "
+            "arm standing still. The arm keeps it; there is no way back but to set it again."
+        )
+        act = partial(self._controller.zeroing.set_zero, joint)
+        self._ask(title, f"{text}\n{danger}", self.tr("Set zero"), act)
+
+    def _ask(self, title: str, text: str, label: str, act: Callable[[], Refusal | None]) -> None:
+        confirm(
+            self.window(),
+            self._controller,
+            title=title,
+            text=text,
+            action_label=label,
+            on_confirmed=lambda: self._took(act()),
+            hold=True,
+        )
+
+    def _took(self, refusal: Refusal | None) -> None:
+        """A no of the controller is a notice too; it stays until the next deed."""
+        if refusal is not None:
+            self._message.show_message(words.refusal(refusal), Level.WARNING)
+
+    # -- what the arm says --------------------------------------------------------------------
+
+    def _on_noticed(self, notice: Notice) -> None:
+        if notice.code.startswith(_OURS):
+            self._notice = notice
+            self._show_message()
+
+    def _on_state_changed(self, state: ArmState) -> None:
+        if self.isVisible():
+            self._show_state(state)
+
+    def _on_situation_changed(self, situation: Situation) -> None:
+        old, self._situation = self._situation, situation
+        if old.unreachable != situation.unreachable or old.stop is not situation.stop:
+            self._notice = None
+        if self.isVisible():
+            self._show_all()
+
+    def _show_state(self, state: ArmState) -> None:
+        for row in self._rows:
+            slow, fast = state.drivers_slow[row.joint - 1], state.drivers_fast[row.joint - 1]
+            row.show_slow(slow, stale=is_stale(slow, state, self._situation))
+            row.show_fast(fast, stale=is_stale(fast, state, self._situation))
+
+    def _show_all(self) -> None:
+        self._show_state(self._controller.state)
+        blocked, unreachable = self._situation.cannot_enable, self._situation.unreachable
+        why_not = "" if blocked is None else words.refusal(blocked)
+        why_not_clear = "" if unreachable is None else words.refusal(unreachable)
+        for acts in self._all_acts():
+            for act in MotorAct:
+                acts.allow(act, why_not_clear if act is MotorAct.CLEAR else why_not)
+        self._show_message()
+
+    def _show_message(self) -> None:
+        blocked = self._situation.cannot_enable
+        if blocked is not None and blocked.code != "busy":
+            fault = blocked.code in {"stopped", "stop_requested", "link_lost"}
+            level = Level.FAULT if fault else Level.WARNING
+            level = Level.INFO if blocked.code == "not_connected" else level
+            self._message.show_message(words.refusal(blocked), level)
+        elif self._notice is not None:
+            self._message.show_message(words.notice(self._notice), self._notice.level)
+        else:
+            self._message.show_message("")
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._title.setText(self.tr("Motor settings"))
+        self._all_label.setText(self.tr("All joints"))
+        for head, text in zip(
+            self._heads,
+            (self.tr("Motor"), self.tr("Driver"), self.tr("Current"), self.tr("Voltage")),
+            strict=True,
+        ):
+            head.setText(text)
+        self._show_all()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with what went by while the panel was hidden."""
+        super().showEvent(event)
+        self._show_all()

@@ -1,0 +1,79 @@
+"""A button that must be held for a while: a slip or a double click does nothing."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from PySide6.QtCore import QRectF, QSize, QVariantAnimation, Signal
+from PySide6.QtGui import QColor, QPaintEvent, QPen
+from PySide6.QtWidgets import QPushButton, QWidget
+
+from armui.ui.theme import colors_of
+from armui.ui.widgets import painting
+
+HOLD_MS: Final = 1000
+"""Long enough to be meant, short enough to be waited for."""
+
+_RING_PX: Final = 16.0
+_GAP_PX: Final = 8
+_FULL_TURN: Final = 360 * 16
+_TOP: Final = 90 * 16
+
+
+class HoldButton(QPushButton):
+    """Held with the mouse or the space bar for a second, it acts; a ring shows how far it is.
+
+    Letting go, leaving the button, losing the focus, being disabled and being hidden all begin
+    anew. A click alone does nothing.
+
+    Attributes:
+        progress: Runs while the button is held, from 0 to 1.
+    """
+
+    held = Signal()
+    """It was held to the end."""
+
+    def __init__(self, text: str = "", parent: QWidget | None = None) -> None:
+        super().__init__(text, parent)
+        self.setAutoDefault(False)
+        self.progress = QVariantAnimation(self)
+        self.progress.setStartValue(0.0)
+        self.progress.setEndValue(1.0)
+        self.progress.setDuration(HOLD_MS)
+        self.progress.valueChanged.connect(self.update)
+        self.progress.finished.connect(self._on_finished)
+        self.pressed.connect(self.progress.start)
+        self.released.connect(self._begin_anew)
+
+    @property
+    def share(self) -> float:
+        """How much of the time it has been held, 0–1."""
+        return self.progress.currentTime() / HOLD_MS
+
+    def _on_finished(self) -> None:
+        if self.isDown() and self.isEnabled() and self.isVisible():
+            self.held.emit()
+        self._begin_anew()
+
+    def _begin_anew(self) -> None:
+        self.progress.stop()
+        self.progress.setCurrentTime(0)
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        """Room for the ring beside the text."""
+        size = super().sizeHint()
+        return QSize(size.width() + int(_RING_PX) + 2 * _GAP_PX, size.height())
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Draw the ring, and in it how far it is."""
+        super().paintEvent(event)
+        colors = colors_of(self)
+        box = QRectF(_GAP_PX + 2, (self.height() - _RING_PX) / 2, _RING_PX, _RING_PX)
+        painter = painting.begin(self)
+        painter.setPen(QPen(QColor(colors.faint), 2.4))
+        painter.drawEllipse(box)
+        if self.share > 0:
+            painter.setPen(QPen(QColor(colors.warn), 3.0))
+            painter.drawArc(box, _TOP, -round(self.share * _FULL_TURN))
+        painter.end()

@@ -1,0 +1,163 @@
+"""零点设置: the literal bytes, what the arm answers, what its angles then read, what is told."""
+
+import errno
+
+import can
+import pytest
+
+from armui.protocol.frame import Frame
+from tests.faulty_arm import FaultyDrivers, HardOfHearing
+
+LYING_DEG = (5.0, 10.0, -20.0, 0.0, 30.0, -40.0)
+ANSWER = 0x476
+
+
+def setting(payload):
+    return Frame(0x475, bytes.fromhex(payload))
+
+
+# joint, AE: zero; acceleration left alone: 7FFF in generation 2, 0 and «not valid» in generation 1
+ZERO_2 = {1: setting("02 AE 00 00 00 00 00 00"), 2: setting("02 AE 00 7F FF 00 00 00")}
+ZERO_ALL = {1: setting("07 AE 00 00 00 00 00 00"), 2: setting("07 AE 00 7F FF 00 00 00")}
+
+
+@pytest.fixture
+def arm(any_bench):
+    any_bench.connect()
+    any_bench.firmware.body.count_anew(LYING_DEG)
+    any_bench.run(0.1)
+    any_bench.ear = HardOfHearing(any_bench.firmware)
+    return any_bench
+
+
+def sent(arm):
+    return [frame for frame in arm.ear.heard if frame.arbitration_id == 0x475]
+
+
+def done(arm):
+    arm.run_until(lambda: not arm.controller.zeroing.busy)
+
+
+def last(arm):
+    return arm.notices[-1]
+
+
+def test_one_joint(arm, generation):
+    assert arm.controller.zeroing.set_zero(2) is None
+    assert arm.controller.situation.cannot_move.code == "busy"
+    done(arm)
+    assert sent(arm) == [ZERO_2[generation]]
+    assert arm.firmware.settings.zeros_deg == [0.0, 10.0, 0.0, 0.0, 0.0, 0.0]
+    assert arm.controller.state.angles_deg() == (5.0, 0.0, -20.0, 0.0, 30.0, -40.0)
+    assert arm.codes()[-2:] == ["zero_sent_joint", "zero_set_joint"]
+    assert last(arm).params["joint"] == 2
+    assert arm.controller.situation.busy is None
+
+
+def test_all_joints(arm, generation):
+    assert arm.controller.zeroing.set_zero() is None
+    done(arm)
+    assert sent(arm) == [ZERO_ALL[generation]]
+    assert arm.controller.state.angles_deg() == (0.0,) * 6
+    assert last(arm).code == "zero_set"
+
+
+def test_an_arm_that_says_no(arm):
+    arm.firmware.condition.communication_fault[1] = True
+    arm.controller.zeroing.set_zero(2)
+    done(arm)
+    assert last(arm).code == "zero_failed"
+    assert last(arm).params["reason"].code == "zero_not_set"
+    assert last(arm).params["reason"].params == {"joints": "2"}
+    assert arm.controller.state.angles_deg()[1] == 10.0
+
+
+def test_an_arm_that_says_yes_and_does_nothing(arm):
+    arm.firmware.upkeep.set_zero = lambda _indices: True
+    arm.controller.zeroing.set_zero()
+    done(arm)
+    assert last(arm).params["reason"].code == "zero_not_taken"
+    assert last(arm).params["reason"].params == {"joints": "1, 2, 3, 5, 6"}  # 4 lies at 0
+
+
+def test_an_arm_that_does_not_hear(arm, generation):
+    arm.ear.deaf_to = {0x475}
+    arm.controller.zeroing.set_zero(3)
+    done(arm)
+    assert last(arm).params["reason"].code in {"zero_not_taken", "setting_unanswered"}
+    assert arm.firmware.settings.zeros_deg == [0.0] * 6
+
+
+def test_a_lost_answer_is_asked_for_again(arm, generation):
+    arm.ear.mute_on = {ANSWER}
+    arm.controller.zeroing.set_zero(2)
+    arm.run(0.1)
+    arm.ear.mute_on = set()
+    done(arm)
+    assert sent(arm) == [ZERO_2[generation]] * 2
+    assert last(arm).code == "zero_set_joint"
+
+
+def test_a_stop_ends_it_and_nothing_is_sent_again(arm):
+    arm.ear.mute_on = {ANSWER}
+    arm.controller.zeroing.set_zero(2)
+    arm.step()
+    arm.controller.emergency_stop()
+    assert not arm.controller.zeroing.busy
+    arm.run(2.0)
+    assert len(sent(arm)) == 1
+    reasons = [each.params["reason"].code for each in arm.notices if each.code == "zero_failed"]
+    assert reasons == ["ended_by_stop"]
+
+
+def test_a_stop_drops_those_that_wait(arm):
+    arm.ear.mute_on = {ANSWER}
+    assert arm.controller.joint_errors.clear(1) is None
+    arm.controller.zeroing.set_zero(2)
+    arm.controller.emergency_stop()
+    arm.run(3.0)
+    assert not arm.controller.zeroing.busy
+    assert all(frame.data[1] != 0xAE for frame in sent(arm))
+
+
+def test_a_link_lost_half_way_ends_it(arm):
+    arm.ear.mute_on = {ANSWER}
+    arm.controller.zeroing.set_zero(2)
+    arm.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
+    arm.run_until(lambda: "zero_failed" in arm.codes())
+    failed = next(each for each in arm.notices if each.code == "zero_failed")
+    assert failed.params["reason"].code == "link_lost"
+    assert not arm.controller.zeroing.busy
+
+
+def test_not_while_it_moves(any_bench):
+    any_bench.ready()
+    any_bench.controller.motion.send_joints((30.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    any_bench.run_until(lambda: any_bench.controller.situation.moving)
+    any_bench.run(0.3)
+    any_bench.heard()
+    refusal = any_bench.controller.zeroing.set_zero(2)
+    assert refusal.code == "joints_moving"
+    assert refusal.params == {"joints": "1"}
+    any_bench.step()
+    assert 0x475 not in [frame.arbitration_id for frame in any_bench.heard()]
+
+
+def test_not_without_an_arm_nor_in_a_stop(any_bench):
+    zeroing = any_bench.controller.zeroing
+    assert zeroing.set_zero(1).code == "not_connected"
+    any_bench.connect()
+    any_bench.controller.emergency_stop()
+    any_bench.run_until(lambda: "stop_confirmed" in any_bench.codes())
+    assert zeroing.set_zero(1).code == "stopped"
+
+
+def test_not_while_the_speeds_are_unknown(any_bench):
+    any_bench.connect()
+    drivers = FaultyDrivers(any_bench.firmware)
+    drivers.missing = {0x254}
+    any_bench.run(0.7)
+    refusal = any_bench.controller.zeroing.set_zero()
+    assert refusal.code == "speed_unknown"
+    assert refusal.params == {"joints": "4"}
+    drivers.mend()
