@@ -135,7 +135,6 @@ REFUSALS: Final = frozenset(
         "run_too_slow",  # seconds
         "run_elsewhere",  # away
         "run_not_ended",
-        "pose_unknown",
         "gripper_other_generation",  # row
         "setting_out_of_range",  # parameter, joint, value, minimum, maximum
         "setting_not_a_number",  # parameter, joint, value, minimum, maximum

@@ -72,9 +72,12 @@ class RecoveryLine(QWidget):
         self._button = StepButton()
         self._button.setObjectName("recovery_button")
         self._button.setMinimumWidth(_BUTTON_PX)
+        policy = self._button.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        self._button.setSizePolicy(policy)
         layout = QHBoxLayout(self)
         side = _MARGIN_PX + _GAP_PX
-        layout.setContentsMargins(side, _TOP_PX, side, 0)
+        layout.setContentsMargins(side, _TOP_PX + _PADDING_PX, side, _PADDING_PX)
         layout.setSpacing(_GAP_PX)
         layout.addWidget(self._icon)
         layout.addWidget(self._text, 1)

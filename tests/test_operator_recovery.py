@@ -1,0 +1,215 @@
+"""An operator led by the line above the panels: clicks in, bytes at the arm, words on screen."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from armui.control.recovery_steps import Kind
+from armui.control.situation import StopState
+from armui.protocol.codes import ControlMode, TeachingState
+from armui.protocol.frame import Frame
+from armui.sim.faults import fault
+from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.connect import ConnectDialog
+from tests.test_operator import ENABLE, RESUME, STOP
+
+
+def line(desk):
+    return desk.read("recovery_text")
+
+
+def press(desk, label):
+    """Press the button of the line, which must say so."""
+    button = desk.find("recovery_button")
+    assert button.isVisible()
+    assert button.isEnabled()
+    assert desk.read("recovery_button") == label
+    desk.click("recovery_button")
+
+
+def reads(desk, text):
+    desk.run_until(lambda: text in line(desk))
+
+
+@pytest.fixture
+def online(any_desk):
+    any_desk.connect_by_hand()
+    reads(any_desk, "motors are off")
+    any_desk.heard()
+    return any_desk
+
+
+@pytest.fixture
+def ready(online):
+    press(online, "Enable")
+    reads(online, "Ready")
+    online.heard()
+    return online
+
+
+def test_an_arm_just_connected_is_enabled_from_the_line(online):
+    press(online, "Enable")
+    reads(online, "Ready")
+    assert online.heard() == [ENABLE]
+    assert not online.find("recovery_button").isVisible()
+    assert online.firmware.enabled == (True,) * 6
+
+
+def test_from_the_stop_back_to_ready(ready):
+    ready.click("stop_button")
+    reads(ready, "power will be cut and the arm drops")
+    ready.heard()
+    press(ready, "Resume…")
+    question = ready.dialog(ConfirmDialog)
+    assert "the arm will drop. Hold the arm" in question.text()
+    ready.run(0.3)
+    assert ready.heard() == []
+    ready.confirm()
+    reads(ready, "motors are off")
+    press(ready, "Enable")
+    reads(ready, "Ready")
+    assert ready.heard() == [RESUME, ENABLE]
+    assert ready.controller.situation.cannot_move is None
+
+
+def test_a_question_answered_too_late_does_nothing(ready):
+    ready.click("stop_button")
+    reads(ready, "power will be cut")
+    press(ready, "Resume…")
+    ready.firmware.on_frame(RESUME)  # another host was quicker
+    reads(ready, "motors are off")
+    ready.heard()
+    ready.confirm()
+    ready.run(0.3)
+    assert ready.heard() == []
+    assert "another state by now" in ready.read("notice_label")
+
+
+def test_a_collision_is_cleared_once_the_obstacle_is_gone(ready):
+    push = fault("collision", 2)
+    ready.node.faults.start(push)
+    reads(ready, "clear the error")
+    generation = int(ready.firmware.generation)
+    assert ("joint 2" in line(ready)) is (generation == 2)
+    press(ready, "Clear error")
+    assert ready.read("recovery_button") == "Waiting…"
+    reads(ready, "did not react")
+    ready.node.faults.end(push)
+    ready.run(0.1)
+    ready.heard()
+    press(ready, "Clear error")
+    reads(ready, "Ready")
+    assert [frame.arbitration_id for frame in ready.heard()] == [0x475]
+    assert ready.firmware.enabled == (True,) * 6
+
+
+def test_a_target_beyond_a_limit_only_wants_another(ready):
+    for target_id in (0x155, 0x156, 0x157):  # another host asks too much: 500 deg
+        ready.firmware.on_frame(Frame(target_id, bytes.fromhex("0007A120 00000000")))
+    ready.firmware.on_frame(Frame(0x151, bytes.fromhex("01 01 1E 00 00 00 00 00")))
+    reads(ready, "send")
+    assert "limit" in line(ready)
+    assert not ready.find("recovery_button").isVisible()
+    ready.click("home_button")
+    reads(ready, "Ready")
+
+
+def test_a_joint_lost_and_found(ready):
+    lost = fault("joint-communication", 4)
+    ready.node.faults.start(lost)
+    reads(ready, "No communication with joint 4")
+    assert ready.read("recovery_button") == "Reset…"
+    ready.node.faults.end(lost)
+    reads(ready, "Ready")
+
+
+def test_a_reset_is_asked_about_and_then_led_to_its_end(ready):
+    ready.firmware.condition.communication_fault[3] = True
+    reads(ready, "No communication with joint 4")
+    press(ready, "Reset…")
+    assert "the arm will drop" in ready.dialog(ConfirmDialog).text()
+    ready.heard()
+    ready.confirm()
+    reads(ready, "power will be cut")
+    assert STOP in ready.heard()
+    ready.firmware.condition.communication_fault[3] = False
+    press(ready, "Resume…")
+    ready.confirm()
+    reads(ready, "motors are off")
+    press(ready, "Enable")
+    reads(ready, "Ready")
+
+
+def test_an_arm_that_falls_silent(ready):
+    ready.powered = False
+    reads(ready, "Check its power, the CAN cable and the bit rate")
+    press(ready, "Connection…")
+    ready.dialog(ConnectDialog).close()
+    ready.powered = True
+    reads(ready, "Ready")
+
+
+def test_a_teaching_input_is_explained_and_led_back_by_one_click(any_desk):
+    desk = any_desk
+    desk.firmware.on_frame(Frame(0x470, bytes.fromhex("FA 00 00 00")))
+    desk.controller.connect_device(desk.device)
+    reads(desk, "teaching input")
+    assert not desk.find("send_button").isEnabled()
+    press(desk, "Motion output")
+    reads(desk, "motors are off") if not all(desk.firmware.enabled) else reads(desk, "Ready")
+    assert not desk.firmware.leads
+
+
+def test_left_over_drag_teaching_is_left_step_by_step(ready):
+    ready.controller.teaching.command(TeachingState.START_RECORDING)
+    reads(ready, "lead it by hand")
+    ready.firmware.hand.lead_to((0.0, 60.0, -40.0, 0.0, 0.0, 0.0), speed_deg_s=60.0)
+    ready.run(1.5)
+    press(ready, "Stop recording")
+    reads(ready, "Still in drag teaching. Lead every joint")
+    assert "joint 2: 60.000°" in line(ready)
+    press(ready, "Lead by hand…")
+    assert "give way to the hand" in ready.dialog(ConfirmDialog).text()
+    ready.confirm()
+    reads(ready, "The arm records")
+    ready.firmware.hand.lead_to((0.0,) * 6, speed_deg_s=60.0)
+    ready.run(1.5)
+    press(ready, "Stop recording")
+    reads(ready, "near the rest pose")
+    press(ready, "Reset…")
+    ready.confirm()
+    reads(ready, "power will be cut")
+    press(ready, "Resume…")
+    ready.confirm()
+    reads(ready, "motors are off")
+    press(ready, "Enable")
+    reads(ready, "Ready")
+    assert ready.firmware.control_mode is ControlMode.STANDBY
+
+
+def test_a_double_click_takes_one_step_only(ready):
+    ready.node.faults.start(broken := fault("overcurrent", 3))
+    reads(ready, "Overcurrent, joint 3")
+    ready.node.faults.end(broken)
+    ready.heard()
+    ready.click("recovery_button")
+    ready.run_until(lambda: ready.controller.recovery.step.kind is Kind.MOTORS_MIXED)
+    button = ready.find("recovery_button")
+    assert ready.read("recovery_button") == "Enable"
+    QTest.mouseDClick(button, Qt.MouseButton.LeftButton, pos=button.rect().center())
+    ready.run(0.3)
+    assert ENABLE not in ready.heard()
+    press(ready, "Enable")
+    reads(ready, "Ready")
+
+
+def test_nothing_moves_in_the_window_when_a_fault_comes_and_goes(ready):
+    places = {
+        name: ready.find(name).mapTo(ready.window, ready.find(name).rect().center())
+        for name in ("recovery_line", "operation_area", "stop_button", "menu_light")
+    }
+    ready.click("stop_button")
+    reads(ready, "power will be cut")
+    assert ready.controller.situation.stop is StopState.STOPPED
+    for name, place in places.items():
+        assert ready.find(name).mapTo(ready.window, ready.find(name).rect().center()) == place
