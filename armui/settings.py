@@ -27,6 +27,9 @@ JOG_STEP_MIN_DEG: Final = 0.001
 """The resolution of an angle on the bus."""
 JOG_STEP_MAX_DEG: Final = 30.0
 
+TOOL_LONGEST_MM: Final = 500.0
+_TOOL_LONGEST: Final = (TOOL_LONGEST_MM,) * 3 + (180.0,) * 3
+
 
 class Choices(TypedDict, total=False):
     """The settings to change, by name."""
@@ -35,6 +38,7 @@ class Choices(TypedDict, total=False):
     theme: ThemeName
     jog_step_deg: float
     urdf_path: str | None
+    tool: tuple[float, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,12 +50,14 @@ class Settings:
         theme: Light, dark, or as the system is.
         jog_step_deg: How far − and + move a joint.
         urdf_path: The robot description in the 3D picture; ``None`` for the built-in one.
+        tool: The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees.
     """
 
     language: Language = "zh"
     theme: ThemeName = "light"
     jog_step_deg: float = 1.0
     urdf_path: str | None = None
+    tool: tuple[float, ...] = (0.0,) * 6
 
 
 Subscriber = Callable[[Settings], None]
@@ -66,6 +72,8 @@ def check(name: str, value: object) -> Refusal | None:
     """Whether a setting may have a value: None, or the reason against it."""
     if name == "jog_step_deg":
         return _check_jog_step(value)
+    if name == "tool":
+        return _check_tool(value)
     allowed = {
         "language": value in get_args(Language),
         "theme": value in get_args(ThemeName),
@@ -84,6 +92,20 @@ def _check_jog_step(value: object) -> Refusal | None:
             "jog_step_out_of_range",
             {"value": float(value), "minimum": JOG_STEP_MIN_DEG, "maximum": JOG_STEP_MAX_DEG},
         )
+    return None
+
+
+def _check_tool(value: object) -> Refusal | None:
+    """Six finite figures: three lengths of a tool this arm can carry, three angles."""
+    figures = list(value) if isinstance(value, list | tuple) else []
+    if len(figures) != len(_TOOL_LONGEST):
+        figures = [value] * len(_TOOL_LONGEST)
+    for figure, longest in zip(figures, _TOOL_LONGEST, strict=True):
+        good = isinstance(figure, int | float) and not isinstance(figure, bool)
+        if not good or not abs(figure) <= longest:
+            return Refusal(
+                "tool_not_possible", {"value": str(figure), "maximum": round(TOOL_LONGEST_MM)}
+            )
     return None
 
 
@@ -176,7 +198,7 @@ def _from_entries(entries: Mapping[str, Any]) -> tuple[Settings, tuple[Refusal, 
             continue
         value = entries[field.name]
         if check(field.name, value) is None:
-            good[field.name] = value
+            good[field.name] = tuple(value) if isinstance(value, list) else value
         else:
             params = {"field": field.name, "value": str(value)}
             problems.append(Refusal("setting_bad", params))

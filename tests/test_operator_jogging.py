@@ -152,8 +152,8 @@ def test_the_field_goes_along_and_the_others_stay(ready):
 
 
 def test_the_limit_is_said_where_the_operator_looks(ready):
-    ready.controller.motion.send_joints((149.5, *angles(ready)[1:]))
-    ready.run_until(lambda: not ready.controller.situation.moving and angles(ready)[0] == 149.5)
+    ready.controller.motion.send_joints((148.0, *angles(ready)[1:]))
+    ready.run_until(lambda: not ready.controller.situation.moving and angles(ready)[0] == 148.0)
     ready.run(0.3)
     press(ready, seconds=0.1)
     hold(ready, 0.3)

@@ -38,6 +38,7 @@ def test_a_change_is_there_in_the_next_run(path: Path) -> None:
         "theme": "light",
         "jog_step_deg": 0.25,
         "urdf_path": None,
+        "tool": [0.0] * 6,
     }
 
 
@@ -211,3 +212,32 @@ def test_a_failed_write_leaves_the_old_file_whole(
 def test_the_file_is_in_the_users_own_folder() -> None:
     assert default_path().name == "settings.json"
     assert default_path().parent.name == "armui"
+
+
+def test_a_tool_is_kept_and_read_back(path: Path) -> None:
+    tool = (1.0, -2.5, 80.0, 0.0, 90.0, -180.0)
+    assert SettingsStore(path).change(tool=tool) is None
+    assert SettingsStore(path).settings.tool == tool
+
+
+@pytest.mark.parametrize(
+    ("tool", "named"),
+    [
+        ((501.0, 0.0, 0.0, 0.0, 0.0, 0.0), "501.0"),
+        ((0.0, 0.0, 0.0, 0.0, 0.0, 181.0), "181.0"),
+        ((0.0, "x", 0.0, 0.0, 0.0, 0.0), "x"),
+        ((0.0, float("nan"), 0.0, 0.0, 0.0, 0.0), "nan"),
+        ((0.0, True, 0.0, 0.0, 0.0, 0.0), "True"),
+        ((0.0,), "(0.0,)"),
+        ("tool", "tool"),
+    ],
+)
+def test_a_tool_that_cannot_be_is_refused(path: Path, tool: object, named: str) -> None:
+    store = SettingsStore(path)
+
+    refusal = store.change(tool=tool)
+
+    assert refusal is not None
+    assert refusal.code == "tool_not_possible"
+    assert refusal.params["value"] == named
+    assert store.settings.tool == (0.0,) * 6

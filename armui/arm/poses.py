@@ -2,27 +2,17 @@
 
 from __future__ import annotations
 
-import enum
 from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from armui.arm.frames import LINEAR_AXES, JogFrame
 from armui.arm.kinematics import Matrix, Pose, matrix_to_pose, pose_to_matrix
-
-LINEAR_AXES: Final = 3
-"""Of the six axes X, Y, Z, RX, RY, RZ the first three are lengths; the others are angles."""
 
 NO_TOOL: Final = Pose(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 """The tool centre point is the flange's."""
-
-
-class JogFrame(enum.Enum):
-    """Whose axes a step goes along."""
-
-    BASE = "base"
-    TOOL = "tool"
 
 
 def tool_matrix(flange: Matrix, tool: Sequence[float]) -> Matrix:

@@ -174,6 +174,7 @@ class ArmController(QObject):
     def connect_device(self, device: Device) -> None:
         """Leave the present device, if any, and open this one."""
         self.disconnect_device()
+        self.cartesian.prepare()
         self._connection.open(device)
         self._timer.start()
         self._refresh()

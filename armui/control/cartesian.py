@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
+from armui.arm.frames import AXES, LINEAR_AXES, JogFrame
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.context import Context
-from armui.control.jog_ways import AXES, LINEAR_AXES
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
 
@@ -21,7 +21,6 @@ from armui.protocol.codes import MoveMode
 # pose is asked for: the window starts without them.
 if TYPE_CHECKING:
     from armui.arm.kinematics import Kinematics, Matrix, Pose
-    from armui.arm.poses import JogFrame
     from armui.control.motion import Motion
     from armui.protocol.frame import Frame
 
@@ -56,6 +55,10 @@ class Cartesian:
 
     # What is known --------------------------------------------------------------------------
 
+    def prepare(self) -> None:
+        """Load what computes with poses, before there is an arm that must not wait for it."""
+        self.kinematics()
+
     def kinematics(self) -> Kinematics:
         """Of the geometry that fits the pose the arm reports best.
 
@@ -76,9 +79,10 @@ class Cartesian:
         flange = state.end_pose()
         if flange is None:
             return None
+        from armui.arm.kinematics import Pose  # noqa: PLC0415 - see above
         from armui.arm.poses import tool_pose  # noqa: PLC0415 - see above
 
-        return tool_pose(flange, self.tool)
+        return tool_pose(flange, self.tool) if any(self.tool) else Pose(*flange)
 
     def why_unknown(self) -> Refusal | None:
         """The reason against computing with poses: not heard, or not those of this kind of arm."""

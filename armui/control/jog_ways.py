@@ -6,25 +6,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Protocol
 
+from armui.arm.frames import LINEAR_AXES, JogFrame
 from armui.arm.limits import JointLimits, check_joints
 from armui.arm.refusal import Refusal
 
 if TYPE_CHECKING:
     from armui.arm.kinematics import Kinematics, Matrix
-    from armui.arm.poses import JogFrame
     from armui.control.jog_pace import Pace
 
 _TOOL_MM_S: Final = 60.0
 _TOOL_DEG_S: Final = 12.0
 """Highest jog speeds of the tool centre point. Where a joint would have to turn faster than it may
 be jogged, the tool goes slower."""
-
-
-AXES: Final = ("X", "Y", "Z", "RX", "RY", "RZ")
-"""Of a pose, in the order of its figures."""
-
-LINEAR_AXES: Final = 3
-"""So many of them are lengths in mm; the others are angles in degrees."""
 
 
 @dataclass(frozen=True, slots=True)

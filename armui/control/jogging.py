@@ -14,11 +14,12 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt, QTimer
 
+from armui.arm.frames import AXES
 from armui.arm.refusal import Refusal
 from armui.control.context import Context
 from armui.control.jog_pace import accelerations, pace
 from armui.control.jog_stream import JogStream
-from armui.control.jog_ways import AXES, JogWay, JointJog, JointWay, ToolJog, ToolWay
+from armui.control.jog_ways import JogWay, JointJog, JointWay, ToolJog, ToolWay
 from armui.control.rest import RestWatch
 from armui.control.speed import speed_frames
 from armui.protocol import commands

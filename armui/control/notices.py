@@ -113,6 +113,7 @@ REFUSALS: Final = frozenset(
         "jog_no_feedback",
         "jog_held_up",  # value
         "pose_unknown",
+        "target_refused",  # status
         "pose_not_a_number",  # axis, value
         "pose_out_of_reach",  # missing
         "pose_beyond_limits",  # joint, value, minimum, maximum

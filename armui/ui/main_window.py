@@ -22,6 +22,7 @@ from armui.control.joint_monitor import JointMonitor
 from armui.control.situation import Situation
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
+from armui.ui.panels.cartesian_panel import CartesianPanel
 from armui.ui.panels.light_panel import LightPanel
 from armui.ui.panels.motion_panel import MotionPanel
 from armui.ui.panels.motor_panel import MotorPanel
@@ -71,6 +72,12 @@ class MainWindow(QMainWindow):
                 str(QT_TRANSLATE_NOOP("SideMenu", "Motion control")),
                 "motion",
                 self._make_motion_panel,
+            ),
+            MenuEntry(
+                "cartesian",
+                str(QT_TRANSLATE_NOOP("SideMenu", "Tool control")),
+                "cartesian",
+                lambda: CartesianPanel(self._controller, self._preferences),
             ),
             MenuEntry(
                 "light",

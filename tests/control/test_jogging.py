@@ -4,11 +4,12 @@ import math
 
 import pytest
 
+from armui.arm.frames import AXES, JogFrame
 from armui.arm.kinematics import Kinematics, matrix_to_pose
 from armui.arm.limits import FACTORY_LIMITS
-from armui.arm.poses import JogFrame, shifted, tool_matrix
+from armui.arm.poses import shifted, tool_matrix
 from armui.control.jog_pace import REST_S, pace
-from armui.control.jog_ways import AXES, JointJog, ToolJog
+from armui.control.jog_ways import JointJog, ToolJog
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from tests.control.jogger import (

@@ -89,6 +89,7 @@ class FakeController(QObject):
         self.motors = FakeMotors(self)
         self.lights = FakeLights(self)
         self.jogging = FakeJogging(self)
+        self.cartesian = FakeCartesian()
         self.joint_errors = FakeJointErrors(self)
         self.recovery = FakeRecovery(self)
         self.zeroing = FakeZeroing(self)
@@ -177,6 +178,16 @@ class FakeMotion:
 
     def jog_lagging(self, joint: int, step_deg: float) -> bool:
         return self.lagging
+
+
+class FakeCartesian:
+    """The tool of a fake controller, which is its flange."""
+
+    def __init__(self) -> None:
+        self.tool: tuple[float, ...] = (0.0,) * 6
+
+    def tool_pose(self, state: ArmState) -> tuple[float, ...] | None:
+        return state.end_pose()
 
 
 class FakeJogging:

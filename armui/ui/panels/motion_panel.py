@@ -72,7 +72,7 @@ class MotionPanel(QWidget):
         self._keys.setObjectName("jog_keys_button")
         self._keys.setCheckable(True)
         self._keys.setProperty("choice", True)
-        self._key_pad = KeyPad(_KEYS)
+        self._key_pad = KeyPad(_KEYS, "key_pad")
         self._key_pad.hide()
         self._step_label.setBuddy(self._step_box)
         self._target_head = QLabel()

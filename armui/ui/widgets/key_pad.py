@@ -36,6 +36,7 @@ class KeyPad(QFrame):
 
     Args:
         keys: What can be moved, and by which keys.
+        name: Of the widget in the program.
     """
 
     pressed = Signal(int, int)
@@ -43,9 +44,9 @@ class KeyPad(QFrame):
     let_go = Signal()
     """The hold is over; comes once after each :attr:`pressed`."""
 
-    def __init__(self, keys: Keys, parent: QWidget | None = None) -> None:
+    def __init__(self, keys: Keys, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("key_pad")
+        self.setObjectName(name)
         self.setProperty("card", True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self._moves: dict[int, tuple[int, int]] = {}
@@ -56,15 +57,15 @@ class KeyPad(QFrame):
         self._guard = HoldGuard(self)
         self._guard.lost.connect(self._forget)
         self._hint = QLabel()
-        self._hint.setObjectName("key_pad_hint")
+        self._hint.setObjectName(f"{name}_hint")
         self._hint.setWordWrap(True)
         grid = QGridLayout()
         grid.setHorizontalSpacing(18)
         grid.setVerticalSpacing(2)
-        for place, (name, plus, minus) in enumerate(keys):
+        for place, (what, plus, minus) in enumerate(keys):
             for text, direction in ((plus, 1), (minus, -1)):
                 self._moves[_key(text)] = (place, direction)
-            label = QLabel(f"{name}   + {plus}   − {minus}")
+            label = QLabel(f"{what}   + {plus}   − {minus}")
             label.setProperty("rank", "muted")
             grid.addWidget(label, place % _COLUMNS, place // _COLUMNS)
         layout = QVBoxLayout(self)

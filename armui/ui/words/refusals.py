@@ -126,6 +126,10 @@ _REFUSALS: Final[Mapping[str, object]] = {
         "Refusal",
         "The arm has not reported its pose yet. Wait until all six values are shown.",
     ),
+    "target_refused": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm itself refuses its last target: {status}. Send another one.",
+    ),
     "pose_not_a_number": QT_TRANSLATE_NOOP(
         "Refusal",
         "{axis}: “{value}” is no figure. Enter mm or degrees in figures, for example 12.5.",
@@ -359,6 +363,7 @@ _SETTINGS: Final[Mapping[str, object]] = {
     "theme": QT_TRANSLATE_NOOP("SettingName", "theme"),
     "jog_step_deg": QT_TRANSLATE_NOOP("SettingName", "jog step"),
     "urdf_path": QT_TRANSLATE_NOOP("SettingName", "robot description"),
+    "tool": QT_TRANSLATE_NOOP("SettingName", "tool centre point"),
 }
 
 _LIGHTS: Final[Mapping[str, object]] = {

@@ -1,0 +1,427 @@
+"""末端控制: the tool is sent to a pose, on a line or an arc, stepped and jogged (0x152–0x154)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from armui.arm.frames import AXES, LINEAR_AXES
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.control.jog_ways import ToolJog
+from armui.control.situation import Level, Notice, Situation
+from armui.protocol.codes import ArmStatusCode, MoveMode
+from armui.ui import words
+from armui.ui.freshness import is_stale
+from armui.ui.widgets.arc_box import ArcBox
+from armui.ui.widgets.card import scrolled
+from armui.ui.widgets.frame_choice import FrameChoice
+from armui.ui.widgets.key_pad import KeyPad
+from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.pose_row import PoseRow
+from armui.ui.widgets.step_box import StepBox
+from armui.ui.widgets.tool_box import ToolBox
+
+if TYPE_CHECKING:
+    from armui.arm.device import Device
+    from armui.control.arm_controller import ArmController
+    from armui.settings import SettingsStore
+
+_FAULTS: Final = frozenset({"stopped", "stop_requested", "arm_fault", "link_lost"})
+_OWN_REFUSALS: Final = frozenset(
+    {
+        ArmStatusCode.NO_SOLUTION,
+        ArmStatusCode.SINGULARITY,
+        ArmStatusCode.TARGET_BEYOND_LIMIT,
+    }
+)
+"""What 0x2A1 says of a target the arm itself refuses."""
+_KEYS: Final = (
+    ("X", "↑", "↓"),
+    ("Y", "←", "→"),
+    ("Z", "PgUp", "PgDn"),
+    ("RX", "Q", "A"),
+    ("RY", "W", "S"),
+    ("RZ", "E", "D"),
+)
+_TALLEST_CARD_PX: Final = 640
+
+
+class CartesianPanel(QWidget):
+    """Targets and measured pose of one point: the tool centre point, or the flange without a tool.
+
+    Args:
+        controller: Whom to ask for motion.
+        preferences: Keep the tool.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        preferences: SettingsStore,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._controller = controller
+        self._preferences = preferences
+        self._situation = controller.situation
+        self._refusal: Refusal | None = None
+        self._filled_for: Device | None = None
+        self._title = QLabel()
+        self._title.setProperty("rank", "title")
+        self._step_label = QLabel()
+        self._step_box = StepBox(lambda step: f"{step:g} mm / {step:g}°")
+        self._step_box.setObjectName("tool_step")
+        self._step_box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self._keys = QToolButton()
+        self._keys.setObjectName("tool_keys_button")
+        self._keys.setCheckable(True)
+        self._keys.setProperty("choice", True)
+        self._frame = FrameChoice()
+        self._point = QLabel()
+        self._point.setObjectName("point_label")
+        self._point.setProperty("rank", "muted")
+        self._measured_head = QLabel()
+        self._measured_head.setProperty("rank", "muted")
+        self._rows = [
+            PoseRow(place, name, "mm" if place < LINEAR_AXES else "°")
+            for place, name in enumerate(AXES)
+        ]
+        self._tool = ToolBox()
+        self._arc = ArcBox()
+        self._key_pad = KeyPad(_KEYS, "tool_key_pad")
+        self._key_pad.hide()
+        self._load, self._move_p, self._move_l = QPushButton(), QPushButton(), QPushButton()
+        self._message = MessageLine()
+        self._message.setObjectName("pose_message")
+        for button, name in (
+            (self._load, "load_pose_button"),
+            (self._move_p, "move_p_button"),
+            (self._move_l, "move_l_button"),
+        ):
+            button.setObjectName(name)
+            button.setMinimumHeight(38)
+        self._move_p.setProperty("primary", True)
+        self._move_l.setProperty("primary", True)
+        self._lay_out()
+        self._connect()
+        self._use_tool(preferences.settings.tool)
+        self._on_step_chosen()
+        self.retranslate_ui()
+
+    def _lay_out(self) -> None:
+        head = QHBoxLayout()
+        head.addWidget(self._title)
+        head.addStretch(1)
+        head.addWidget(self._keys)
+        head.addWidget(self._step_label)
+        head.addWidget(self._step_box)
+
+        card = QFrame()
+        rows = QVBoxLayout(card)
+        rows.setContentsMargins(16, 10, 16, 12)
+        rows.setSpacing(6)
+        columns = QHBoxLayout()
+        columns.addWidget(self._point)
+        columns.addStretch(1)
+        columns.addWidget(self._measured_head)
+        rows.addLayout(columns)
+        for row in self._rows:
+            rows.addWidget(row)
+        rows.addSpacing(6)
+        rows.addWidget(self._tool)
+        rows.addSpacing(6)
+        rows.addWidget(self._arc)
+        rows.addStretch(1)
+
+        buttons = QHBoxLayout()
+        buttons.setSpacing(10)
+        for action in (self._load, self._move_p, self._move_l):
+            buttons.addWidget(action, 1)
+
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(16, 14, 16, 14)
+        layout.setSpacing(12)
+        layout.addLayout(head)
+        layout.addWidget(self._frame)
+        layout.addWidget(scrolled(card, _TALLEST_CARD_PX), 1)
+        layout.addWidget(self._key_pad)
+        layout.addLayout(buttons)
+        layout.addWidget(self._message)
+        layout.addStretch(0)
+
+    def _connect(self) -> None:
+        for row in self._rows:
+            row.stepped.connect(self._on_stepped)
+            row.repeated.connect(self._on_repeated)
+            row.held.connect(self._on_held)
+            row.let_go.connect(self._controller.jogging.stop)
+            row.edited.connect(self._on_edited)
+        self._step_box.chosen.connect(self._on_step_chosen)
+        self._keys.toggled.connect(self._on_keys_toggled)
+        self._key_pad.pressed.connect(self._on_key_pressed)
+        self._key_pad.let_go.connect(self._controller.jogging.stop)
+        self._tool.changed.connect(self._on_tool_changed)
+        self._arc.capture_wanted.connect(self._on_capture)
+        self._arc.start_wanted.connect(self._on_go_to_start)
+        self._arc.send_wanted.connect(self._on_send_arc)
+        self._load.clicked.connect(self._on_load)
+        self._move_p.clicked.connect(lambda: self._send(MoveMode.MOVE_P))
+        self._move_l.clicked.connect(lambda: self._send(MoveMode.MOVE_L))
+        self._controller.state_changed.connect(self._on_state_changed)
+        self._controller.situation_changed.connect(self._on_situation_changed)
+        self._controller.noticed.connect(self._on_noticed)
+
+    # -- the tool -----------------------------------------------------------------------------
+
+    def _on_tool_changed(self, tool: tuple[float, ...]) -> None:
+        if tool == self._controller.cartesian.tool:
+            self._took(None)
+            self._tool.mark(wrong=False)
+            return
+        refusal = self._preferences.change(tool=tool)
+        self._tool.mark(wrong=refusal is not None)
+        self._took(refusal)
+        if self._preferences.settings.tool == tool:
+            self._use_tool(tool)
+
+    def _use_tool(self, tool: tuple[float, ...]) -> None:
+        """Poses of another point stand for nothing: they are taken anew."""
+        self._controller.cartesian.tool = tool
+        self._tool.show_tool(tool)
+        self._arc.clear()
+        self._fill(self._pose())
+        self._show_point()
+        self._show_measured()
+
+    def _pose(self) -> tuple[float, ...] | None:
+        return self._controller.cartesian.tool_pose(self._controller.state)
+
+    # -- jogging ------------------------------------------------------------------------------
+
+    def _on_step_chosen(self) -> None:
+        for row in self._rows:
+            row.set_step(self._step_box.step, continuous=self._step_box.continuous)
+        self._show_possible()
+
+    def _on_stepped(self, place: int, direction: int) -> None:
+        amount = direction * self._step_box.step
+        self._took(self._controller.cartesian.step(place, amount, self._frame.frame))
+
+    def _on_repeated(self, place: int, direction: int) -> None:
+        """MOVE L plans anew at each target: a held button waits for the arm."""
+        if not self._situation.moving:
+            self._on_stepped(place, direction)
+
+    def _on_held(self, place: int, direction: int) -> None:
+        self._took(self._controller.jogging.start(ToolJog(place, direction, self._frame.frame)))
+
+    def _on_key_pressed(self, place: int, direction: int) -> None:
+        if self._step_box.continuous:
+            self._on_held(place, direction)
+        else:
+            self._on_stepped(place, direction)
+
+    def _on_keys_toggled(self, wanted: bool) -> None:
+        self._key_pad.setVisible(wanted)
+        if wanted:
+            self._key_pad.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    # -- targets ------------------------------------------------------------------------------
+
+    def _on_load(self) -> None:
+        pose = self._pose()
+        if pose is not None:
+            self._fill(pose)
+        self._took(None if pose is not None else Refusal("pose_unknown"))
+
+    def _send(self, move_mode: MoveMode) -> None:
+        target: list[float] = []
+        for row in self._rows:
+            value = row.field.value
+            if value is None:
+                self._took(_why_no_figure(row))
+                return
+            target.append(value)
+        self._took(self._controller.cartesian.move(target, move_mode))
+
+    def _on_capture(self, place: int) -> None:
+        pose = self._pose()
+        if pose is not None:
+            self._arc.take(place, pose)
+        self._took(None if pose is not None else Refusal("pose_unknown"))
+
+    def _on_go_to_start(self) -> None:
+        start = self._arc.poses[0]
+        if start is None:
+            self._took(Refusal("arc_incomplete", {"point": self._arc.missing() or ""}))
+        else:
+            self._took(self._controller.cartesian.move(start, MoveMode.MOVE_P))
+
+    def _on_send_arc(self) -> None:
+        points = [pose for pose in self._arc.poses if pose is not None]
+        missing = self._arc.missing()
+        if missing is not None:
+            self._took(Refusal("arc_incomplete", {"point": missing}))
+        else:
+            self._took(self._controller.cartesian.move_arc(*points))
+
+    def _took(self, refusal: Refusal | None) -> None:
+        """Show the answer."""
+        self._refusal = refusal
+        self._show_message()
+
+    def _on_edited(self) -> None:
+        self._took(None)
+
+    def _on_noticed(self, notice: Notice) -> None:
+        """What ended a jog is said where the operator looks."""
+        reason = notice.params.get("reason")
+        if notice.code == "jog_ended" and isinstance(reason, Refusal) and self.isVisible():
+            self._took(reason)
+
+    # -- what the arm says --------------------------------------------------------------------
+
+    def _on_state_changed(self, _state: ArmState) -> None:
+        self._fill_once()
+        if self.isVisible():
+            self._show_measured()
+            self._show_message()
+
+    def _fill_once(self) -> None:
+        device = self._situation.device
+        if device is None or device == self._filled_for or not self.isVisible():
+            return
+        pose = self._pose()
+        if pose is not None:
+            self._filled_for = device
+            if not any(row.field.text() for row in self._rows):
+                self._fill(pose)
+            self._show_possible()
+
+    def _fill(self, pose: Sequence[float] | None) -> None:
+        for row, value in zip(self._rows, pose or (None,) * len(AXES), strict=True):
+            row.show_target(value)
+
+    def _show_measured(self) -> None:
+        state = self._controller.state
+        stale = any(is_stale(heard, state, self._situation) for heard in state.pose)
+        for row, value in zip(self._rows, self._pose() or (None,) * len(AXES), strict=True):
+            row.show_measured(value, stale=stale)
+
+    def _on_situation_changed(self, situation: Situation) -> None:
+        old, self._situation = self._situation, situation
+        if old.device != situation.device:
+            self._filled_for = None
+            self._fill(None)
+            self._arc.clear()
+        if old.cannot_move != situation.cannot_move:
+            self._refusal = None
+        if self.isVisible():
+            self._show_all()
+
+    # -- appearance ---------------------------------------------------------------------------
+
+    def _show_all(self) -> None:
+        self._fill_once()
+        self._show_possible()
+        self._show_message()
+        self._show_measured()
+
+    def _show_possible(self) -> None:
+        """Enable what can be used now; say in the tooltips of the rest why not."""
+        blocked = self._situation.cannot_move
+        why_not = "" if blocked is None else words.refusal(blocked)
+        for row in self._rows:
+            row.allow_jog(why_not)
+        self._key_pad.allow(why_not)
+        unknown = self._controller.state.end_pose() is None
+        no_pose = words.refusal(Refusal("pose_unknown")) if unknown else ""
+        self._arc.allow(no_pose, why_not)
+        for button, hindrance, use in (
+            (
+                self._load,
+                no_pose,
+                self.tr("Fills the fields with the measured pose; nothing moves."),
+            ),
+            (self._move_p, why_not, self.tr("Moves to the pose, each joint on its own way.")),
+            (self._move_l, why_not, self.tr("Moves to the pose on a straight line.")),
+        ):
+            button.setEnabled(not hindrance)
+            button.setToolTip(hindrance or use)
+
+    def _show_message(self) -> None:
+        refusal = self._refusal or self._situation.cannot_move or self._first_wrong()
+        if refusal is None:
+            self._message.show_message("")
+            return
+        level = Level.FAULT if refusal.code in _FAULTS else Level.WARNING
+        if refusal.code == "not_connected":
+            level = Level.INFO
+        self._message.show_message(words.refusal(refusal), level)
+
+    def _first_wrong(self) -> Refusal | None:
+        """A figure that is none, or what the arm itself says against its last target."""
+        for row in self._rows:
+            if row.field.is_nonsense():
+                return _why_no_figure(row)
+        status = self._controller.state.status
+        if status is not None and status.value.arm_status in _OWN_REFUSALS:
+            return Refusal("target_refused", {"status": status.value.arm_status})
+        return None
+
+    def _show_point(self) -> None:
+        with_tool = any(self._controller.cartesian.tool)
+        self._point.setText(
+            self.tr("Tool centre point") if with_tool else self.tr("Flange (no tool set)")
+        )
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._title.setText(self.tr("Tool control"))
+        self._step_label.setText(self.tr("Step"))
+        self._step_box.setAccessibleName(self.tr("Step of − and +"))
+        self._keys.setText(self.tr("Keys"))
+        self._keys.setAccessibleName(self.tr("Keyboard jogging"))
+        self._keys.setToolTip(self.tr("Jog by keys, with the space bar held as dead-man key"))
+        self._measured_head.setText(self.tr("Measured"))
+        for button, text in (
+            (self._load, self.tr("Load")),
+            (self._move_p, "MOVE P"),
+            (self._move_l, "MOVE L"),
+        ):
+            button.setText(text)
+            button.setAccessibleName(text)
+        self._show_point()
+        self._show_possible()
+        self._show_message()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with what went by while the panel was hidden."""
+        super().showEvent(event)
+        self._show_all()
+
+
+def _why_no_figure(row: PoseRow) -> Refusal:
+    if row.field.is_nonsense():
+        return Refusal("pose_not_a_number", {"axis": row.name, "value": row.field.text()})
+    return Refusal("pose_unknown")

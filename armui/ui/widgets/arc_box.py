@@ -1,0 +1,122 @@
+"""An arc by three captured poses: start, middle and end (MOVE C)."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QWidget
+
+from armui.ui import format as fmt
+
+Pose = tuple[float, ...]
+_POINTS = ("start", "middle", "end")
+
+
+class ArcBox(QWidget):
+    """Three poses, each captured where the arm stands, and the two buttons that use them."""
+
+    capture_wanted = Signal(int)
+    """The place of a pose, 0–2, is to be taken from where the arm is."""
+    start_wanted = Signal()
+    """Go to the start of the arc."""
+    send_wanted = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.poses: list[Pose | None] = [None, None, None]
+        self._title = QLabel()
+        self._title.setProperty("rank", "muted")
+        self._captures = [QPushButton() for _ in _POINTS]
+        self._texts = [QLabel() for _ in _POINTS]
+        self.go_to_start = QPushButton()
+        self.go_to_start.setObjectName("arc_start_button")
+        self.send = QPushButton("MOVE C")
+        self.send.setObjectName("move_c_button")
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setHorizontalSpacing(10)
+        grid.setVerticalSpacing(4)
+        grid.setColumnStretch(1, 1)
+        grid.addWidget(self._title, 0, 0, 1, 2)
+        for row, (point, button, text) in enumerate(
+            zip(_POINTS, self._captures, self._texts, strict=True)
+        ):
+            button.setObjectName(f"capture_{point}")
+            button.clicked.connect(partial(self.capture_wanted.emit, row))
+            text.setObjectName(f"captured_{point}")
+            text.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+            grid.addWidget(button, row + 1, 0)
+            grid.addWidget(text, row + 1, 1)
+        buttons = QHBoxLayout()
+        buttons.addWidget(self.go_to_start, 1)
+        buttons.addWidget(self.send, 1)
+        grid.addLayout(buttons, len(_POINTS) + 1, 0, 1, 2)
+        self.go_to_start.clicked.connect(self.start_wanted)
+        self.send.clicked.connect(self.send_wanted)
+        self.retranslate_ui()
+
+    def take(self, place: int, pose: Pose) -> None:
+        """A pose was captured."""
+        self.poses[place] = pose
+        self._show_poses()
+
+    def clear(self) -> None:
+        """The poses stand for nothing any more."""
+        self.poses = [None, None, None]
+        self._show_poses()
+
+    def missing(self) -> str | None:
+        """The name of the first pose that is not captured yet."""
+        names = (self.tr("start"), self.tr("middle"), self.tr("end"))
+        return next(
+            (name for name, pose in zip(names, self.poses, strict=True) if pose is None), None
+        )
+
+    def allow(self, why_no_capture: str, why_no_move: str) -> None:
+        """Enable the buttons, or disable them and say why."""
+        for button in self._captures:
+            button.setEnabled(not why_no_capture)
+            button.setToolTip(
+                why_no_capture or self.tr("Takes the pose the arm has now; nothing moves.")
+            )
+        self.go_to_start.setEnabled(not why_no_move)
+        self.go_to_start.setToolTip(
+            why_no_move or self.tr("Moves to the captured start with MOVE P.")
+        )
+        self.send.setEnabled(not why_no_move)
+        self.send.setToolTip(
+            why_no_move
+            or self.tr("Moves from the start over the middle to the end. Some firmware has no arc.")
+        )
+
+    def _show_poses(self) -> None:
+        for text, pose in zip(self._texts, self.poses, strict=True):
+            if pose is None:
+                text.setText(fmt.NOTHING)
+                text.setToolTip("")
+                continue
+            x, y, z, rx, ry, rz = (fmt.number(value, 1) for value in pose)
+            text.setText(f"{x}  {y}  {z} mm")
+            text.setToolTip(f"X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°")
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._title.setText(self.tr("Arc by three poses"))
+        for button, text in zip(
+            self._captures,
+            (self.tr("Capture start"), self.tr("Capture middle"), self.tr("Capture end")),
+            strict=True,
+        ):
+            button.setText(text)
+            button.setAccessibleName(text)
+        self.go_to_start.setText(self.tr("Go to start"))
+        self.go_to_start.setAccessibleName(self.tr("Go to start"))
+        self.send.setAccessibleName(self.send.text())
+        self._show_poses()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)

@@ -1,0 +1,116 @@
+"""One figure of a pose: target, jog buttons, measured value."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Final
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
+
+from armui.ui import format as fmt
+from armui.ui.theme import scaled_font
+from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.jog_button import JogButton
+from armui.ui.widgets.value_label import ValueLabel
+
+_WIDEST: Final = "-0000.000 mm"
+_NAME_PX: Final = 34
+
+
+class PoseRow(QWidget):
+    """The controls of one axis.
+
+    Args:
+        place: 0–5 for X, Y, Z, RX, RY, RZ.
+        name: One of them.
+        unit: ``mm`` or ``°``.
+    """
+
+    stepped = Signal(int, int)
+    """The place, and +1 or −1."""
+    repeated = Signal(int, int)
+    """The same, from a button that is still held."""
+    held = Signal(int, int)
+    """Jog until :attr:`let_go`."""
+    let_go = Signal()
+    edited = Signal(int)
+    """The operator changed the target; nothing is sent."""
+
+    def __init__(self, place: int, name: str, unit: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.name = name
+        self._unit = unit
+        self._label = QLabel(name)
+        self._label.setFont(scaled_font(self._label, 1.15, bold=True))
+        self._label.setFixedWidth(_NAME_PX)
+        self.minus, self.plus = JogButton("−"), JogButton("+")
+        self.minus.setObjectName(f"pose_minus_{name}")
+        self.plus.setObjectName(f"pose_plus_{name}")
+        self.field = FigureField(fmt.DECIMALS, unit)
+        self.field.setTextMargins(0, 0, 28 if unit == "mm" else 5, 0)
+        self.field.setObjectName(f"pose_field_{name}")
+        self.measured = ValueLabel(_WIDEST, alignment=Qt.AlignmentFlag.AlignRight)
+        self.measured.setObjectName(f"pose_measured_{name}")
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(8)
+        layout.addWidget(self._label)
+        layout.addWidget(self.minus)
+        layout.addWidget(self.field, 1)
+        layout.addWidget(self.plus)
+        layout.addWidget(self.measured)
+        for button, direction in ((self.minus, -1), (self.plus, 1)):
+            button.stepped.connect(partial(self.stepped.emit, place, direction))
+            button.repeated.connect(partial(self.repeated.emit, place, direction))
+            button.held.connect(partial(self.held.emit, place, direction))
+            button.let_go.connect(self.let_go)
+        self.field.value_edited.connect(partial(self._on_edited, place))
+        self.retranslate_ui()
+
+    def _on_edited(self, place: int) -> None:
+        self.field.show_attention(wanted=self.field.is_nonsense())
+        self.edited.emit(place)
+
+    def show_target(self, value: float | None) -> None:
+        """Put a target into the field; ``None`` empties it."""
+        self.field.show_value(value)
+        self.field.show_attention(wanted=False)
+
+    def show_measured(self, value: float | None, *, stale: bool) -> None:
+        """Show the measured value."""
+        gap = "" if self._unit == "°" else " "
+        text = fmt.NOTHING if value is None else f"{fmt.number(value)}{gap}{self._unit}"
+        self.measured.show_text(text, stale=stale)
+
+    def set_step(self, step: float, *, continuous: bool) -> None:
+        """How far one press of − or + goes, or whether it goes on while they are held."""
+        self.field.step = step
+        for button in (self.minus, self.plus):
+            button.continuous = continuous
+        self.retranslate_ui()
+
+    def allow_jog(self, why_not: str) -> None:
+        """Enable − and +, or disable them and say why."""
+        for button, sign in ((self.minus, "−"), (self.plus, "+")):
+            button.setEnabled(not why_not)
+            if button.continuous:
+                tip = self.tr("Moves along {axis} while it is held; let go to stop.")
+            else:
+                tip = self.tr("Moves along {axis} by {step} at once.")
+            step = f"{sign}{self.field.step:g} {self._unit}"
+            button.setToolTip(why_not or tip.format(axis=self.name, step=step))
+
+    def retranslate_ui(self) -> None:
+        """Put names and tooltips into the operator's language."""
+        self.minus.setAccessibleName(self.tr("{axis} minus").format(axis=self.name))
+        self.plus.setAccessibleName(self.tr("{axis} plus").format(axis=self.name))
+        self.field.setAccessibleName(self.tr("Target {axis}").format(axis=self.name))
+        self.field.setToolTip(self.tr("Not sent before you press MOVE P or MOVE L."))
+        self.measured.setToolTip(self.tr("Measured by the arm"))
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)
