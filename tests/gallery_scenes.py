@@ -13,6 +13,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QLineEdit, QStackedWidget, QWidget
 
 from armui.arm.device import Device
+from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS
 from armui.control.situation import LinkState, StopState
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
@@ -67,6 +68,55 @@ def _lights_refused(desk: Desk) -> None:
     desk.type_into("lamp_field", "300")
 
 
+def _joint_settings(desk: Desk) -> None:
+    _open(desk, "joint_settings")
+    desk.click("joint_settings_edit_button")
+    desk.type_into("max_angle_deg_2", "170")
+    desk.type_into("max_angle_deg_1", "400")
+
+
+def _joint_settings_refused(desk: Desk) -> None:
+    desk.type_into("max_angle_deg_1", "150")
+    desk.type_into("max_speed_deg_s_3", "300")  # more than the motors can do
+    desk.click("joint_settings_save_button")
+    _settled(desk)
+
+
+def _joint_settings_corrupt(desk: Desk) -> None:
+    desk.click("joint_settings_cancel_button")
+    desk.firmware.corrupt_limits(2)
+    desk.click("joint_settings_read_button")
+    _settled(desk)
+    desk.firmware.settings.limits[1] = FACTORY_LIMITS[1]
+    desk.firmware.settings.accelerations_deg_s2[1] = FACTORY_ACCELERATION_DEG_S2
+
+
+def _end_limits(desk: Desk) -> None:
+    desk.click("joint_settings_read_button")
+    _settled(desk)
+    _open(desk, "end_limits")
+    desk.click("end_limits_edit_button")
+    desk.type_into("max_linear_speed_m_s", "0.5")
+    desk.click("end_limits_save_button")
+    _settled(desk)
+
+
+def _collision(desk: Desk) -> None:
+    _open(desk, "collision")
+    desk.click("collision_edit_button")
+    desk.click("collision_level_2_level_0")
+    desk.click("collision_level_4_level_8")
+
+
+def _open(desk: Desk, panel: str) -> None:
+    desk.click(f"menu_{panel}")
+    _settled(desk)
+
+
+def _settled(desk: Desk) -> None:
+    desk.run_until(lambda: not desk.controller.settings.busy)
+
+
 def _motors(desk: Desk) -> None:
     desk.click("menu_motor")
     desk.click("enable_motor_2")
@@ -74,6 +124,7 @@ def _motors(desk: Desk) -> None:
 
 
 def _moving(desk: Desk) -> None:
+    desk.click("collision_cancel_button")
     desk.click("menu_motion")
     desk.enable_by_hand()
     desk.controller.motion.set_speed_percent(20)
@@ -118,6 +169,11 @@ WINDOW_SCENES = (
     Scene("lights", _lights),
     Scene("lights-refused", _lights_refused),
     Scene("motors", _motors),
+    Scene("joint-settings", _joint_settings),
+    Scene("joint-settings-refused", _joint_settings_refused),
+    Scene("joint-settings-corrupt", _joint_settings_corrupt),
+    Scene("end-limits", _end_limits),
+    Scene("collision", _collision),
     Scene("moving", _moving),
     Scene("refused", _refused),
     Scene("offline", _offline),
@@ -222,6 +278,11 @@ def _confirm_resume(desk: Desk) -> QDialog:
     return desk.dialog(ConfirmDialog)
 
 
+def _confirm_unsaved(desk: Desk) -> QDialog:
+    desk.click("menu_motion")
+    return desk.dialog(ConfirmDialog)
+
+
 def _confirm_close(desk: Desk) -> QDialog:
     desk.window.close()
     return desk.dialog(ConfirmDialog)
@@ -257,6 +318,7 @@ DIALOG_SCENES = (
     DialogScene("confirm-disable", "refused", _confirm_disable),
     DialogScene("hold-zero", "motors", _hold_zero),
     DialogScene("hold-disable", "motors", _hold_disable),
+    DialogScene("confirm-unsaved", "collision", _confirm_unsaved),
     DialogScene("confirm-close", "moving", _confirm_close),
     DialogScene("confirm-resume", "stopped", _confirm_resume),
 )

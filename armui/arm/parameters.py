@@ -253,18 +253,28 @@ def is_corrupt(state: ArmState, parameter: Parameter) -> bool:
 def check_value(parameter: Parameter, value: float) -> Refusal | None:
     """Whether a value may be asked for: ``None``, or the reason against it."""
     kind = parameter.kind
-    figures: dict[str, float | int | str] = {
-        "parameter": parameter.name,
-        "joint": parameter.joint,
-        "value": value,
-        "minimum": kind.minimum,
-        "maximum": kind.maximum,
-    }
     if not math.isfinite(value):
-        return Refusal("setting_not_a_number", figures)
+        return not_a_number(parameter, str(value))
+    figures = _figures(parameter, value)
     if not kind.minimum <= value <= kind.maximum:
         return Refusal("setting_out_of_range", figures)
     if kind.choices and value not in kind.choices:
         choices = ", ".join(f"{choice:g}" for choice in kind.choices)
         return Refusal("setting_no_choice", figures | {"choices": choices})
     return None
+
+
+def not_a_number(parameter: Parameter, text: str) -> Refusal:
+    """The reason against what was typed for a parameter and is no number."""
+    return Refusal("setting_not_a_number", _figures(parameter, text))
+
+
+def _figures(parameter: Parameter, value: float | str) -> dict[str, float | int | str]:
+    kind = parameter.kind
+    return {
+        "parameter": parameter.name,
+        "joint": parameter.joint,
+        "value": value,
+        "minimum": kind.minimum,
+        "maximum": kind.maximum,
+    }

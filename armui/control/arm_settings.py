@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import enum
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
@@ -16,6 +14,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.context import Context
 from armui.control.orders import Order, OrderLine, ReadBack
+from armui.control.setting_cell import Cell, CellState
 from armui.control.setting_checks import Changes, batches_of, frame_values, not_taken, why_not
 from armui.control.setting_frames import INDEX, query_frames, setting_frames
 from armui.control.situation import why_unreachable
@@ -33,27 +32,6 @@ _JOINT_BATCHES: Final = tuple(
     for joint in JOINTS
     for group in (Group.JOINT_LIMITS, Group.JOINT_ACCELERATION)
 )
-
-
-class CellState(enum.Enum):
-    """How a parameter stands between the program and the arm."""
-
-    UNREAD = enum.auto()
-    READING = enum.auto()
-    READ = enum.auto()
-    SAVING = enum.auto()
-    SAVED = enum.auto()
-    """Asked for, read back, and the same."""
-    REFUSED = enum.auto()
-    """Not read or not taken; the reason says why."""
-
-
-@dataclass(frozen=True, slots=True)
-class Cell:
-    """A parameter's state, and the reason if it was refused."""
-
-    state: CellState = CellState.UNREAD
-    reason: Refusal | None = None
 
 
 _UNREAD: Final = Cell()

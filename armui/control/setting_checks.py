@@ -32,9 +32,7 @@ def why_not(codec: Codec, state: ArmState, changes: Changes) -> Refusal | None:
         if refusal is not None:
             return refusal
     for batch in batches_of(changes):
-        refusal = _unknown_neighbour(codec, state, batch, changes) or _crossed(
-            state, batch, changes
-        )
+        refusal = _unknown_neighbour(codec, state, batch, changes) or crossed(state, batch, changes)
         if refusal is not None:
             return refusal
     return None
@@ -72,24 +70,7 @@ def not_taken(codec: Codec, state: ArmState, wanted: Changes) -> dict[Parameter,
     }
 
 
-def _unknown_neighbour(
-    codec: Codec, state: ArmState, batch: Batch, changes: Changes
-) -> Refusal | None:
-    """A value that must be sent along unchanged, and is not known."""
-    if can_leave_unchanged(codec, batch):
-        return None
-    for parameter in batch.parameters():
-        if parameter in changes:
-            continue
-        figures: dict[str, int | str] = {"parameter": parameter.name, "joint": parameter.joint}
-        if heard(state, parameter) is None:
-            return Refusal("setting_unknown", figures)
-        if is_corrupt(state, parameter):
-            return Refusal("setting_corrupt", figures)
-    return None
-
-
-def _crossed(state: ArmState, batch: Batch, changes: Changes) -> Refusal | None:
+def crossed(state: ArmState, batch: Batch, changes: Changes) -> Refusal | None:
     """A joint whose smallest angle would not be below its greatest."""
     if batch.group is not Group.JOINT_LIMITS:
         return None
@@ -106,3 +87,20 @@ def _crossed(state: ArmState, batch: Batch, changes: Changes) -> Refusal | None:
     if low is None or high is None or low < high:
         return None
     return Refusal("limits_crossed", {"joint": batch.joint, "minimum": low, "maximum": high})
+
+
+def _unknown_neighbour(
+    codec: Codec, state: ArmState, batch: Batch, changes: Changes
+) -> Refusal | None:
+    """A value that must be sent along unchanged, and is not known."""
+    if can_leave_unchanged(codec, batch):
+        return None
+    for parameter in batch.parameters():
+        if parameter in changes:
+            continue
+        figures: dict[str, int | str] = {"parameter": parameter.name, "joint": parameter.joint}
+        if heard(state, parameter) is None:
+            return Refusal("setting_unknown", figures)
+        if is_corrupt(state, parameter):
+            return Refusal("setting_corrupt", figures)
+    return None

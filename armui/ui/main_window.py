@@ -23,13 +23,18 @@ from armui.control.situation import Situation
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
 from armui.ui.panels.cartesian_panel import CartesianPanel
+from armui.ui.panels.collision_panel import CollisionPanel
+from armui.ui.panels.end_limits_panel import EndLimitsPanel
+from armui.ui.panels.joint_settings_panel import JointSettingsPanel
 from armui.ui.panels.light_panel import LightPanel
 from armui.ui.panels.motion_panel import MotionPanel
 from armui.ui.panels.motor_panel import MotorPanel
+from armui.ui.panels.parameter_panel import ParameterPanel
 from armui.ui.side_menu import MenuEntry, SideMenu
 from armui.ui.status_bar import StatusBar
 from armui.ui.theme import DARK, colors_of
 from armui.ui.top_bar import TopBar
+from armui.ui.unsaved import leave_then, unsaved
 from armui.ui.widgets.joint_status_button import JointStatusButton
 from armui.ui.widgets.recovery_line import RecoveryLine
 from armui.ui.widgets.view_region import ViewRegion
@@ -84,6 +89,24 @@ class MainWindow(QMainWindow):
                 str(QT_TRANSLATE_NOOP("SideMenu", "Light control")),
                 "light",
                 lambda: LightPanel(self._controller),
+            ),
+            MenuEntry(
+                "joint_settings",
+                str(QT_TRANSLATE_NOOP("SideMenu", "Joint settings")),
+                "joint_settings",
+                lambda: JointSettingsPanel(self._controller),
+            ),
+            MenuEntry(
+                "end_limits",
+                str(QT_TRANSLATE_NOOP("SideMenu", "End speed limits")),
+                "end_limits",
+                lambda: EndLimitsPanel(self._controller),
+            ),
+            MenuEntry(
+                "collision",
+                str(QT_TRANSLATE_NOOP("SideMenu", "Collision level")),
+                "collision",
+                lambda: CollisionPanel(self._controller),
             ),
             MenuEntry(
                 "motor",
@@ -146,7 +169,7 @@ class MainWindow(QMainWindow):
         return self._motion_panel
 
     def _connect(self) -> None:
-        self._menu.chosen.connect(self._panels.setCurrentIndex)
+        self._menu.chosen.connect(self._on_entry_chosen)
         self._joint_status_button.clicked.connect(self.open_joint_status_dialog)
         self._view_region.help_wanted.connect(self.open_help_dialog)
         self._view_region.reset_wanted.connect(self._view.reset_view)
@@ -156,6 +179,25 @@ class MainWindow(QMainWindow):
         self._controller.state_changed.connect(self._show_in_view)
         self._controller.situation_changed.connect(self._on_situation_changed)
         self._unsubscribe = self._preferences.subscribe(self._on_settings_changed)
+
+    # -- panels -------------------------------------------------------------------------------
+
+    def _on_entry_chosen(self, place: int) -> None:
+        """Switch the operation area; what is not saved in it asks first."""
+        self._menu.choose(self._panels.currentIndex())
+        panel = self._panels.currentWidget()
+        leave_then(self, self._controller, [panel], lambda: self._show_panel(place))
+
+    def _show_panel(self, place: int) -> None:
+        self._menu.choose(place)
+        self._panels.setCurrentIndex(place)
+
+    def _all_panels(self) -> list[QWidget | None]:
+        return [self._panels.widget(place) for place in range(self._panels.count())]
+
+    def _leave_arm_then(self, asking: QWidget, proceed: Callable[[], object]) -> None:
+        """Leave the arm, or the program; what is not saved in any panel asks first."""
+        leave_then(asking, self._controller, self._all_panels(), proceed)
 
     # -- the arm in 3D ------------------------------------------------------------------------
 
@@ -177,7 +219,7 @@ class MainWindow(QMainWindow):
     def _on_joint_picked(self, joint: int) -> None:
         """A double click on a link leads to its joint in the panel that is shown."""
         panel = self._panels.currentWidget()
-        if isinstance(panel, MotionPanel | LightPanel | MotorPanel):
+        if isinstance(panel, MotionPanel | LightPanel | MotorPanel | ParameterPanel):
             panel.focus_joint(joint)
 
     def _color_view(self) -> None:
@@ -199,7 +241,7 @@ class MainWindow(QMainWindow):
         def make() -> QDialog:
             from armui.ui.dialogs.connect import ConnectDialog  # noqa: PLC0415 - faster start
 
-            return ConnectDialog(self._controller, self)
+            return ConnectDialog(self._controller, self, before_leaving=self._leave_arm_then)
 
         self._open("connect", make)
 
@@ -262,23 +304,30 @@ class MainWindow(QMainWindow):
         self._show_in_view(self._controller.state)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Ask first while the arm moves: closing the program doesn't stop it."""
-        if self._controller.situation.moving and not self._may_close:
+        """Ask first while something is not saved, or the arm moves: closing doesn't stop it."""
+        at_stake = self._controller.situation.moving or unsaved(self._all_panels())
+        if at_stake and not self._may_close:
             event.ignore()
-            confirm(
-                self,
-                self._controller,
-                title=self.tr("The arm is moving"),
-                text=self.tr(
-                    "Closing the program does not stop the arm: it goes on to its target. "
-                    "Press the emergency stop if it must not."
-                ),
-                action_label=self.tr("Close anyway"),
-                on_confirmed=self._close_now,
-            )
+            self._leave_arm_then(self, self._close_unless_moving)
             return
         self._unsubscribe()
         super().closeEvent(event)
+
+    def _close_unless_moving(self) -> None:
+        if not self._controller.situation.moving:
+            self._close_now()
+            return
+        confirm(
+            self,
+            self._controller,
+            title=self.tr("The arm is moving"),
+            text=self.tr(
+                "Closing the program does not stop the arm: it goes on to its target. "
+                "Press the emergency stop if it must not."
+            ),
+            action_label=self.tr("Close anyway"),
+            on_confirmed=self._close_now,
+        )
 
     def _close_now(self) -> None:
         self._may_close = True

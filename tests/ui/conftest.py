@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -11,9 +11,12 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QApplication, QWidget
 
 from armui.arm.device import Device
+from armui.arm.parameters import Batch, Parameter
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Heard, Status
 from armui.control.recovery_steps import Action, Kind, Step
+from armui.control.setting_cell import Cell
+from armui.control.setting_checks import Changes
 from armui.control.situation import Level, LinkState, Situation
 from armui.protocol.codes import ALL_JOINTS
 from armui.ui.theme import Theme, apply_theme
@@ -93,6 +96,7 @@ class FakeController(QObject):
         self.joint_errors = FakeJointErrors(self)
         self.recovery = FakeRecovery(self)
         self.zeroing = FakeZeroing(self)
+        self.settings = FakeSettings(self)
 
     # what a test makes it show
 
@@ -226,6 +230,30 @@ class FakeJointErrors:
 
     def clear(self, joint: int) -> Refusal | None:
         return self._controller._asked("clear_joint_error", joint)
+
+
+class FakeSettings(QObject):
+    """The parameters of a fake controller's arm: none is ever read."""
+
+    changed = Signal()
+    finished = Signal()
+    busy = False
+
+    def __init__(self, controller: FakeController) -> None:
+        super().__init__(controller)
+        self._controller = controller
+
+    def cell(self, parameter: Parameter) -> Cell:
+        return Cell()
+
+    def read(self, batches: Iterable[Batch]) -> Refusal | None:
+        return self._controller._asked("read_settings", tuple(batches))
+
+    def save(self, changes: Changes) -> Refusal | None:
+        return self._controller._asked("save_settings", dict(changes))
+
+    def settle(self, parameters: Iterable[Parameter]) -> None:
+        pass
 
 
 class FakeRecovery:

@@ -54,6 +54,19 @@ NAMED = [
     "light_confirm_button",
     "light_message",
     *(f"light_joint_{joint}" for joint in range(1, 7)),
+    *(
+        f"{panel}_{name}"
+        for panel in ("joint_settings", "end_limits", "collision")
+        for name in ("read_button", "edit_button", "cancel_button", "save_button", "message")
+    ),
+    "menu_joint_settings",
+    "menu_end_limits",
+    "menu_collision",
+    "max_angle_deg_1",
+    "max_acceleration_deg_s2_6_note",
+    "max_linear_speed_m_s",
+    "collision_level_1_level_8",
+    "collision_all_level_0",
     *(f"{color}_{kind}" for color in ("red", "green", "blue") for kind in ("field", "slider")),
     "help_button",
     "reset_view_button",

@@ -38,6 +38,9 @@ _BITRATES: Final = (DEFAULT_BITRATE, 500_000)
 
 _SIZE_PX: Final = (820, 560)
 
+Leaving = Callable[[QWidget, Callable[[], object]], object]
+"""Given the window that asks and what to go on with, now or once the operator agrees."""
+
 
 class ConnectDialog(ArmDialog):
     """Lists the devices, searches whenever it is opened, connects and disconnects.
@@ -45,10 +48,17 @@ class ConnectDialog(ArmDialog):
     Args:
         controller: Searches and connects.
         parent: The main window.
+        before_leaving: Asks about what is not saved, before the arm is left for another or none.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        controller: ArmController,
+        parent: QWidget | None = None,
+        before_leaving: Leaving | None = None,
+    ) -> None:
         super().__init__(controller, parent)
+        self._before_leaving = before_leaving
         self._controller = controller
         self._situation = controller.situation
         self._model = DeviceModel()
@@ -173,6 +183,12 @@ class ConnectDialog(ArmDialog):
         self._leave_then(self._controller.disconnect_device)
 
     def _leave_then(self, action: Callable[[], object]) -> None:
+        if self._before_leaving is None or self._situation.device is None:
+            self._leave_unless_moving(action)
+        else:
+            self._before_leaving(self, lambda: self._leave_unless_moving(action))
+
+    def _leave_unless_moving(self, action: Callable[[], object]) -> None:
         """Do it; but ask before, if a moving arm would be left to itself."""
         if not self._situation.moving:
             action()

@@ -32,7 +32,7 @@ class FigureField(QLineEdit):
         self._committed = ""
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.setPlaceholderText(fmt.NOTHING)
-        self.setTextMargins(0, 0, 5 if unit else 0, 0)
+        self.setTextMargins(0, 0, self._unit_px(), 0)
         self.setFixedHeight(32)
         self.setMaxLength(16)
         self.textEdited.connect(self.value_edited)
@@ -61,6 +61,12 @@ class FigureField(QLineEdit):
             self.setProperty("attention", wanted)
             self.style().unpolish(self)
             self.style().polish(self)
+
+    def _unit_px(self) -> int:
+        """Room for the unit: a degree sign stands close to its figure, others apart."""
+        if len(self._unit) < 2:
+            return 5 * len(self._unit)
+        return self.fontMetrics().horizontalAdvance(self._unit) + 5
 
     def _on_editing_finished(self) -> None:
         value = self.value

@@ -24,6 +24,12 @@ class Mark(enum.Enum):
     """A ring with a bar."""
     UNKNOWN = enum.auto()
     """A dotted ring."""
+    ATTENTION = enum.auto()
+    """A filled disc with an exclamation mark, in the colour of attention."""
+    CHANGED = enum.auto()
+    """A filled disc, smaller than the others."""
+    WAITING = enum.auto()
+    """Three dots in a row."""
 
 
 def draw(
@@ -55,6 +61,16 @@ def draw(
         painter.drawPolyline(
             [center + QPointF(x, y) * unit for x, y in ((-3.5, 0.3), (-1.0, 3.0), (3.8, -2.8))]
         )
+    elif mark is Mark.CHANGED:
+        painter.drawEllipse(center, 0.6 * radius, 0.6 * radius)
+    elif mark is Mark.WAITING:
+        for x in (-5.0, 0.0, 5.0):
+            painter.drawEllipse(center + QPointF(x, 0) * unit, 1.7 * unit, 1.7 * unit)
+    elif mark is Mark.ATTENTION:
+        painter.drawEllipse(center, radius, radius)
+        painter.setPen(_stroke(QColor(colors.surface), 2 * unit))
+        painter.drawLine(center + QPointF(0, -4.2) * unit, center + QPointF(0, 0.8) * unit)
+        painter.drawPoint(center + QPointF(0, 4.2) * unit)
     elif mark is Mark.FAULT:
         painter.drawPolygon(painting.triangle(center + QPointF(0, 1.5 * unit), radius * 1.2))
         painter.setPen(_stroke(QColor(colors.surface), 1.8 * unit))
@@ -79,6 +95,9 @@ def _ink(colors: Colors, mark: Mark) -> str:
         Mark.FAULT: colors.stop,
         Mark.OFFLINE: colors.warn,
         Mark.UNKNOWN: colors.muted,
+        Mark.ATTENTION: colors.warn,
+        Mark.CHANGED: colors.accent,
+        Mark.WAITING: colors.muted,
     }[mark]
 
 

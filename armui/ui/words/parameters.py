@@ -8,6 +8,7 @@ from typing import Final
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.arm.parameters import KINDS, Parameter
+from armui.control.setting_draft import Look
 from armui.ui.words.text import sentence
 
 _NAMES: Final[Mapping[str, object]] = {
@@ -29,6 +30,29 @@ _NAMES: Final[Mapping[str, object]] = {
     "teaching_friction": QT_TRANSLATE_NOOP("Parameter", "Teaching friction"),
 }
 
+_LOOKS: Final[Mapping[Look, object]] = {
+    Look.NOT_READ: QT_TRANSLATE_NOOP("Parameter", "not read"),
+    Look.READING: QT_TRANSLATE_NOOP("Parameter", "reading…"),
+    Look.CORRUPT: QT_TRANSLATE_NOOP("Parameter", "corrupt"),
+    Look.SAVING: QT_TRANSLATE_NOOP("Parameter", "saving…"),
+    Look.SAVED: QT_TRANSLATE_NOOP("Parameter", "saved"),
+    Look.NOT_SAVED: QT_TRANSLATE_NOOP("Parameter", "not saved"),
+    Look.WRONG: QT_TRANSLATE_NOOP("Parameter", "not possible"),
+}
+
+_EXPLAINED: Final[Mapping[Look, object]] = {
+    Look.NOT_READ: QT_TRANSLATE_NOOP("Parameter", "Not read from the arm."),
+    Look.READING: QT_TRANSLATE_NOOP("Parameter", "Being read from the arm."),
+    Look.CORRUPT: QT_TRANSLATE_NOOP(
+        "Parameter",
+        "What the arm holds here cannot be true: its memory is corrupt (0xFFFF). Enter a value and "
+        "save it.",
+    ),
+    Look.CHANGED: QT_TRANSLATE_NOOP("Parameter", "Changed and not saved; the arm holds {held}."),
+    Look.SAVING: QT_TRANSLATE_NOOP("Parameter", "Sent to the arm; its answer is awaited."),
+    Look.SAVED: QT_TRANSLATE_NOOP("Parameter", "Saved: the arm holds this value."),
+}
+
 
 def parameter_name(name: str) -> str:
     """What a parameter is called: a key of ``parameters.KINDS``."""
@@ -46,3 +70,26 @@ def value_text(name: str, value: float) -> str:
     kind = KINDS[name]
     gap = "" if kind.unit.startswith("°") or not kind.unit else " "
     return f"{value:.{kind.decimals}f}{gap}{kind.unit}"
+
+
+def look_word(look: Look) -> str:
+    """How a parameter stands, in a word or two; nothing where it is as the arm holds it."""
+    source = _LOOKS.get(look)
+    return "" if source is None else sentence("Parameter", source, {})
+
+
+def look_explained(look: Look, held: str) -> str:
+    """The same as a sentence; ``held`` is what the arm holds."""
+    source = _EXPLAINED.get(look)
+    return "" if source is None else sentence("Parameter", source, {"held": held})
+
+
+def span_text(name: str) -> str:
+    """From which to which value a parameter can be set."""
+    kind = KINDS[name]
+    source = QT_TRANSLATE_NOOP("Parameter", "Possible: {minimum} to {maximum}")
+    words = {
+        "minimum": value_text(name, kind.minimum),
+        "maximum": value_text(name, kind.maximum),
+    }
+    return sentence("Parameter", source, words)

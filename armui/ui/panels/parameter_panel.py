@@ -1,0 +1,414 @@
+"""What 关节设置, 配速设置 and 碰撞等级 share: read, edit, save, and see what the arm has taken."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QHideEvent, QKeyEvent, QKeySequence, QShowEvent
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from armui.arm.device import Device
+from armui.arm.parameters import heard
+from armui.arm.refusal import Refusal
+from armui.arm.state import Heard
+from armui.control.setting_cell import CellState
+from armui.control.setting_checks import batches_of
+from armui.control.setting_draft import Look, SettingDraft
+from armui.control.situation import Situation
+from armui.ui import format as fmt
+from armui.ui import words
+from armui.ui.dialogs.confirm import confirm
+from armui.ui.panels import parameter_message
+from armui.ui.widgets.card import scrolled
+from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.setting_cell import SettingCell
+from armui.ui.words.parameters import (
+    full_name,
+    look_explained,
+    look_word,
+    span_text,
+    value_text,
+)
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_SAVE_KEY: Final = "Ctrl+Return"
+
+
+class ParameterPanel(QWidget):
+    """Shows parameters as the arm holds them, and lets the operator enter others and save them.
+
+    They are read whenever the panel is shown, and when the arm comes online meanwhile. Fields are
+    locked until 【编辑】; what was entered stays until it is in the arm, or given up.
+
+    Args:
+        controller: Whom to ask.
+        name: For the names of the buttons: ``<name>_save_button``.
+        cells: One a parameter, in the order of the Tab key.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        name: str,
+        cells: Sequence[SettingCell],
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._controller = controller
+        self._settings = controller.settings
+        self._name = name
+        self._cells = {cell.parameter: cell for cell in cells}
+        self._draft = SettingDraft(list(self._cells))
+        self._batches = batches_of(self._cells)
+        self._refusal: Refusal | None = None
+        self._asked: dict[SettingCell, float] = {}
+        self._saving = False
+        self._ready = False
+        self._device: Device | None = None
+        self._title = QLabel()
+        self._title.setProperty("rank", "title")
+        self._read = QPushButton()
+        self._reset = QPushButton()
+        self._edit = QPushButton()
+        self._cancel = QPushButton()
+        self._save = QPushButton()
+        self._message = MessageLine()
+        self._message.setObjectName(f"{name}_message")
+        self._name_buttons()
+
+    def finish(self, card: QFrame, *, tallest_px: int, can_reset: bool) -> None:
+        """Lay the panel out around its card; the last step of making one.
+
+        Args:
+            card: Holds the cells.
+            tallest_px: It grows no higher.
+            can_reset: Whether there is a 【初始化】.
+        """
+        self._reset.setVisible(can_reset)
+        self._lay_out(scrolled(card, tallest_px), can_reset=can_reset)
+        self._connect()
+        self.retranslate_ui()
+
+    def _name_buttons(self) -> None:
+        for button, name in (
+            (self._read, "read"),
+            (self._reset, "reset"),
+            (self._edit, "edit"),
+            (self._cancel, "cancel"),
+            (self._save, "save"),
+        ):
+            button.setObjectName(f"{self._name}_{name}_button")
+        for button in (self._read, self._reset, self._edit, self._cancel, self._save):
+            button.setMinimumHeight(38)
+        self._save.setProperty("primary", True)
+
+    def _lay_out(self, area: QWidget, *, can_reset: bool) -> None:
+        buttons = QHBoxLayout()
+        buttons.setSpacing(10)
+        shown = [self._read, *([self._reset] if can_reset else []), self._edit, self._cancel]
+        for button in (*shown, self._save):
+            buttons.addWidget(button, 1)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(16, 14, 16, 14)
+        layout.setSpacing(12)
+        layout.addWidget(self._title)
+        layout.addWidget(area, 1)
+        layout.addLayout(buttons)
+        layout.addWidget(self._message)
+        layout.addStretch(0)
+        order = [cell.focus_widget for cell in self._cells.values()]
+        for before, after in pairwise(order):
+            self.setTabOrder(before, after)
+
+    def _connect(self) -> None:
+        for cell in self._cells.values():
+            cell.edited.connect(lambda cell=cell: self._on_edited(cell))
+        self._read.clicked.connect(self._on_read)
+        self._reset.clicked.connect(self._on_reset)
+        self._edit.clicked.connect(self._on_edit)
+        self._cancel.clicked.connect(self._on_cancel)
+        self._save.clicked.connect(self._on_save)
+        self._settings.changed.connect(self._on_settings_changed)
+        self._controller.situation_changed.connect(self._on_situation_changed)
+
+    # -- what a panel of its own adds ---------------------------------------------------------
+
+    def title(self) -> str:
+        """What the panel is called."""
+        raise NotImplementedError
+
+    def reset_question(self) -> tuple[str, str]:
+        """Title and text of the question before 【初始化】."""
+        return "", ""
+
+    def why_no_reset(self) -> str:
+        """Why 【初始化】 is not there for this arm; empty: it is."""
+        return ""
+
+    def reset_to_factory(self) -> Refusal | None:
+        """Ask the arm for its factory values."""
+        return None
+
+    def danger(self) -> str:
+        """What in the figures shown is dangerous, in plain words; empty: nothing."""
+        return ""
+
+    def danger_of_saving(self) -> str:
+        """What saving would make dangerous, to be agreed to before; empty: nothing."""
+        return ""
+
+    # -- leaving ------------------------------------------------------------------------------
+
+    def has_unsaved_changes(self) -> bool:
+        """Whether something was entered that is not in the arm."""
+        return self._draft.changed
+
+    def discard_changes(self) -> None:
+        """Forget what was entered."""
+        self._draft.end()
+        self._asked.clear()
+        self._refusal = None
+        self._settings.settle(self._cells)
+        self._show_all()
+
+    def focus_joint(self, joint: int) -> None:
+        """Bring the operator to the first value of a joint."""
+        for parameter, cell in self._cells.items():
+            if parameter.joint == joint:
+                cell.focus_widget.setFocus(Qt.FocusReason.OtherFocusReason)
+                return
+
+    # -- actions ------------------------------------------------------------------------------
+
+    def _on_read(self) -> None:
+        self._asked.clear()
+        self._settings.settle(self._cells)
+        self._refusal = self._settings.read(self._batches)
+        self._show_all()
+
+    def _on_edit(self) -> None:
+        self._asked.clear()
+        self._refusal = None
+        self._settings.settle(self._cells)
+        self._draft.begin()
+        self._show_all()
+        next(iter(self._cells.values())).focus_widget.setFocus(Qt.FocusReason.TabFocusReason)
+
+    def _on_cancel(self) -> None:
+        self.discard_changes()
+        self._edit.setFocus()
+
+    def _on_edited(self, cell: SettingCell) -> None:
+        self._refusal = None
+        self._draft.enter(self._controller.state, cell.parameter, cell.text, cell.value)
+        self._settings.settle([cell.parameter])
+        self._show_all()
+
+    def _on_save(self) -> None:
+        danger = self.danger_of_saving()
+        if danger:
+            confirm(
+                self,
+                self._controller,
+                title=self.title(),
+                text=danger,
+                action_label=self._save.text(),
+                on_confirmed=self._save_now,
+            )
+        else:
+            self._save_now()
+
+    def _save_now(self) -> None:
+        changes = self._draft.changes()
+        self._refusal = self._draft.first_wrong(self._controller.state)
+        if self._refusal is None and changes:
+            self._asked = {self._cells[parameter]: value for parameter, value in changes.items()}
+            self._saving = True
+            self._refusal = self._settings.save(changes)
+        if self._refusal is not None:
+            self._saving = False
+            self._asked.clear()
+        self._show_all()
+
+    def _on_reset(self) -> None:
+        title, text = self.reset_question()
+        confirm(
+            self,
+            self._controller,
+            title=title,
+            text=text,
+            action_label=self._reset.text(),
+            on_confirmed=self._reset_now,
+        )
+
+    def _reset_now(self) -> None:
+        self._asked.clear()
+        self._refusal = self.reset_to_factory()
+        self._show_all()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Escape gives up what was entered."""
+        if event.key() == Qt.Key.Key_Escape and self._cancel.isVisible():
+            self._cancel.click()
+        else:
+            super().keyPressEvent(event)
+
+    # -- what the arm says --------------------------------------------------------------------
+
+    def _on_settings_changed(self) -> None:
+        if self._saving and not any(
+            self._settings.cell(cell.parameter).state is CellState.SAVING for cell in self._asked
+        ):
+            self._saving = False
+            self._after_saving()
+        if self.isVisible():
+            self._show_all()
+
+    def _after_saving(self) -> None:
+        """What the arm has taken is no entry any more; the rest can be tried again."""
+        taken = [
+            cell.parameter
+            for cell in self._asked
+            if self._settings.cell(cell.parameter).state is CellState.SAVED
+        ]
+        self._draft.forget(taken)
+        if len(taken) == len(self._asked) and not self._draft.changed:
+            self._draft.end()
+
+    def _on_situation_changed(self, situation: Situation) -> None:
+        if situation.device is not None and situation.device != self._device:
+            # another arm: what was entered for the last one would be a trap
+            self._device = situation.device
+            self.discard_changes()
+        ready = situation.unreachable is None and situation.generation is not None
+        came_online, self._ready = ready and not self._ready, ready
+        if self.isVisible():
+            if came_online:
+                self._read_anew()
+            self._show_all()
+
+    def _read_anew(self) -> None:
+        if self._ready and not self._draft.changed:
+            self._settings.read(self._batches)
+
+    # -- appearance ---------------------------------------------------------------------------
+
+    def _show_all(self) -> None:
+        for cell in self._cells.values():
+            self._show_cell(cell)
+        self._show_possible()
+        self._show_message()
+
+    def _show_cell(self, cell: SettingCell) -> None:
+        parameter, state = cell.parameter, self._controller.state
+        stands = self._settings.cell(parameter)
+        known = heard(state, parameter)
+        if self._draft.entry(parameter) is None:
+            cell.show_value(None if known is None else known.value)
+        cell.set_locked(locked=not self._draft.editing or self._saving)
+        cell.setEnabled(self._controller.situation.unreachable is None or self._draft.editing)
+        look = self._draft.look(state, parameter, stands)
+        held = fmt.NOTHING if known is None else value_text(parameter.name, known.value)
+        cell.show_look(look, self._word(cell, look, known))
+        reason = self._draft.why_wrong(state, parameter) or stands.reason
+        said = look_explained(look, held) if reason is None else words.refusal(reason)
+        lines = (full_name(parameter), span_text(parameter.name), said)
+        cell.describe(full_name(parameter), "\n".join(line for line in lines if line))
+
+    def _word(self, cell: SettingCell, look: Look, known: Heard[float] | None) -> str:
+        """What stands below a value."""
+        if look is not Look.CHANGED:
+            return look_word(look) or self.remark(cell)
+        held = None if known is None else known.value
+        decimals = cell.parameter.kind.decimals
+        return self.tr("was {held}").format(held=fmt.number(held, decimals))
+
+    def remark(self, _cell: SettingCell) -> str:
+        """What stands below a value of which there is nothing else to say."""
+        return ""
+
+    def _show_possible(self) -> None:
+        """Enable what can be used now; say in the tooltips of the rest why not."""
+        editing, changed = self._draft.editing, self._draft.changed
+        hidden_by = self._edit if editing else self._cancel
+        self._edit.setVisible(hidden_by is not self._edit)
+        self._cancel.setVisible(hidden_by is not self._cancel)
+        unreachable = self._controller.situation.unreachable
+        if unreachable is None and self._settings.busy:
+            unreachable = Refusal("busy", {"what": "settings"})
+        no_way = "" if unreachable is None else words.refusal(unreachable)
+        wrong = self._draft.first_wrong(self._controller.state)
+        unwanted = "" if changed else self.tr("Nothing has been changed.")
+        first = self.tr("Save or cancel your changes first.") if editing else ""
+        saving = self.tr("The arm is being asked; wait for its answer.") if self._saving else ""
+        shortcut = QKeySequence(_SAVE_KEY).toString(QKeySequence.SequenceFormat.NativeText)
+        send = self.tr("Sends what was changed, reads it back and compares.")
+        for button, hindrance, use in (
+            (self._read, no_way, self.tr("Reads the values from the arm.")),
+            (self._reset, no_way or self.why_no_reset() or first, self.reset_question()[0]),
+            (self._edit, no_way, self.tr("Lets you change the values; nothing is sent.")),
+            (self._cancel, saving, self.tr("Shows what the arm holds again.") + " (Esc)"),
+            (
+                self._save,
+                no_way or unwanted or ("" if wrong is None else words.refusal(wrong)),
+                f"{send} ({shortcut})",
+            ),
+        ):
+            button.setEnabled(not hindrance)
+            button.setToolTip(hindrance or use)
+
+    def _show_message(self) -> None:
+        said = parameter_message.message(
+            refusal=self._refusal or self._controller.situation.unreachable,
+            draft=self._draft,
+            state=self._controller.state,
+            cell=self._settings.cell,
+            asked={cell.parameter: value for cell, value in self._asked.items()},
+            danger=self.danger(),
+        )
+        self._message.show_message(said.text, said.level)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._title.setText(self.title())
+        for button, text in (
+            (self._read, self.tr("Read")),
+            (self._reset, self.tr("Initialise")),
+            (self._edit, self.tr("Edit")),
+            (self._cancel, self.tr("Cancel")),
+            (self._save, self.tr("Save")),
+        ):
+            button.setText(text)
+            button.setAccessibleName(text)
+        self._save.setShortcut(QKeySequence(_SAVE_KEY))  # a new text takes it away
+        self._show_all()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Read what the arm holds now."""
+        super().showEvent(event)
+        self._read_anew()
+        self._show_all()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """How the last saving ended was seen."""
+        super().hideEvent(event)
+        if not self._draft.changed:
+            self.discard_changes()
