@@ -1,0 +1,105 @@
+"""Files of trajectories and recordings: which format a file has, read and written whole."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Final
+
+from armui.trajectory.files import csv_file, json_file, log_file, maker_csv, npz_file
+from armui.trajectory.files.errors import TrajectoryFileError, broken
+from armui.trajectory.files.model import LARGEST_BYTES, Content
+from armui.trajectory.files.text import decode
+from armui.trajectory.recording import Recording
+
+__all__ = [
+    "SUFFIXES",
+    "Content",
+    "TrajectoryFileError",
+    "load",
+    "read_bytes",
+    "read_text",
+    "to_bytes",
+]
+
+_WRITERS: Final[dict[str, Callable[[Content], bytes]]] = {
+    ".log": lambda content: log_file.write(content).encode(),
+    # the mark at the beginning tells a spreadsheet that this is UTF-8
+    ".csv": lambda content: b"\xef\xbb\xbf" + csv_file.write(content).encode(),
+    ".json": lambda content: json_file.write(content).encode(),
+}
+SUFFIXES: Final = tuple(_WRITERS)
+"""The formats for the operator, by the end of the file's name."""
+
+
+def to_bytes(content: Content, suffix: str) -> bytes:
+    """A trajectory or recording in a format.
+
+    Args:
+        content: What to write.
+        suffix: One of :data:`SUFFIXES`; for a recording also ``.npz``.
+
+    Raises:
+        ValueError: It is not possible, or the format is none.
+    """
+    if suffix == ".npz" and isinstance(content, Recording):
+        return npz_file.write(content)
+    writer = _WRITERS.get(suffix)
+    if writer is None:
+        raise ValueError(f"no format {suffix!r} for this; choose one of {', '.join(SUFFIXES)}")
+    return writer(content)
+
+
+def load(path: Path) -> Content:
+    """The trajectory or recording in a file of any of our formats, or of the maker's.
+
+    Raises:
+        TrajectoryFileError: It cannot be read or is none; it names the file.
+    """
+    try:
+        size = path.stat().st_size
+        if size > LARGEST_BYTES:
+            mega = 1024 * 1024
+            raise broken("file_too_large", value=size // mega, maximum=LARGEST_BYTES // mega)
+        return read_bytes(path.read_bytes(), path.stem)
+    except TrajectoryFileError as error:
+        raise TrajectoryFileError(error.reason, error.line, error.column, path.name) from error
+    except OSError as error:
+        text = error.strerror or str(error)
+        reason = broken("file_unreadable", text=text).reason
+        raise TrajectoryFileError(reason, file=path.name) from error
+
+
+def read_bytes(data: bytes, name: str) -> Content:
+    """What the bytes of a file hold; what they look like counts, not the file's name.
+
+    Args:
+        data: The bytes.
+        name: What it is called where the bytes do not say.
+
+    Raises:
+        TrajectoryFileError: Nothing this program knows, or a broken one.
+    """
+    if data.startswith(npz_file.MAGIC):
+        return npz_file.read(data)
+    return read_text(decode(data), name)
+
+
+def read_text(text: str, name: str) -> Content:
+    """The same for a text, as from the clipboard.
+
+    Raises:
+        TrajectoryFileError: As there.
+    """
+    name = name if name.strip() else "?"
+    if not text.strip():
+        raise broken("file_empty")
+    if log_file.is_log(text):
+        return log_file.read(text, name)
+    if json_file.is_json(text):
+        return json_file.read(text, name)
+    if csv_file.is_csv(text):
+        return csv_file.read(text, name)
+    if maker_csv.is_maker_csv(text):
+        return maker_csv.read(text, name)
+    raise broken("file_kind_unknown", 1)

@@ -1,0 +1,177 @@
+"""`.json`, for programs: the fields of points and samples by name, one of them a line."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import asdict
+from typing import Any, Final
+
+import numpy as np
+
+from armui.trajectory.files.errors import TrajectoryFileError, broken
+from armui.trajectory.files.json_fields import FieldError, Fields
+from armui.trajectory.files.json_places import place_of
+from armui.trajectory.files.log_points import LETTER_OF, LETTERS
+from armui.trajectory.files.model import VERSION, Content, parse_time, verified, verify
+from armui.trajectory.program import (
+    GripperAction,
+    GripperAngle,
+    GripperOpening,
+    LightAction,
+    Trajectory,
+    Waypoint,
+    check_point,
+)
+from armui.trajectory.recording import COLUMN_COUNT, GRIPPER, Recording
+
+_KINDS: Final = ("armui trajectory", "armui recording")
+_EMPTY: Final = {"note": "", "gripper": None, "light": None, "comments": ()}
+"""Fields of a point that are left out when they hold this."""
+
+
+def is_json(text: str) -> bool:
+    """Whether a text begins as JSON does; nothing else of ours begins so."""
+    return text.lstrip()[:1] in ("{", "[")
+
+
+def write(content: Content) -> str:
+    """A trajectory or recording as text.
+
+    Raises:
+        ValueError: It is not possible; see `program.check_trajectory`.
+    """
+    verify(content)
+    head: dict[str, Any] = {
+        "format": _KINDS[isinstance(content, Recording)],
+        "version": VERSION,
+        "name": content.name,
+        "note": content.note,
+        "modified": content.modified.isoformat(),
+    }
+    if isinstance(content, Trajectory):
+        head["closing_comments"] = list(content.closing)
+        key, items = "points", [_dump(_point_fields(point)) for point in content.points]
+    else:
+        key, items = "samples", [_dump(_sample(row)) for row in content.samples.tolist()]
+    entries = [f"  {_dump(name)}: {_dump(value)}" for name, value in head.items()]
+    body = ",\n".join(f"    {item}" for item in items)
+    entries.append(f"  {_dump(key)}: [\n{body}\n  ]" if items else f"  {_dump(key)}: []")
+    return "{\n" + ",\n".join(entries) + "\n}\n"
+
+
+def read(text: str, name: str) -> Content:
+    """The trajectory or recording of a text.
+
+    Args:
+        text: Of the file.
+        name: What it is called where the file does not say.
+
+    Raises:
+        TrajectoryFileError: With the line and column of the object that is wrong.
+    """
+    try:
+        whole = json.loads(text)
+    except json.JSONDecodeError as error:
+        raise broken("json_bad", error.lineno, error.colno, text=error.msg) from error
+    except (RecursionError, ValueError) as error:  # nested too deep; a number of 5000 digits
+        raise broken("json_bad", text=str(error)) from error
+    try:
+        return _content(Fields(whole, ()), name)
+    except FieldError as error:
+        line, column = place_of(text, error.path)
+        raise TrajectoryFileError(error.reason, line, column) from error
+
+
+def _dump(value: object) -> str:
+    return json.dumps(value, ensure_ascii=False, allow_nan=False)
+
+
+def _sample(row: list[float]) -> list[float]:
+    return row[:GRIPPER] if math.isnan(row[GRIPPER]) else row
+
+
+def _point_fields(point: Waypoint) -> dict[str, Any]:
+    fields: dict[str, Any] = {
+        "move": f"MOVE {LETTER_OF[point.move]}",
+        "joints_deg" if point.is_joint else "pose": point.target,
+    }
+    if point.middle is not None:
+        fields["middle"] = point.middle
+    fields |= {"speed_percent": point.speed_percent, "dwell_s": point.dwell_s}
+    fields["gripper"] = None if point.gripper is None else asdict(point.gripper)
+    fields["light"] = None if point.light is None else asdict(point.light)
+    fields |= {"note": point.note, "comments": point.comments}
+    return {
+        key: value for key, value in fields.items() if key not in _EMPTY or value != _EMPTY[key]
+    }
+
+
+def _content(whole: Fields, name: str) -> Content:
+    kind = whole.text("format")
+    if kind not in _KINDS:
+        raise whole.bad("format", " / ".join(_KINDS))
+    if whole.whole("version") != VERSION:
+        raise broken("file_version", value=whole.whole("version"), maximum=VERSION)
+    common = {
+        "name": whole.text("name", name),
+        "note": whole.text("note", ""),
+        "modified": parse_time(whole.text("modified", "1970-01-01"), 0, 0),
+    }
+    if kind == _KINDS[0]:
+        points = tuple(_point(item) for item in whole.objects("points"))
+        closing = whole.texts("closing_comments")
+        whole.nothing_else()
+        return verified(Trajectory(points=points, closing=closing, **common))  # type: ignore[arg-type]  # the three fields of both kinds
+    rows = [_row(values) for values in whole.number_lists("samples", (GRIPPER, COLUMN_COUNT))]
+    whole.nothing_else()
+    samples = np.array(rows, dtype=np.float64).reshape(-1, COLUMN_COUNT)
+    return verified(Recording(samples=samples, **common))  # type: ignore[arg-type]  # as above
+
+
+def _row(values: tuple[float, ...]) -> tuple[float, ...]:
+    return values if len(values) == COLUMN_COUNT else (*values, math.nan)
+
+
+def _point(item: Fields) -> Waypoint:
+    text = item.text("move")
+    move = LETTERS.get(text.removeprefix("MOVE "))
+    if move is None:
+        raise item.bad("move", "MOVE J, MOVE P, MOVE L, MOVE C")
+    point = Waypoint(
+        move,
+        item.numbers("joints_deg" if move.name == "MOVE_J" else "pose", (6,)),
+        item.numbers("middle", (6,)) if move.name == "MOVE_C" else None,
+        item.whole("speed_percent", 30),
+        item.number("dwell_s", 0.0),
+        _gripper(item.object("gripper")),
+        _light(item.object("light")),
+        item.text("note", ""),
+        item.texts("comments"),
+    )
+    item.nothing_else()
+    reason = check_point(point)
+    if reason is not None:
+        raise FieldError(reason, item.path)
+    return point
+
+
+def _gripper(item: Fields | None) -> GripperAction | None:
+    if item is None:
+        return None
+    action: GripperAction
+    if "opening_mm" in item:
+        action = GripperOpening(item.number("opening_mm"), item.number("torque_nm", 1.0))
+    else:
+        action = GripperAngle(item.number("angle_deg"), item.number("speed_rad_s", 1.0))
+    item.nothing_else()
+    return action
+
+
+def _light(item: Fields | None) -> LightAction | None:
+    if item is None:
+        return None
+    names = ("joint", "red", "green", "blue", "lamp")
+    light = LightAction(*[item.whole(name) for name in names])
+    item.nothing_else()
+    return light

@@ -1,0 +1,128 @@
+"""`.log`, our own text format: made to be read and written by people, one point a line.
+
+A first line with the kind and the version, some lines `key: value`, an empty line, then points or
+samples. Empty lines count nothing; lines that begin with # are comments, and are kept.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from typing import Any, Final
+
+from armui.trajectory.files.errors import broken
+from armui.trajectory.files.log_points import read_point, read_text, write_point
+from armui.trajectory.files.log_samples import read_samples, write_samples
+from armui.trajectory.files.model import VERSION, Content, parse_time, verified, verify
+from armui.trajectory.program import Trajectory, Waypoint
+
+_FIRST: Final = re.compile(r"armui (trajectory|recording) (\d{1,9})\s*")
+_ENTRY: Final = re.compile(r"([A-Za-z]\w*):[ \t]*(.*?)[ \t]*")
+
+
+def is_log(text: str) -> bool:
+    """Whether a text begins as this format does."""
+    return _FIRST.match(text) is not None
+
+
+def write(content: Content) -> str:
+    """A trajectory or recording as text.
+
+    Raises:
+        ValueError: It is not possible; see `program.check_trajectory`.
+    """
+    verify(content)
+    kind = "trajectory" if isinstance(content, Trajectory) else "recording"
+    lines = [f"armui {kind} {VERSION}", f"name: {_text(content.name)}"]
+    if content.note:
+        lines.append(f"note: {_text(content.note)}")
+    lines += [f"modified: {content.modified.isoformat()}", ""]
+    if isinstance(content, Trajectory):
+        for point in content.points:
+            lines += [f"#{comment}" for comment in point.comments]
+            lines.append(write_point(point))
+        lines += [f"#{comment}" for comment in content.closing]
+        return "\n".join(lines) + "\n"
+    return "\n".join(lines) + "\n" + write_samples(content.samples)
+
+
+def read(text: str, name: str) -> Content:
+    """The trajectory or recording of a text.
+
+    Args:
+        text: Of the file.
+        name: What it is called where the header says nothing.
+
+    Raises:
+        TrajectoryFileError: With line and column.
+    """
+    lines = text.split("\n")
+    first = _FIRST.fullmatch(lines[0])
+    if first is None:
+        raise broken("file_kind_unknown", 1, 1)
+    kind, version = first.group(1), int(first.group(2))
+    if version != VERSION:
+        column = first.start(2) + 1
+        raise broken("file_version", 1, column, value=version, maximum=VERSION)
+    fields, begin, comments = _read_header(lines)
+    fields.setdefault("name", name)
+    if kind == "recording":
+        return read_samples(lines, begin, fields)
+    points, closing, numbers = _read_points(lines, begin, comments)
+    return verified(Trajectory(points=points, closing=closing, **fields), numbers)
+
+
+def _read_header(lines: list[str]) -> tuple[dict[str, Any], int, list[str]]:
+    """The entries, the index of the first line after them, and the comments among them."""
+    fields: dict[str, Any] = {}
+    comments: list[str] = []
+    for index, raw in enumerate(lines[1:], start=1):
+        line = raw.strip()
+        if line.startswith("#"):
+            comments.append(_comment(raw))
+            continue
+        entry = _ENTRY.fullmatch(line)
+        if entry is None:
+            if line:
+                return fields, index, comments
+            continue
+        key, value = entry.groups()
+        column = entry.start(2) + 1
+        if key in fields:
+            raise broken("option_twice", index + 1, 1, value=key)
+        if key == "modified":
+            fields[key] = parse_time(value, index + 1, column)
+        elif key in ("name", "note"):
+            fields[key] = read_text(value, index + 1, column)
+        else:
+            raise broken("header_unknown", index + 1, 1, value=key)
+    return fields, len(lines), comments
+
+
+def _read_points(
+    lines: list[str], begin: int, comments: list[str]
+) -> tuple[tuple[Waypoint, ...], tuple[str, ...], list[int]]:
+    """The points, the comments after the last, and the number of each point's line."""
+    points: list[Waypoint] = []
+    numbers: list[int] = []
+    for number, raw in enumerate(lines[begin:], start=begin + 1):
+        text = raw.strip()
+        if not text:
+            continue
+        if text.startswith("#"):
+            comments.append(_comment(raw))
+            continue
+        points.append(read_point(raw.rstrip("\r"), number, tuple(comments)))
+        numbers.append(number)
+        comments.clear()
+    return tuple(points), tuple(comments), numbers
+
+
+def _comment(line: str) -> str:
+    return line.rstrip("\r").partition("#")[2]
+
+
+def _text(text: str) -> str:
+    """Bare where it reads back as it is, else in quotation marks."""
+    plain = text.isprintable() and text == text.strip() and not text.startswith('"')
+    return text if plain and text else json.dumps(text, ensure_ascii=False)

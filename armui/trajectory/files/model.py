@@ -1,0 +1,77 @@
+"""What a file can hold, and the check that all formats share."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from datetime import UTC, datetime
+from typing import Final
+
+from armui.trajectory.files.errors import TrajectoryFileError, broken
+from armui.trajectory.program import Trajectory, Waypoint, check_point, check_trajectory
+from armui.trajectory.recording import Recording, check_recording
+
+Content = Trajectory | Recording
+"""What a file holds."""
+
+VERSION: Final = 1
+"""Of all formats."""
+
+LARGEST_BYTES: Final = 256 * 1024 * 1024
+
+
+def verify(content: Content) -> None:
+    """Makes sure before writing that what is written can be read again.
+
+    Raises:
+        ValueError: It could not, with the row and the reason.
+    """
+    found = (
+        check_trajectory(content) if isinstance(content, Trajectory) else check_recording(content)
+    )
+    if found is not None:
+        row, reason = found
+        raise ValueError(f"{content.name!r} cannot be kept: row {row}, {reason}")
+
+
+def verified(content: Content, lines: Sequence[int] = ()) -> Content:
+    """What was read, if it is possible.
+
+    Args:
+        content: What was read.
+        lines: The line of each point or sample.
+
+    Raises:
+        TrajectoryFileError: It is not.
+    """
+    found = (
+        check_trajectory(content) if isinstance(content, Trajectory) else check_recording(content)
+    )
+    if found is not None:
+        row, reason = found
+        raise TrajectoryFileError(reason, lines[row - 1] if 0 < row <= len(lines) else 0)
+    return content
+
+
+def verified_point(point: Waypoint, line: int, column: int = 0) -> Waypoint:
+    """A point that was read, if it is possible.
+
+    Raises:
+        TrajectoryFileError: It is not.
+    """
+    reason = check_point(point)
+    if reason is not None:
+        raise TrajectoryFileError(reason, line, column)
+    return point
+
+
+def parse_time(text: str, line: int, column: int) -> datetime:
+    """A date and time in ISO 8601; one without a time zone is in UTC.
+
+    Raises:
+        TrajectoryFileError: It is none.
+    """
+    try:
+        when = datetime.fromisoformat(text)
+    except ValueError:
+        raise broken("time_bad", line, column, value=text) from None
+    return when if when.tzinfo is not None else when.replace(tzinfo=UTC)

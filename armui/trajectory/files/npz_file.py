@@ -1,0 +1,77 @@
+"""`.npz`, how the library keeps recordings: numpy's own archive, so that any program can open it.
+
+Two members: `samples` (n, 8) and `header`, a JSON text of the name, the note and the time.
+"""
+
+from __future__ import annotations
+
+import io
+import json
+import zipfile
+from typing import Final
+
+import numpy as np
+
+from armui.trajectory.files.errors import TrajectoryFileError, broken
+from armui.trajectory.files.json_fields import FieldError, Fields
+from armui.trajectory.files.model import LARGEST_BYTES, Content, parse_time, verified, verify
+from armui.trajectory.recording import COLUMN_COUNT, Recording
+
+MAGIC: Final = b"PK\x03\x04"
+_SAMPLES: Final = "samples.npy"
+_HEADER: Final = "header.npy"
+
+
+def write(recording: Recording) -> bytes:
+    """A recording as the bytes of an archive, uncompressed.
+
+    Raises:
+        ValueError: It is not possible; see `recording.check_recording`.
+    """
+    verify(recording)
+    header = json.dumps(
+        {
+            "name": recording.name,
+            "note": recording.note,
+            "modified": recording.modified.isoformat(),
+        }
+    )
+    stream = io.BytesIO()
+    np.savez(stream, header=np.array(header), samples=recording.samples)
+    return stream.getvalue()
+
+
+def read(data: bytes) -> Content:
+    """The recording of an archive.
+
+    Raises:
+        TrajectoryFileError: It is none, or damaged.
+    """
+    try:
+        with zipfile.ZipFile(io.BytesIO(data)) as archive:
+            header = _array(_member(archive, _HEADER))
+            samples = _array(_member(archive, _SAMPLES))
+        fields = Fields(json.loads(str(header)), ())
+        name, note = fields.text("name"), fields.text("note")
+        modified = parse_time(fields.text("modified"), 0, 0)
+    except TrajectoryFileError:
+        raise
+    except FieldError as error:
+        raise TrajectoryFileError(error.reason) from error
+    except Exception as error:  # zipfile and numpy raise a dozen kinds on damaged archives
+        raise broken("file_damaged", text=str(error)) from error
+    if samples.ndim != 2 or samples.shape[1] != COLUMN_COUNT or samples.dtype.kind != "f":
+        raise broken("file_damaged", text=f"samples {samples.dtype} {samples.shape}")
+    return verified(Recording(name, note, samples.astype(np.float64), modified))
+
+
+def _member(archive: zipfile.ZipFile, name: str) -> bytes:
+    """A member's bytes, unless they claim to be more than any recording has."""
+    if archive.getinfo(name).file_size > LARGEST_BYTES:
+        raise broken("file_damaged", text=f"{name} is too large")
+    return archive.read(name)
+
+
+def _array(data: bytes) -> np.ndarray:
+    array: np.ndarray = np.lib.format.read_array(io.BytesIO(data), allow_pickle=False)
+    return array

@@ -1,0 +1,60 @@
+"""From the bytes of a text file to its text, and from numbers to text that says the same."""
+
+from __future__ import annotations
+
+import codecs
+from typing import Final
+
+from armui.trajectory.files.errors import broken
+
+_UTF_16: Final = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
+
+
+def decode(data: bytes) -> str:
+    """The text of a file: UTF-8, with or without a mark; UTF-16 with one; else GBK.
+
+    GBK (here with all of GB 18030) is what Chinese Windows writes by itself.
+
+    Raises:
+        TrajectoryFileError: It is none of them, with the line of the first odd byte.
+    """
+    if data.startswith(_UTF_16):
+        try:
+            return data.decode("utf-16")
+        except UnicodeDecodeError as error:
+            raise broken("file_not_text", 1) from error
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        try:
+            text = data.decode("gb18030")
+        except UnicodeDecodeError:
+            line_start = data.rfind(b"\n", 0, error.start) + 1
+            line = data.count(b"\n", 0, error.start) + 1
+            raise broken("file_not_text", line, error.start - line_start + 1) from error
+    nul = text.find("\0")
+    if nul >= 0:
+        line = text.count("\n", 0, nul) + 1
+        raise broken("file_not_text", line, nul - text.rfind("\n", 0, nul))
+    return text
+
+
+def number(value: float) -> str:
+    """A number as short as it can be written without losing anything."""
+    text = repr(float(value))
+    return text[:-2] if text.endswith(".0") else text
+
+
+def parse_number(text: str, line: int, column: int) -> float:
+    """A number as written with digits, a decimal point and perhaps an exponent.
+
+    Raises:
+        TrajectoryFileError: It is none, or an infinite one; `line` and `column` say where.
+    """
+    try:
+        value = float(text)
+    except ValueError:
+        raise broken("number_bad", line, column, value=text) from None
+    if value - value != 0.0 or "_" in text:  # infinite, or none
+        raise broken("number_bad", line, column, value=text)
+    return value
