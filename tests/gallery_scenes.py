@@ -14,7 +14,9 @@ from PySide6.QtWidgets import QApplication, QDialog, QLineEdit, QStackedWidget, 
 
 from armui.arm.device import Device
 from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS
+from armui.control.recovery_steps import Kind
 from armui.control.situation import LinkState, StopState
+from armui.sim.faults import fault
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.dialogs.files import FileDialog
@@ -23,6 +25,8 @@ from armui.ui.dialogs.joint_status import JointStatusDialog
 from armui.ui.dialogs.settings import SettingsDialog
 from tests.desk import Desk
 from tests.faulty_arm import FaultyDrivers
+
+_PUSH = fault("collision", 2)
 
 REACH_OUT_DEG = (35.0, 95.0, -70.0, 20.0, 45.0, -30.0)
 
@@ -163,6 +167,39 @@ def _lost(desk: Desk) -> None:
     desk.wait(lambda: desk.controller.situation.link is LinkState.LOST)
 
 
+def _collision(desk: Desk) -> None:
+    desk.click("recovery_button")
+    desk.confirm()
+    _until(desk, Kind.MOTORS_OFF)
+    desk.click("recovery_button")
+    _until(desk, Kind.READY)
+    desk.node.faults.start(_PUSH)
+    _until(desk, Kind.COLLISION)
+
+
+def _teaching(desk: Desk) -> None:
+    desk.node.faults.end(_PUSH)
+    desk.run(0.1)
+    desk.click("recovery_button")
+    _until(desk, Kind.READY)
+    desk.click("menu_teaching")
+    desk.click("teaching_start_recording")
+    desk.confirm()
+    _until(desk, Kind.RECORDING)
+    desk.firmware.hand.lead_to(REACH_OUT_DEG)
+    desk.run(2.0)
+
+
+def _way_out(desk: Desk) -> None:
+    desk.click("teaching_stop_recording")
+    _until(desk, Kind.DRAG_MODE)
+    desk.run(0.2)
+
+
+def _until(desk: Desk, kind: Kind) -> None:
+    desk.run_until(lambda: desk.controller.recovery.step.kind is kind)
+
+
 WINDOW_SCENES = (
     Scene("no-device", _no_device),
     Scene("online", _online),
@@ -179,6 +216,9 @@ WINDOW_SCENES = (
     Scene("offline", _offline),
     Scene("lost", _lost),
     Scene("stopped", _stopped),
+    Scene("collision", _collision),
+    Scene("teaching", _teaching),
+    Scene("way-out", _way_out),
 )
 """In the order they follow one another."""
 

@@ -30,6 +30,7 @@ from armui.ui.panels.light_panel import LightPanel
 from armui.ui.panels.motion_panel import MotionPanel
 from armui.ui.panels.motor_panel import MotorPanel
 from armui.ui.panels.parameter_panel import ParameterPanel
+from armui.ui.panels.teaching_panel import TeachingPanel
 from armui.ui.side_menu import MenuEntry, SideMenu
 from armui.ui.status_bar import StatusBar
 from armui.ui.theme import DARK, colors_of
@@ -113,6 +114,12 @@ class MainWindow(QMainWindow):
                 str(QT_TRANSLATE_NOOP("SideMenu", "Motor settings")),
                 "motor",
                 lambda: MotorPanel(self._controller),
+            ),
+            MenuEntry(
+                "teaching",
+                str(QT_TRANSLATE_NOOP("SideMenu", "Drag teaching")),
+                "teaching",
+                lambda: TeachingPanel(self._controller),
             ),
         )
         self._joint_monitor = JointMonitor(controller, parent=self)

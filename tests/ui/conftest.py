@@ -18,7 +18,8 @@ from armui.control.recovery_steps import Action, Kind, Step
 from armui.control.setting_cell import Cell
 from armui.control.setting_checks import Changes
 from armui.control.situation import Level, LinkState, Situation
-from armui.protocol.codes import ALL_JOINTS
+from armui.control.teaching_phase import why_not
+from armui.protocol.codes import ALL_JOINTS, TeachingState, TrajectoryCommand
 from armui.ui.theme import Theme, apply_theme
 
 NOW_S = 100.0
@@ -95,6 +96,8 @@ class FakeController(QObject):
         self.cartesian = FakeCartesian()
         self.joint_errors = FakeJointErrors(self)
         self.recovery = FakeRecovery(self)
+        self.teaching = FakeTeaching(self)
+        self.planned_motion = FakePlannedMotion(self)
         self.zeroing = FakeZeroing(self)
         self.settings = FakeSettings(self)
 
@@ -254,6 +257,34 @@ class FakeSettings(QObject):
 
     def settle(self, parameters: Iterable[Parameter]) -> None:
         pass
+
+
+class FakeTeaching:
+    """The drag teaching of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+        self.pending: TeachingState | None = None
+
+    def why_not(self, command: TeachingState) -> Refusal | None:
+        return why_not(command, self._controller.state, self._controller.situation)
+
+    def command(self, command: TeachingState) -> Refusal | None:
+        return self._controller._asked("teach", command)
+
+
+class FakePlannedMotion:
+    """The planned motions of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+        self.paused = False
+
+    def why_not(self, _command: TrajectoryCommand) -> Refusal | None:
+        return self._controller.situation.unreachable
+
+    def command(self, command: TrajectoryCommand) -> Refusal | None:
+        return self._controller._asked("plan", command)
 
 
 class FakeRecovery:

@@ -1,0 +1,233 @@
+"""An operator at 示教 of the main window: bytes at the arm, what it does, words on screen."""
+
+import errno
+
+import can
+import pytest
+
+from armui.protocol.codes import ArmStatusCode, ControlMode
+from armui.protocol.frame import Frame
+from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.panels.way_out import WayOut
+
+THERE_DEG = (10.0, 40.0, -30.0, 0.0, 0.0, 0.0)
+HOME_DEG = (0.0,) * 6
+
+
+def teach(code):
+    return Frame(0x150, bytes((0, 0, code, 0, 0, 0, 0, 0)))
+
+
+def plan(code):
+    return Frame(0x150, bytes((0, code, 0, 0, 0, 0, 0, 0)))
+
+
+def usable(desk):
+    """The commands that are offered now."""
+    names = "start_recording stop_recording run_recording move_to_start pause continue abort"
+    return {name for name in names.split() if desk.find(f"teaching_{name}").isEnabled()}
+
+
+def give(desk, name):
+    """Press a command that is offered; asked about before the arm is handed over."""
+    assert name in usable(desk)
+    desk.click(f"teaching_{name}")
+    if name == "start_recording":
+        desk.confirm()
+
+
+def phase(desk, text):
+    desk.run_until(lambda: text in desk.read("teaching_phase"))
+    desk.run_until(lambda: desk.read("teaching_message") == "")
+
+
+def lead(desk, angles_deg):
+    desk.firmware.hand.lead_to(angles_deg, speed_deg_s=20.0)
+    desk.run_until(lambda: desk.firmware.joints_deg == pytest.approx(angles_deg))
+    desk.run(0.2)
+
+
+def due(desk):
+    return desk.find("way_out").due
+
+
+@pytest.fixture
+def enabled(any_desk):
+    any_desk.connect_by_hand()
+    any_desk.enable_by_hand()
+    any_desk.click("menu_teaching")
+    any_desk.heard()
+    return any_desk
+
+
+@pytest.fixture
+def taught(enabled):
+    """The hand has led the arm away and ended the recording."""
+    give(enabled, "start_recording")
+    phase(enabled, "Recording")
+    lead(enabled, THERE_DEG)
+    give(enabled, "stop_recording")
+    phase(enabled, "nothing under way")
+    enabled.heard()
+    return enabled
+
+
+def test_recording_begins_with_a_warning_and_ends_with_the_arms_word(enabled):
+    assert usable(enabled) == {"start_recording"}
+    enabled.click("teaching_start_recording")
+    question = enabled.dialog(ConfirmDialog)
+    assert "give way to the hand" in question.text()
+    enabled.run(0.1)
+    assert enabled.heard() == []
+    enabled.confirm()
+    enabled.step()
+    assert enabled.heard() == [teach(1)]
+    phase(enabled, "Recording")
+    assert enabled.read("teaching_state") == "Start of recording (drag teaching on)"
+    assert usable(enabled) == {"stop_recording"}
+    lead(enabled, THERE_DEG)
+    give(enabled, "stop_recording")
+    phase(enabled, "nothing under way")
+    assert enabled.heard() == [teach(2)]
+    assert enabled.read("teaching_state") == "End of recording (drag teaching off)"
+    assert usable(enabled) == {"start_recording", "run_recording", "move_to_start"}
+    assert enabled.firmware.teaching.recording[-1] == pytest.approx(THERE_DEG)
+
+
+def test_a_replay_is_paused_continued_and_terminated(taught):
+    give(taught, "run_recording")
+    phase(taught, "Moving along")
+    assert usable(taught) == {"pause", "abort"}
+    taught.run_until(lambda: max(map(abs, taught.firmware.joints_deg)) < 1.0)
+    taught.run(0.5)
+    give(taught, "pause")
+    phase(taught, "paused")
+    assert taught.read("teaching_state") == "Replay paused"
+    assert usable(taught) == {"continue", "abort"}
+    give(taught, "continue")
+    phase(taught, "Moving along")
+    give(taught, "abort")
+    phase(taught, "nothing under way")
+    assert taught.heard() == [teach(3), teach(4), teach(5), teach(6)]
+
+
+def test_the_start_of_the_recording_is_reached(taught):
+    give(taught, "move_to_start")
+    phase(taught, "Moving along")
+    phase(taught, "nothing under way")
+    assert taught.heard() == [teach(7)]
+    assert taught.firmware.joints_deg == pytest.approx(HOME_DEG)
+
+
+def test_a_command_the_arm_does_not_follow_is_said(taught):
+    taught.firmware.teaching.recording.clear()
+    give(taught, "run_recording")
+    assert "Waiting for the arm" in taught.read("teaching_message")
+    assert usable(taught) == set()
+    taught.run_until(lambda: "did not follow" in taught.read("teaching_message"))
+    assert "record first" in taught.read("teaching_message")
+    assert taught.heard() == [teach(3)]  # what sets the arm going is not sent again
+    assert "run_recording" in usable(taught)
+
+
+def test_the_end_of_a_recording_is_asked_for_again(enabled):
+    give(enabled, "start_recording")
+    phase(enabled, "Recording")
+    enabled.heard()
+    enabled.firmware.teaching.command = lambda _command: None  # deaf to teaching
+    give(enabled, "stop_recording")
+    enabled.run_until(lambda: "teaching_unanswered" in enabled.codes())
+    assert enabled.heard() == [teach(2)] * 3
+    del enabled.firmware.teaching.command
+
+
+def test_motors_off_or_a_stop_keep_teaching_away_and_say_why(any_desk):
+    any_desk.connect_by_hand()
+    any_desk.click("menu_teaching")
+    any_desk.run(0.2)
+    assert usable(any_desk) == set()
+    assert "not enabled" in any_desk.find("teaching_start_recording").toolTip()
+    assert "not in drag teaching" in any_desk.find("teaching_run_recording").toolTip()
+    any_desk.enable_by_hand()
+    any_desk.click("stop_button")
+    any_desk.run(0.3)
+    assert "emergency stop" in any_desk.find("teaching_start_recording").toolTip()
+    assert "emergency stop" in any_desk.find("plan_continue").toolTip()
+
+
+def test_a_link_lost_half_way_ends_the_waiting(enabled):
+    enabled.firmware.teaching.command = lambda _command: None
+    give(enabled, "start_recording")
+    assert "Waiting" in enabled.read("teaching_message")
+    enabled.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
+    enabled.wait(lambda: "link_lost" in enabled.codes())
+    assert "device is gone" in enabled.read("teaching_message")
+    assert enabled.read("teaching_state") == "—"
+    assert usable(enabled) == set()
+    enabled.plug_in()
+    enabled.wait(lambda: "reconnected" in enabled.codes())
+    enabled.run_until(lambda: usable(enabled) == {"start_recording"})
+    assert teach(1) not in enabled.heard()[1:]
+    del enabled.firmware.teaching.command
+
+
+def test_what_the_button_on_the_arm_does_is_followed(enabled):
+    enabled.firmware.on_frame(teach(1))  # the arm's own button
+    phase(enabled, "Recording")
+    assert usable(enabled) == {"stop_recording"}
+    assert enabled.heard() == []
+
+
+def test_the_way_out_one_step_at_a_time(taught):
+    desk = taught
+    assert due(desk) == 1
+    assert desk.find("way_out").isVisible()
+    desk.click("recovery_button")
+    desk.confirm()
+    phase(desk, "Recording")
+    lead(desk, HOME_DEG)
+    give(desk, "stop_recording")
+    desk.run_until(lambda: due(desk) == 2)
+    desk.click("recovery_button")
+    assert "the arm will drop" in desk.dialog(ConfirmDialog).text()
+    desk.confirm()
+    desk.run_until(lambda: due(desk) == 3)
+    assert desk.firmware.status is ArmStatusCode.EMERGENCY_STOP
+    desk.click("recovery_button")
+    desk.confirm()
+    desk.run_until(lambda: due(desk) == 4)
+    assert desk.firmware.control_mode is ControlMode.STANDBY
+    desk.click("recovery_button")
+    desk.run_until(lambda: not desk.find("way_out").isVisible())
+    assert desk.controller.situation.cannot_move is None
+
+
+def test_motions_are_paused_continued_and_cleared(enabled):
+    assert not enabled.find("plan_pause").isEnabled()
+    assert "nothing to pause" in enabled.find("plan_pause").toolTip()
+    enabled.controller.motion.send_joints((60.0, *HOME_DEG[1:]))
+    enabled.run_until(lambda: enabled.find("plan_pause").isEnabled())
+    enabled.heard()
+    enabled.click("plan_pause")
+    enabled.run(1.0)
+    standing = enabled.firmware.joints_deg
+    enabled.run(0.5)
+    assert enabled.firmware.joints_deg == standing
+    assert "new targets wait" in enabled.read("teaching_message")
+    enabled.click("plan_continue")
+    enabled.run(0.5)
+    assert enabled.firmware.joints_deg != standing
+    enabled.click("plan_clear_current")
+    enabled.run(0.5)
+    enabled.click("plan_clear_all")
+    enabled.click("plan_abort")
+    enabled.step()
+    assert enabled.heard() == [plan(1), plan(2), plan(3), plan(4), plan(6)]
+    assert enabled.read("teaching_message") == ""
+
+
+def test_the_way_out_is_not_shown_to_an_arm_that_was_only_stopped(enabled):
+    enabled.click("stop_button")
+    enabled.run(0.3)
+    assert isinstance(enabled.find("way_out"), WayOut)
+    assert not enabled.find("way_out").isVisible()
