@@ -17,6 +17,7 @@ from armui.arm.tracker import Tracker
 from armui.bus.adapters import explain
 from armui.bus.link import BusReport, BusState
 from armui.bus.outbox import Outbox
+from armui.bus.samples import SampleRing
 from armui.protocol.codec import Codec, Message, Oddity, OddityKind
 from armui.protocol.frame import Frame
 
@@ -47,6 +48,10 @@ ANSWERS: Final = frozenset(
 """Messages that answer something: each one is delivered, none is folded away."""
 
 
+_LAST_ANGLES: Final = "JointFeedback56"
+"""The last of the three frames that tell where the joints are."""
+
+
 class BusWorker(QThread):
     """Owns one device from connecting to disconnecting.
 
@@ -55,6 +60,9 @@ class BusWorker(QThread):
         opener: How to open it.
         codec: Protocol to begin with; see :meth:`use_codec`.
         clock: Monotonic time in seconds.
+
+    Attributes:
+        samples: Every joint feedback, while somebody wants them.
 
     Signals:
         reported: A :class:`BusReport`, whenever the state of the device changes.
@@ -83,6 +91,7 @@ class BusWorker(QThread):
         self._state = ArmState()
         self._pictured_s = 0.0
         self._outbox = Outbox(clock)
+        self.samples = SampleRing()
         self._closing = threading.Event()
 
     @property
@@ -161,6 +170,8 @@ class BusWorker(QThread):
             Frame(message.arbitration_id, bytes(message.data))
         )
         self._tracker.fold(heard, now_s)
+        if self.samples.wanted and isinstance(heard, Message) and heard.name == _LAST_ANGLES:
+            self.samples.put(self._tracker.picture(), now_s)
         if isinstance(heard, Message) and heard.name in ANSWERS:
             self.answered.emit(heard)
 

@@ -32,7 +32,9 @@ from armui.control.notices import CODES
 from armui.control.orders import OrderLine
 from armui.control.planned_motion import PlannedMotion
 from armui.control.player import Player
+from armui.control.recorder import Recorder
 from armui.control.recovery import Recovery
+from armui.control.replayer import Replayer
 from armui.control.situation import Busy, LinkState, Notice, Situation
 from armui.control.stop import StopKeeper, is_stopped
 from armui.control.teaching import Teaching
@@ -64,6 +66,8 @@ class ArmController(QObject):
         motors: Switches the motors.
         lights: The lamps of the joints.
         player: Runs trajectories.
+        replayer: Replays recordings.
+        recorder: Records where the arm goes.
         orders: Carries out the commands that are answered.
         settings: Reads and sets the parameters the arm keeps.
         joint_errors: Clears the errors of the joints' drivers.
@@ -111,6 +115,8 @@ class ArmController(QObject):
         self.motors = Motors(context, before_switching=self.motion.halt)
         self.lights = Lights(context)
         self.player = Player(context, self.motion.halt, self)
+        self.replayer = Replayer(context, self.motion.halt, self)
+        self.recorder = Recorder(context, self)
         self.orders = OrderLine(context)
         self.settings = ArmSettings(context, self.orders, self)
         self.joint_errors = JointErrors(context, self.orders)
@@ -131,6 +137,8 @@ class ArmController(QObject):
             self.player,
             self.cartesian,
             self.jogging,
+            self.replayer,
+            self.recorder,
             self.orders,
             self.settings,
             self.teaching,
@@ -307,7 +315,7 @@ class ArmController(QObject):
             stop_unconfirmed=self._stop.unconfirmed(now_s),
             busy=busy,
             speed_percent=self.motion.speed_percent,
-            running=self.player.running,
+            running=self.player.running or self.replayer.running,
             generation=self._connection.generation,
         )
         return assess(self._state, around, now_s)

@@ -16,6 +16,7 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 
 if TYPE_CHECKING:
+    from armui.bus.samples import SampleRing
     from armui.bus.worker import BusWorker, Opener
     from armui.control.handshake import Handshake
     from armui.protocol.codec import Codec
@@ -64,6 +65,13 @@ class Connection(QObject):
         if self._bus_state is BusState.LOST:
             return LinkState.LOST
         return LinkState.ONLINE if self._online else LinkState.OFFLINE
+
+    @property
+    def samples(self) -> SampleRing:
+        """Joint angles as they come in; only while a device is open."""
+        if self._worker is None:
+            raise RuntimeError("no device is open: nothing comes in")
+        return self._worker.samples
 
     @property
     def idle(self) -> bool:

@@ -67,6 +67,12 @@ CODES: Final[Mapping[str, Level]] = {
     "standby_sent": Level.INFO,
     "motion_output_sent": Level.INFO,
     "step_in_vain": Level.FAULT,
+    "replay_paused": Level.INFO,
+    "replay_continued": Level.INFO,
+    "replay_ended": Level.INFO,  # name
+    "replay_failed": Level.FAULT,  # reason
+    "recording_started": Level.INFO,
+    "recording_ended": Level.DONE,  # count, seconds
     "connected": Level.INFO,  # device
     "connect_failed": Level.FAULT,  # device, reason
     "disconnected": Level.INFO,  # device
@@ -136,6 +142,8 @@ REFUSALS: Final = frozenset(
         "run_too_slow",  # seconds
         "run_elsewhere",  # away
         "run_not_ended",
+        "replay_too_fast",  # joint, value, maximum, percent
+        "replay_lagging",  # joint, away
         "gripper_other_generation",  # row
         "setting_out_of_range",  # parameter, joint, value, minimum, maximum
         "setting_not_a_number",  # parameter, joint, value, minimum, maximum

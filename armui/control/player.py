@@ -80,8 +80,9 @@ class Player(QObject):
     def start(self, run: Run) -> Refusal | None:
         """Begin a run: ``None`` if the arm is on its way, or why not."""
         context = self._context
-        refusal = Refusal("busy", {"what": "running"}) if self.running else None
-        refusal = refusal or context.situation().cannot_run or _why_empty(run)
+        situation = context.situation()
+        refusal = Refusal("busy", {"what": "running"}) if situation.running else None
+        refusal = refusal or situation.cannot_run or _why_empty(run)
         if refusal is None:
             refusal = why_not_possible(context.connection.generation, run.points)
         if refusal is not None:

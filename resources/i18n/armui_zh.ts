@@ -1096,6 +1096,30 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>在第 {row} 行中止执行。{reason}</translation>
     </message>
     <message>
+        <source>Replay paused: the arm holds</source>
+        <translation>回放已暂停，机械臂保持位置</translation>
+    </message>
+    <message>
+        <source>Replay goes on</source>
+        <translation>继续回放</translation>
+    </message>
+    <message>
+        <source>Replay of “{name}” ended; the arm stands.</source>
+        <translation>“{name}”回放已结束，机械臂已停稳。</translation>
+    </message>
+    <message>
+        <source>Replay ended. {reason}</source>
+        <translation>回放中止。{reason}</translation>
+    </message>
+    <message>
+        <source>Recording the arm&apos;s motion</source>
+        <translation>开始录制机械臂运动</translation>
+    </message>
+    <message>
+        <source>Recorded: {count} samples over {seconds} s</source>
+        <translation>录制完成：{count} 个采样，{seconds} 秒</translation>
+    </message>
+    <message>
         <source>Device open: {device}</source>
         <translation>设备已打开：{device}</translation>
     </message>
@@ -1465,6 +1489,14 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>已发送终止指令，但机械臂仍在运动；如有危险请按急停。</translation>
     </message>
     <message>
+        <source>Joint {joint} would have to turn at {value}°/s; its limit is {maximum}°/s. Replay at {percent} % of the recorded speed at most.</source>
+        <translation>关节 {joint} 需要 {value}°/s，超过其上限 {maximum}°/s，请以不高于录制速度 {percent} % 的倍率回放。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} does not follow: it is {away}° behind. See what keeps it, or replay more slowly.</source>
+        <translation>关节 {joint} 未能跟随，落后 {away}°，请检查受阻原因或降低回放速度。</translation>
+    </message>
+    <message>
         <source>The arm has not reported its end pose: an arc has no beginning. Wait for it.</source>
         <translation>机械臂尚未反馈末端位姿，圆弧没有起点，请稍候。</translation>
     </message>
@@ -1756,6 +1788,10 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>running a trajectory</source>
         <translation>执行轨迹</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>录制</translation>
     </message>
     <message>
         <source>reading or saving the arm&apos;s settings</source>

@@ -351,6 +351,7 @@ _UNDER_WAY: Final[Mapping[str, object]] = {
     "disabling": QT_TRANSLATE_NOOP("UnderWay", "disabling the motors"),
     "resuming": QT_TRANSLATE_NOOP("UnderWay", "resuming after the emergency stop"),
     "running": QT_TRANSLATE_NOOP("UnderWay", "running a trajectory"),
+    "recording": QT_TRANSLATE_NOOP("UnderWay", "recording"),
     "settings": QT_TRANSLATE_NOOP("UnderWay", "reading or saving the arm's settings"),
     "zeroing": QT_TRANSLATE_NOOP("UnderWay", "setting a zero"),
     "clearing_error": QT_TRANSLATE_NOOP("UnderWay", "clearing a joint's error"),

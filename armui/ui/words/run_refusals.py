@@ -36,6 +36,16 @@ RUN_REFUSALS: Final[Mapping[str, object]] = {
         "The arm was told to end its motion and still moves. Press the emergency stop if it must "
         "not.",
     ),
+    "replay_too_fast": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Joint {joint} would have to turn at {value}°/s; its limit is {maximum}°/s. Replay at "
+        "{percent} % of the recorded speed at most.",
+    ),
+    "replay_lagging": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Joint {joint} does not follow: it is {away}° behind. See what keeps it, or replay more "
+        "slowly.",
+    ),
     "pose_unknown": QT_TRANSLATE_NOOP(
         "Refusal", "The arm has not reported its end pose: an arc has no beginning. Wait for it."
     ),

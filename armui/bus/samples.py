@@ -1,0 +1,57 @@
+"""Joint angles as they come in, for what must not miss one: a bounded ring between two threads."""
+
+from __future__ import annotations
+
+from collections import deque
+from typing import Final, NamedTuple
+
+from armui.arm.state import ArmState
+
+CAPACITY: Final = 4096
+"""Twenty seconds at 200 Hz: the GUI thread empties it thirty times a second."""
+
+
+class Sample(NamedTuple):
+    """Where the arm was.
+
+    Attributes:
+        at_s: Monotonic time of reception.
+        joints_deg: Six joint angles.
+        gripper_mm: The gripper's opening, ``None`` where the arm tells none.
+    """
+
+    at_s: float
+    joints_deg: tuple[float, ...]
+    gripper_mm: float | None
+
+
+class SampleRing:
+    """Filled by the bus thread while somebody wants samples, emptied by the GUI thread.
+
+    Attributes:
+        wanted: Whether samples are kept.
+        dropped: How many were lost because nobody took them.
+    """
+
+    def __init__(self, capacity: int = CAPACITY) -> None:
+        self._samples: deque[Sample] = deque(maxlen=capacity)
+        self.wanted = False
+        self.dropped = 0
+
+    def put(self, state: ArmState, at_s: float) -> None:
+        """Keep where the arm is, if its six angles are known."""
+        joints_deg = state.angles_deg()
+        if joints_deg is None:
+            return
+        gripper = state.gripper
+        if len(self._samples) == self._samples.maxlen:
+            self.dropped += 1
+        opening_mm = None if gripper is None else gripper.value.opening_mm
+        self._samples.append(Sample(at_s, joints_deg, opening_mm))
+
+    def take(self) -> list[Sample]:
+        """All samples since the last call."""
+        taken = []
+        while self._samples:
+            taken.append(self._samples.popleft())
+        return taken

@@ -1,0 +1,289 @@
+"""Replays a recording: a slow approach to its first sample, then joint targets at a fixed rate."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+
+from armui.arm.refusal import Refusal
+from armui.control.arrival import Arrival, ArrivalWatch
+from armui.control.context import Context
+from armui.control.run import ENDLESS, OVER, Phase, Progress
+from armui.control.stillness import Stillness
+from armui.protocol import commands
+from armui.protocol.codes import ControlMode, MoveMode, TrajectoryCommand
+from armui.trajectory.program import Waypoint
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from armui.control.replay import Replay
+    from armui.protocol.codec import Codec
+    from armui.protocol.frame import Frame
+
+PERIOD_MS: Final = 20
+"""50 targets a second; the arm plans anew at each."""
+
+_APPROACH_PERCENT: Final = 15
+_APPROACH_WITHIN_S: Final = 90.0
+_REST_WITHIN_S: Final = 3.0
+_GRIPPER_STEP_MM: Final = 0.5
+_GRIPPER_TORQUE_NM: Final = 1.0
+
+
+class Replayer(QObject):
+    """One replay at a time.
+
+    If the program stops sending, for whatever reason, the arm ends in the target sent last, which
+    is never more than a period ahead of what was recorded.
+
+    Args:
+        context: What the parts of the controller share.
+        before_moving: Called when it sends the arm somewhere: setpoints are void.
+
+    Signals:
+        progressed: A :class:`Progress`, when it differs.
+    """
+
+    progressed = Signal(object)
+
+    def __init__(
+        self, context: Context, before_moving: Callable[[], None], parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._context = context
+        self._before_moving = before_moving
+        self._replay: Replay | None = None
+        self._phase = Phase.IDLE
+        self._ending = Phase.DONE
+        self._progress = Progress()
+        self._watch: ArrivalWatch | None = None
+        self._stillness = Stillness()
+        self._since_s = 0.0
+        self._at_s = 0.0
+        self._lap = 1
+        self._gripper_mm: float | None = None
+        self._timer = QTimer(self)
+        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
+        self._timer.setInterval(PERIOD_MS)
+        self._timer.timeout.connect(self.advance)
+
+    @property
+    def progress(self) -> Progress:
+        """How far the replay has come."""
+        return self._progress
+
+    @property
+    def running(self) -> bool:
+        """Whether a replay moves the arm, or will."""
+        return self._phase not in OVER
+
+    # What the operator wants ------------------------------------------------------------------
+
+    def start(self, replay: Replay) -> Refusal | None:
+        """Begin a replay: ``None`` if the arm is on its way to the first sample, or why not."""
+        from armui.control.replay import why_not  # noqa: PLC0415 - numpy, loaded with the first
+
+        context = self._context
+        situation = context.situation()
+        refusal = Refusal("busy", {"what": "running"}) if situation.running else None
+        refusal = refusal or situation.cannot_run or why_not(replay, situation)
+        if refusal is not None:
+            return context.refuse(refusal)
+        self._replay, self._lap, self._at_s = replay, 1, 0.0
+        self._gripper_mm = None
+        context.tell("run_started", name=replay.recording.name)
+        self._timer.start()
+        self._approach(replay)
+        return None
+
+    def pause(self) -> Refusal | None:
+        """Hold where the arm is: nothing more is sent."""
+        if self._phase is not Phase.MOVING or self._watch is not None:
+            return self._context.refuse(Refusal("not_running"))
+        self._phase = Phase.PAUSED
+        self._context.tell("replay_paused")
+        self._publish()
+        return None
+
+    def go_on(self) -> Refusal | None:
+        """End a pause."""
+        if self._phase is not Phase.PAUSED:
+            return self._context.refuse(Refusal("not_paused"))
+        refusal = self._context.situation().cannot_run
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        self._phase = Phase.MOVING
+        self._since_s = self._context.clock()
+        self._context.tell("replay_continued")
+        self._publish()
+        return None
+
+    def stop(self) -> None:
+        """End the replay: the arm comes to rest and stays powered."""
+        if not self.running or self._phase is Phase.STOPPING:
+            return
+        self._send(commands.trajectory_command(self._codec, TrajectoryCommand.ABORT))
+        self._rest(Phase.STOPPED)
+        self._publish()
+
+    # What time and the arm bring --------------------------------------------------------------
+
+    def advance(self) -> None:
+        """Send what is due; called at each tick and by a timer of its own."""
+        replay = self._replay
+        if replay is None or not self.running:
+            return
+        reason = self._context.situation().cannot_run
+        if reason is not None:
+            self._fail(reason)
+        elif self._phase is Phase.STOPPING:
+            self._follow_rest(replay)
+        elif self._phase is Phase.MOVING and self._watch is not None:
+            self._follow_approach(self._watch)
+        elif self._phase is Phase.MOVING:
+            self._stream(replay)
+        self._publish()
+
+    def halt(self) -> None:
+        """An emergency stop ends the replay."""
+        if self.running:
+            self._fail(Refusal("run_stopped"))
+            self._publish()
+
+    def forget(self) -> None:
+        """So does the loss of the arm."""
+        if self.running:
+            self._fail(Refusal("link_lost"))
+            self._publish()
+
+    def _approach(self, replay: Replay) -> None:
+        """Set out for the first sample, slowly: the arm may stand anywhere."""
+        self._before_moving()
+        self._since_s = self._context.clock()
+        self._watch = ArrivalWatch(Waypoint(MoveMode.MOVE_J, replay.first_deg), self._since_s)
+        self._send(
+            commands.move_joints(self._codec, replay.first_deg, speed_percent=_APPROACH_PERCENT)
+        )
+        self._phase = Phase.MOVING
+        self._publish()
+
+    def _follow_approach(self, watch: ArrivalWatch) -> None:
+        now_s = self._context.clock()
+        arrival = watch.look(self._context.state(), now_s)
+        if isinstance(arrival, Refusal):
+            self._fail(arrival)
+        elif arrival is Arrival.REACHED:
+            self._begin_stream(now_s)
+        elif now_s - self._since_s > _APPROACH_WITHIN_S:
+            self._fail(Refusal("run_too_slow", {"seconds": round(_APPROACH_WITHIN_S)}))
+
+    def _begin_stream(self, now_s: float) -> None:
+        """Targets from now on are followed at full speed: the recording says how fast."""
+        full_speed = commands.set_mode(
+            self._codec,
+            control_mode=ControlMode.CAN_CONTROL,
+            move_mode=MoveMode.MOVE_J,
+            speed_percent=100,
+        )
+        self._send(full_speed)
+        self._watch = None
+        self._since_s, self._at_s = now_s, 0.0
+
+    def _stream(self, replay: Replay) -> None:
+        from armui.control.replay import why_behind  # noqa: PLC0415 - loaded by start()
+
+        now_s = self._context.clock()
+        if now_s <= self._since_s:
+            return
+        self._at_s = min(self._at_s + now_s - self._since_s, replay.duration_s)
+        self._since_s = now_s
+        behind = why_behind(replay, self._at_s, self._context.state())
+        if behind is not None:
+            self._fail(behind)
+            return
+        self._send(commands.joint_target(self._codec, replay.joints_deg_at(self._at_s)))
+        self._move_gripper(replay.gripper_mm_at(self._at_s))
+        if self._at_s >= replay.duration_s:
+            self._end_lap(replay)
+
+    def _move_gripper(self, opening_mm: float | None) -> None:
+        """Follow the recorded opening in steps; generation 1 tells none."""
+        before_mm = self._gripper_mm
+        if opening_mm is None or (
+            before_mm is not None and abs(opening_mm - before_mm) < _GRIPPER_STEP_MM
+        ):
+            return
+        self._gripper_mm = opening_mm
+        self._send(
+            commands.move_gripper_opening(
+                self._codec, opening_mm=opening_mm, torque_nm=_GRIPPER_TORQUE_NM
+            )
+        )
+
+    def _end_lap(self, replay: Replay) -> None:
+        if replay.laps != ENDLESS and self._lap >= replay.laps:
+            self._rest(Phase.DONE)
+            return
+        self._lap += 1
+        self._at_s = 0.0
+        self._approach(replay)
+
+    def _rest(self, ending: Phase) -> None:
+        """Wait until the arm stands, then end so."""
+        self._phase, self._ending = Phase.STOPPING, ending
+        self._since_s = self._context.clock()
+        self._stillness = Stillness()
+
+    def _follow_rest(self, replay: Replay) -> None:
+        now_s = self._context.clock()
+        if self._stillness.still(self._context.state(), now_s):
+            self._end(self._ending)
+            code = "run_done" if self._ending is Phase.DONE else "replay_ended"
+            self._context.tell(code, name=replay.recording.name)
+        elif now_s - self._since_s > _REST_WITHIN_S:
+            self._fail(Refusal("run_not_ended"))
+
+    def _fail(self, reason: Refusal) -> None:
+        self._end(Phase.FAILED)
+        self._progress = self._snapshot(reason)
+        self._context.tell("replay_failed", reason=reason)
+        self.progressed.emit(self._progress)
+
+    def _end(self, phase: Phase) -> None:
+        self._phase = phase
+        self._timer.stop()
+
+    # Small things -----------------------------------------------------------------------------
+
+    @property
+    def _codec(self) -> Codec:
+        return self._context.connection.codec
+
+    def _send(self, frames: Sequence[Frame]) -> None:
+        self._context.connection.send(frames)
+
+    def _publish(self) -> None:
+        progress = self._snapshot(self._progress.reason if self._phase is Phase.FAILED else None)
+        if progress != self._progress:
+            self._progress = progress
+            self.progressed.emit(progress)
+
+    def _snapshot(self, reason: Refusal | None) -> Progress:
+        replay = self._replay
+        if replay is None:
+            return Progress()
+        done = 1.0 if self._phase is Phase.DONE else self._at_s / replay.duration_s
+        laps_left = replay.laps - self._lap
+        rest_s = replay.duration_s * (1.0 - done + laps_left)
+        return Progress(
+            phase=self._phase,
+            name=replay.recording.name,
+            count=len(replay.recording.samples),
+            lap=self._lap,
+            laps=replay.laps,
+            done=done,
+            remaining_s=None if replay.laps == ENDLESS else rest_s,
+            reason=reason,
+        )

@@ -1,0 +1,181 @@
+"""Recordings: what the recorder keeps of the simulated arm, and how a replay follows it."""
+
+import math
+from datetime import UTC, datetime
+
+import numpy as np
+import pytest
+
+from armui.control.replay import Replay
+from armui.control.run import ENDLESS, Phase
+from armui.trajectory.recording import Recording
+
+STILL = (0.0, 30.0, -30.0, 0.0, 0.0, 0.0)
+
+
+def wave(seconds=4.0, rate_hz=100.0, swing_deg=10.0, gripper_mm=math.nan):
+    """Joint 1 swings, joint 2 goes up; the rest stays."""
+    times = np.arange(0.0, seconds, 1.0 / rate_hz)
+    samples = np.zeros((len(times), 8))
+    samples[:, 0] = times
+    samples[:, 1:7] = STILL
+    samples[:, 1] = swing_deg * np.sin(2.0 * np.pi * times / seconds)
+    samples[:, 2] += 5.0 * times / seconds
+    samples[:, 7] = gripper_mm
+    return Recording("wave", samples=samples, modified=datetime(2026, 1, 1, tzinfo=UTC))
+
+
+@pytest.fixture
+def ready(any_bench):
+    any_bench.ready()
+    return any_bench
+
+
+def phase(bench):
+    return bench.controller.replayer.progress.phase
+
+
+def over(bench):
+    return lambda: not bench.controller.replayer.running
+
+
+def test_the_arm_follows_the_recording(ready):
+    recording = wave()
+    replayer = ready.controller.replayer
+    assert replayer.start(Replay(recording)) is None
+    ready.run_until(lambda: replayer.progress.done > 0.0)
+    assert ready.firmware.joints_deg == pytest.approx(recording.joints_deg[0], abs=0.1)
+    began_s = ready.time_s
+    path = []
+    ready.run_until(lambda: path.append(ready.firmware.joints_deg) or over(ready)())
+    assert phase(ready) is Phase.DONE
+    assert 4.0 <= ready.time_s - began_s <= 5.0
+    assert ready.firmware.joints_deg == pytest.approx(recording.joints_deg[-1], abs=0.1)
+    first = [joints[0] for joints in path]
+    assert max(first) == pytest.approx(10.0, abs=0.3)
+    assert min(first) == pytest.approx(-10.0, abs=0.3)
+
+
+def test_a_factor_changes_the_time_and_not_the_way(ready):
+    replayer = ready.controller.replayer
+    replayer.start(Replay(wave(), factor=0.5))
+    ready.run_until(lambda: replayer.progress.done > 0.0)
+    began_s = ready.time_s
+    path = []
+    ready.run_until(lambda: path.append(ready.firmware.joints_deg[0]) or over(ready)())
+    assert 8.0 <= ready.time_s - began_s <= 9.0
+    assert max(path) == pytest.approx(10.0, abs=0.3)
+
+
+def test_laps_begin_where_the_recording_begins(ready):
+    replayer = ready.controller.replayer
+    replayer.start(Replay(wave(), laps=2))
+    ready.run_until(over(ready), seconds=60.0)
+    assert (phase(ready), replayer.progress.lap) == (Phase.DONE, 2)
+
+
+def test_a_pause_holds_the_arm(ready):
+    replayer = ready.controller.replayer
+    replayer.start(Replay(wave(), laps=ENDLESS))
+    ready.run_until(lambda: replayer.progress.done > 0.3)
+    assert replayer.pause() is None
+    ready.run(1.0)
+    at = ready.firmware.joints_deg
+    ready.run(3.0)
+    assert ready.firmware.joints_deg == at
+    assert replayer.go_on() is None
+    ready.run_until(lambda: replayer.progress.lap == 2)
+    replayer.stop()
+    ready.run_until(over(ready))
+    assert phase(ready) is Phase.STOPPED
+
+
+def test_a_program_that_hangs_does_not_leave_the_arm_moving(ready):
+    replayer = ready.controller.replayer
+    replayer.start(Replay(wave()))
+    ready.run_until(lambda: replayer.progress.done > 0.2)
+    ready.firmware.step(0.5)  # nobody sends
+    at = ready.firmware.joints_deg
+    ready.firmware.step(1.0)
+    assert ready.firmware.joints_deg == at
+
+
+def test_an_emergency_stop_ends_the_replay(ready):
+    replayer = ready.controller.replayer
+    replayer.start(Replay(wave()))
+    ready.run_until(lambda: replayer.progress.done > 0.2)
+    ready.controller.emergency_stop()
+    assert (phase(ready), replayer.progress.reason.code) == (Phase.FAILED, "run_stopped")
+    ready.run(0.5)
+    assert ready.firmware.stopped
+
+
+def test_an_arm_that_does_not_follow_is_noticed(ready):
+    replayer = ready.controller.replayer
+    replayer.start(Replay(wave(swing_deg=60.0)))
+    ready.run_until(lambda: replayer.progress.done > 0.05)
+    ready.firmware.on_frame = lambda _frame: []
+    ready.run_until(over(ready))
+    assert replayer.progress.reason.code == "replay_lagging"
+
+
+@pytest.mark.parametrize(
+    ("replay", "code"),
+    [
+        (Replay(Recording("nothing")), "run_empty"),
+        (Replay(wave(swing_deg=170.0)), "joint_out_of_limits"),
+        (Replay(wave(seconds=1.0, swing_deg=40.0)), "replay_too_fast"),
+        (Replay(wave(), factor=20.0), "replay_too_fast"),
+    ],
+)
+def test_what_the_arm_cannot_follow_is_not_begun(ready, replay, code):
+    at = ready.firmware.joints_deg
+    assert ready.controller.replayer.start(replay).code == code
+    ready.run(0.5)
+    assert ready.firmware.joints_deg == at
+
+
+def test_the_speed_named_as_possible_is_possible(ready):
+    fast = wave(seconds=5.0, swing_deg=120.0)
+    refusal = ready.controller.replayer.start(Replay(fast, factor=2.0))
+    factor = refusal.params["percent"] / 100.0
+    assert ready.controller.replayer.start(Replay(fast, factor=factor)) is None
+    ready.run_until(over(ready))
+    assert phase(ready) is Phase.DONE
+
+
+def test_the_gripper_follows_where_it_was_recorded(bench):
+    bench.ready()
+    bench.controller.replayer.start(Replay(wave(gripper_mm=25.0)))
+    bench.run_until(over(bench))
+    assert bench.controller.state.gripper.value.opening_mm == pytest.approx(25.0, abs=0.5)
+
+
+def test_what_the_arm_does_is_recorded(ready):
+    recorder = ready.controller.recorder
+    assert recorder.start() is None
+    assert recorder.start().code == "busy"
+    ready.controller.motion.send_joints([10, 20, -20, 0, 0, 0])
+    ready.run(3.0)
+    recording = recorder.finish("led by hand")
+    generation_1 = recording.samples[:, 7]
+    assert np.isnan(generation_1).all() == (int(ready.controller.situation.generation) == 1)
+    assert recording.duration_s == pytest.approx(3.0, abs=0.1)
+    assert (np.diff(recording.times_s) >= 0.0).all()
+    assert recording.joints_deg[0] == pytest.approx([0.0] * 6, abs=0.5)
+    assert recording.joints_deg[-1] == pytest.approx([10, 20, -20, 0, 0, 0], abs=0.1)
+    assert recorder.dropped == 0
+
+
+def test_a_lost_arm_leaves_what_was_recorded(ready):
+    recorder = ready.controller.recorder
+    recorder.start()
+    ready.run(1.0)
+    ready.controller.disconnect_device()
+    assert not recorder.recording
+    assert recorder.finish("cut").duration_s == pytest.approx(1.0, abs=0.1)
+
+
+def test_nothing_recorded_is_nothing(any_bench):
+    assert any_bench.controller.recorder.start().code == "not_connected"
+    assert any_bench.controller.recorder.finish("empty") is None
