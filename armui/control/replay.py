@@ -22,6 +22,7 @@ _SPEED_OVER_S: Final = 0.1
 _SPEED_SLACK: Final = 1.02
 _LAG_SLACK_DEG: Final = 5.0
 _LAG_S: Final = 0.15
+_LAG_MEMORY_S: Final = 1.0
 _ACCELERATION_DEG_S2: Final = math.degrees(5.0)
 """Taken where the arm has not told its own."""
 
@@ -84,9 +85,15 @@ class Replay:
         return None if math.isnan(opening_mm) else opening_mm
 
     def lag_allowed_deg(self, at_s: float, state: ArmState) -> tuple[float, ...]:
-        """How far an arm that follows may be behind: what its own braking explains, and a bit."""
-        index = int(np.searchsorted(self._times_s, at_s * self.factor))
-        speeds = self.speeds_deg_s[min(index, len(self._times_s) - 1)]
+        """How far an arm that follows may be behind: what its own braking explains, and a bit.
+
+        An arm that brakes late for a target that has turned round already is no obstacle's work:
+        the fastest of the last second counts.
+        """
+        recorded_s = at_s * self.factor
+        last = int(np.searchsorted(self._times_s, recorded_s, side="right"))
+        first = int(np.searchsorted(self._times_s, recorded_s - _LAG_MEMORY_S * self.factor))
+        speeds = self.speeds_deg_s[min(first, last - 1) : last].max(axis=0)
         return tuple(
             _LAG_SLACK_DEG
             + _LAG_S * float(speed)

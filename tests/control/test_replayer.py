@@ -48,7 +48,7 @@ def test_the_arm_follows_the_recording(ready):
     began_s = ready.time_s
     path = []
     ready.run_until(lambda: path.append(ready.firmware.joints_deg) or over(ready)())
-    assert phase(ready) is Phase.DONE
+    assert (phase(ready), ready.controller.replayer.progress.reason) == (Phase.DONE, None)
     assert 4.0 <= ready.time_s - began_s <= 5.0
     assert ready.firmware.joints_deg == pytest.approx(recording.joints_deg[-1], abs=0.1)
     first = [joints[0] for joints in path]
@@ -141,7 +141,7 @@ def test_the_speed_named_as_possible_is_possible(ready):
     factor = refusal.params["percent"] / 100.0
     assert ready.controller.replayer.start(Replay(fast, factor=factor)) is None
     ready.run_until(over(ready))
-    assert phase(ready) is Phase.DONE
+    assert (phase(ready), ready.controller.replayer.progress.reason) == (Phase.DONE, None)
 
 
 def test_the_gripper_follows_where_it_was_recorded(bench):
