@@ -53,6 +53,15 @@ NAMED = [
     "effect_strip",
     "light_confirm_button",
     "light_message",
+    "recovery_text",
+    "recovery_button",
+    "menu_teaching",
+    "teaching_state",
+    "teaching_phase",
+    "teaching_message",
+    "teaching_start_recording",
+    "plan_pause",
+    "way_out",
     *(f"light_joint_{joint}" for joint in range(1, 7)),
     *(
         f"{panel}_{name}"
