@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 from armui.viewport.camera import HOME_CAMERA, OrbitCamera
 from armui.viewport.errors import SceneError
 from armui.viewport.palette import LIGHT, ScenePalette
+from armui.viewport.path_picture import NOTHING, Preview
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -61,7 +62,9 @@ class ViewState:
         gripper_mm: opening; None: never heard.
         stale: the angles are no longer fresh.
         highlighted_joint: 1–6 or None.
+        preview: what is shown beside the arm.
         pick: a question to answer along the way.
+        mark_pick: likewise, about a mark of the preview.
     """
 
     robot: RobotChoice
@@ -74,7 +77,9 @@ class ViewState:
     gripper_mm: float | None = None
     stale: bool = False
     highlighted_joint: int | None = None
+    preview: Preview = NOTHING
     pick: PickRequest | None = None
+    mark_pick: PickRequest | None = None
 
 
 @contextmanager
@@ -104,13 +109,18 @@ class FramePainter:
     Args:
         on_load_failed: told why a robot can't be shown; the one before stays.
         on_picked: told the joint number seen at a pick, or None.
+        on_mark_picked: told the row of the mark that was clicked.
     """
 
     def __init__(
-        self, on_load_failed: Callable[[Refusal], None], on_picked: Callable[[int | None], None]
+        self,
+        on_load_failed: Callable[[Refusal], None],
+        on_picked: Callable[[int | None], None],
+        on_mark_picked: Callable[[int], None],
     ) -> None:
         self._on_load_failed = on_load_failed
         self._on_picked = on_picked
+        self._on_mark_picked = on_mark_picked
         self._scene: Scene | None = None
         self._shown: ViewState | None = None
         self._smooth_frame_s = math.inf
@@ -139,7 +149,13 @@ class FramePainter:
         scene.show(state)
         if state.pick is not None and (before is None or state.pick != before.pick):
             self._on_picked(scene.pick(state.pick.x_px, state.pick.y_px))
-        if before is not None and replace(state, pick=before.pick) == before:
+        question = state.mark_pick
+        if question is not None and (before is None or question != before.mark_pick):
+            row = scene.pick_mark(question.x_px, question.y_px)
+            if row is not None:
+                self._on_mark_picked(row)
+        unasked = before and replace(state, pick=before.pick, mark_pick=before.mark_pick)
+        if before is not None and unasked == before:
             return None
         return self._render(scene, smooth=self._smooth_frame_s < _CHEAP_FRAME_S)
 

@@ -17,6 +17,8 @@ class ScenePalette:
         muted: figures that are stale or not heard.
         accent: the highlighted link, the focus frame.
         axes: X, Y and Z.
+        speeds: a path where it is slow, and where it is fast.
+        fault: marks of points that cannot be reached.
     """
 
     background: str
@@ -25,6 +27,8 @@ class ScenePalette:
     muted: str
     accent: str
     axes: tuple[str, str, str]
+    speeds: tuple[str, str]
+    fault: str
 
 
 LIGHT = ScenePalette(
@@ -34,6 +38,8 @@ LIGHT = ScenePalette(
     muted="#8a94a2",
     accent="#2f6fde",
     axes=("#d04848", "#3f9a4b", "#3b6fd4"),
+    speeds=("#2f6fde", "#e08a1e"),
+    fault="#c62828",
 )
 
 DARK = ScenePalette(
@@ -43,6 +49,8 @@ DARK = ScenePalette(
     muted="#808a97",
     accent="#5b93f5",
     axes=("#e06c6c", "#62bd6e", "#6a96ee"),
+    speeds=("#5b93f5", "#f0a848"),
+    fault="#ef5350",
 )
 
 

@@ -35,6 +35,7 @@ class RenderThread(QObject):
     Signals:
         frame_ready: a finished picture, with a copy of its own memory.
         joint_picked: the joint number (1–6) or None at a picked place.
+        mark_picked: the row of a mark that was clicked.
         load_failed: why a robot can't be shown, a `Refusal`; the one before stays.
         failed: why nothing can be drawn at all, a `Refusal`; no pictures follow.
 
@@ -44,6 +45,7 @@ class RenderThread(QObject):
 
     frame_ready = Signal(QImage)
     joint_picked = Signal(object)
+    mark_picked = Signal(int)
     load_failed = Signal(object)
     failed = Signal(object)
 
@@ -100,7 +102,7 @@ class RenderThread(QObject):
             self._thread = None
 
     def _new_painter(self) -> FramePainter:
-        return FramePainter(self.load_failed.emit, self.joint_picked.emit)
+        return FramePainter(self.load_failed.emit, self.joint_picked.emit, self.mark_picked.emit)
 
     def _run(self) -> None:
         _give_way()

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 _PLAIN: Rgb = (0.80, 0.82, 0.85)
 _FADED_SHARE = 0.6
 _HIGHLIGHT_SHARE = 0.55
+_GHOST_OPACITY = 0.3
 
 
 class RobotActors:
@@ -70,6 +71,15 @@ class RobotActors:
             look.SetAmbient(ambient)
             look.SetDiffuse(diffuse)
             look.SetSpecular(specular)
+
+    def make_ghost(self, palette: ScenePalette) -> None:
+        """Let the robot shine through, in the accent colour: it is where no arm is."""
+        for _, actor, _ in self._parts:
+            actor.PickableOff()
+            look = actor.GetProperty()
+            look.SetColor(*rgb(palette.accent))
+            look.SetOpacity(_GHOST_OPACITY)
+            look.SetSpecular(0.0)
 
     def joint_of(self, picked: object) -> int | None:
         """Number (1–6) of the joint that moves an actor; None for the base and the unknown."""

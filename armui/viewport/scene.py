@@ -12,6 +12,8 @@ from vtkmodules.vtkRenderingCore import vtkCellPicker
 from armui.viewport.camera import HOME_CAMERA, VIEW_ANGLE_DEG
 from armui.viewport.offscreen import Canvas, Pixels
 from armui.viewport.palette import LIGHT, ScenePalette
+from armui.viewport.path_picture import NOTHING, Preview
+from armui.viewport.preview_actors import PreviewActors
 from armui.viewport.robot_actors import RobotActors
 from armui.viewport.stage import Stage
 from armui.viewport.urdf_file import load_robot
@@ -21,6 +23,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from armui.viewport.frame_painter import ViewState
+    from armui.viewport.robot import Robot
 
 _FAR_BEHIND_FOCUS_M = 5.0
 _ZERO_DEG = (0.0,) * 6
@@ -47,6 +50,11 @@ class Scene:
         self._canvas = Canvas(width_px, height_px)
         self._stage = Stage(self._canvas.renderer)
         self._robot: RobotActors | None = None
+        self._description: Robot | None = None
+        self._ghost: RobotActors | None = None
+        self._preview = NOTHING
+        self._preview_actors = PreviewActors(self._canvas.renderer)
+        self._pixel_ratio = pixel_ratio
         self._palette = palette
         self._is_fresh = False
         self._highlighted_joint: int | None = None
@@ -64,14 +72,17 @@ class Scene:
         Raises:
             SceneError: the file is no arm this program can show; the old robot stays.
         """
-        robot = RobotActors(load_robot(path))
+        description = load_robot(path)
+        robot = RobotActors(description)
         renderer = self._canvas.renderer
         if self._robot is not None:
             for actor in self._robot.actors:
                 renderer.RemoveActor(actor)
         for actor in robot.actors:
             renderer.AddActor(actor)
-        self._robot = robot
+        self._robot, self._description = robot, description
+        self._drop_ghost()
+        self._show_ghost(self._preview.ghost_deg)
         robot.pose(*self._pose)
         self._paint_robot()
 
@@ -83,6 +94,7 @@ class Scene:
         if state.highlighted_joint != self._highlighted_joint:
             self.highlight_joint(state.highlighted_joint)
         self.set_joints(state.angles_deg, state.gripper_mm, stale=state.stale)
+        self.set_preview(state.preview)
         self.resize(state.width_px, state.height_px, state.pixel_ratio)
 
     def set_joints(
@@ -104,11 +116,22 @@ class Scene:
             self._is_fresh = is_fresh
             self._paint_robot()
 
+    def set_preview(self, preview: Preview) -> None:
+        """Show a path and a ghost beside the robot."""
+        before, self._preview = self._preview, preview
+        if (preview.path, preview.selected_row) != (before.path, before.selected_row):
+            self._preview_actors.show(preview, self._palette, self._pixel_ratio)
+        if preview.ghost_deg != before.ghost_deg:
+            self._show_ghost(preview.ghost_deg)
+
     def set_palette(self, palette: ScenePalette) -> None:
         """Take the colours of another theme."""
         self._palette = palette
         self._stage.paint(palette)
         self._paint_robot()
+        self._preview_actors.show(self._preview, palette, self._pixel_ratio)
+        self._drop_ghost()
+        self._show_ghost(self._preview.ghost_deg)
 
     def highlight_joint(self, number: int | None) -> None:
         """Give the links moved by joint 1–6 the accent colour; None takes it away."""
@@ -119,6 +142,9 @@ class Scene:
         """Change the size of the picture, in device pixels."""
         self._canvas.resize(width_px, height_px)
         self._stage.scale_lines(pixel_ratio)
+        if pixel_ratio != self._pixel_ratio:
+            self._pixel_ratio = pixel_ratio
+            self._preview_actors.show(self._preview, self._palette, pixel_ratio)
 
     def render(self, *, smooth: bool = True) -> Pixels:
         """Draw.
@@ -144,6 +170,11 @@ class Scene:
             return None
         return self._robot.joint_of(self._picker.GetActor())
 
+    def pick_mark(self, x_px: float, y_px: float) -> int | None:
+        """Row of the previewed path's mark next to a pixel from the top left, else None."""
+        self._aim()
+        return self._preview_actors.row_at(x_px, y_px, self._pixel_ratio)
+
     def close(self) -> None:
         """Give the graphics memory back; call it in the thread that made the scene."""
         self._canvas.close()
@@ -160,6 +191,24 @@ class Scene:
         # a little and edges far from the motion would flicker.
         distance_m = self.camera.distance_m
         camera.SetClippingRange(0.05 * distance_m, distance_m + _FAR_BEHIND_FOCUS_M)
+
+    def _show_ghost(self, angles_deg: Sequence[float] | None) -> None:
+        """Stand a transparent arm at some angles; the first one is built when it is wanted."""
+        if angles_deg is None or self._description is None:
+            self._drop_ghost()
+            return
+        if self._ghost is None:
+            self._ghost = RobotActors(self._description)
+            self._ghost.make_ghost(self._palette)
+            for actor in self._ghost.actors:
+                self._canvas.renderer.AddActor(actor)
+        self._ghost.pose(angles_deg, 0.0)
+
+    def _drop_ghost(self) -> None:
+        if self._ghost is not None:
+            for actor in self._ghost.actors:
+                self._canvas.renderer.RemoveActor(actor)
+        self._ghost = None
 
     def _paint_robot(self) -> None:
         if self._robot is not None:

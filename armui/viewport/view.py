@@ -38,6 +38,7 @@ if TYPE_CHECKING:
 
     from armui.arm.refusal import Refusal
     from armui.viewport.camera import OrbitCamera
+    from armui.viewport.path_picture import Preview
 
 _BUILT_IN_ROBOT = URDF / "piper.urdf"
 _START_MS = 20
@@ -56,6 +57,7 @@ class ArmView(QWidget):
         joint_picked: a link was double-clicked; its joint number, 1–6.
         load_failed: why a robot description can't be shown, a `Refusal` with one of the codes
             `armui.viewport.errors.LOAD_REFUSALS`; the old one stays.
+        mark_picked: a point of the previewed path was clicked; its row, from 0.
         first_frame_shown: the arm is on the screen for the first time.
 
     Args:
@@ -66,6 +68,7 @@ class ArmView(QWidget):
 
     joint_picked = Signal(int)
     load_failed = Signal(object)
+    mark_picked = Signal(int)
     first_frame_shown = Signal()
 
     def __init__(
@@ -83,12 +86,14 @@ class ArmView(QWidget):
         self._is_frame_new = False
         self._failure: Refusal | None = None
         self._drag_from: QPointF | None = None
+        self._pressed_at: QPointF | None = None
         self._pick_serial = 0
         self._is_started = False
         self._is_shut_down = False
         self._renderer = RenderThread(threaded=threaded, parent=self)
         self._renderer.frame_ready.connect(self._on_frame_ready)
         self._renderer.joint_picked.connect(self._on_joint_picked)
+        self._renderer.mark_picked.connect(self.mark_picked)
         self._renderer.load_failed.connect(self.load_failed)
         self._renderer.failed.connect(self._on_failed)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -156,6 +161,10 @@ class ArmView(QWidget):
     def highlight_joint(self, number: int | None) -> None:
         """Give the links moved by joint 1–6 the accent colour; None takes it away."""
         self._show(replace(self._state, highlighted_joint=number))
+
+    def set_preview(self, preview: Preview) -> None:
+        """Show a path, its marks and a ghost beside the arm; `NOTHING` takes them away."""
+        self._show(replace(self._state, preview=preview))
 
     def reset_view(self) -> None:
         """The first view again."""
@@ -304,7 +313,7 @@ class ArmView(QWidget):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """A drag begins."""
         if event.button() in {Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton}:
-            self._drag_from = event.position()
+            self._drag_from = self._pressed_at = event.position()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Turn, or with the middle button or shift move."""
@@ -321,19 +330,24 @@ class ArmView(QWidget):
             camera = self._state.camera.orbit(delta.x(), delta.y())
         self._show(replace(self._state, camera=camera))
 
-    def mouseReleaseEvent(self, _event: QMouseEvent) -> None:
-        """The drag is over."""
-        self._drag_from = None
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """The drag is over; a click without one asks for the mark that is there."""
+        pressed_at, self._drag_from, self._pressed_at = self._pressed_at, None, None
+        if pressed_at is None or self._state.preview.path is None:
+            return
+        if (event.position() - pressed_at).manhattanLength() < QApplication.startDragDistance():
+            self._show(replace(self._state, mark_pick=self._question(event.position())))
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Ask which link is there."""
         if event.button() == Qt.MouseButton.LeftButton:
-            self._pick_serial += 1
-            ratio = self._state.pixel_ratio
-            place = event.position() * ratio
-            self._show(
-                replace(self._state, pick=PickRequest(self._pick_serial, place.x(), place.y()))
-            )
+            self._show(replace(self._state, pick=self._question(event.position())))
+
+    def _question(self, at: QPointF) -> PickRequest:
+        """What is seen there?"""
+        self._pick_serial += 1
+        place = at * self._state.pixel_ratio
+        return PickRequest(self._pick_serial, place.x(), place.y())
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Zoom."""
@@ -359,28 +373,3 @@ class ArmView(QWidget):
             super().keyPressEvent(event)
         else:
             self._show(replace(self._state, camera=move()))
-
-
-def _demo() -> None:
-    """Show the view alone, with an arm that moves."""
-    application = QApplication(sys.argv)
-    view = ArmView()
-    timer = QTimer(view, interval=16)
-    seconds = 0.0
-
-    def move() -> None:
-        nonlocal seconds
-        seconds += 0.016
-        wave = math.sin(seconds)
-        view.set_joints(
-            (60.0 * wave, 70.0 + 30.0 * wave, -70.0, 30.0 * wave, 40.0, 0.0), 35.0 + 35.0 * wave
-        )
-
-    timer.timeout.connect(move)
-    timer.start()
-    view.show()
-    application.exec()
-
-
-if __name__ == "__main__":
-    _demo()

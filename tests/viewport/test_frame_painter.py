@@ -27,7 +27,8 @@ class Desk:
     def __init__(self) -> None:
         self.failures: list[Refusal] = []
         self.picked: list[int | None] = []
-        self.painter = FramePainter(self.failures.append, self.picked.append)
+        self.marks: list[int] = []
+        self.painter = FramePainter(self.failures.append, self.picked.append, self.marks.append)
 
 
 @pytest.fixture

@@ -1,0 +1,135 @@
+"""A path, its marks and a ghost beside the arm, pixel by pixel."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+
+from armui.paths import URDF
+from armui.viewport.palette import DARK, LIGHT, rgb
+from armui.viewport.path_picture import NOTHING, PathPicture, Preview
+from armui.viewport.scene import Scene
+from armui.viewport.view import ArmView
+from tests.viewport.pinhole import HEIGHT, WIDTH, project
+
+LIMIT_MS = 20_000
+REST = (0.0,) * 6
+RAISED = (30.0, 70.0, -60.0, 20.0, 40.0, 10.0)
+CORNERS_MM = np.array([[300.0, -300.0, 400.0], [300.0, 300.0, 400.0], [300.0, 300.0, 100.0]])
+
+
+def path(bad_rows=frozenset()):
+    """Two straight legs, slow at the beginning, fast at the end."""
+    shares = np.linspace(0.0, 1.0, 50)[:, np.newaxis]
+    legs = [CORNERS_MM[n] * (1 - shares) + CORNERS_MM[n + 1] * shares for n in (0, 1)]
+    places = np.concatenate(legs)
+    speeds = np.linspace(0.0, 250.0, len(places))
+    return PathPicture(places, speeds, CORNERS_MM, (0, 1, 2), bad_rows)
+
+
+@pytest.fixture
+def scene():
+    scene = Scene(WIDTH, HEIGHT)
+    scene.load(URDF / "piper.urdf")
+    scene.set_joints(REST, 0.0)
+    yield scene
+    scene.close()
+
+
+def picture(scene):
+    return scene.render(smooth=False)[:, :, :3].astype(int)
+
+
+def changed(first, second):
+    return np.abs(first - second).max(axis=2) > 8
+
+
+def color_at(shown, place_mm):
+    column, row = np.round(project(np.array([place_mm]) / 1000.0)[0]).astype(int)
+    return shown[row, column]
+
+
+def is_color(pixel, color, slack=30):
+    return np.abs(pixel - np.array(rgb(color)) * 255.0).max() < slack
+
+
+def test_a_path_is_a_line_coloured_by_speed(scene):
+    before = picture(scene)
+    scene.set_preview(Preview(path()))
+    shown = picture(scene)
+    slow, fast = (
+        CORNERS_MM[0] * 0.9 + CORNERS_MM[1] * 0.1,
+        CORNERS_MM[1] * 0.1 + CORNERS_MM[2] * 0.9,
+    )
+    assert is_color(color_at(shown, slow), LIGHT.speeds[0], slack=60)
+    assert is_color(color_at(shown, fast), LIGHT.speeds[1], slack=60)
+    scene.set_preview(NOTHING)
+    assert not changed(before, picture(scene)).any()
+
+
+def test_points_are_marks_and_the_selected_one_stands_out(scene):
+    scene.set_preview(Preview(path(bad_rows=frozenset({2}))))
+    shown = picture(scene)
+    assert is_color(color_at(shown, CORNERS_MM[0]), LIGHT.accent)
+    assert is_color(color_at(shown, CORNERS_MM[2]), LIGHT.fault)
+    scene.set_preview(Preview(path(bad_rows=frozenset({2})), selected_row=1))
+    assert is_color(color_at(picture(scene), CORNERS_MM[1]), LIGHT.text)
+
+
+def test_marks_take_the_colours_of_a_theme(scene):
+    scene.set_preview(Preview(path()))
+    scene.set_palette(DARK)
+    assert is_color(color_at(picture(scene), CORNERS_MM[0]), DARK.accent)
+
+
+def test_a_ghost_shines_through_where_no_arm_is(scene):
+    before = picture(scene)
+    scene.set_preview(Preview(ghost_deg=RAISED))
+    with_ghost = picture(scene)
+    assert changed(before, with_ghost).sum() > 1000
+    scene.set_preview(Preview(ghost_deg=REST))
+    assert changed(with_ghost, picture(scene)).any()
+    scene.set_preview(NOTHING)
+    assert not changed(before, picture(scene)).any()
+
+
+def test_a_ghost_is_no_arm_to_pick(scene):
+    raised = Scene(WIDTH, HEIGHT)
+    raised.load(URDF / "piper.urdf")
+    raised.set_joints(RAISED, 0.0)
+    columns, rows = np.meshgrid(np.arange(0, WIDTH, 20), np.arange(0, HEIGHT, 20))
+    places = [
+        place
+        for place in zip(columns.ravel(), rows.ravel(), strict=True)
+        if raised.pick(*map(float, place)) is not None and scene.pick(*map(float, place)) is None
+    ]
+    raised.close()
+    scene.set_preview(Preview(ghost_deg=RAISED))
+    assert len(places) > 3
+    assert {scene.pick(*map(float, place)) for place in places} == {None}
+
+
+def test_a_mark_is_found_by_a_click_beside_it(scene):
+    scene.set_preview(Preview(path()))
+    for row, pixel in enumerate(project(CORNERS_MM / 1000.0)):
+        assert scene.pick_mark(pixel[0] + 6.0, pixel[1] - 6.0) == row
+        assert scene.pick_mark(pixel[0] + 30.0, pixel[1] + 30.0) is None
+    scene.set_preview(NOTHING)
+    assert scene.pick_mark(*project(CORNERS_MM[:1] / 1000.0)[0]) is None
+
+
+def test_a_click_on_a_mark_tells_its_row_and_a_drag_does_not(qtbot):
+    view = ArmView()
+    qtbot.addWidget(view)
+    view.resize(WIDTH, HEIGHT)
+    view.set_joints(REST, 0.0)
+    with qtbot.waitSignals([view._renderer.frame_ready] * 2, timeout=LIMIT_MS):
+        view.show()
+    view.set_preview(Preview(path()))
+    at = QPoint(*np.round(project(CORNERS_MM[1:2] / 1000.0)[0]).astype(int).tolist())
+    with qtbot.waitSignal(view.mark_picked, timeout=LIMIT_MS) as picked:
+        qtbot.mouseClick(view, Qt.MouseButton.LeftButton, pos=at)
+    assert picked.args == [1]
+    with qtbot.assertNotEmitted(view.mark_picked, wait=300):
+        qtbot.mousePress(view, Qt.MouseButton.LeftButton, pos=at - QPoint(60, 0))
+        qtbot.mouseRelease(view, Qt.MouseButton.LeftButton, pos=at)
+    view.shutdown()
