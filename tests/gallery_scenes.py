@@ -127,6 +127,29 @@ def _motors(desk: Desk) -> None:
     desk.run(0.4)
 
 
+def _tool(desk: Desk) -> None:
+    desk.click("menu_cartesian")
+    desk.type_into("tool_field_Z", "80")
+    desk.click("capture_start")
+
+
+def _tool_refused(desk: Desk) -> None:
+    """Out of reach, with the keys switched on."""
+    desk.click("tool_keys_button")
+    desk.type_into("pose_field_X", "900")
+    desk.click("move_l_button")
+
+
+def _joint_keys(desk: Desk) -> None:
+    desk.click("tool_keys_button")
+    desk.type_into("tool_field_Z", "0")
+    desk.click("menu_motion")
+    desk.click("load_button")
+    desk.click("jog_keys_button")
+    step_box = desk.find("jog_step")
+    step_box.setCurrentIndex(step_box.count() - 1)
+
+
 def _moving(desk: Desk) -> None:
     desk.click("collision_cancel_button")
     desk.click("menu_motion")
@@ -156,6 +179,8 @@ def _stopped(desk: Desk) -> None:
 
 
 def _offline(desk: Desk) -> None:
+    desk.click("jog_keys_button")
+    desk.find("jog_step").setCurrentIndex(1)
     desk.run(0.2)  # what a dialog's scene did to the arm is over before it falls silent
     desk.powered = False
     desk.run_until(lambda: "offline" in desk.codes())
@@ -213,6 +238,9 @@ WINDOW_SCENES = (
     Scene("collision", _collision),
     Scene("moving", _moving),
     Scene("refused", _refused),
+    Scene("tool", _tool),
+    Scene("tool-refused", _tool_refused),
+    Scene("joint-keys", _joint_keys),
     Scene("offline", _offline),
     Scene("lost", _lost),
     Scene("stopped", _stopped),

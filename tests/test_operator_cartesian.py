@@ -271,3 +271,13 @@ def test_a_link_lost_half_way_ends_a_jog_and_is_said(bent):
     bent.run_until(lambda: bent.controller.situation.cannot_move is None)
     bent.run(0.3)
     assert bent.firmware.joints_deg == before
+
+
+def test_the_fields_go_along_with_a_step_until_something_is_typed(bent):
+    bent.find("tool_step").setCurrentIndex(3)
+    bent.click("pose_plus_Z")
+    settle(bent)
+    assert float(bent.read("pose_field_Z")) == pytest.approx(BENT_POSE[2] + 10.0, abs=0.01)
+    bent.type_into("pose_field_Z", "250")
+    bent.run(0.2)
+    assert bent.read("pose_field_Z") == "250.000"

@@ -80,6 +80,7 @@ class CartesianPanel(QWidget):
         self._situation = controller.situation
         self._refusal: Refusal | None = None
         self._filled_for: Device | None = None
+        self._jogged = False
         self._title = QLabel()
         self._title.setProperty("rank", "title")
         self._step_label = QLabel()
@@ -215,11 +216,14 @@ class CartesianPanel(QWidget):
     def _on_step_chosen(self) -> None:
         for row in self._rows:
             row.set_step(self._step_box.step, continuous=self._step_box.continuous)
+        self._key_pad.set_continuous(self._step_box.continuous)
         self._show_possible()
 
     def _on_stepped(self, place: int, direction: int) -> None:
         amount = direction * self._step_box.step
-        self._took(self._controller.cartesian.step(place, amount, self._frame.frame))
+        refusal = self._controller.cartesian.step(place, amount, self._frame.frame)
+        self._jogged = refusal is None
+        self._took(refusal)
 
     def _on_repeated(self, place: int, direction: int) -> None:
         """MOVE L plans anew at each target: a held button waits for the arm."""
@@ -227,7 +231,10 @@ class CartesianPanel(QWidget):
             self._on_stepped(place, direction)
 
     def _on_held(self, place: int, direction: int) -> None:
-        self._took(self._controller.jogging.start(ToolJog(place, direction, self._frame.frame)))
+        jog = ToolJog(place, direction, self._frame.frame)
+        refusal = self._controller.jogging.start(jog)
+        self._jogged = refusal is None
+        self._took(refusal)
 
     def _on_key_pressed(self, place: int, direction: int) -> None:
         if self._step_box.continuous:
@@ -249,6 +256,7 @@ class CartesianPanel(QWidget):
         self._took(None if pose is not None else Refusal("pose_unknown"))
 
     def _send(self, move_mode: MoveMode) -> None:
+        self._jogged = False
         target: list[float] = []
         for row in self._rows:
             value = row.field.value
@@ -265,6 +273,7 @@ class CartesianPanel(QWidget):
         self._took(None if pose is not None else Refusal("pose_unknown"))
 
     def _on_go_to_start(self) -> None:
+        self._jogged = False
         start = self._arc.poses[0]
         if start is None:
             self._took(Refusal("arc_incomplete", {"point": self._arc.missing() or ""}))
@@ -279,12 +288,18 @@ class CartesianPanel(QWidget):
         else:
             self._took(self._controller.cartesian.move_arc(*points))
 
+    def _follow_jog(self) -> None:
+        """The fields go along with a jog: sending them must not take it back."""
+        if self._jogged:
+            self._fill(self._pose())
+
     def _took(self, refusal: Refusal | None) -> None:
         """Show the answer."""
         self._refusal = refusal
         self._show_message()
 
     def _on_edited(self) -> None:
+        self._jogged = False
         self._took(None)
 
     def _on_noticed(self, notice: Notice) -> None:
@@ -298,6 +313,7 @@ class CartesianPanel(QWidget):
     def _on_state_changed(self, _state: ArmState) -> None:
         self._fill_once()
         if self.isVisible():
+            self._follow_jog()
             self._show_measured()
             self._show_message()
 

@@ -177,6 +177,7 @@ class MotionPanel(QWidget):
     def _on_step_chosen(self) -> None:
         for row in self._rows:
             row.set_step(self.jog_step_deg, continuous=self._step_box.continuous)
+        self._key_pad.set_continuous(self._step_box.continuous)
         self._show_possible()
 
     # -- actions ------------------------------------------------------------------------------

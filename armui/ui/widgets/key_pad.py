@@ -54,6 +54,7 @@ class KeyPad(QFrame):
         self._armed = False
         self._holding = False
         self._why_not = ""
+        self._continuous = False
         self._guard = HoldGuard(self)
         self._guard.lost.connect(self._forget)
         self._hint = QLabel()
@@ -73,6 +74,11 @@ class KeyPad(QFrame):
         layout.setSpacing(4)
         layout.addWidget(self._hint)
         layout.addLayout(grid)
+        self.retranslate_ui()
+
+    def set_continuous(self, wanted: bool) -> None:
+        """Whether a key moves until it is let go, or by one step a press."""
+        self._continuous = wanted
         self.retranslate_ui()
 
     def allow(self, why_not: str) -> None:
@@ -145,6 +151,8 @@ class KeyPad(QFrame):
         self.setAccessibleName(self.tr("Keyboard jogging"))
         if self._why_not:
             text = self._why_not
+        elif self.hasFocus() and not self._continuous:
+            text = self.tr("Hold the space bar; each press of a key is one step.")
         elif self.hasFocus():
             text = self.tr("Hold the space bar and press a key; release either and the arm stops.")
         else:
