@@ -2,6 +2,96 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en_US">
 <context>
+    <name>ActButtons</name>
+    <message>
+        <source>Gives the motor power: it holds its position.</source>
+        <translation>给电机上电，电机保持当前位置。</translation>
+    </message>
+    <message>
+        <source>Takes the motor&apos;s power: the arm drops. Asks first.</source>
+        <translation>切断电机动力，机械臂会下落。执行前会询问。</translation>
+    </message>
+    <message>
+        <source>Makes the present position the joint&apos;s zero. Asks first.</source>
+        <translation>将关节当前位置设为零点。执行前会询问。</translation>
+    </message>
+    <message>
+        <source>Clears the error of the joint&apos;s driver; nothing moves.</source>
+        <translation>清除关节驱动器的错误，机械臂不会运动。</translation>
+    </message>
+    <message>
+        <source>Enable</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation>失能</translation>
+    </message>
+    <message>
+        <source>Set zero</source>
+        <translation>零点设置</translation>
+    </message>
+    <message>
+        <source>Clear error</source>
+        <translation>清除错误</translation>
+    </message>
+    <message>
+        <source>all joints</source>
+        <translation>全部关节</translation>
+    </message>
+    <message>
+        <source>joint {joint}</source>
+        <translation>关节 {joint}</translation>
+    </message>
+</context>
+<context>
+    <name>ArcBox</name>
+    <message>
+        <source>start</source>
+        <translation>起点</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>中点</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>终点</translation>
+    </message>
+    <message>
+        <source>Takes the pose the arm has now; nothing moves.</source>
+        <translation>记录机械臂当前位姿，不会运动。</translation>
+    </message>
+    <message>
+        <source>Moves to the captured start with MOVE P.</source>
+        <translation>用 MOVE P 移到记录的起点。</translation>
+    </message>
+    <message>
+        <source>Moves from the start over the middle to the end. Some firmware has no arc.</source>
+        <translation>从起点经中点运动到终点。部分固件不支持圆弧。</translation>
+    </message>
+    <message>
+        <source>Arc by three poses</source>
+        <translation>三点圆弧</translation>
+    </message>
+    <message>
+        <source>Capture start</source>
+        <translation>记录起点</translation>
+    </message>
+    <message>
+        <source>Capture middle</source>
+        <translation>记录中点</translation>
+    </message>
+    <message>
+        <source>Capture end</source>
+        <translation>记录终点</translation>
+    </message>
+    <message>
+        <source>Go to start</source>
+        <translation>移到起点</translation>
+    </message>
+</context>
+<context>
     <name>ArmStatus</name>
     <message>
         <source>Normal</source>
@@ -84,6 +174,92 @@
     </message>
 </context>
 <context>
+    <name>CartesianPanel</name>
+    <message>
+        <source>Fills the fields with the measured pose; nothing moves.</source>
+        <translation>把当前位姿填入输入框，不会运动。</translation>
+    </message>
+    <message>
+        <source>Moves to the pose, each joint on its own way.</source>
+        <translation>移到该位姿，各关节各自运动。</translation>
+    </message>
+    <message>
+        <source>Moves to the pose on a straight line.</source>
+        <translation>沿直线移到该位姿。</translation>
+    </message>
+    <message>
+        <source>Tool centre point</source>
+        <translation>工具中心点</translation>
+    </message>
+    <message>
+        <source>Flange (no tool set)</source>
+        <translation>法兰（未设置工具）</translation>
+    </message>
+    <message>
+        <source>Tool control</source>
+        <translation>末端控制</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步长</translation>
+    </message>
+    <message>
+        <source>Step of − and +</source>
+        <translation>− / + 的步长</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>键盘</translation>
+    </message>
+    <message>
+        <source>Keyboard jogging</source>
+        <translation>键盘点动</translation>
+    </message>
+    <message>
+        <source>Jog by keys, with the space bar held as dead-man key</source>
+        <translation>用键盘点动，须按住空格键（使能键）</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>装载</translation>
+    </message>
+</context>
+<context>
+    <name>CollisionPanel</name>
+    <message>
+        <source>Collision level</source>
+        <translation>碰撞等级</translation>
+    </message>
+    <message>
+        <source>Level 0 – no collision detection: {joints} will not stop when they hit something or someone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This switches the collision detection of {joints} off: the arm will not stop when they hit something or someone. Keep everyone out of its reach.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no detection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation type="unfinished">全部</translation>
+    </message>
+    <message>
+        <source>All joints: level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>CommunicationButton</name>
     <message>
         <source>Not connected</source>
@@ -132,6 +308,10 @@
 </context>
 <context>
     <name>ConfirmDialog</name>
+    <message>
+        <source>Hold the button, or the space bar on it, for one second.</source>
+        <translation>请按住按钮（或在按钮上按住空格键）1 秒。</translation>
+    </message>
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
@@ -372,6 +552,21 @@
     </message>
 </context>
 <context>
+    <name>EndLimitsPanel</name>
+    <message>
+        <source>End speed limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Factory limits for the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The greatest speeds and accelerations of the end become what they were when the arm left the factory: straight lines and arcs may run faster than they do now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>FileDialog</name>
     <message>
         <source>Folder</source>
@@ -380,6 +575,21 @@
     <message>
         <source>Kind</source>
         <translation>类型</translation>
+    </message>
+</context>
+<context>
+    <name>FrameChoice</name>
+    <message>
+        <source>− and + along</source>
+        <translation>− / + 方向</translation>
+    </message>
+    <message>
+        <source>Base frame</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
+        <source>Tool frame</source>
+        <translation>工具坐标系</translation>
     </message>
 </context>
 <context>
@@ -574,6 +784,10 @@
 <context>
     <name>JointRow</name>
     <message>
+        <source>Moves joint {joint} while it is held; let go to stop.</source>
+        <translation>按住时关节 {joint} 运动，松开即停止。</translation>
+    </message>
+    <message>
         <source>Moves joint {joint} by −{step} at once. Hold to go on.</source>
         <translation>关节 {joint} 立即转动 −{step}。按住可连续运动。</translation>
     </message>
@@ -616,6 +830,25 @@
     <message>
         <source>Factory limit: not read from the arm yet</source>
         <translation>出厂限位：尚未从机械臂读取</translation>
+    </message>
+</context>
+<context>
+    <name>JointSettingsPanel</name>
+    <message>
+        <source>Joint settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Factory limits for all joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The angle limits, speeds and accelerations of all six joints become what they were when the arm left the factory. Limits set for this place, narrower ones too, are lost: save a backup first if you may need them again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This arm&apos;s protocol (generation 1) has no command for it. Enter the values, or restore a backup.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -735,6 +968,21 @@
     <message>
         <source>Homed</source>
         <translation>已经回零</translation>
+    </message>
+</context>
+<context>
+    <name>KeyPad</name>
+    <message>
+        <source>Keyboard jogging</source>
+        <translation>键盘点动</translation>
+    </message>
+    <message>
+        <source>Hold the space bar and press a key; release either and the arm stops.</source>
+        <translation>按住空格键再按方向键即运动；松开任一键即停止。</translation>
+    </message>
+    <message>
+        <source>Click here to jog by keys.</source>
+        <translation>点击此处后可用键盘点动。</translation>
     </message>
 </context>
 <context>
@@ -898,6 +1146,18 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>每按一次 − 或 + 关节转动的角度</translation>
     </message>
     <message>
+        <source>Keys</source>
+        <translation>键盘</translation>
+    </message>
+    <message>
+        <source>Keyboard jogging</source>
+        <translation>键盘点动</translation>
+    </message>
+    <message>
+        <source>Jog by keys, with the space bar held as dead-man key</source>
+        <translation>用键盘点动，须按住空格键（使能键）</translation>
+    </message>
+    <message>
         <source>Target</source>
         <translation>目标</translation>
     </message>
@@ -916,6 +1176,110 @@ Lamps give no feedback: this is only what will be sent.</source>
     <message>
         <source>Send</source>
         <translation>发送</translation>
+    </message>
+</context>
+<context>
+    <name>MotorPanel</name>
+    <message>
+        <source>The arm will drop when it loses its power. Hold the arm.</source>
+        <translation>失能后机械臂会下落，请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>Disable all six motors</source>
+        <translation>失能全部 6 个电机</translation>
+    </message>
+    <message>
+        <source>Disable the motor of joint {joint}</source>
+        <translation>失能关节 {joint} 电机</translation>
+    </message>
+    <message>
+        <source>Joint {joint} and what hangs on it gives way.</source>
+        <translation>关节 {joint} 及其后各部分将失去支撑。</translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation>失能</translation>
+    </message>
+    <message>
+        <source>Set the zero of all six joints</source>
+        <translation>设置全部 6 个关节的零点</translation>
+    </message>
+    <message>
+        <source>Where all six joints stand now becomes their 0°.</source>
+        <translation>6 个关节的当前位置将成为各自的 0°。</translation>
+    </message>
+    <message>
+        <source>Set the zero of joint {joint}</source>
+        <translation>设置关节 {joint} 的零点</translation>
+    </message>
+    <message>
+        <source>Where joint {joint} stands now becomes its 0°.</source>
+        <translation>关节 {joint} 的当前位置将成为其 0°。</translation>
+    </message>
+    <message>
+        <source>The limits move with the zero, and so does every stored trajectory. With a wrong zero the arm runs into its stops.
+Set it only at the mark of the joint&apos;s zero, with the arm standing still. The arm keeps it; there is no way back but to set it again.</source>
+        <translation>限位和已存轨迹会随零点一起改变；零点设错，机械臂会撞上机械限位。
+请仅在关节对准零位标记且机械臂静止时设置。机械臂会保存该零点，只能通过重新设置更改。</translation>
+    </message>
+    <message>
+        <source>Set zero</source>
+        <translation>零点设置</translation>
+    </message>
+    <message>
+        <source>Motor settings</source>
+        <translation>电机设置</translation>
+    </message>
+    <message>
+        <source>All joints</source>
+        <translation>全部关节</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>电机</translation>
+    </message>
+    <message>
+        <source>Driver</source>
+        <translation>驱动器</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>电流</translation>
+    </message>
+    <message>
+        <source>Voltage</source>
+        <translation>电压</translation>
+    </message>
+</context>
+<context>
+    <name>MotorRow</name>
+    <message>
+        <source>Enabled</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Disabled</source>
+        <translation>失能</translation>
+    </message>
+    <message>
+        <source>Motor temperature of joint {joint}</source>
+        <translation>关节 {joint} 电机温度</translation>
+    </message>
+    <message>
+        <source>Driver temperature of joint {joint}</source>
+        <translation>关节 {joint} 驱动器温度</translation>
+    </message>
+    <message>
+        <source>Motor current of joint {joint}</source>
+        <translation>关节 {joint} 电机电流</translation>
+    </message>
+    <message>
+        <source>Supply voltage of joint {joint}</source>
+        <translation>关节 {joint} 电源电压</translation>
+    </message>
+    <message>
+        <source>State of motor {joint}</source>
+        <translation>电机 {joint} 状态</translation>
     </message>
 </context>
 <context>
@@ -988,6 +1352,34 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>恢复已发送。电机断电，机械臂会下落，请扶住机械臂。</translation>
     </message>
     <message>
+        <source>Jogging J{joint} {sign}</source>
+        <translation>点动 J{joint} {sign}</translation>
+    </message>
+    <message>
+        <source>Jogging {axis} {sign}</source>
+        <translation>点动 {axis} {sign}</translation>
+    </message>
+    <message>
+        <source>Jogging ended. {reason}</source>
+        <translation>点动已结束。{reason}</translation>
+    </message>
+    <message>
+        <source>Sent MOVE P to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</source>
+        <translation>已发送 MOVE P：X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</translation>
+    </message>
+    <message>
+        <source>Sent MOVE L to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</source>
+        <translation>已发送 MOVE L：X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</translation>
+    </message>
+    <message>
+        <source>Sent MOVE C through the three captured poses</source>
+        <translation>已发送 MOVE C：经过记录的三个位姿</translation>
+    </message>
+    <message>
+        <source>Sent a step of {step} along {axis}</source>
+        <translation>已发送 {axis} 步进 {step}</translation>
+    </message>
+    <message>
         <source>Sent to lamp {lamp} of joint {joint}: {color}</source>
         <translation>已发送关节 {joint} 灯珠 {lamp}：{color}</translation>
     </message>
@@ -1052,6 +1444,26 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>关节 {joint}：机械臂在 1 秒内没有应答清除错误指令。请重试；若仍无应答，请检查 CAN 线缆。</translation>
     </message>
     <message>
+        <source>Zero setting sent to all six joints</source>
+        <translation>已发送全部 6 个关节的零点设置</translation>
+    </message>
+    <message>
+        <source>Zero setting sent to joint {joint}</source>
+        <translation>已发送关节 {joint} 的零点设置</translation>
+    </message>
+    <message>
+        <source>The arm has set the zeros of all six joints; their angles now read 0.</source>
+        <translation>机械臂已设置全部 6 个关节的零点，角度现读为 0。</translation>
+    </message>
+    <message>
+        <source>The arm has set the zero of joint {joint}; its angle now reads 0.</source>
+        <translation>机械臂已设置关节 {joint} 的零点，角度现读为 0。</translation>
+    </message>
+    <message>
+        <source>Zero setting failed. {reason}</source>
+        <translation>零点设置失败。{reason}</translation>
+    </message>
+    <message>
         <source>Settings sent to the arm: {count}</source>
         <translation>已向机械臂发送 {count} 项参数</translation>
     </message>
@@ -1094,6 +1506,34 @@ Lamps give no feedback: this is only what will be sent.</source>
     <message>
         <source>Run ended in row {row}. {reason}</source>
         <translation>在第 {row} 行中止执行。{reason}</translation>
+    </message>
+    <message>
+        <source>Sent: {command}</source>
+        <translation>已发送：{command}</translation>
+    </message>
+    <message>
+        <source>The arm has confirmed: {command}</source>
+        <translation>机械臂已确认：{command}</translation>
+    </message>
+    <message>
+        <source>The arm did not follow within 1.5 s: {command}. Look at its status; if it has no recording, record first.</source>
+        <translation>机械臂 1.5 秒内未执行：{command}。请查看状态；若没有示教轨迹，请先记录。</translation>
+    </message>
+    <message>
+        <source>Sent: {plan}. The arm does not report this; watch it.</source>
+        <translation>已发送：{plan}。机械臂不反馈此指令，请观察机械臂。</translation>
+    </message>
+    <message>
+        <source>Standby sent</source>
+        <translation>已发送：待机模式</translation>
+    </message>
+    <message>
+        <source>Sent: motion output (0xFC)</source>
+        <translation>已发送：设置为运动输出臂（0xFC）</translation>
+    </message>
+    <message>
+        <source>The arm did not react. Look at the step above the panel.</source>
+        <translation>机械臂无响应。请查看面板上方的提示。</translation>
     </message>
     <message>
         <source>Replay paused: the arm holds</source>
@@ -1222,6 +1662,156 @@ Lamps give no feedback: this is only what will be sent.</source>
         <source>Teaching friction</source>
         <translation>示教摩擦力</translation>
     </message>
+    <message>
+        <source>not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>corrupt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>saving…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not read from the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Being read from the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the arm holds here cannot be true: its memory is corrupt (0xFFFF). Enter a value and save it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changed and not saved; the arm holds {held}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sent to the arm; its answer is awaited.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved: the arm holds this value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Possible: {minimum} to {maximum}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ParameterPanel</name>
+    <message>
+        <source>Saved: read back from the arm, and the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved. The arm keeps coarser steps; it holds the nearest: {values}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>was {held}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing has been changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save or cancel your changes first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is being asked; wait for its answer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sends what was changed, reads it back and compares.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reads the values from the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lets you change the values; nothing is sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows what the arm holds again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Initialise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">取消</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PoseRow</name>
+    <message>
+        <source>Moves along {axis} while it is held; let go to stop.</source>
+        <translation>按住时沿 {axis} 运动，松开即停止。</translation>
+    </message>
+    <message>
+        <source>Moves along {axis} by {step} at once.</source>
+        <translation>立即沿 {axis} 移动 {step}。</translation>
+    </message>
+    <message>
+        <source>{axis} minus</source>
+        <translation>{axis} 减</translation>
+    </message>
+    <message>
+        <source>{axis} plus</source>
+        <translation>{axis} 加</translation>
+    </message>
+    <message>
+        <source>Target {axis}</source>
+        <translation>目标 {axis}</translation>
+    </message>
+    <message>
+        <source>Not sent before you press MOVE P or MOVE L.</source>
+        <translation>按下 MOVE P 或 MOVE L 之前不会发送。</translation>
+    </message>
+    <message>
+        <source>Measured by the arm</source>
+        <translation>机械臂测量值</translation>
+    </message>
 </context>
 <context>
     <name>Reached</name>
@@ -1232,6 +1822,286 @@ Lamps give no feedback: this is only what will be sent.</source>
     <message>
         <source>Target not reached</source>
         <translation>未达指定点</translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryAction</name>
+    <message>
+        <source>Connection…</source>
+        <translation>连接…</translation>
+    </message>
+    <message>
+        <source>Motion output</source>
+        <translation>运动输出臂</translation>
+    </message>
+    <message>
+        <source>Resume…</source>
+        <translation>恢复…</translation>
+    </message>
+    <message>
+        <source>Enable</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Clear error</source>
+        <translation>清除错误</translation>
+    </message>
+    <message>
+        <source>Reset…</source>
+        <translation>复位…</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>结束示教记录</translation>
+    </message>
+    <message>
+        <source>Terminate</source>
+        <translation>终止执行</translation>
+    </message>
+    <message>
+        <source>Lead by hand…</source>
+        <translation>拖动…</translation>
+    </message>
+    <message>
+        <source>Take command…</source>
+        <translation>待机…</translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryDanger</name>
+    <message>
+        <source>Resume after the emergency stop</source>
+        <translation>从急停恢复</translation>
+    </message>
+    <message>
+        <source>Reset the arm</source>
+        <translation>复位机械臂</translation>
+    </message>
+    <message>
+        <source>Lead the arm by hand</source>
+        <translation>用手拖动机械臂</translation>
+    </message>
+    <message>
+        <source>Take the command</source>
+        <translation>切换到待机模式</translation>
+    </message>
+    <message>
+        <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
+Afterwards the motors must be enabled again.</source>
+        <translation>恢复时会切断电机电源：机械臂会下落，请扶住机械臂。
+之后需要重新使能电机。</translation>
+    </message>
+    <message>
+        <source>First the emergency stop: the motors go limp and the arm sinks. Then Resume cuts their power: the arm will drop. Hold the arm from now on.</source>
+        <translation>先急停：电机失去保持力，机械臂会缓慢下沉；随后恢复会断电：机械臂会下落，请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>The arm will give way to the hand and starts a new recording; the one it holds is lost. Hold the arm.
+Lead it near its rest pose, then stop recording.</source>
+        <translation>机械臂将进入拖动示教模式并开始新的记录，原有记录会丢失。请扶住机械臂。
+请拖动到零位附近，然后结束示教记录。</translation>
+    </message>
+    <message>
+        <source>The arm will no longer follow the other control; a motion under way ends. Make sure that nobody relies on it.</source>
+        <translation>机械臂将不再由其他方式控制，正在进行的运动会停止。请确认无人正在使用。</translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryLine</name>
+    <message>
+        <source>Next step</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Waiting…</source>
+        <translation>等待中…</translation>
+    </message>
+    <message>
+        <source>Waiting for the arm</source>
+        <translation>等待机械臂</translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryStep</name>
+    <message>
+        <source>No arm is connected.</source>
+        <translation>未连接机械臂。</translation>
+    </message>
+    <message>
+        <source>The device is being opened.</source>
+        <translation>正在打开设备。</translation>
+    </message>
+    <message>
+        <source>The CAN device is gone. Plug it in again, or choose another one.</source>
+        <translation>CAN 设备已断开。请重新插好，或选择其他设备。</translation>
+    </message>
+    <message>
+        <source>The CAN device is gone; the stop goes out once it is back. Cut the arm&apos;s power if it moves.</source>
+        <translation>CAN 设备已断开，恢复连接后会立即发送急停。若机械臂仍在运动，请切断其电源。</translation>
+    </message>
+    <message>
+        <source>The arm is a teaching input: it sends commands and obeys none. Make it a motion output again.</source>
+        <translation>该机械臂是示教输入臂：只发送控制指令，不响应控制指令。请恢复为运动输出臂。</translation>
+    </message>
+    <message>
+        <source>The arm has NOT confirmed the stop; it is sent again and again. Cut its power if it moves.</source>
+        <translation>机械臂未确认急停，正在反复发送。若机械臂仍在运动，请切断其电源。</translation>
+    </message>
+    <message>
+        <source>Stop sent. Waiting for the arm to confirm it.</source>
+        <translation>已发送急停，等待机械臂确认。</translation>
+    </message>
+    <message>
+        <source>Nothing is heard from the arm. Check its power, the CAN cable and the bit rate.</source>
+        <translation>未收到机械臂的反馈。请检查电源、CAN 线和波特率。</translation>
+    </message>
+    <message>
+        <source>Waiting for the arm: {what}.</source>
+        <translation>等待机械臂：{what}。</translation>
+    </message>
+    <message>
+        <source>Stopped. Support the arm: power will be cut and the arm drops. Then resume.</source>
+        <translation>急停中。请扶住机械臂：恢复时会断电，机械臂会下落。扶稳后恢复。</translation>
+    </message>
+    <message>
+        <source>The arm is being asked for its protocol.</source>
+        <translation>正在查询机械臂的协议。</translation>
+    </message>
+    <message>
+        <source>The arm sends no complete feedback. If it stays so, check its power and connect again.</source>
+        <translation>机械臂反馈不完整。若持续如此，请检查电源并重新连接。</translation>
+    </message>
+    <message>
+        <source>No communication with joint {joints}. Check its cable; if the message stays, reset the arm.</source>
+        <translation>关节 {joints} 通信异常。请检查关节线缆；若提示不消失，请复位机械臂。</translation>
+    </message>
+    <message>
+        <source>Collision, joint {joints}. Remove what the arm hit, then clear the error.</source>
+        <translation>机械臂发生碰撞，关节 {joints}。请移开障碍物，然后清除错误。</translation>
+    </message>
+    <message>
+        <source>Driver error, joint {joints}: its motor is off. Hold the arm, then clear the error.</source>
+        <translation>关节 {joints} 驱动器错误，电机已断电。请扶住机械臂，然后清除错误。</translation>
+    </message>
+    <message>
+        <source>Overcurrent, joint {joints}: its motor may be off. Hold the arm, take the load away, clear the error.</source>
+        <translation>关节 {joints} 驱动器过流，电机可能已断电。请扶住机械臂，卸下负载，然后清除错误。</translation>
+    </message>
+    <message>
+        <source>Joint {joints} is held fast. Free it, then clear the error.</source>
+        <translation>关节 {joints} 堵转。请解除卡阻，然后清除错误。</translation>
+    </message>
+    <message>
+        <source>Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint&apos;s encoder.</source>
+        <translation>关节 {joints} 传感器异常。请清除错误；若再次出现，请检查该关节编码器。</translation>
+    </message>
+    <message>
+        <source>Supply voltage too low, joint {joints}. Check the 24 V supply; the arm goes on by itself.</source>
+        <translation>关节 {joints} 电源电压过低。请检查 24 V 电源，恢复后自动继续。</translation>
+    </message>
+    <message>
+        <source>Too hot, joint {joints}. Let the arm cool down; the message goes by itself.</source>
+        <translation>关节 {joints} 过温。请等待冷却，恢复后提示自动消失。</translation>
+    </message>
+    <message>
+        <source>The arm reports a joint status fault. Look at the joint status, then clear the errors.</source>
+        <translation>机械臂报告关节状态异常。请查看关节状态，然后清除错误。</translation>
+    </message>
+    <message>
+        <source>A joint&apos;s brake is not released. Hold the arm, then reset it.</source>
+        <translation>关节抱闸未打开。请扶住机械臂，然后复位。</translation>
+    </message>
+    <message>
+        <source>The main controller is too hot. Let it cool down; if the message stays, reset the arm.</source>
+        <translation>主控过温。请等待冷却；若提示不消失，请复位机械臂。</translation>
+    </message>
+    <message>
+        <source>The brake resistor is too hot. Let it cool down; if the message stays, reset the arm.</source>
+        <translation>释放电阻过温。请等待冷却；若提示不消失，请复位机械臂。</translation>
+    </message>
+    <message>
+        <source>The arm reports an unspecified fault. Look at the joint status, then reset the arm.</source>
+        <translation>机械臂报告其它异常。请查看关节状态，然后复位机械臂。</translation>
+    </message>
+    <message>
+        <source>The arm reports a status this program does not know ({status}). Reset the arm.</source>
+        <translation>机械臂报告未知状态（{status}）。请复位机械臂。</translation>
+    </message>
+    <message>
+        <source>The arm records: lead it by hand. Stop recording when done.</source>
+        <translation>正在示教记录：请用手拖动机械臂，完成后结束示教记录。</translation>
+    </message>
+    <message>
+        <source>The arm replays what it was taught. Keep clear.</source>
+        <translation>正在执行示教轨迹，请勿靠近。</translation>
+    </message>
+    <message>
+        <source>The replay is paused. Continue under Teaching, or terminate it.</source>
+        <translation>示教轨迹已暂停。可在【示教】中继续执行，或终止执行。</translation>
+    </message>
+    <message>
+        <source>The arm takes its commands from elsewhere: {mode}. Take the command.</source>
+        <translation>机械臂由其他方式控制：{mode}。请切换到待机模式。</translation>
+    </message>
+    <message>
+        <source>Not every motor has reported. If it stays so, check power and cable, and connect again.</source>
+        <translation>部分电机未上报状态。若持续如此，请检查电源和线缆并重新连接。</translation>
+    </message>
+    <message>
+        <source>Still in drag teaching, near the rest pose. Hold the arm and reset it; if it stays, switch it off and on.</source>
+        <translation>仍处于示教模式，已接近零位。请扶住机械臂并复位；若仍未退出，请重新上电。</translation>
+    </message>
+    <message>
+        <source>Still in drag teaching, joint {joint} at {angle}°. Enable the motors, then lead the arm to its rest pose.</source>
+        <translation>仍处于示教模式，关节 {joint} 在 {angle}°。请先使能电机，再将机械臂拖动到零位附近。</translation>
+    </message>
+    <message>
+        <source>Dragged too fast: the recording has ended. Lead the arm slowly to within {near}° of zero (joint {joint}: {angle}°).</source>
+        <translation>拖动示教时超速，记录已结束。请缓慢拖动各关节到零位 {near}° 以内（关节 {joint}：{angle}°）。</translation>
+    </message>
+    <message>
+        <source>Still in drag teaching. Lead every joint by hand to within {near}° of zero (joint {joint}: {angle}°).</source>
+        <translation>仍处于示教模式。请用手将各关节拖动到零位 {near}° 以内（关节 {joint}：{angle}°）。</translation>
+    </message>
+    <message>
+        <source>The arm was dragged too fast. Hold it, then reset it.</source>
+        <translation>拖动示教时超速。请扶住机械臂，然后复位。</translation>
+    </message>
+    <message>
+        <source>The motors of joint {joints} are off. Hold the arm, then enable them.</source>
+        <translation>关节 {joints} 的电机未使能。请扶住机械臂，然后使能。</translation>
+    </message>
+    <message>
+        <source>The motors are off. Enable them to move the arm.</source>
+        <translation>电机未使能。使能后可运动。</translation>
+    </message>
+    <message>
+        <source>Joint {joints} beyond its limit. The arm stands still; send a target within the limits.</source>
+        <translation>关节 {joints} 超过限位。机械臂未运动，请发送限位以内的目标。</translation>
+    </message>
+    <message>
+        <source>The last target is beyond a limit. The arm stands still; send another target.</source>
+        <translation>上一目标角度超过限位。机械臂未运动，请发送其他目标。</translation>
+    </message>
+    <message>
+        <source>No way to the last target was found. The arm stands still; send another target.</source>
+        <translation>上一目标无解。机械臂未运动，请发送其他目标。</translation>
+    </message>
+    <message>
+        <source>The way to the last target is singular. The arm stands still; send another target, or by joints.</source>
+        <translation>上一目标经过奇异点。机械臂未运动，请发送其他目标或使用关节运动。</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>The arm has lost a joint. Check the cables; if the message stays, reset the arm.</source>
+        <translation>关节通信异常。请检查关节线缆；若提示不消失，请复位机械臂。</translation>
+    </message>
+    <message>
+        <source>The arm has hit something. Remove it, then clear the errors.</source>
+        <translation>机械臂发生碰撞。请移开障碍物，然后清除错误。</translation>
     </message>
 </context>
 <context>
@@ -1297,12 +2167,144 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>机械臂不在急停状态，无需恢复。</translation>
     </message>
     <message>
+        <source>The arm is in another state by now: nothing was sent. Look at the step that is shown now.</source>
+        <translation>机械臂状态已变化，未发送。请查看当前提示。</translation>
+    </message>
+    <message>
+        <source>The arm did not react.</source>
+        <translation>机械臂无响应。</translation>
+    </message>
+    <message>
+        <source>The arm is not in drag teaching. Start recording first, or press the button on the arm.</source>
+        <translation>机械臂未进入示教模式。请先开始示教记录，或按下机械臂上的示教按键。</translation>
+    </message>
+    <message>
+        <source>Nothing is under way in drag teaching. Start recording or replay first.</source>
+        <translation>示教没有正在进行的动作。请先开始示教记录或执行示教轨迹。</translation>
+    </message>
+    <message>
+        <source>The arm is recording. Stop recording first.</source>
+        <translation>正在示教记录。请先结束示教记录。</translation>
+    </message>
+    <message>
+        <source>The arm is replaying. Pause or terminate the replay first.</source>
+        <translation>正在执行示教轨迹。请先暂停执行或终止执行。</translation>
+    </message>
+    <message>
+        <source>The replay is paused. Continue or terminate it first.</source>
+        <translation>示教轨迹已暂停。请先继续执行或终止执行。</translation>
+    </message>
+    <message>
+        <source>The arm is not moving: there is nothing to pause.</source>
+        <translation>机械臂未在运动，无需暂停。</translation>
+    </message>
+    <message>
+        <source>The arm is still moving. Wait until it stands still, then press again.</source>
+        <translation>机械臂仍在运动。请等它停稳后再按。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} is at its limit of {limit}°. Jog the other way.</source>
+        <translation>关节 {joint} 已到限位 {limit}°。请向反方向点动。</translation>
+    </message>
+    <message>
+        <source>The arm reaches no further this way. Jog in another direction.</source>
+        <translation>机械臂在此方向已到可达范围的边缘。请换一个方向点动。</translation>
+    </message>
+    <message>
+        <source>The arm is at a singular pose: joint {joint} would have to turn far too fast. Jog another way, or turn joint 5 away from 0° under Motion control.</source>
+        <translation>机械臂处于奇异位姿：关节 {joint} 需要转得过快。请换一个方向点动，或在运动控制中把关节 5 转离 0°。</translation>
+    </message>
+    <message>
+        <source>The arm does not follow. Check that nothing blocks it and what its status says.</source>
+        <translation>机械臂没有跟随。请检查是否有阻挡，并查看机械臂状态。</translation>
+    </message>
+    <message>
+        <source>The joint angles are no longer heard from the arm. Check its power and the CAN cable.</source>
+        <translation>收不到机械臂的关节角度。请检查电源和 CAN 线。</translation>
+    </message>
+    <message>
+        <source>The program was held up for {value} ms. Let go and press again.</source>
+        <translation>程序停顿了 {value} 毫秒。请松开后重新按下。</translation>
+    </message>
+    <message>
+        <source>The arm has not reported its pose yet. Wait until all six values are shown.</source>
+        <translation>机械臂尚未上报末端位姿。请等六个数值全部显示。</translation>
+    </message>
+    <message>
+        <source>The arm itself refuses its last target: {status}. Send another one.</source>
+        <translation>机械臂拒绝了上一个目标：{status}。请发送其他目标。</translation>
+    </message>
+    <message>
+        <source>{axis}: “{value}” is no figure. Enter mm or degrees in figures, for example 12.5.</source>
+        <translation>{axis}：“{value}”不是数值。请输入毫米或度的数字，例如 12.5。</translation>
+    </message>
+    <message>
+        <source>The target is {missing} mm out of the arm&apos;s reach. Choose one nearer to the arm, or turn the tool.</source>
+        <translation>目标超出可达范围 {missing} mm。请选择更近的位置，或改变末端姿态。</translation>
+    </message>
+    <message>
+        <source>At the target joint {joint} would stand at {value}°, beyond its limits of {minimum}° to {maximum}°. Choose another position or turn the tool.</source>
+        <translation>在目标处关节 {joint} 将为 {value}°，超出限位 {minimum}° 至 {maximum}°。请选择其他位置或改变末端姿态。</translation>
+    </message>
+    <message>
+        <source>After {gone} % of the way the arm reaches no further. Choose MOVE P, or another target.</source>
+        <translation>走到路径的 {gone} % 处超出可达范围。请改用 MOVE P，或选择其他目标。</translation>
+    </message>
+    <message>
+        <source>After {gone} % of the way joint {joint} would be at {value}°, beyond its limits of {minimum}° to {maximum}°. Choose MOVE P, or another target.</source>
+        <translation>走到路径的 {gone} % 处关节 {joint} 将为 {value}°，超出限位 {minimum}° 至 {maximum}°。请改用 MOVE P，或选择其他目标。</translation>
+    </message>
+    <message>
+        <source>After {gone} % of the way the arm comes to a singular pose: joint {joint} would have to jump. Choose MOVE P, or move joint 5 away from 0° first.</source>
+        <translation>走到路径的 {gone} % 处为奇异位姿：关节 {joint} 将发生跳变。请改用 MOVE P，或先把关节 5 转离 0°。</translation>
+    </message>
+    <message>
+        <source>The arm stands {distance} mm and {turned}° away from the start of the arc. Press Go to start first.</source>
+        <translation>机械臂距圆弧起点 {distance} mm、{turned}°。请先按“移到起点”。</translation>
+    </message>
+    <message>
+        <source>The three poses lie on a line, or two in one place: that is no arc. Capture others.</source>
+        <translation>三个位姿在一条直线上，或有两个重合，不构成圆弧。请重新记录。</translation>
+    </message>
+    <message>
+        <source>Not captured yet: {point}. Bring the arm there and press its button.</source>
+        <translation>尚未记录：{point}。请把机械臂移到该处并按对应按钮。</translation>
+    </message>
+    <message>
+        <source>The pose the arm reports does not fit its joint angles: the program cannot compute its way. Check the joints&apos; zeros; the joints can still be moved one by one.</source>
+        <translation>机械臂上报的位姿与关节角度不符，程序无法计算路径。请检查各关节零点；仍可单独移动各关节。</translation>
+    </message>
+    <message>
+        <source>Tool centre point: {value} is not possible. Enter lengths up to {maximum} mm and angles up to 180°.</source>
+        <translation>工具中心点：不能为 {value}。长度不超过 {maximum} mm，角度不超过 180°。</translation>
+    </message>
+    <message>
         <source>{light}: {value} is out of range. Enter a whole number from {minimum} to {maximum}.</source>
         <translation>{light}：{value} 超出范围。请输入 {minimum} 至 {maximum} 的整数。</translation>
     </message>
     <message>
         <source>{light}: “{value}” is not a whole number. Enter one from {minimum} to {maximum}.</source>
         <translation>{light}：“{value}”不是整数。请输入 {minimum} 至 {maximum} 的整数。</translation>
+    </message>
+    <message>
+        <source>Whether these joints stand still is not known: {joints}. Their drivers report no speed: check the arm&apos;s power and the CAN cable.</source>
+        <translation>无法确认以下关节是否静止：{joints}。其驱动器未上报速度，请检查机械臂电源和 CAN 线缆。</translation>
+    </message>
+    <message>
+        <source>These joints are moving: {joints}. Wait until the arm stands still.</source>
+        <translation>以下关节正在运动：{joints}。请等待机械臂静止。</translation>
+    </message>
+    <message>
+        <source>The arm answered that it did not set the zero of these joints: {joints}. Let the arm stand still, clear its errors, then try again.</source>
+        <translation>机械臂应答：以下关节的零点未设置成功：{joints}。请让机械臂静止并清除错误后重试。</translation>
+    </message>
+    <message>
+        <source>The arm answered that the zero is set, but these joints do not read 0°: {joints}. Do not move the arm before the zero is set anew.</source>
+        <translation>机械臂应答零点已设置，但以下关节的角度不为 0°：{joints}。重新设置零点之前请勿移动机械臂。</translation>
+    </message>
+    <message>
+        <source>The stop came first; it is not sent again. Look at what the arm shows, then repeat it.</source>
+        <translation>急停在先，该指令不会重发。请查看机械臂的状态后再操作。</translation>
     </message>
     <message>
         <source>The arm reports: {status}. Remove the cause. If the report stays: emergency stop, hold the arm, Resume.</source>
@@ -1523,6 +2525,10 @@ Lamps give no feedback: this is only what will be sent.</source>
         <source>robot description</source>
         <translation>机器人模型</translation>
     </message>
+    <message>
+        <source>tool centre point</source>
+        <translation>工具中心点</translation>
+    </message>
 </context>
 <context>
     <name>SettingsDialog</name>
@@ -1598,8 +2604,32 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>运动控制</translation>
     </message>
     <message>
+        <source>Tool control</source>
+        <translation>末端控制</translation>
+    </message>
+    <message>
         <source>Light control</source>
         <translation>灯光控制</translation>
+    </message>
+    <message>
+        <source>Joint settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End speed limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Collision level</source>
+        <translation>碰撞等级</translation>
+    </message>
+    <message>
+        <source>Motor settings</source>
+        <translation>电机设置</translation>
+    </message>
+    <message>
+        <source>Drag teaching</source>
+        <translation>示教</translation>
     </message>
 </context>
 <context>
@@ -1654,6 +2684,13 @@ Lamps give no feedback: this is only what will be sent.</source>
     <message>
         <source>Last event</source>
         <translation>最近事件</translation>
+    </message>
+</context>
+<context>
+    <name>StepBox</name>
+    <message>
+        <source>Continuous</source>
+        <translation>连续</translation>
     </message>
 </context>
 <context>
@@ -1735,6 +2772,110 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
 </context>
 <context>
+    <name>TeachingCommand</name>
+    <message>
+        <source>Start recording</source>
+        <translation>开始示教记录</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>结束示教记录</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>执行示教轨迹</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停执行</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>继续执行</translation>
+    </message>
+    <message>
+        <source>Terminate</source>
+        <translation>终止执行</translation>
+    </message>
+    <message>
+        <source>Move to start</source>
+        <translation>运动到轨迹起点</translation>
+    </message>
+</context>
+<context>
+    <name>TeachingPanel</name>
+    <message>
+        <source>The arm gives way to the hand and records where it is led.</source>
+        <translation>机械臂可用手拖动，并记录拖动轨迹。</translation>
+    </message>
+    <message>
+        <source>The arm moves: keep clear.</source>
+        <translation>机械臂会运动，请勿靠近。</translation>
+    </message>
+    <message>
+        <source>Waiting for the arm: {command}</source>
+        <translation>等待机械臂：{command}</translation>
+    </message>
+    <message>
+        <source>Paused from here: new targets wait until Continue or Clear.</source>
+        <translation>已由本程序暂停：继续或清除之前，新目标不会执行。</translation>
+    </message>
+    <message>
+        <source>Drag teaching</source>
+        <translation>示教</translation>
+    </message>
+    <message>
+        <source>Teaching state</source>
+        <translation>示教状态</translation>
+    </message>
+    <message>
+        <source>The teaching button on the arm works beside this panel, which follows it.</source>
+        <translation>机械臂上的示教按键同样有效，本面板会跟随显示。</translation>
+    </message>
+    <message>
+        <source>Planned trajectory</source>
+        <translation>轨迹指令</translation>
+    </message>
+    <message>
+        <source>Works on motions under way. The arm does not report it: watch the arm.</source>
+        <translation>对正在进行的运动有效。机械臂不反馈此指令，请观察机械臂。</translation>
+    </message>
+</context>
+<context>
+    <name>TeachingPhase</name>
+    <message>
+        <source>Not in drag teaching</source>
+        <translation>未进入示教</translation>
+    </message>
+    <message>
+        <source>In drag teaching, nothing under way</source>
+        <translation>示教模式，无动作</translation>
+    </message>
+    <message>
+        <source>Recording: lead the arm by hand</source>
+        <translation>示教记录中，请拖动机械臂</translation>
+    </message>
+    <message>
+        <source>Moving along the recording</source>
+        <translation>正在执行示教轨迹</translation>
+    </message>
+    <message>
+        <source>Replay paused</source>
+        <translation>示教轨迹已暂停</translation>
+    </message>
+</context>
+<context>
+    <name>ToolBox</name>
+    <message>
+        <source>Tool centre point on the flange (mm, °), kept on this PC</source>
+        <translation>工具中心点相对法兰（mm、°），保存在本机</translation>
+    </message>
+    <message>
+        <source>Tool {axis}</source>
+        <translation>工具 {axis}</translation>
+    </message>
+</context>
+<context>
     <name>TopBar</name>
     <message>
         <source>Disables all six motors: the arm will drop, so hold it first.</source>
@@ -1772,6 +2913,29 @@ Afterwards the motors must be enabled again.</source>
     </message>
 </context>
 <context>
+    <name>TrajectoryCommand</name>
+    <message>
+        <source>Pause</source>
+        <translation>暂停当前规划</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>继续当前轨迹</translation>
+    </message>
+    <message>
+        <source>Clear current</source>
+        <translation>清除当前轨迹</translation>
+    </message>
+    <message>
+        <source>Clear all</source>
+        <translation>清除所有轨迹</translation>
+    </message>
+    <message>
+        <source>Terminate</source>
+        <translation>终止执行</translation>
+    </message>
+</context>
+<context>
     <name>UnderWay</name>
     <message>
         <source>enabling the motors</source>
@@ -1798,8 +2962,20 @@ Afterwards the motors must be enabled again.</source>
         <translation>读取或保存机械臂参数</translation>
     </message>
     <message>
+        <source>setting a zero</source>
+        <translation>设置零点</translation>
+    </message>
+    <message>
         <source>clearing a joint&apos;s error</source>
         <translation>清除关节错误</translation>
+    </message>
+    <message>
+        <source>a teaching command</source>
+        <translation>示教指令</translation>
+    </message>
+    <message>
+        <source>the step before</source>
+        <translation>上一步操作</translation>
     </message>
 </context>
 <context>
@@ -1807,6 +2983,21 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>unknown ({code})</source>
         <translation>未知 ({code})</translation>
+    </message>
+</context>
+<context>
+    <name>Unsaved</name>
+    <message>
+        <source>Changes are not saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What you entered has not been saved to the arm. If you go on it is lost; the arm keeps what it holds now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard changes</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1834,6 +3025,29 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Language, theme, jog step, 3D model</source>
         <translation>语言、主题、点动步长、3D 模型</translation>
+    </message>
+</context>
+<context>
+    <name>WayOut</name>
+    <message>
+        <source>End what is under way; lead every joint near its zero by hand.</source>
+        <translation>结束当前动作，用手将各关节拖动到零位附近。</translation>
+    </message>
+    <message>
+        <source>Hold the arm. Emergency stop: the motors go limp, the arm sinks.</source>
+        <translation>请扶住机械臂。急停：电机失去保持力，机械臂会下沉。</translation>
+    </message>
+    <message>
+        <source>Resume: the arm will drop, keep holding it.</source>
+        <translation>恢复：机械臂会下落，请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>Enable the motors.</source>
+        <translation>使能电机。</translation>
+    </message>
+    <message>
+        <source>To leave drag teaching, take the steps in the line at the top:</source>
+        <translation>退出示教模式，请按顶部提示逐步操作：</translation>
     </message>
 </context>
 </TS>
