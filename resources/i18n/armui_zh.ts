@@ -977,6 +977,10 @@
         <translation>键盘点动</translation>
     </message>
     <message>
+        <source>Hold the space bar; each press of a key is one step.</source>
+        <translation>按住空格键，每按一次方向键走一步。</translation>
+    </message>
+    <message>
         <source>Hold the space bar and press a key; release either and the arm stops.</source>
         <translation>按住空格键再按方向键即运动；松开任一键即停止。</translation>
     </message>

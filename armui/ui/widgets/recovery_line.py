@@ -143,7 +143,7 @@ class RecoveryLine(QWidget):
         ratio = self.devicePixelRatioF()
         if self._step.kind in _CALM:
             if self._step.kind is Kind.READY:
-                self._icon.setPixmap(icons.pixmap("check", colors.ok, _ICON_PX, ratio))
+                self._icon.setPixmap(icons.pixmap("done", colors.ok, _ICON_PX, ratio))
             else:
                 self._icon.clear()
             return
