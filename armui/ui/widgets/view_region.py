@@ -16,7 +16,16 @@ class ViewRegion(QWidget):
     reset_wanted = Signal()
     settings_wanted = Signal()
 
-    def __init__(self, view: QWidget, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, view: QWidget, bar: QWidget | None = None, parent: QWidget | None = None
+    ) -> None:
+        """Lay out.
+
+        Args:
+            view: Shows the arm.
+            bar: Stands under it while it has something to offer.
+            parent: Qt's.
+        """
         super().__init__(parent)
         self._help = QPushButton()
         self._reset = QPushButton()
@@ -38,6 +47,8 @@ class ViewRegion(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(view, 0, 0)
         layout.addLayout(row, 0, 0, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom)
+        if bar is not None:
+            layout.addWidget(bar, 1, 0)
         for button in self._buttons.values():
             button.raise_()
         self._help.setShortcut("F1")

@@ -1,0 +1,1 @@
+"""The trajectory library, its editor, its run controls and the preview."""

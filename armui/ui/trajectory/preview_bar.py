@@ -1,0 +1,137 @@
+"""Moves the ghost arm through a motion that has not happened: a time slider, play, close."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from PySide6.QtCore import QElapsedTimer, QEvent, QSignalBlocker, QTimer, Signal
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QWidget
+
+from armui.ui.widgets.track_slider import TrackSlider
+from armui.ui.widgets.value_label import ValueLabel
+
+_STEP_S: Final = 0.01
+_FRAME_MS: Final = 33
+_WIDEST: Final = "00:00.0 / 00:00.0"
+
+
+class PreviewBar(QFrame):
+    """Shows where in time the ghost is, and lets the operator move it. Nothing is ever sent.
+
+    Signals:
+        time_changed: seconds from the beginning of the motion.
+        closed: the preview is no longer wanted.
+    """
+
+    time_changed = Signal(float)
+    closed = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("preview_bar")
+        self._duration_s = 0.0
+        self._label = QLabel()
+        self._play = QPushButton()
+        self._play.setObjectName("preview_play")
+        self._play.setCheckable(True)
+        self._slider = TrackSlider(_STEP_S, origin=0.0)
+        self._slider.setObjectName("preview_slider")
+        self._slider.setSingleStep(10)
+        self._slider.setPageStep(100)
+        self._time = ValueLabel(_WIDEST)
+        self._time.setObjectName("preview_time")
+        self._close = QPushButton()
+        self._close.setObjectName("preview_close")
+        row = QHBoxLayout(self)
+        row.setContentsMargins(12, 8, 12, 8)
+        row.setSpacing(10)
+        row.addWidget(self._label)
+        row.addWidget(self._play)
+        row.addWidget(self._slider, 1)
+        row.addWidget(self._time)
+        row.addWidget(self._close)
+        for button in (self._play, self._close):
+            button.setAutoDefault(False)
+        self._clock = QElapsedTimer()
+        self._timer = QTimer(self)
+        self._timer.setInterval(_FRAME_MS)
+        self._timer.timeout.connect(self._on_frame)
+        self._slider.valueChanged.connect(self._on_moved)
+        self._play.toggled.connect(self._on_play)
+        self._close.clicked.connect(self.closed)
+        self.hide()
+        self.retranslate_ui()
+
+    @property
+    def time_s(self) -> float:
+        """Where in time the ghost is."""
+        return self._slider.wish
+
+    @property
+    def _at_end(self) -> bool:
+        return self._slider.sliderPosition() >= self._slider.maximum()
+
+    def open(self, duration_s: float) -> None:
+        """Begin at the beginning of a motion that takes so long."""
+        self._play.setChecked(False)
+        self._duration_s = duration_s
+        self._slider.set_limits(0.0, duration_s)
+        self.go_to(0.0)
+        self.show()
+
+    def go_to(self, time_s: float) -> None:
+        """Bring the ghost to a time."""
+        with QSignalBlocker(self._slider):
+            self._slider.show_wish(time_s)
+        self._on_moved()
+
+    def shut(self) -> None:
+        """There is nothing to preview."""
+        self._play.setChecked(False)
+        self.hide()
+
+    def _on_moved(self) -> None:
+        self._time.show_text(f"{_clock(self.time_s)} / {_clock(self._duration_s)}", stale=False)
+        self.time_changed.emit(self.time_s)
+
+    def _on_play(self, playing: bool) -> None:
+        if not playing:
+            self._timer.stop()
+        else:
+            if self._at_end:
+                self.go_to(0.0)
+            self._clock.start()
+            self._timer.start()
+        self._name_play()
+
+    def _on_frame(self) -> None:
+        passed_s = self._clock.restart() / 1000.0
+        self.go_to(min(self.time_s + passed_s, self._duration_s))
+        if self._at_end:
+            self._play.setChecked(False)
+
+    def _name_play(self) -> None:
+        text = self.tr("Halt") if self._play.isChecked() else self.tr("Play")
+        self._play.setText(text)
+        self._play.setAccessibleName(text)
+        self._play.setToolTip(self.tr("Moves the ghost arm only; the real arm stays where it is."))
+
+    def retranslate_ui(self) -> None:
+        """Put the words into the operator's language."""
+        self._label.setText(self.tr("Preview"))
+        self._slider.setAccessibleName(self.tr("Time of the preview"))
+        self._slider.setToolTip(self.tr("Moves the ghost arm through the motion."))
+        self._close.setText(self.tr("Close preview"))
+        self._name_play()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)
+
+
+def _clock(time_s: float) -> str:
+    """Minutes, seconds and tenths."""
+    minutes, seconds = divmod(time_s, 60.0)
+    return f"{int(minutes):02d}:{seconds:04.1f}"
