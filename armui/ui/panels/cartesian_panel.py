@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
-    QComboBox,
     QFrame,
     QHBoxLayout,
     QLabel,
@@ -18,7 +16,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from armui.arm.frames import AXES, LINEAR_AXES
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.jog_ways import ToolJog
@@ -31,7 +28,7 @@ from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.frame_choice import FrameChoice
 from armui.ui.widgets.key_pad import KeyPad
 from armui.ui.widgets.message_line import MessageLine
-from armui.ui.widgets.pose_row import PoseRow
+from armui.ui.widgets.pose_rows import PoseRows
 from armui.ui.widgets.step_box import StepBox
 from armui.ui.widgets.tool_box import ToolBox
 
@@ -86,21 +83,12 @@ class CartesianPanel(QWidget):
         self._step_label = QLabel()
         self._step_box = StepBox(lambda step: f"{step:g} mm / {step:g}°")
         self._step_box.setObjectName("tool_step")
-        self._step_box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self._keys = QToolButton()
         self._keys.setObjectName("tool_keys_button")
         self._keys.setCheckable(True)
         self._keys.setProperty("choice", True)
         self._frame = FrameChoice()
-        self._point = QLabel()
-        self._point.setObjectName("point_label")
-        self._point.setProperty("rank", "muted")
-        self._measured_head = QLabel()
-        self._measured_head.setProperty("rank", "muted")
-        self._rows = [
-            PoseRow(place, name, "mm" if place < LINEAR_AXES else "°")
-            for place, name in enumerate(AXES)
-        ]
+        self._rows = PoseRows()
         self._tool = ToolBox()
         self._arc = ArcBox()
         self._key_pad = KeyPad(_KEYS, "tool_key_pad")
@@ -134,17 +122,9 @@ class CartesianPanel(QWidget):
         card = QFrame()
         rows = QVBoxLayout(card)
         rows.setContentsMargins(16, 10, 16, 12)
-        rows.setSpacing(6)
-        columns = QHBoxLayout()
-        columns.addWidget(self._point)
-        columns.addStretch(1)
-        columns.addWidget(self._measured_head)
-        rows.addLayout(columns)
-        for row in self._rows:
-            rows.addWidget(row)
-        rows.addSpacing(6)
+        rows.setSpacing(12)
+        rows.addWidget(self._rows)
         rows.addWidget(self._tool)
-        rows.addSpacing(6)
         rows.addWidget(self._arc)
         rows.addStretch(1)
 
@@ -165,12 +145,11 @@ class CartesianPanel(QWidget):
         layout.addStretch(0)
 
     def _connect(self) -> None:
-        for row in self._rows:
-            row.stepped.connect(self._on_stepped)
-            row.repeated.connect(self._on_repeated)
-            row.held.connect(self._on_held)
-            row.let_go.connect(self._controller.jogging.stop)
-            row.edited.connect(self._on_edited)
+        self._rows.stepped.connect(self._on_stepped)
+        self._rows.repeated.connect(self._on_repeated)
+        self._rows.held.connect(self._on_held)
+        self._rows.let_go.connect(self._controller.jogging.stop)
+        self._rows.edited.connect(self._on_edited)
         self._step_box.chosen.connect(self._on_step_chosen)
         self._keys.toggled.connect(self._on_keys_toggled)
         self._key_pad.pressed.connect(self._on_key_pressed)
@@ -204,8 +183,8 @@ class CartesianPanel(QWidget):
         self._controller.cartesian.tool = tool
         self._tool.show_tool(tool)
         self._arc.clear()
-        self._fill(self._pose())
-        self._show_point()
+        self._rows.fill(self._pose())
+        self._rows.name_point(with_tool=any(tool))
         self._show_measured()
 
     def _pose(self) -> tuple[float, ...] | None:
@@ -214,8 +193,7 @@ class CartesianPanel(QWidget):
     # -- jogging ------------------------------------------------------------------------------
 
     def _on_step_chosen(self) -> None:
-        for row in self._rows:
-            row.set_step(self._step_box.step, continuous=self._step_box.continuous)
+        self._rows.set_step(self._step_box.step, continuous=self._step_box.continuous)
         self._key_pad.set_continuous(self._step_box.continuous)
         self._show_possible()
 
@@ -252,18 +230,15 @@ class CartesianPanel(QWidget):
     def _on_load(self) -> None:
         pose = self._pose()
         if pose is not None:
-            self._fill(pose)
+            self._rows.fill(pose)
         self._took(None if pose is not None else Refusal("pose_unknown"))
 
     def _send(self, move_mode: MoveMode) -> None:
         self._jogged = False
-        target: list[float] = []
-        for row in self._rows:
-            value = row.field.value
-            if value is None:
-                self._took(_why_no_figure(row))
-                return
-            target.append(value)
+        target = self._rows.targets()
+        if isinstance(target, Refusal):
+            self._took(target)
+            return
         self._took(self._controller.cartesian.move(target, move_mode))
 
     def _on_capture(self, place: int) -> None:
@@ -291,7 +266,7 @@ class CartesianPanel(QWidget):
     def _follow_jog(self) -> None:
         """The fields go along with a jog: sending them must not take it back."""
         if self._jogged:
-            self._fill(self._pose())
+            self._rows.fill(self._pose())
 
     def _took(self, refusal: Refusal | None) -> None:
         """Show the answer."""
@@ -324,25 +299,20 @@ class CartesianPanel(QWidget):
         pose = self._pose()
         if pose is not None:
             self._filled_for = device
-            if not any(row.field.text() for row in self._rows):
-                self._fill(pose)
+            if self._rows.empty:
+                self._rows.fill(pose)
             self._show_possible()
-
-    def _fill(self, pose: Sequence[float] | None) -> None:
-        for row, value in zip(self._rows, pose or (None,) * len(AXES), strict=True):
-            row.show_target(value)
 
     def _show_measured(self) -> None:
         state = self._controller.state
         stale = any(is_stale(heard, state, self._situation) for heard in state.pose)
-        for row, value in zip(self._rows, self._pose() or (None,) * len(AXES), strict=True):
-            row.show_measured(value, stale=stale)
+        self._rows.show_measured(self._pose(), stale=stale)
 
     def _on_situation_changed(self, situation: Situation) -> None:
         old, self._situation = self._situation, situation
         if old.device != situation.device:
             self._filled_for = None
-            self._fill(None)
+            self._rows.fill(None)
             self._arc.clear()
         if old.cannot_move != situation.cannot_move:
             self._refusal = None
@@ -361,8 +331,7 @@ class CartesianPanel(QWidget):
         """Enable what can be used now; say in the tooltips of the rest why not."""
         blocked = self._situation.cannot_move
         why_not = "" if blocked is None else words.refusal(blocked)
-        for row in self._rows:
-            row.allow_jog(why_not)
+        self._rows.allow_jog(why_not)
         self._key_pad.allow(why_not)
         unknown = self._controller.state.end_pose() is None
         no_pose = words.refusal(Refusal("pose_unknown")) if unknown else ""
@@ -391,19 +360,13 @@ class CartesianPanel(QWidget):
 
     def _first_wrong(self) -> Refusal | None:
         """A figure that is none, or what the arm itself says against its last target."""
-        for row in self._rows:
-            if row.field.is_nonsense():
-                return _why_no_figure(row)
+        nonsense = self._rows.nonsense()
+        if nonsense is not None:
+            return nonsense
         status = self._controller.state.status
         if status is not None and status.value.arm_status in _OWN_REFUSALS:
             return Refusal("target_refused", {"status": status.value.arm_status})
         return None
-
-    def _show_point(self) -> None:
-        with_tool = any(self._controller.cartesian.tool)
-        self._point.setText(
-            self.tr("Tool centre point") if with_tool else self.tr("Flange (no tool set)")
-        )
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
@@ -413,7 +376,6 @@ class CartesianPanel(QWidget):
         self._keys.setText(self.tr("Keys"))
         self._keys.setAccessibleName(self.tr("Keyboard jogging"))
         self._keys.setToolTip(self.tr("Jog by keys, with the space bar held as dead-man key"))
-        self._measured_head.setText(self.tr("Measured"))
         for button, text in (
             (self._load, self.tr("Load")),
             (self._move_p, "MOVE P"),
@@ -421,7 +383,6 @@ class CartesianPanel(QWidget):
         ):
             button.setText(text)
             button.setAccessibleName(text)
-        self._show_point()
         self._show_possible()
         self._show_message()
 
@@ -435,9 +396,3 @@ class CartesianPanel(QWidget):
         """Catch up with what went by while the panel was hidden."""
         super().showEvent(event)
         self._show_all()
-
-
-def _why_no_figure(row: PoseRow) -> Refusal:
-    if row.field.is_nonsense():
-        return Refusal("pose_not_a_number", {"axis": row.name, "value": row.field.text()})
-    return Refusal("pose_unknown")
