@@ -164,4 +164,5 @@ _COMMANDS = {
     "MotorEnable",
     "JointSetting",
     "LightControl",
+    "GripperCommand",
 }

@@ -150,6 +150,17 @@ def _joint_keys(desk: Desk) -> None:
     step_box.setCurrentIndex(step_box.count() - 1)
 
 
+def _gripper(desk: Desk) -> None:
+    desk.click("menu_gripper")
+    desk.run(0.3)
+    desk.firmware.gripper.object_width = 24.0
+    desk.controller.gripper.move(60.0, 1.0)
+    desk.run_until(lambda: "gripper_there" in desk.codes())
+    desk.type_into("gripper_opening_field", "10")
+    desk.click("gripper_send_button")
+    desk.run_until(lambda: "gripper_grips" in desk.codes())
+
+
 def _moving(desk: Desk) -> None:
     desk.click("collision_cancel_button")
     desk.click("menu_motion")
@@ -236,6 +247,7 @@ WINDOW_SCENES = (
     Scene("joint-settings-corrupt", _joint_settings_corrupt),
     Scene("end-limits", _end_limits),
     Scene("collision", _collision),
+    Scene("gripper", _gripper),
     Scene("moving", _moving),
     Scene("refused", _refused),
     Scene("tool", _tool),

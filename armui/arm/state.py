@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Final, Generic, TypeVar
 
+from armui.arm.gripper import Gripper
 from armui.arm.limits import JOINTS, JointLimits
 
 T = TypeVar("T")
@@ -114,21 +115,6 @@ class DriverSlow:
             self.homed or self.stall_protection,
         )
         return sum(1 << bit for bit, flag in enumerate(flags) if flag)
-
-
-@dataclass(frozen=True, slots=True)
-class Gripper:
-    """What 0x2A8 says.
-
-    Attributes:
-        opening_mm: Generation 2; ``None`` in generation 1.
-        angle_deg: Generation 1; ``None`` in generation 2.
-        enabled: Whether its motor holds.
-    """
-
-    opening_mm: float | None
-    angle_deg: float | None
-    enabled: bool
 
 
 @dataclass(frozen=True, slots=True)

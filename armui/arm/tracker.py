@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, Final
 
+from armui.arm.gripper import Gripper, gripper_of
 from armui.arm.limits import JOINTS, JointLimits
 from armui.arm.state import (
     ArmState,
@@ -18,7 +19,6 @@ from armui.arm.state import (
     DriverSlow,
     EndLimits,
     EndMotion,
-    Gripper,
     Heard,
     Six,
     Status,
@@ -165,12 +165,7 @@ class Tracker:
         self._status = Heard(status, at_s)
 
     def _on_gripper(self, signals: _Signals, at_s: float) -> None:
-        gripper = Gripper(
-            opening_mm=signals.get("Opening"),
-            angle_deg=signals.get("Angle"),
-            enabled=signals["Enabled"] == 1,
-        )
-        self._gripper = Heard(gripper, at_s)
+        self._gripper = Heard(gripper_of(signals), at_s)
 
     def _on_limits(self, signals: _Signals, at_s: float) -> None:
         limits = JointLimits(

@@ -23,6 +23,7 @@ from armui.control.cartesian import Cartesian
 from armui.control.connection import Connection
 from armui.control.context import Context, Part
 from armui.control.device_finder import DeviceFinder
+from armui.control.gripper import Gripper
 from armui.control.jogging import Jogging
 from armui.control.joint_errors import JointErrors
 from armui.control.lights import Lights
@@ -75,6 +76,7 @@ class ArmController(QObject):
         planned_motion: Pauses, continues and clears motions.
         recovery: The next step towards an arm that may be moved.
         zeroing: Sets the zeros of the joints.
+        gripper: Moves the gripper.
 
     Signals:
         state_changed: An :class:`ArmState`, at most 30 times a second, when something was heard.
@@ -130,12 +132,14 @@ class ArmController(QObject):
             stop=self.emergency_stop,
             announce=self.step_changed.emit,
         )
+        self.gripper = Gripper(context)
         self.zeroing = Zeroing(context, self.orders, before_zeroing=self.motion.halt)
         self._parts: tuple[Part, ...] = (
             self.motors,
             self.motion,
             self.player,
             self.cartesian,
+            self.gripper,
             self.jogging,
             self.replayer,
             self.recorder,

@@ -44,6 +44,13 @@ CODES: Final[Mapping[str, Level]] = {
     "clear_error_sent": Level.INFO,  # joint
     "clear_error_answered": Level.DONE,  # joint
     "clear_error_unanswered": Level.FAULT,  # joint
+    "gripper_sent": Level.INFO,  # value, unit
+    "gripper_there": Level.DONE,  # value, unit
+    "gripper_grips": Level.DONE,  # value, unit, torque
+    "gripper_not_there": Level.FAULT,  # value, unit, target
+    "gripper_act_sent": Level.INFO,  # act
+    "gripper_act_done": Level.DONE,  # act
+    "gripper_act_failed": Level.FAULT,  # act
     "zero_sent": Level.INFO,
     "zero_sent_joint": Level.INFO,  # joint
     "zero_set": Level.DONE,
@@ -154,6 +161,10 @@ REFUSALS: Final = frozenset(
         "setting_unanswered",
         "setting_not_read_back",
         "setting_not_taken",  # parameter, joint, value, held
+        "gripper_silent",
+        "gripper_no_zero",
+        "gripper_out_of_range",  # gripper, value, minimum, maximum, unit
+        "gripper_not_a_number",  # gripper, value, minimum, maximum, unit
         "speed_unknown",  # joints
         "joints_moving",  # joints
         "zero_not_set",  # joints

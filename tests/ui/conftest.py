@@ -14,6 +14,7 @@ from armui.arm.device import Device
 from armui.arm.parameters import Batch, Parameter
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Heard, Status
+from armui.control.gripper_ranges import Figures, figures_of
 from armui.control.recovery_steps import Action, Kind, Step
 from armui.control.setting_cell import Cell
 from armui.control.setting_checks import Changes
@@ -100,6 +101,7 @@ class FakeController(QObject):
         self.planned_motion = FakePlannedMotion(self)
         self.zeroing = FakeZeroing(self)
         self.settings = FakeSettings(self)
+        self.gripper = FakeGripper(self)
 
     # what a test makes it show
 
@@ -310,6 +312,23 @@ class FakeZeroing:
 
     def set_zero(self, joint: int = ALL_JOINTS) -> Refusal | None:
         return self._controller._asked("set_zero", joint)
+
+
+class FakeGripper:
+    """The gripper of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+
+    @property
+    def figures(self) -> Figures:
+        return figures_of(self._controller.situation.generation, self._controller.state)
+
+    def why_not(self, *, moving: bool) -> Refusal | None:
+        return self._controller.situation.cannot_enable
+
+    def move(self, travel: float, effort: float) -> Refusal | None:
+        return self._controller._asked("move_gripper", travel, effort)
 
 
 class FakeView(QWidget):

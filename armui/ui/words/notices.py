@@ -12,6 +12,7 @@ from armui.arm.refusal import Refusal
 from armui.control.situation import Notice
 from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.ui.words.devices import device_name
+from armui.ui.words.gripper import gripper_act
 from armui.ui.words.refusals import refusal
 from armui.ui.words.teaching import teaching_command, trajectory_command
 from armui.ui.words.text import sentence
@@ -88,6 +89,23 @@ _NOTICES: Final[Mapping[str, object]] = {
         "Notice",
         "Joint {joint}: the arm did not confirm within a second the command to clear the error. "
         "Try again; if it stays silent, check the CAN cable.",
+    ),
+    "gripper_sent": QT_TRANSLATE_NOOP("Notice", "Gripper: sent to {value} {unit}"),
+    "gripper_there": QT_TRANSLATE_NOOP("Notice", "The gripper is at {value} {unit}."),
+    "gripper_grips": QT_TRANSLATE_NOOP(
+        "Notice", "The gripper holds something at {value} {unit}, with {torque} N·m."
+    ),
+    "gripper_not_there": QT_TRANSLATE_NOOP(
+        "Notice",
+        "The gripper stands at {value} {unit} instead of {target} {unit}. Look for what blocks it, "
+        "for its errors and its power.",
+    ),
+    "gripper_act_sent": QT_TRANSLATE_NOOP("Notice", "Gripper: {act} sent"),
+    "gripper_act_done": QT_TRANSLATE_NOOP("Notice", "Gripper: {act} done, by its own feedback."),
+    "gripper_act_failed": QT_TRANSLATE_NOOP(
+        "Notice",
+        "Gripper: {act} has no effect. Look at its errors, its power and its cable, then try "
+        "again.",
     ),
     "zero_sent": QT_TRANSLATE_NOOP("Notice", "Zero setting sent to all six joints"),
     "zero_sent_joint": QT_TRANSLATE_NOOP("Notice", "Zero setting sent to joint {joint}"),
@@ -186,6 +204,8 @@ def notice(event: Notice) -> str:
         params["command"] = teaching_command(TeachingState(command))
     if isinstance(plan := params.get("plan"), int):
         params["plan"] = trajectory_command(TrajectoryCommand(plan))
+    if isinstance(act := params.get("act"), str):
+        params["act"] = gripper_act(act)
     source = _NOTICES.get(event.code)
     if source is None:
         source = QT_TRANSLATE_NOOP("Notice", "Event: {code}")

@@ -9,6 +9,8 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.arm.refusal import Refusal
 from armui.ui.words import status
+from armui.ui.words.gripper import gripper_figure
+from armui.ui.words.motor_refusals import MOTOR_REFUSALS
 from armui.ui.words.run_refusals import RUN_REFUSALS
 from armui.ui.words.setting_refusals import SETTING_REFUSALS, with_units
 from armui.ui.words.text import NOT_KNOWN, sentence
@@ -193,28 +195,6 @@ _REFUSALS: Final[Mapping[str, object]] = {
         "Refusal",
         "The arm has not reported all of its joint angles yet. Wait until all six are shown.",
     ),
-    "speed_unknown": QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Whether these joints stand still is not known: {joints}. Their drivers report no speed: "
-        "check the arm's power and the CAN cable.",
-    ),
-    "joints_moving": QT_TRANSLATE_NOOP(
-        "Refusal", "These joints are moving: {joints}. Wait until the arm stands still."
-    ),
-    "zero_not_set": QT_TRANSLATE_NOOP(
-        "Refusal",
-        "The arm answered that it did not set the zero of these joints: {joints}. Let the arm "
-        "stand still, clear its errors, then try again.",
-    ),
-    "zero_not_taken": QT_TRANSLATE_NOOP(
-        "Refusal",
-        "The arm answered that the zero is set, but these joints do not read 0°: {joints}. Do not "
-        "move the arm before the zero is set anew.",
-    ),
-    "ended_by_stop": QT_TRANSLATE_NOOP(
-        "Refusal",
-        "The stop came first; it is not sent again. Look at what the arm shows, then repeat it.",
-    ),
     "other_control": QT_TRANSLATE_NOOP(
         "Refusal",
         "The arm takes its commands from elsewhere: {mode}. Leave that mode first.",
@@ -344,7 +324,12 @@ _REFUSALS: Final[Mapping[str, object]] = {
     ),
 }
 
-_ALL: Final[Mapping[str, object]] = {**_REFUSALS, **SETTING_REFUSALS, **RUN_REFUSALS}
+_ALL: Final[Mapping[str, object]] = {
+    **_REFUSALS,
+    **SETTING_REFUSALS,
+    **RUN_REFUSALS,
+    **MOTOR_REFUSALS,
+}
 
 _UNDER_WAY: Final[Mapping[str, object]] = {
     "enabling": QT_TRANSLATE_NOOP("UnderWay", "enabling the motors"),
@@ -392,6 +377,8 @@ def refusal(reason: Refusal) -> str:
         params["field"] = sentence("SettingName", _SETTINGS.get(field, field), {})
     if isinstance(light := params.get("light"), str):
         params["light"] = light_figure(light)
+    if isinstance(figure := params.get("gripper"), str):
+        params["gripper"] = gripper_figure(figure)
     source = _ALL.get(reason.code)
     if source is None:
         return _unexpected(reason)

@@ -1,0 +1,60 @@
+"""The gripper as 0x2A8 tells it."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+
+class GripperFault(enum.Enum):
+    """What the gripper's driver complains of, by the signal that says so (generation 2)."""
+
+    UNDERVOLTAGE = "Undervoltage"
+    MOTOR_OVERTEMPERATURE = "MotorOvertemperature"
+    OVERCURRENT = "Overcurrent"
+    DRIVER_OVERTEMPERATURE = "DriverOvertemperature"
+    SENSOR = "SensorFault"
+    DRIVER = "DriverFault"
+
+
+@dataclass(frozen=True, slots=True)
+class Gripper:
+    """What 0x2A8 says.
+
+    Attributes:
+        opening_mm: Generation 2; ``None`` in generation 1.
+        angle_deg: Generation 1; ``None`` in generation 2.
+        enabled: Whether its motor holds.
+        torque_nm: Generation 2; ``None`` in generation 1.
+        speed_rad_s: Generation 1; ``None`` in generation 2.
+        homed: Whether it knows its zero; ``None`` in generation 1, which does not say.
+        faults: What is wrong; always empty in generation 1, which has no bits for it.
+    """
+
+    opening_mm: float | None
+    angle_deg: float | None
+    enabled: bool
+    torque_nm: float | None = None
+    speed_rad_s: float | None = None
+    homed: bool | None = None
+    faults: frozenset[GripperFault] = frozenset()
+
+    @property
+    def travel(self) -> float:
+        """How far it is open: mm in generation 2, degrees in generation 1."""
+        return (self.angle_deg if self.opening_mm is None else self.opening_mm) or 0.0
+
+
+def gripper_of(signals: Mapping[str, float]) -> Gripper:
+    """The gripper by the signals of 0x2A8 of either generation."""
+    homed = signals.get("Homed")
+    return Gripper(
+        opening_mm=signals.get("Opening"),
+        angle_deg=signals.get("Angle"),
+        enabled=signals["Enabled"] == 1,
+        torque_nm=signals.get("Torque"),
+        speed_rad_s=signals.get("Speed"),
+        homed=None if homed is None else homed == 1,
+        faults=frozenset(fault for fault in GripperFault if signals.get(fault.value) == 1),
+    )

@@ -1,0 +1,49 @@
+"""What speaks against a motor's zero, a command of the gripper, or another linkage."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
+MOTOR_REFUSALS: Final[Mapping[str, object]] = {
+    "gripper_silent": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "No gripper is heard. If one is mounted, check its cable and its power.",
+    ),
+    "gripper_no_zero": QT_TRANSLATE_NOOP(
+        "Refusal", "The gripper of a generation 1 arm has no command for its zero."
+    ),
+    "gripper_out_of_range": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "{gripper}: {value} {unit} is out of range. Enter a value from {minimum} to {maximum} "
+        "{unit}.",
+    ),
+    "gripper_not_a_number": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "{gripper}: “{value}” is not a number. Enter a value from {minimum} to {maximum} {unit}.",
+    ),
+    "speed_unknown": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Whether these joints stand still is not known: {joints}. Their drivers report no speed: "
+        "check the arm's power and the CAN cable.",
+    ),
+    "joints_moving": QT_TRANSLATE_NOOP(
+        "Refusal", "These joints are moving: {joints}. Wait until the arm stands still."
+    ),
+    "zero_not_set": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm answered that it did not set the zero of these joints: {joints}. Let the arm "
+        "stand still, clear its errors, then try again.",
+    ),
+    "zero_not_taken": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm answered that the zero is set, but these joints do not read 0°: {joints}. Do not "
+        "move the arm before the zero is set anew.",
+    ),
+    "ended_by_stop": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The stop came first; it is not sent again. Look at what the arm shows, then repeat it.",
+    ),
+}
