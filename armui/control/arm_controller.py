@@ -132,7 +132,7 @@ class ArmController(QObject):
             stop=self.emergency_stop,
             announce=self.step_changed.emit,
         )
-        self.gripper = Gripper(context)
+        self.gripper = Gripper(context, self.settings)
         self.zeroing = Zeroing(context, self.orders, before_zeroing=self.motion.halt)
         self._parts: tuple[Part, ...] = (
             self.motors,

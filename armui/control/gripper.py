@@ -7,8 +7,10 @@ from dataclasses import dataclass
 from typing import Final
 
 from armui.arm.gripper import Gripper as Heard
+from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, is_fresh
+from armui.control.arm_settings import ArmSettings, CellState
 from armui.control.context import Context
 from armui.control.gripper_ranges import Figures, check, figures_of
 from armui.control.request import Outcome, Request
@@ -26,6 +28,7 @@ _STANDS_S: Final = 0.6
 """A gripper that has not moved for so long has come to its end."""
 _GRIPS_NM: Final = 0.05
 
+_STROKE: Final = Parameter("stroke_limit_mm")
 _OBEYS: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})
 
 
@@ -52,10 +55,12 @@ class Gripper:
 
     Args:
         context: What the parts of the controller share.
+        settings: Reads the stroke that the arm allows.
     """
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, context: Context, settings: ArmSettings) -> None:
         self._context = context
+        self._settings = settings
         self._deed: str | None = None
         self._request: Request | None = None
         self._travel: _Travel | None = None
@@ -85,6 +90,13 @@ class Gripper:
             return Refusal("busy", {"what": "running"})
         mode = None if state.status is None else state.status.value.control_mode
         return None if mode is None or mode in _OBEYS else Refusal("other_control", {"mode": mode})
+
+    def learn_stroke(self) -> None:
+        """Ask once for the stroke the arm allows (0x47E), where it can be asked."""
+        connection = self._context.connection
+        unread = self._settings.cell(_STROKE).state is CellState.UNREAD
+        if unread and connection.generation is Generation.TWO:
+            self._settings.read([_STROKE.batch])
 
     # What the operator wants ------------------------------------------------------------------
 

@@ -327,6 +327,9 @@ class FakeGripper:
     def why_not(self, *, moving: bool) -> Refusal | None:
         return self._controller.situation.cannot_enable
 
+    def learn_stroke(self) -> None:
+        pass
+
     def move(self, travel: float, effort: float) -> Refusal | None:
         return self._controller._asked("move_gripper", travel, effort)
 

@@ -17,10 +17,8 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.gripper import Gripper
-from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Heard
-from armui.control.arm_settings import CellState
 from armui.control.gripper_ranges import figures_of
 from armui.control.situation import Level, Notice, Situation
 from armui.protocol.generation import Generation
@@ -39,7 +37,6 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
 _TALLEST_CARD_PX: Final = 330
-_STROKE: Final = Parameter("stroke_limit_mm")
 _SEND_KEY: Final = "Ctrl+Return"
 _ACTS: Final = ("enable", "disable", "clear", "zero")
 
@@ -272,14 +269,6 @@ class GripperPanel(QWidget):
         self._faults.setText("; ".join(words.gripper_fault(fault) for fault in faults))
         self._faults.setVisible(bool(faults))
 
-    def _read_stroke(self) -> None:
-        """Ask once for what limits the opening, as soon as there is an arm that can be asked."""
-        settings, situation = self._controller.settings, self._situation
-        asked = settings.cell(_STROKE).state is not CellState.UNREAD
-        askable = situation.unreachable is None and situation.generation is Generation.TWO
-        if self.isVisible() and askable and not asked:
-            settings.read([_STROKE.batch])
-
     # -- appearance ---------------------------------------------------------------------------
 
     def _show_all(self) -> None:
@@ -291,7 +280,8 @@ class GripperPanel(QWidget):
         for each, rows in self._rows_of.items():
             for row in rows:
                 row.setVisible(each is generation)
-        self._read_stroke()
+        if self.isVisible():
+            self._controller.gripper.learn_stroke()
         self._acts["zero"].setVisible(self._generation is not Generation.ONE)
         self._show_state(self._controller.state)
         self._show_message()
@@ -364,4 +354,3 @@ class GripperPanel(QWidget):
         """Catch up with what went by while the panel was hidden."""
         super().showEvent(event)
         self._show_all()
-        self._read_stroke()
