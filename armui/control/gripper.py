@@ -10,10 +10,11 @@ from armui.arm.gripper import Gripper as Heard
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, is_fresh
-from armui.control.arm_settings import ArmSettings, CellState
+from armui.control.arm_settings import ArmSettings
 from armui.control.context import Context
 from armui.control.gripper_ranges import Figures, check, figures_of
 from armui.control.request import Outcome, Request
+from armui.control.setting_cell import CellState
 from armui.protocol import commands
 from armui.protocol.codes import ControlMode
 from armui.protocol.frame import Frame

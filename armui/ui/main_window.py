@@ -25,8 +25,8 @@ from armui.ui.freshness import is_stale
 from armui.ui.panels.cartesian_panel import CartesianPanel
 from armui.ui.panels.collision_panel import CollisionPanel
 from armui.ui.panels.end_limits_panel import EndLimitsPanel
-from armui.ui.panels.joint_settings_panel import JointSettingsPanel
 from armui.ui.panels.gripper_panel import GripperPanel
+from armui.ui.panels.joint_settings_panel import JointSettingsPanel
 from armui.ui.panels.light_panel import LightPanel
 from armui.ui.panels.motion_panel import MotionPanel
 from armui.ui.panels.motor_panel import MotorPanel

@@ -336,6 +336,7 @@ class GripperPanel(QWidget):
         """Put every word into the operator's language."""
         self._title.setText(self.tr("Gripper control"))
         self._send.setText(self.tr("Send"))
+        self._send.setAccessibleName(f"{self._title.text()}: {self._send.text()}")
         self._send.setShortcut(QKeySequence(_SEND_KEY))  # a new text takes it away
         for act, button in self._acts.items():
             button.setText(words.gripper_act(act))
