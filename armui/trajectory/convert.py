@@ -53,3 +53,33 @@ def to_joints(
     within = [way for way in ways if limits is None or check_joints(way, limits) is None]
     best = (within or ways)[0]
     return replace(point, move=MoveMode.MOVE_J, target=tuple(best), middle=None)
+
+
+def to_move(
+    point: Waypoint,
+    move: MoveMode,
+    kinematics: Kinematics,
+    near_deg: Sequence[float],
+    before: Sequence[float],
+) -> Waypoint | Refusal:
+    """The same place reached by another kind of motion.
+
+    Args:
+        point: The point.
+        move: How it shall be reached.
+        kinematics: Of the arm.
+        near_deg: As in :func:`to_joints`.
+        before: The pose an arc would begin in. Its middle becomes half-way from there, which is
+            no arc until the operator moves it.
+    """
+    if move is MoveMode.MOVE_J:
+        return to_joints(point, kinematics, near_deg)
+    if move is MoveMode.MOVE_C:
+        if point.move is MoveMode.MOVE_C:
+            return point
+        target = to_pose(point, kinematics)
+        if isinstance(target, Refusal):
+            return target
+        halves = ((a + b) / 2 for a, b in zip(before[:3], target.target[:3], strict=True))
+        return replace(target, move=move, middle=(*halves, *target.target[3:]))
+    return to_pose(point, kinematics, move)

@@ -53,9 +53,9 @@ def write_point(point: Waypoint) -> str:
     if point.dwell_s:
         parts.append(f"dwell={number(point.dwell_s)}")
     if point.gripper is not None:
-        parts.append(f"gripper={_gripper_text(point.gripper)}")
+        parts.append(f"gripper={gripper_text(point.gripper)}")
     if point.light is not None:
-        parts.append(f"light={_light_text(point.light)}")
+        parts.append(f"light={light_text(point.light)}")
     if point.note:
         parts.append(f"note={json.dumps(point.note, ensure_ascii=False)}")
     return " ".join(parts)
@@ -133,7 +133,12 @@ def _read_speed(text: str, line: int, column: int) -> int:
     return int(text[:9])
 
 
-def _read_gripper(text: str, line: int, column: int) -> GripperAction:
+def read_gripper(text: str, line: int, column: int) -> GripperAction:
+    """What the gripper does, as in ``35mm@1Nm`` or ``20°@1rad/s``.
+
+    Raises:
+        TrajectoryFileError: It is written otherwise; `line` and `column` say where.
+    """
     match = _GRIPPER.fullmatch(text)
     if match is None or (match.group(2) == "mm") != (match.group(4) == "Nm"):
         example = "gripper=35mm@1Nm or gripper=20°@1rad/s"
@@ -143,13 +148,19 @@ def _read_gripper(text: str, line: int, column: int) -> GripperAction:
     return GripperOpening(first, second) if match.group(2) == "mm" else GripperAngle(first, second)
 
 
-def _gripper_text(action: GripperAction) -> str:
+def gripper_text(action: GripperAction) -> str:
+    """What :func:`read_gripper` reads."""
     if isinstance(action, GripperOpening):
         return f"{number(action.opening_mm)}mm@{number(action.torque_nm)}Nm"
     return f"{number(action.angle_deg)}°@{number(action.speed_rad_s)}rad/s"
 
 
-def _read_light(text: str, line: int, column: int) -> LightAction:
+def read_light(text: str, line: int, column: int) -> LightAction:
+    """What the lamps do, as in ``1/all:255,128,0``: joint, lamp, grey values.
+
+    Raises:
+        TrajectoryFileError: It is written otherwise; `line` and `column` say where.
+    """
     match = _LIGHT.fullmatch(text)
     if match is None or not match.group(0).isascii():
         example = "light=1/all:255,128,0"
@@ -159,7 +170,8 @@ def _read_light(text: str, line: int, column: int) -> LightAction:
     return LightAction(int(joint), red, green, blue, ALL_LAMPS if lamp == "all" else int(lamp))
 
 
-def _light_text(light: LightAction) -> str:
+def light_text(light: LightAction) -> str:
+    """What :func:`read_light` reads."""
     lamp = "all" if light.lamp == ALL_LAMPS else str(light.lamp)
     return f"{light.joint}/{lamp}:{light.red},{light.green},{light.blue}"
 
@@ -182,8 +194,8 @@ def read_text(text: str, line: int, column: int) -> str:
 _READERS: Final[dict[str, tuple[str, Callable[[str, int, int], Any]]]] = {
     "speed": ("speed_percent", _read_speed),
     "dwell": ("dwell_s", parse_number),
-    "gripper": ("gripper", _read_gripper),
-    "light": ("light", _read_light),
+    "gripper": ("gripper", read_gripper),
+    "light": ("light", read_light),
     "note": ("note", read_text),
 }
 """Which attribute an option sets, and how it is read."""
