@@ -55,11 +55,11 @@ class Geometry(enum.Enum):
 
 _FLIPPED_AXES: Final = (False, False, False, False, True, False)
 
-_BASE_MM: Final = 123.0
-_UPPER_ARM_MM: Final = 285.03
-_ELBOW_MM: Final = -21.98
-_FOREARM_MM: Final = 250.75
-_HAND_MM: Final = 91.0
+BASE_MM: Final = 123.0
+UPPER_ARM_MM: Final = 285.03
+ELBOW_MM: Final = -21.98
+FOREARM_MM: Final = 250.75
+HAND_MM: Final = 91.0
 """From the centre of the wrist to the flange."""
 
 _EDGE_MM: Final = 1e-6
@@ -67,7 +67,7 @@ _EDGE_MM: Final = 1e-6
 
 _SAME_DEG: Final = 1e-6
 
-_MIDDLES_DEG: Final = (0.0, 90.0, -85.0)
+MIDDLES_DEG: Final = (0.0, 90.0, -85.0)
 """The middles of the factory ranges of joints 1–3; the others' are 0."""
 
 _HAND_TURNS: Final = tuple(Rotation.from_euler("y", angle).as_matrix() for angle in (0.1, -0.23))
@@ -109,17 +109,17 @@ class Kinematics:
 
     def __init__(self, geometry: Geometry = Geometry.CURRENT) -> None:
         self.geometry = geometry
-        self._shoulder_zero_deg = -90.0 - geometry.value[1]
-        self._forearm_zero_deg = -geometry.value[1] - geometry.value[2]
+        self.shoulder_zero_deg = -90.0 - geometry.value[1]
+        self.forearm_zero_deg = -geometry.value[1] - geometry.value[2]
         self._robot = Robot(
             KinematicModel(
                 a1=0.0,
-                a2=_ELBOW_MM,
+                a2=ELBOW_MM,
                 b=0.0,
-                c1=_BASE_MM,
-                c2=_UPPER_ARM_MM,
-                c3=_FOREARM_MM,
-                c4=_HAND_MM,
+                c1=BASE_MM,
+                c2=UPPER_ARM_MM,
+                c3=FOREARM_MM,
+                c4=HAND_MM,
                 offsets=geometry.value,
                 flip_axes=_FLIPPED_AXES,
             ),
@@ -180,7 +180,7 @@ class Kinematics:
         ways, extension_mm = self._ask_library(targets)
         edge = np.abs(extension_mm) < _EDGE_MM
         if edge.any():
-            outward = _wrist_centres(targets) - (0.0, 0.0, _BASE_MM)
+            outward = _wrist_centres(targets) - (0.0, 0.0, BASE_MM)
             outward /= np.linalg.norm(outward, axis=1, keepdims=True)
             drawn_in = targets.copy()
             drawn_in[edge, :3, 3] -= 2.0 * _EDGE_MM * outward[edge]
@@ -198,7 +198,7 @@ class Kinematics:
             (n, 3, 3) orientations, as `armui.arm.wrist` wants them.
         """
         turn = np.radians(arms_deg[:, 0])
-        pitch = np.radians(arms_deg[:, 1] + arms_deg[:, 2] + self._forearm_zero_deg)
+        pitch = np.radians(arms_deg[:, 1] + arms_deg[:, 2] + self.forearm_zero_deg)
         forearm = np.zeros((len(arms_deg), 3, 3))
         forearm[:, 0, 0] = np.cos(turn) * np.cos(pitch)
         forearm[:, 0, 1] = -np.sin(turn)
@@ -225,22 +225,22 @@ class Kinematics:
             (6, 6): rows are its velocity in m/rad, then its angular velocity in rad/rad.
         """
         j1, j2, j3, j4, j5, _ = map(math.radians, joints_deg)
-        s = j2 + math.radians(self._shoulder_zero_deg)
-        e = j2 + j3 + math.radians(self._forearm_zero_deg)
+        s = j2 + math.radians(self.shoulder_zero_deg)
+        e = j2 + j3 + math.radians(self.forearm_zero_deg)
         side = np.array((-math.sin(j1), math.cos(j1), 0.0))
         ahead = np.array((math.cos(j1), math.sin(j1), 0.0))
         up = np.array((0.0, 0.0, 1.0))
         forearm = math.sin(e) * ahead + math.cos(e) * up
         across = math.cos(e) * ahead - math.sin(e) * up
-        shoulder = _BASE_MM * up
-        elbow = shoulder + _UPPER_ARM_MM * (math.cos(s) * ahead - math.sin(s) * up)
-        centre = elbow + _ELBOW_MM * across + _FOREARM_MM * forearm
+        shoulder = BASE_MM * up
+        elbow = shoulder + UPPER_ARM_MM * (math.cos(s) * ahead - math.sin(s) * up)
+        centre = elbow + ELBOW_MM * across + FOREARM_MM * forearm
         bend_axis = math.cos(j4) * side - math.sin(j4) * across
         swing = math.cos(j4) * across + math.sin(j4) * side
         hand = math.cos(j5) * forearm + math.sin(j5) * swing
         axes = np.array((up, side, side, forearm, bend_axis, hand))
         origins = np.array((shoulder, shoulder, elbow, centre, centre, centre))
-        flange = centre + _HAND_MM * hand
+        flange = centre + HAND_MM * hand
         return np.vstack((np.cross(axes, flange - origins).T / 1e3, axes.T))
 
     def _wrists(self, arm_deg: Matrix, target: Matrix, joint_4_deg: float) -> list[Joints]:
@@ -263,7 +263,7 @@ class Kinematics:
         turned[:] = targets
         for copy, turn in zip(turned, _HAND_TURNS, strict=True):
             copy[:, :3, :3] = targets[:, :3, :3] @ turn
-            copy[:, :3, 3] = centres + _HAND_MM * copy[:, :3, 2]
+            copy[:, :3, 3] = centres + HAND_MM * copy[:, :3, 2]
         answer = self._robot.reach(RigidTransform.from_matrix(turned.reshape(-1, 4, 4)))
         ways = answer.joints[:, :, :3].reshape(len(_HAND_TURNS), len(targets), 2, 4, 3)
         return np.fmax.reduce(ways, axis=(0, 2)), answer.extension[: len(targets)]
@@ -275,8 +275,8 @@ class Kinematics:
         and the forearm along (sin e, cos e). The hand's orientation is Rz·Ry·Rz of joints 4–6.
         """
         j1, j2, j3, j4, j5, j6 = map(math.radians, joints_deg)
-        s = j2 + math.radians(self._shoulder_zero_deg)
-        e = j2 + j3 + math.radians(self._forearm_zero_deg)
+        s = j2 + math.radians(self.shoulder_zero_deg)
+        e = j2 + j3 + math.radians(self.forearm_zero_deg)
         c1, s1, ce, se = math.cos(j1), math.sin(j1), math.cos(e), math.sin(e)
         c4, s4, c5, s5 = math.cos(j4), math.sin(j4), math.cos(j5), math.sin(j5)
         c6, s6 = math.cos(j6), math.sin(j6)
@@ -287,15 +287,11 @@ class Kinematics:
         # turned by Ry(e): its y stays
         ur, vr, wr = ce * ux + se * uz, ce * vx + se * vz, ce * wx + se * wz
         zx, zy, zz = ce * uz - se * ux, ce * vz - se * vx, ce * wz - se * wx
-        radius = _UPPER_ARM_MM * math.cos(s) + _ELBOW_MM * ce + _FOREARM_MM * se + _HAND_MM * wr
+        radius = UPPER_ARM_MM * math.cos(s) + ELBOW_MM * ce + FOREARM_MM * se + HAND_MM * wr
         height = (
-            _BASE_MM
-            - _UPPER_ARM_MM * math.sin(s)
-            - _ELBOW_MM * se
-            + _FOREARM_MM * ce
-            + _HAND_MM * zz
+            BASE_MM - UPPER_ARM_MM * math.sin(s) - ELBOW_MM * se + FOREARM_MM * ce + HAND_MM * zz
         )
-        aside = _HAND_MM * wy
+        aside = HAND_MM * wy
         # turned by Rz(j1)
         return (
             *(c1 * ur - s1 * uy, c1 * vr - s1 * vy, c1 * wr - s1 * wy, c1 * radius - s1 * aside),
@@ -305,13 +301,13 @@ class Kinematics:
 
 
 def _wrist_centres(targets: Matrix) -> Matrix:
-    centres: Matrix = targets[:, :3, 3] - _HAND_MM * targets[:, :3, 2]
+    centres: Matrix = targets[:, :3, 3] - HAND_MM * targets[:, :3, 2]
     return centres
 
 
 def _near_middle(ways_deg: Matrix) -> Matrix:
     """The same angles of joints 1–3, in the turn around the middles of their ranges."""
-    offset = 180.0 - np.array(_MIDDLES_DEG)
+    offset = 180.0 - np.array(MIDDLES_DEG)
     near: Matrix = (ways_deg + offset) % 360.0 - offset
     return near
 

@@ -1,0 +1,143 @@
+"""The kinematics for many poses at once: what a check of ten thousand points needs.
+
+The same geometry as `armui.arm.kinematics`, written for arrays. There py-opw-kinematics gives the
+ways of the arm, some 50 µs a pose; joints 1–3 are two bars in a plane that joint 1 turns, which
+numpy solves in a fraction of a microsecond.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Final, NamedTuple
+
+import numpy as np
+
+from armui.arm.kinematics import (
+    BASE_MM,
+    ELBOW_MM,
+    FOREARM_MM,
+    HAND_MM,
+    MIDDLES_DEG,
+    UPPER_ARM_MM,
+    Kinematics,
+    Matrix,
+)
+
+WAYS: Final = 4
+"""Ways to bring the wrist's centre to a place: reaching ahead or back, the elbow up or down."""
+
+_FORE_BAR_MM: Final = math.hypot(ELBOW_MM, FOREARM_MM)
+_FORE_BAR_RAD: Final = math.atan2(FOREARM_MM, ELBOW_MM)
+"""The straight line from the elbow to the wrist's centre: its length, its angle in the forearm."""
+_ROUNDING: Final = 1e-9
+
+
+class Skeleton(NamedTuple):
+    """Where the parts of the arm are; lengths in mm, directions of length 1, all (n, 3).
+
+    Attributes:
+        side: The axis of joints 2 and 3.
+        upper_arm: From the shoulder to the elbow.
+        elbow: The place of joint 3.
+        forearm: The axis of joint 4.
+        across: Square to the forearm, in the arm's plane.
+        centre: Of the wrist.
+        palm: The direction in which the gripper's fingers part.
+        hand: From the wrist's centre to the flange, and on along the gripper.
+        flange: Its place.
+    """
+
+    side: Matrix
+    upper_arm: Matrix
+    elbow: Matrix
+    forearm: Matrix
+    across: Matrix
+    centre: Matrix
+    palm: Matrix
+    hand: Matrix
+    flange: Matrix
+
+
+def skeletons(kinematics: Kinematics, joints_deg: Matrix) -> Skeleton:
+    """Where the parts of the arm are at (n, 6) joint angles."""
+    j1, j2, j3, j4, j5, j6 = np.radians(joints_deg).T[..., None]
+    s = j2 + math.radians(kinematics.shoulder_zero_deg)
+    e = j2 + j3 + math.radians(kinematics.forearm_zero_deg)
+    zero = np.zeros_like(j1)
+    up = np.array((0.0, 0.0, 1.0))
+    ahead = np.hstack((np.cos(j1), np.sin(j1), zero))
+    side = np.hstack((-np.sin(j1), np.cos(j1), zero))
+    upper_arm = np.cos(s) * ahead - np.sin(s) * up
+    forearm = np.sin(e) * ahead + np.cos(e) * up
+    across = np.cos(e) * ahead - np.sin(e) * up
+    elbow = BASE_MM * up + UPPER_ARM_MM * upper_arm
+    centre = elbow + ELBOW_MM * across + FOREARM_MM * forearm
+    swing = np.cos(j4) * across + np.sin(j4) * side
+    bend_axis = np.cos(j4) * side - np.sin(j4) * across
+    hand = np.cos(j5) * forearm + np.sin(j5) * swing
+    thumb = np.cos(j5) * swing - np.sin(j5) * forearm
+    palm = np.cos(j6) * bend_axis - np.sin(j6) * thumb
+    flange = centre + HAND_MM * hand
+    return Skeleton(side, upper_arm, elbow, forearm, across, centre, palm, hand, flange)
+
+
+def flanges(kinematics: Kinematics, joints_deg: Matrix) -> Matrix:
+    """The flange's (n, 4, 4) transforms at (n, 6) joint angles, lengths in mm."""
+    bones = skeletons(kinematics, joints_deg)
+    transforms = np.zeros((len(joints_deg), 4, 4))
+    transforms[:, :3, 0] = np.cross(bones.palm, bones.hand)
+    transforms[:, :3, 1] = bones.palm
+    transforms[:, :3, 2] = bones.hand
+    transforms[:, :3, 3] = bones.flange
+    transforms[:, 3, 3] = 1.0
+    return transforms
+
+
+def jacobians(kinematics: Kinematics, joints_deg: Matrix) -> Matrix:
+    """(n, 6, 6) as `Kinematics.jacobian` gives it for one pose."""
+    bones = skeletons(kinematics, joints_deg)
+    j4 = np.radians(joints_deg[:, 3, None])
+    up = np.broadcast_to((0.0, 0.0, 1.0), bones.side.shape)
+    bend_axis = np.cos(j4) * bones.side - np.sin(j4) * bones.across
+    axes = np.stack((up, bones.side, bones.side, bones.forearm, bend_axis, bones.hand), axis=2)
+    shoulder = BASE_MM * up
+    arms = [bones.flange - origin for origin in (shoulder, shoulder, bones.elbow)]
+    arms += [bones.flange - bones.centre] * 3
+    return np.concatenate((np.cross(axes, np.stack(arms, axis=2), axis=1) / 1e3, axes), axis=1)
+
+
+def arm_ways(kinematics: Kinematics, targets: Matrix) -> Matrix:
+    """Joints 1–3 of the ways to bring the wrist's centre where the targets want it.
+
+    Args:
+        kinematics: Of the arm.
+        targets: (n, 4, 4) transforms of the flange.
+
+    Returns:
+        (n, 4, 3) angles in degrees within half a turn of the middles of the joints' ranges, NaN
+        where a way does not exist. A way keeps its place along a continuous path.
+    """
+    centre = targets[:, :3, 3] - HAND_MM * targets[:, :3, 2]
+    turn = np.arctan2(centre[:, 1], centre[:, 0])
+    radius = np.hypot(centre[:, 0], centre[:, 1])
+    height = centre[:, 2] - BASE_MM
+    straight = np.hypot(radius, height)
+    bars = UPPER_ARM_MM**2 - _FORE_BAR_MM**2
+    with np.errstate(divide="ignore", invalid="ignore"):
+        cosine = (bars + straight**2) / (2.0 * UPPER_ARM_MM * straight)
+        # a pose the arm itself has reported may be out of reach by rounding
+        cosine = np.where(np.abs(cosine) <= 1.0 + _ROUNDING, np.clip(cosine, -1.0, 1.0), math.nan)
+        opening = np.arccos(cosine)
+    ways = np.empty((len(targets), WAYS, 3))
+    for way in range(WAYS):
+        back, elbow = divmod(way, 2)
+        ahead = -radius if back else radius
+        bar = np.arctan2(height, ahead) + (opening if elbow == back else -opening)
+        fore = np.arctan2(height - UPPER_ARM_MM * np.sin(bar), ahead - UPPER_ARM_MM * np.cos(bar))
+        j2 = np.degrees(-bar) - kinematics.shoulder_zero_deg
+        ways[:, way, 0] = np.degrees(turn) + 180.0 * back + 0.0 * opening
+        ways[:, way, 1] = j2
+        ways[:, way, 2] = np.degrees(_FORE_BAR_RAD - fore) - kinematics.forearm_zero_deg - j2
+    offset = 180.0 - np.array(MIDDLES_DEG)
+    near: Matrix = (ways + offset) % 360.0 - offset
+    return near
