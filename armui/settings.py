@@ -9,8 +9,6 @@ from __future__ import annotations
 import contextlib
 import json
 import math
-import os
-import tempfile
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
@@ -19,6 +17,7 @@ from typing import Any, Final, Literal, TypedDict, Unpack, get_args
 import platformdirs
 
 from armui.arm.refusal import Refusal
+from armui.atomic import write_whole
 
 Language = Literal["zh", "en"]
 ThemeName = Literal["light", "dark", "system"]
@@ -167,7 +166,7 @@ class SettingsStore:
 
     def _save(self) -> Refusal | None:
         try:
-            _write_whole(self._path, json.dumps(asdict(self._kept), indent=2) + "\n")
+            write_whole(self._path, json.dumps(asdict(self._kept), indent=2) + "\n")
         except OSError as error:
             text = error.strerror or str(error)
             return Refusal("settings_not_saved", {"path": str(self._path), "text": text})
@@ -214,19 +213,3 @@ def _put_aside(path: Path) -> Refusal:
         params = {"path": str(path), "text": error.strerror or str(error)}
         return Refusal("settings_unreadable", params)
     return Refusal("settings_broken", {"kept": str(kept)})
-
-
-def _write_whole(path: Path, text: str) -> None:
-    """Write a file so that whoever reads it finds the old one or the new one, never a part."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=path.name, suffix=".new")
-    fresh = Path(name)
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        fresh.replace(path)
-    except OSError:
-        fresh.unlink(missing_ok=True)
-        raise

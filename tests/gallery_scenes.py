@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,6 +18,7 @@ from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS
 from armui.control.recovery_steps import Kind
 from armui.control.situation import LinkState, StopState
 from armui.sim.faults import fault
+from armui.ui.dialogs.backup import BackupDialog
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.dialogs.files import FileDialog
@@ -358,6 +360,25 @@ def _confirm_resume(desk: Desk) -> QDialog:
     return desk.dialog(ConfirmDialog)
 
 
+def _backup(desk: Desk) -> QDialog:
+    """A file that differs from the arm in a few places, beside it."""
+    settings = desk.firmware.settings
+    settings.end_limits, settings.collision_levels = (1.0,) * 4, (1,) * 6
+    desk.window.open_backup_dialog()
+    dialog = desk.dialog(BackupDialog)
+    _settled(desk)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "piper-S-V1.8-5.json"
+        desk.click(dialog.save_button)
+        desk.dialog(FileDialog).fileSelected.emit(str(path))
+        settings.end_limits, settings.collision_levels = (0.25, 1.0, 0.8, 1.0), (1, 1, 5, 1, 1, 1)
+        desk.click(dialog.read_button)
+        _settled(desk)
+        dialog.open_file(path)
+    dialog.only_differences.setChecked(True)
+    return dialog
+
+
 def _confirm_unsaved(desk: Desk) -> QDialog:
     desk.click("menu_motion")
     return desk.dialog(ConfirmDialog)
@@ -398,6 +419,7 @@ DIALOG_SCENES = (
     DialogScene("confirm-disable", "refused", _confirm_disable),
     DialogScene("hold-zero", "motors", _hold_zero),
     DialogScene("hold-disable", "motors", _hold_disable),
+    DialogScene("backup", "joint-settings-corrupt", _backup),
     DialogScene("confirm-unsaved", "collision", _confirm_unsaved),
     DialogScene("confirm-close", "moving", _confirm_close),
     DialogScene("confirm-resume", "stopped", _confirm_resume),

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QObject, Signal
 
 from armui.arm.limits import JOINTS
-from armui.arm.parameters import Batch, Group, Parameter, heard
+from armui.arm.parameters import Batch, Group, Parameter, all_batches, heard
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.context import Context
@@ -20,6 +20,7 @@ from armui.control.setting_frames import INDEX, query_frames, setting_frames
 from armui.control.situation import why_unreachable
 from armui.protocol import commands
 from armui.protocol.codes import SettingIndex
+from armui.protocol.generation import Generation
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -72,6 +73,25 @@ class ArmSettings(QObject):
             return cell
         # an arm that went and came back has not said anything yet
         return _UNREAD if heard(self._context.state(), parameter) is None else cell
+
+    def everything(self) -> list[Batch] | Refusal:
+        """All that this arm keeps, or why that is not known now."""
+        refusal = self._why_unknown()
+        if refusal is not None:
+            return refusal
+        generation = self._context.connection.generation
+        return list(all_batches(teaching=generation is Generation.TWO))
+
+    def holds(self, parameter: Parameter, value: float) -> bool:
+        """Whether what the arm said last is a value, as far as its frames can tell the two apart.
+
+        Only while a device is open.
+        """
+        state = self._context.state()
+        codec = self._context.connection.codec
+        return heard(state, parameter) is not None and not not_taken(
+            codec, state, {parameter: value}
+        )
 
     # What the operator wants ------------------------------------------------------------------
 

@@ -165,6 +165,16 @@ REFUSALS: Final = frozenset(
         "gripper_no_zero",
         "gripper_out_of_range",  # gripper, value, minimum, maximum, unit
         "gripper_not_a_number",  # gripper, value, minimum, maximum, unit
+        "backup_no_json",  # line, column
+        "backup_foreign",
+        "backup_version",  # version, known
+        "backup_field_missing",  # field
+        "backup_field_bad",  # field, value
+        "backup_twice",  # field, parameter
+        "backup_empty",
+        "backup_unreadable",  # path, text
+        "backup_not_written",  # path, text
+        "backup_nothing_read",
         "speed_unknown",  # joints
         "joints_moving",  # joints
         "zero_not_set",  # joints

@@ -96,19 +96,19 @@ class MainWindow(QMainWindow):
                 "joint_settings",
                 str(QT_TRANSLATE_NOOP("SideMenu", "Joint settings")),
                 "joint_settings",
-                lambda: JointSettingsPanel(self._controller),
+                lambda: JointSettingsPanel(self._controller, self.open_backup_dialog),
             ),
             MenuEntry(
                 "end_limits",
                 str(QT_TRANSLATE_NOOP("SideMenu", "End speed limits")),
                 "end_limits",
-                lambda: EndLimitsPanel(self._controller),
+                lambda: EndLimitsPanel(self._controller, self.open_backup_dialog),
             ),
             MenuEntry(
                 "collision",
                 str(QT_TRANSLATE_NOOP("SideMenu", "Collision level")),
                 "collision",
-                lambda: CollisionPanel(self._controller),
+                lambda: CollisionPanel(self._controller, self.open_backup_dialog),
             ),
             MenuEntry(
                 "motor",
@@ -268,6 +268,16 @@ class MainWindow(QMainWindow):
             return JointStatusDialog(self._controller, self._joint_monitor, self)
 
         self._open("joint_status", make)
+
+    def open_backup_dialog(self) -> None:
+        """Show the window 参数备份."""
+
+        def make() -> QDialog:
+            from armui.ui.dialogs.backup import BackupDialog  # noqa: PLC0415 - faster start
+
+            return BackupDialog(self._controller, self)
+
+        self._open("backup", make)
 
     def open_help_dialog(self) -> None:
         """Show how the 3D view is used."""

@@ -34,6 +34,8 @@ class FileDialog(QFileDialog):
         title: What the file is for.
         name_filter: As Qt writes it: ``Robot description (*.urdf)``.
         start: The folder to begin in, or a file in it.
+        new_file: The name to propose for a file that is to be written; its ending is added where
+            the operator types none. ``None``: an existing file is chosen.
     """
 
     def __init__(
@@ -44,14 +46,21 @@ class FileDialog(QFileDialog):
         title: str,
         name_filter: str,
         start: Path | None = None,
+        new_file: str | None = None,
     ) -> None:
         super().__init__(parent, title)
         self.setOption(QFileDialog.Option.DontUseNativeDialog)
         self.setFileMode(QFileDialog.FileMode.ExistingFile)
+        if new_file is not None:
+            self.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+            self.setFileMode(QFileDialog.FileMode.AnyFile)
+            self.setDefaultSuffix(Path(new_file).suffix)
         self.setNameFilter(name_filter)
         self.setModal(False)
         if start is not None:
             self.setDirectory(str(start if start.is_dir() else start.parent))
+        if new_file is not None:
+            self.selectFile(new_file)
         # Qt's own translation has no words for these two
         self.setLabelText(QFileDialog.DialogLabel.LookIn, self.tr("Folder"))
         self.setLabelText(QFileDialog.DialogLabel.FileType, self.tr("Kind"))
@@ -89,13 +98,16 @@ def choose_file(
     name_filter: str,
     on_chosen: Callable[[Path], object],
     start: Path | None = None,
+    new_file: str | None = None,
 ) -> FileDialog:
-    """Let the operator choose an existing file, without holding up anything.
+    """Let the operator choose a file, without holding up anything; see :class:`FileDialog`.
 
     Returns:
-        The open chooser; it deletes itself when closed. See :class:`FileDialog`.
+        The open chooser; it deletes itself when closed.
     """
-    dialog = FileDialog(controller, parent, title=title, name_filter=name_filter, start=start)
+    dialog = FileDialog(
+        controller, parent, title=title, name_filter=name_filter, start=start, new_file=new_file
+    )
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     dialog.fileSelected.connect(lambda name: on_chosen(Path(name)))
     dialog.show()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt
@@ -24,9 +25,16 @@ _TALLEST_CARD_PX: Final = 420
 class CollisionPanel(ParameterPanel):
     """A level for each joint, and one click for all of them."""
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        controller: ArmController,
+        open_backup: Callable[[], object],
+        parent: QWidget | None = None,
+    ) -> None:
         self._levels = [LevelCell(each) for each in Batch(Group.COLLISION).parameters()]
-        super().__init__(controller, "collision", self._levels, parent)
+        super().__init__(
+            controller, "collision", self._levels, open_backup, can_reset=False, parent=parent
+        )
         self._all_label = QLabel()
         self._all = LevelRow(_LEVELS, "collision_all")
         self._all.chosen.connect(self._on_all_chosen)
@@ -50,7 +58,7 @@ class CollisionPanel(ParameterPanel):
         grid.addWidget(self._note, last + 1, 0, 1, 2)
         grid.setColumnStretch(1, 1)
         grid.setRowStretch(last + 2, 1)
-        self.finish(card, tallest_px=_TALLEST_CARD_PX, can_reset=False)
+        self.finish(card, tallest_px=_TALLEST_CARD_PX)
 
     def title(self) -> str:
         """碰撞等级."""

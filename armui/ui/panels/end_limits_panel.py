@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt
@@ -23,12 +24,19 @@ _TALLEST_CARD_PX: Final = 260
 class EndLimitsPanel(ParameterPanel):
     """Four limits of the end, and 【初始化】."""
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        controller: ArmController,
+        open_backup: Callable[[], object],
+        parent: QWidget | None = None,
+    ) -> None:
         cells = [
             FigureCell(parameter, parameter.kind.unit)
             for parameter in Batch(Group.END_LIMITS).parameters()
         ]
-        super().__init__(controller, "end_limits", cells, parent)
+        super().__init__(
+            controller, "end_limits", cells, open_backup, can_reset=True, parent=parent
+        )
         self._labels = {cell.parameter.name: QLabel() for cell in cells}
         card = QFrame()
         grid = QGridLayout(card)
@@ -45,7 +53,7 @@ class EndLimitsPanel(ParameterPanel):
             grid.addWidget(cell, row, 1)
         grid.setColumnStretch(0, 1)
         grid.setRowStretch(len(cells), 1)
-        self.finish(card, tallest_px=_TALLEST_CARD_PX, can_reset=True)
+        self.finish(card, tallest_px=_TALLEST_CARD_PX)
 
     def title(self) -> str:
         """配速设置."""

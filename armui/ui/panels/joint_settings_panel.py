@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt
@@ -26,9 +27,16 @@ _TALLEST_CARD_PX: Final = 420
 class JointSettingsPanel(ParameterPanel):
     """Six joints by four limits; the Tab key goes down the columns."""
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        controller: ArmController,
+        open_backup: Callable[[], object],
+        parent: QWidget | None = None,
+    ) -> None:
         cells = [FigureCell(Parameter(name, joint)) for name in _COLUMNS for joint in JOINTS]
-        super().__init__(controller, "joint_settings", cells, parent)
+        super().__init__(
+            controller, "joint_settings", cells, open_backup, can_reset=True, parent=parent
+        )
         self._heads = {name: QLabel() for name in _COLUMNS}
         card = QFrame()
         grid = QGridLayout(card)
@@ -54,7 +62,7 @@ class JointSettingsPanel(ParameterPanel):
             label.setFixedHeight(cells[0].field.height())
             grid.addWidget(label, joint + 1, 0, Qt.AlignmentFlag.AlignTop)
         grid.setRowStretch(len(JOINTS) + 2, 1)
-        self.finish(card, tallest_px=_TALLEST_CARD_PX, can_reset=True)
+        self.finish(card, tallest_px=_TALLEST_CARD_PX)
 
     def title(self) -> str:
         """关节设置."""

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QHideEvent, QKeyEvent, QKeySequence, QShowEvent
+from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QLabel,
-    QPushButton,
+    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -29,6 +29,7 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.panels import parameter_message
+from armui.ui.panels.parameter_buttons import ParameterButtons
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.setting_cell import SettingCell
@@ -43,8 +44,6 @@ from armui.ui.words.parameters import (
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
-_SAVE_KEY: Final = "Ctrl+Return"
-
 
 class ParameterPanel(QWidget):
     """Shows parameters as the arm holds them, and lets the operator enter others and save them.
@@ -56,6 +55,8 @@ class ParameterPanel(QWidget):
         controller: Whom to ask.
         name: For the names of the buttons: ``<name>_save_button``.
         cells: One a parameter, in the order of the Tab key.
+        open_backup: Opens 参数备份.
+        can_reset: Whether there is a 【初始化】.
     """
 
     def __init__(
@@ -63,6 +64,9 @@ class ParameterPanel(QWidget):
         controller: ArmController,
         name: str,
         cells: Sequence[SettingCell],
+        open_backup: Callable[[], object],
+        *,
+        can_reset: bool,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
@@ -79,67 +83,44 @@ class ParameterPanel(QWidget):
         self._device: Device | None = None
         self._title = QLabel()
         self._title.setProperty("rank", "title")
-        self._read = QPushButton()
-        self._reset = QPushButton()
-        self._edit = QPushButton()
-        self._cancel = QPushButton()
-        self._save = QPushButton()
+        self._backup = QToolButton()
+        self._backup.setObjectName(f"{name}_backup_button")
+        self._backup.clicked.connect(open_backup)
+        self._buttons = ParameterButtons(name, can_reset=can_reset)
         self._message = MessageLine()
         self._message.setObjectName(f"{name}_message")
-        self._name_buttons()
 
-    def finish(self, card: QFrame, *, tallest_px: int, can_reset: bool) -> None:
+    def finish(self, card: QFrame, *, tallest_px: int) -> None:
         """Lay the panel out around its card; the last step of making one.
 
         Args:
             card: Holds the cells.
             tallest_px: It grows no higher.
-            can_reset: Whether there is a 【初始化】.
         """
-        self._reset.setVisible(can_reset)
-        self._lay_out(scrolled(card, tallest_px), can_reset=can_reset)
-        self._connect()
-        self.retranslate_ui()
-
-    def _name_buttons(self) -> None:
-        for button, name in (
-            (self._read, "read"),
-            (self._reset, "reset"),
-            (self._edit, "edit"),
-            (self._cancel, "cancel"),
-            (self._save, "save"),
-        ):
-            button.setObjectName(f"{self._name}_{name}_button")
-        for button in (self._read, self._reset, self._edit, self._cancel, self._save):
-            button.setMinimumHeight(38)
-        self._save.setProperty("primary", True)
-
-    def _lay_out(self, area: QWidget, *, can_reset: bool) -> None:
-        buttons = QHBoxLayout()
-        buttons.setSpacing(10)
-        shown = [self._read, *([self._reset] if can_reset else []), self._edit, self._cancel]
-        for button in (*shown, self._save):
-            buttons.addWidget(button, 1)
+        head = QHBoxLayout()
+        head.addWidget(self._title, 1)
+        head.addWidget(self._backup)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(16, 14, 16, 14)
         layout.setSpacing(12)
-        layout.addWidget(self._title)
-        layout.addWidget(area, 1)
-        layout.addLayout(buttons)
+        layout.addLayout(head)
+        layout.addWidget(scrolled(card, tallest_px), 1)
+        layout.addWidget(self._buttons)
         layout.addWidget(self._message)
         layout.addStretch(0)
-        order = [cell.focus_widget for cell in self._cells.values()]
-        for before, after in pairwise(order):
+        for before, after in pairwise(cell.focus_widget for cell in self._cells.values()):
             self.setTabOrder(before, after)
+        self._connect()
+        self.retranslate_ui()
 
     def _connect(self) -> None:
         for cell in self._cells.values():
             cell.edited.connect(lambda cell=cell: self._on_edited(cell))
-        self._read.clicked.connect(self._on_read)
-        self._reset.clicked.connect(self._on_reset)
-        self._edit.clicked.connect(self._on_edit)
-        self._cancel.clicked.connect(self._on_cancel)
-        self._save.clicked.connect(self._on_save)
+        self._buttons.read.clicked.connect(self._on_read)
+        self._buttons.reset.clicked.connect(self._on_reset)
+        self._buttons.edit.clicked.connect(self._on_edit)
+        self._buttons.cancel.clicked.connect(self._on_cancel)
+        self._buttons.save.clicked.connect(self._on_save)
         self._settings.changed.connect(self._on_settings_changed)
         self._controller.situation_changed.connect(self._on_situation_changed)
 
@@ -208,7 +189,7 @@ class ParameterPanel(QWidget):
 
     def _on_cancel(self) -> None:
         self.discard_changes()
-        self._edit.setFocus()
+        self._buttons.edit.setFocus()
 
     def _on_edited(self, cell: SettingCell) -> None:
         self._refusal = None
@@ -224,7 +205,7 @@ class ParameterPanel(QWidget):
                 self._controller,
                 title=self.title(),
                 text=danger,
-                action_label=self._save.text(),
+                action_label=self._buttons.save.text(),
                 on_confirmed=self._save_now,
             )
         else:
@@ -249,7 +230,7 @@ class ParameterPanel(QWidget):
             self._controller,
             title=title,
             text=text,
-            action_label=self._reset.text(),
+            action_label=self._buttons.reset.text(),
             on_confirmed=self._reset_now,
         )
 
@@ -260,8 +241,8 @@ class ParameterPanel(QWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Escape gives up what was entered."""
-        if event.key() == Qt.Key.Key_Escape and self._cancel.isVisible():
-            self._cancel.click()
+        if event.key() == Qt.Key.Key_Escape and self._draft.editing:
+            self._buttons.cancel.click()
         else:
             super().keyPressEvent(event)
 
@@ -341,33 +322,26 @@ class ParameterPanel(QWidget):
 
     def _show_possible(self) -> None:
         """Enable what can be used now; say in the tooltips of the rest why not."""
-        editing, changed = self._draft.editing, self._draft.changed
-        hidden_by = self._edit if editing else self._cancel
-        self._edit.setVisible(hidden_by is not self._edit)
-        self._cancel.setVisible(hidden_by is not self._cancel)
-        unreachable = self._controller.situation.unreachable
-        if unreachable is None and self._settings.busy:
-            unreachable = Refusal("busy", {"what": "settings"})
-        no_way = "" if unreachable is None else words.refusal(unreachable)
+        editing, buttons = self._draft.editing, self._buttons
+        buttons.show_editing(editing=editing)
+        refusal = self._controller.situation.unreachable
+        if refusal is None and self._settings.busy:
+            refusal = Refusal("busy", {"what": "settings"})
+        no_way = "" if refusal is None else words.refusal(refusal)
         wrong = self._draft.first_wrong(self._controller.state)
-        unwanted = "" if changed else self.tr("Nothing has been changed.")
+        not_so = "" if wrong is None else words.refusal(wrong)
+        unwanted = "" if self._draft.changed else self.tr("Nothing has been changed.")
         first = self.tr("Save or cancel your changes first.") if editing else ""
         saving = self.tr("The arm is being asked; wait for its answer.") if self._saving else ""
-        shortcut = QKeySequence(_SAVE_KEY).toString(QKeySequence.SequenceFormat.NativeText)
+        reset_title, _text = self.reset_question()
+        buttons.allow(buttons.read, no_way, self.tr("Reads the values from the arm."))
+        buttons.allow(buttons.reset, no_way or self.why_no_reset() or first, reset_title)
+        change = self.tr("Lets you change the values; nothing is sent.")
+        buttons.allow(buttons.edit, no_way, change)
+        give_up = self.tr("Shows what the arm holds again.")
+        buttons.allow(buttons.cancel, saving, f"{give_up} (Esc)")
         send = self.tr("Sends what was changed, reads it back and compares.")
-        for button, hindrance, use in (
-            (self._read, no_way, self.tr("Reads the values from the arm.")),
-            (self._reset, no_way or self.why_no_reset() or first, self.reset_question()[0]),
-            (self._edit, no_way, self.tr("Lets you change the values; nothing is sent.")),
-            (self._cancel, saving, self.tr("Shows what the arm holds again.") + " (Esc)"),
-            (
-                self._save,
-                no_way or unwanted or ("" if wrong is None else words.refusal(wrong)),
-                f"{send} ({shortcut})",
-            ),
-        ):
-            button.setEnabled(not hindrance)
-            button.setToolTip(hindrance or use)
+        buttons.allow_saving(no_way or unwanted or not_so, send)
 
     def _show_message(self) -> None:
         said = parameter_message.message(
@@ -383,16 +357,12 @@ class ParameterPanel(QWidget):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self._title.setText(self.title())
-        for button, text in (
-            (self._read, self.tr("Read")),
-            (self._reset, self.tr("Initialise")),
-            (self._edit, self.tr("Edit")),
-            (self._cancel, self.tr("Cancel")),
-            (self._save, self.tr("Save")),
-        ):
-            button.setText(text)
-            button.setAccessibleName(text)
-        self._save.setShortcut(QKeySequence(_SAVE_KEY))  # a new text takes it away
+        self._backup.setText(self.tr("Backup…"))
+        self._backup.setAccessibleName(self.tr("Backup…"))
+        self._backup.setToolTip(
+            self.tr("All parameters of the arm: save them to a file, compare, restore.")
+        )
+        self._buttons.retranslate_ui()
         self._show_all()
 
     def changeEvent(self, event: QEvent) -> None:

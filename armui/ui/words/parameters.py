@@ -7,6 +7,7 @@ from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
+from armui.arm.comparison import Verdict
 from armui.arm.parameters import KINDS, Parameter
 from armui.control.setting_draft import Look
 from armui.ui.words.text import sentence
@@ -53,6 +54,14 @@ _EXPLAINED: Final[Mapping[Look, object]] = {
     Look.SAVED: QT_TRANSLATE_NOOP("Parameter", "Saved: the arm holds this value."),
 }
 
+_VERDICTS: Final[Mapping[Verdict, object]] = {
+    Verdict.SAME: QT_TRANSLATE_NOOP("Parameter", "= the same"),
+    Verdict.DIFFERS: QT_TRANSLATE_NOOP("Parameter", "≠ differs"),
+    Verdict.ONLY_IN_FILE: QT_TRANSLATE_NOOP("Parameter", "only in the file"),
+    Verdict.ONLY_IN_ARM: QT_TRANSLATE_NOOP("Parameter", "only in the arm"),
+    Verdict.NOT_READ: QT_TRANSLATE_NOOP("Parameter", "not read from the arm"),
+}
+
 
 def parameter_name(name: str) -> str:
     """What a parameter is called: a key of ``parameters.KINDS``."""
@@ -82,6 +91,11 @@ def look_explained(look: Look, held: str) -> str:
     """The same as a sentence; ``held`` is what the arm holds."""
     source = _EXPLAINED.get(look)
     return "" if source is None else sentence("Parameter", source, {"held": held})
+
+
+def verdict_word(verdict: Verdict) -> str:
+    """How a parameter of a backup compares with the arm's."""
+    return sentence("Parameter", _VERDICTS[verdict], {})
 
 
 def span_text(name: str) -> str:

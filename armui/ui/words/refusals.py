@@ -9,6 +9,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.arm.refusal import Refusal
 from armui.ui.words import status
+from armui.ui.words.backup_refusals import BACKUP_REFUSALS
 from armui.ui.words.gripper import gripper_figure
 from armui.ui.words.motor_refusals import MOTOR_REFUSALS
 from armui.ui.words.run_refusals import RUN_REFUSALS
@@ -327,6 +328,7 @@ _REFUSALS: Final[Mapping[str, object]] = {
 _ALL: Final[Mapping[str, object]] = {
     **_REFUSALS,
     **SETTING_REFUSALS,
+    **BACKUP_REFUSALS,
     **RUN_REFUSALS,
     **MOTOR_REFUSALS,
 }

@@ -1,0 +1,89 @@
+"""A backup beside the arm, parameter by parameter: pure."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass
+
+from armui.arm.parameters import KINDS, Parameter, check_value, heard
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+
+
+class Verdict(enum.Enum):
+    """How a parameter of the file stands to the arm's."""
+
+    SAME = "same"
+    DIFFERS = "differs"
+    ONLY_IN_FILE = "only_in_file"
+    """This arm's protocol has no such parameter."""
+    ONLY_IN_ARM = "only_in_arm"
+    NOT_READ = "not_read"
+    """The arm has not told what it holds."""
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One parameter.
+
+    Attributes:
+        parameter: Which one.
+        verdict: How file and arm compare.
+        filed: What the file says.
+        held: What the arm said.
+        against: Why the file's value may not be restored, or ``None``.
+    """
+
+    parameter: Parameter
+    verdict: Verdict
+    filed: float | None = None
+    held: float | None = None
+    against: Refusal | None = None
+
+    @property
+    def restorable(self) -> bool:
+        """Whether restoring it can be asked for, and would change something."""
+        return self.verdict in {Verdict.DIFFERS, Verdict.NOT_READ} and (
+            self.filed is not None and self.against is None
+        )
+
+
+def compare(
+    filed: Mapping[Parameter, float],
+    state: ArmState,
+    known: Collection[Parameter],
+    same: Callable[[Parameter, float], bool],
+) -> list[Row]:
+    """Every parameter of the file and of the arm, in the order of the catalogue.
+
+    Args:
+        filed: What the file says; empty: only the arm is shown.
+        state: The arm as last heard.
+        known: The parameters this arm has.
+        same: Whether what the arm holds is a value, as far as its frames can tell.
+    """
+    names = list(KINDS)
+    every = sorted({*filed, *known}, key=lambda each: (names.index(each.name), each.joint))
+    return [_row(parameter, filed.get(parameter), state, known, same) for parameter in every]
+
+
+def _row(
+    parameter: Parameter,
+    filed: float | None,
+    state: ArmState,
+    known: Collection[Parameter],
+    same: Callable[[Parameter, float], bool],
+) -> Row:
+    said = heard(state, parameter)
+    held = None if said is None else said.value
+    if parameter not in known:
+        return Row(parameter, Verdict.ONLY_IN_FILE, filed)
+    if held is None:
+        against = None if filed is None else check_value(parameter, filed)
+        return Row(parameter, Verdict.NOT_READ, filed, None, against)
+    if filed is None:
+        return Row(parameter, Verdict.ONLY_IN_ARM, None, held)
+    if same(parameter, filed):
+        return Row(parameter, Verdict.SAME, filed, held)
+    return Row(parameter, Verdict.DIFFERS, filed, held, check_value(parameter, filed))

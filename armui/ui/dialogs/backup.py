@@ -1,0 +1,391 @@
+"""The window 参数备份: every parameter of the arm into a file, compared with one, and restored."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QCloseEvent, QShowEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QCheckBox,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QTableView,
+    QWidget,
+)
+
+from armui.arm.backup import SUFFIX, Backup
+from armui.arm.comparison import Verdict, compare
+from armui.arm.parameters import Parameter
+from armui.arm.refusal import Refusal
+from armui.control.backup_files import backup_of, read_backup, write_backup
+from armui.control.parameter_reader import ParameterReader
+from armui.control.setting_cell import CellState
+from armui.control.situation import Level, Situation
+from armui.ui import words
+from armui.ui.dialogs.backup_model import BackupModel, DifferencesOnly
+from armui.ui.dialogs.base import ArmDialog
+from armui.ui.dialogs.confirm import confirm
+from armui.ui.dialogs.files import choose_file
+from armui.ui.widgets.message_line import MessageLine
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_SIZE_PX: Final = (860, 640)
+_NARROWEST_COLUMN_PX: Final = 110
+
+
+class BackupDialog(ArmDialog):
+    """Reads the arm when it opens; what a file says comes beside it.
+
+    Args:
+        controller: Reads and sets the parameters.
+        parent: The main window.
+    """
+
+    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+        super().__init__(controller, parent)
+        self._controller = controller
+        self._settings = controller.settings
+        self._reader = ParameterReader(self._settings, self)
+        self._backup: Backup | None = None
+        self._path: Path | None = None
+        self._said: tuple[str, Level] = ("", Level.INFO)
+        self._restoring: dict[Parameter, float] = {}
+        self._model = BackupModel(self._settings.cell)
+        self._shown = DifferencesOnly(self._model)
+        self._build()
+        self._connect()
+        self.resize(*_SIZE_PX)
+        self.retranslate_ui()
+
+    # Layout -----------------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        self._message = MessageLine()
+        self._message.setObjectName("backup_message")
+        self._origin = QLabel()
+        self._origin.setObjectName("backup_origin")
+        self._origin.setWordWrap(True)
+        self.table = QTableView()
+        self.table.setModel(self._shown)
+        self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.table.setShowGrid(False)
+        self.table.setTabKeyNavigation(False)
+        self.table.verticalHeader().hide()
+        header = self.table.horizontalHeader()
+        header.setHighlightSections(False)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        header.setStretchLastSection(True)
+        header.setMinimumSectionSize(_NARROWEST_COLUMN_PX)
+        self.only_differences = QCheckBox()
+        self.all_button, self.none_button = QPushButton(), QPushButton()
+        self.progress = QProgressBar()
+        self.progress.setTextVisible(False)
+        policy = self.progress.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        self.progress.setSizePolicy(policy)
+        self.progress.hide()
+        choice = QHBoxLayout()
+        choice.addWidget(self.only_differences)
+        choice.addStretch(1)
+        choice.addWidget(self.all_button)
+        choice.addWidget(self.none_button)
+        self.body.addWidget(self._message)
+        self.body.addWidget(self._origin)
+        self.body.addLayout(choice)
+        self.body.addWidget(self.table, 1)
+        self.body.addWidget(self.progress)
+        self.read_button, self.save_button = QPushButton(), QPushButton()
+        self.open_button, self.restore_button = QPushButton(), QPushButton()
+        self.close_button = QPushButton()
+        self.restore_button.setProperty("primary", True)
+        self.footer.addWidget(self.read_button)
+        self.footer.addStretch(1)
+        for button in (
+            self.save_button,
+            self.open_button,
+            self.restore_button,
+            self.close_button,
+        ):
+            self.footer.addWidget(button)
+        for button in self.findChildren(QPushButton):
+            button.setAutoDefault(False)
+
+    def _connect(self) -> None:
+        self.only_differences.toggled.connect(self._shown.show_only_differences)
+        self.all_button.clicked.connect(lambda: self._model.choose(lambda _row: True))
+        self.none_button.clicked.connect(lambda: self._model.choose(lambda _row: False))
+        self.read_button.clicked.connect(self._on_read)
+        self.save_button.clicked.connect(self._on_save)
+        self.open_button.clicked.connect(self._on_open)
+        self.restore_button.clicked.connect(self._on_restore)
+        self.close_button.clicked.connect(self.close)
+        self._model.ticked.connect(self._show_possible)
+        self._reader.progressed.connect(self._on_progress)
+        self._reader.finished.connect(self._on_read_to_the_end)
+        self._settings.changed.connect(self._on_settings_changed)
+        self._controller.situation_changed.connect(self._on_situation_changed)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.tr("Parameter backup"))
+        self.table.setAccessibleName(self.tr("Parameters in the file and in the arm"))
+        self.only_differences.setText(self.tr("Only differences"))
+        self.all_button.setText(self.tr("Choose all"))
+        self.none_button.setText(self.tr("Choose none"))
+        self.save_button.setText(self.tr("Save to a file…"))
+        self.open_button.setText(self.tr("Open a file…"))
+        self.restore_button.setText(self.tr("Restore"))
+        self.close_button.setText(self.tr("Close"))
+        self._model.retranslate()
+        self._show_all()
+
+    # What the operator does -------------------------------------------------------------------
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Read the arm at each opening."""
+        super().showEvent(event)
+        if not event.spontaneous() and not self._restoring:
+            self._start_reading()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Nobody looks any more: ask no more."""
+        self._reader.stop()
+        super().closeEvent(event)
+
+    def _on_read(self) -> None:
+        if self._reader.running:
+            self._reader.stop()
+            self._say(self.tr("Reading was stopped; what was read is shown."), Level.WARNING)
+        else:
+            self._start_reading()
+
+    def _start_reading(self) -> None:
+        self._restoring = {}
+        self._model.follow([])
+        refusal = self._reader.start()
+        if refusal is not None:
+            self._refuse(refusal)
+        else:
+            self._say("")
+
+    def _on_save(self) -> None:
+        backup = self._now()
+        if backup is None or not backup.values:
+            self._refuse(Refusal("backup_nothing_read"))
+            return
+        firmware = f"-{backup.firmware}" if backup.firmware else f"-gen{backup.generation}"
+        choose_file(
+            self,
+            self._controller,
+            title=self.tr("Save the parameters of the arm"),
+            name_filter=self.tr("Parameter backup") + f" (*{SUFFIX})",
+            start=self._path or Path.home(),
+            new_file=f"piper{firmware}-{backup.saved_at:%Y%m%d-%H%M%S}{SUFFIX}",
+            on_chosen=lambda path: self._write(path, backup),
+        )
+
+    def _write(self, path: Path, backup: Backup) -> None:
+        refusal = write_backup(path, backup)
+        if refusal is not None:
+            self._refuse(refusal)
+            return
+        self._path = path
+        missing = len(self._known()) - len(backup.values)
+        text = self.tr("Saved {count} parameters to {path}.")
+        if missing > 0:
+            text += " " + self.tr(
+                "{missing} could not be read from the arm and are not in the file."
+            )
+        text = text.format(count=len(backup.values), path=path, missing=missing)
+        self._say(text, Level.WARNING if missing > 0 else Level.DONE)
+
+    def _on_open(self) -> None:
+        choose_file(
+            self,
+            self._controller,
+            title=self.tr("Open a parameter backup"),
+            name_filter=self.tr("Parameter backup") + f" (*{SUFFIX})",
+            start=self._path or Path.home(),
+            on_chosen=self.open_file,
+        )
+
+    def open_file(self, path: Path) -> None:
+        """Compare a file with the arm; one that cannot be read leaves everything as it was."""
+        backup = read_backup(path)
+        if isinstance(backup, Refusal):
+            self._refuse(backup)
+            return
+        self._backup, self._path = backup, path
+        self._restoring = {}
+        self._model.follow([])
+        self._compare()
+        self._model.choose(lambda row: row.verdict is Verdict.DIFFERS)
+        self._say(self._warning(backup), Level.WARNING)
+
+    def _warning(self, backup: Backup) -> str:
+        """What sets the arm of the file apart from this one."""
+        generation = self._controller.situation.generation
+        firmware = self._controller.state.firmware
+        if generation is None:
+            return ""
+        if int(generation) != backup.generation:
+            return self.tr(
+                "The file is from an arm of protocol generation {filed}, this one speaks "
+                "generation {here}. What both have can be restored; the steps of the values differ."
+            ).format(filed=backup.generation, here=int(generation))
+        if firmware != backup.firmware:
+            return self.tr(
+                "The file is from firmware {filed}, this arm has {here}. Check the values before "
+                "you restore them."
+            ).format(filed=backup.firmware or "—", here=firmware or "—")
+        return ""
+
+    def _on_restore(self) -> None:
+        confirm(
+            self,
+            self._controller,
+            title=self.tr("Restore parameters"),
+            text=self.tr(
+                "{count} parameters of the arm are set to what the file says, limits and collision "
+                "levels among them if they are chosen. Each is read back and compared."
+            ).format(count=len(self._model.chosen)),
+            action_label=self.tr("Restore"),
+            on_confirmed=self._restore_now,
+        )
+
+    def _restore_now(self) -> None:
+        chosen = self._model.chosen
+        self._restoring = chosen
+        self._model.follow(list(chosen))
+        refusal = self._settings.save(chosen)
+        if refusal is not None:
+            self._restoring = {}
+            self._model.follow([])
+            self._refuse(refusal)
+
+    # What the arm says ------------------------------------------------------------------------
+
+    def _on_progress(self, done: int, total: int) -> None:
+        self.progress.setRange(0, total)
+        self.progress.setValue(done)
+
+    def _on_read_to_the_end(self, refusal: Refusal | None) -> None:
+        if refusal is not None:
+            self._refuse(refusal)
+        self._show_all()
+
+    def _on_settings_changed(self) -> None:
+        if not self.isVisible():
+            return
+        if self._restoring and not self._settings.busy:
+            self._tell_restored()
+        self._show_all()
+
+    def _tell_restored(self) -> None:
+        count = len(self._restoring)
+        failed = [
+            parameter
+            for parameter in self._restoring
+            if self._settings.cell(parameter).state is not CellState.SAVED
+        ]
+        self._restoring = {}
+        if not failed:
+            text = self.tr("Restored {count} parameters: read back from the arm, and the same.")
+            self._say(text.format(count=count), Level.DONE)
+            return
+        reason = self._settings.cell(failed[0]).reason
+        text = self.tr("{failed} of {count} parameters were not restored.")
+        said = text.format(failed=len(failed), count=count)
+        self._say(f"{said} {words.refusal(reason) if reason else ''}".rstrip(), Level.FAULT)
+
+    def _on_situation_changed(self, _situation: Situation) -> None:
+        if self.isVisible():
+            self._show_all()
+
+    # How it looks -----------------------------------------------------------------------------
+
+    def _known(self) -> list[Parameter]:
+        batches = self._settings.everything()
+        if isinstance(batches, Refusal):
+            return []
+        return [parameter for batch in batches for parameter in batch.parameters()]
+
+    def _now(self) -> Backup | None:
+        situation = self._controller.situation
+        if situation.device is None or situation.generation is None:
+            return None
+        device = words.device_name(situation.device)
+        now = datetime.now().astimezone()
+        return backup_of(self._controller.state, self._known(), situation.generation, device, now)
+
+    def _compare(self) -> None:
+        filed = {} if self._backup is None else self._backup.values
+        known = self._known()
+        state = self._controller.state
+        if known or filed:
+            self._model.show_rows(compare(filed, state, known, self._settings.holds))
+
+    def _show_all(self) -> None:
+        self._compare()
+        self._show_origin()
+        self._show_possible()
+        unreachable = self._controller.situation.unreachable
+        text, level = self._said
+        if unreachable is not None and not text:
+            text, level = words.refusal(unreachable), Level.WARNING
+        self._message.show_message(text, level)
+
+    def _show_origin(self) -> None:
+        if self._backup is None or self._path is None:
+            self._origin.setText(self.tr("No file is open; the arm's own values are shown."))
+            return
+        backup = self._backup
+        saved = f"{backup.saved_at.astimezone():%Y-%m-%d %H:%M}"
+        self._origin.setText(
+            self.tr("{name}: saved {time}, {device}, generation {generation}, {firmware}").format(
+                name=self._path.name,
+                time=saved,
+                device=backup.device,
+                generation=backup.generation,
+                firmware=backup.firmware or "—",
+            )
+        )
+
+    def _show_possible(self) -> None:
+        """Enable what can be used now; say in the tooltips of the rest why not."""
+        reading = self._reader.running
+        self.progress.setVisible(reading)
+        self.read_button.setText(self.tr("Stop reading") if reading else self.tr("Read"))
+        unreachable = self._controller.situation.unreachable
+        no_way = "" if unreachable is None else words.refusal(unreachable)
+        busy = words.refusal(Refusal("busy", {"what": "settings"}))
+        wait = busy if self._settings.busy or reading else ""
+        no_file = "" if self._backup is not None else self.tr("Open a file first.")
+        nothing = "" if self._model.chosen else self.tr("Choose what differs in the table first.")
+        for button, hindrance in (
+            (self.read_button, no_way or ("" if reading else wait)),
+            (self.save_button, no_way or wait),
+            (self.open_button, ""),
+            (self.restore_button, no_file or no_way or wait or nothing),
+            (self.all_button, no_file),
+            (self.none_button, no_file),
+        ):
+            button.setEnabled(not hindrance)
+            button.setToolTip(hindrance)
+
+    def _refuse(self, refusal: Refusal) -> None:
+        self._say(words.refusal(refusal), Level.WARNING)
+
+    def _say(self, text: str, level: Level = Level.INFO) -> None:
+        self._said = (text, level)
+        self._show_all()

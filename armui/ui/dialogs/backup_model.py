@@ -1,0 +1,204 @@
+"""The table of the window 参数备份: each parameter in the file and in the arm."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any, Final
+
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QModelIndex,
+    QPersistentModelIndex,
+    QSortFilterProxyModel,
+    Qt,
+    Signal,
+)
+
+from armui.arm.comparison import Row, Verdict
+from armui.arm.parameters import Parameter
+from armui.arm.refusal import Refusal
+from armui.control.setting_cell import Cell, CellState
+from armui.ui import format as fmt
+from armui.ui import words
+from armui.ui.words.parameters import full_name, value_text, verdict_word
+
+_Index = QModelIndex | QPersistentModelIndex
+
+NAME, FILED, HELD, STATE = range(4)
+_COLUMNS: Final = 4
+
+
+class BackupModel(QAbstractTableModel):
+    """Rows with a tick; only what can be restored, and would change something, can have one.
+
+    Args:
+        cell: How a parameter stands between the program and the arm.
+
+    Signals:
+        ticked: Other rows have a tick.
+    """
+
+    ticked = Signal()
+
+    def __init__(self, cell: Callable[[Parameter], Cell]) -> None:
+        super().__init__()
+        self._cell = cell
+        self._rows: list[Row] = []
+        self._chosen: set[Parameter] = set()
+        self._restored: set[Parameter] = set()
+
+    # What the dialog does ---------------------------------------------------------------------
+
+    @property
+    def rows(self) -> Sequence[Row]:
+        """The comparison shown."""
+        return self._rows
+
+    @property
+    def chosen(self) -> dict[Parameter, float]:
+        """What has a tick, with the file's values."""
+        return {
+            row.parameter: row.filed
+            for row in self._rows
+            if row.parameter in self._chosen and row.filed is not None and row.restorable
+        }
+
+    def show_rows(self, rows: Sequence[Row]) -> None:
+        """Show another comparison; ticks stay where the parameters do."""
+        same = [row.parameter for row in rows] == [row.parameter for row in self._rows]
+        if not same:
+            self.beginResetModel()
+        self._rows = list(rows)
+        if same:
+            self.retranslate()
+        else:
+            self.endResetModel()
+        self.ticked.emit()
+
+    def choose(self, wanted: Callable[[Row], bool]) -> None:
+        """Tick the rows that are wanted and can be restored, and no others."""
+        self._chosen = {row.parameter for row in self._rows if row.restorable and wanted(row)}
+        self.retranslate()
+        self.ticked.emit()
+
+    def follow(self, restored: Sequence[Parameter]) -> None:
+        """Show how saving these ends; an empty list ends it."""
+        self._restored = set(restored)
+        self.retranslate()
+
+    def retranslate(self) -> None:
+        """Every cell anew."""
+        if self._rows:
+            last = self.index(len(self._rows) - 1, _COLUMNS - 1)
+            self.dataChanged.emit(self.index(0, 0), last)
+        self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, _COLUMNS - 1)
+
+    # What Qt asks -----------------------------------------------------------------------------
+
+    def rowCount(self, parent: _Index | None = None) -> int:  # noqa: N802 - the name Qt calls
+        """One row a parameter."""
+        return 0 if parent is not None and parent.isValid() else len(self._rows)
+
+    def columnCount(self, parent: _Index | None = None) -> int:  # noqa: N802 - the name Qt calls
+        """Name, file, arm, and how the two compare."""
+        return 0 if parent is not None and parent.isValid() else _COLUMNS
+
+    def flags(self, index: _Index) -> Qt.ItemFlag:
+        """Only what can be restored can be ticked."""
+        flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
+        if index.column() == NAME and self._rows[index.row()].restorable:
+            flags |= Qt.ItemFlag.ItemIsUserCheckable
+        return flags
+
+    def headerData(  # noqa: N802 - the name Qt calls
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        """What the columns hold."""
+        if role != Qt.ItemDataRole.DisplayRole or orientation is Qt.Orientation.Vertical:
+            return None
+        return (
+            self.tr("Parameter"),
+            self.tr("In the file"),
+            self.tr("In the arm"),
+            self.tr("Comparison"),
+        )[section]
+
+    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """The words of a cell, its tick, and in the tooltip what there is to say."""
+        row = self._rows[index.row()]
+        if role == Qt.ItemDataRole.CheckStateRole and index.column() == NAME:
+            if not row.restorable:
+                return None
+            ticked = row.parameter in self._chosen
+            return Qt.CheckState.Checked if ticked else Qt.CheckState.Unchecked
+        if role == Qt.ItemDataRole.DisplayRole:
+            return self._text(row, index.column())
+        if role == Qt.ItemDataRole.ToolTipRole:
+            reason = self._reason(row)
+            return "" if reason is None else words.refusal(reason)
+        if role == Qt.ItemDataRole.TextAlignmentRole and index.column() in {FILED, HELD}:
+            return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        return None
+
+    def setData(  # noqa: N802 - the name Qt calls
+        self, index: _Index, value: Any, role: int = Qt.ItemDataRole.EditRole
+    ) -> bool:
+        """Take a tick."""
+        row = self._rows[index.row()]
+        if role != Qt.ItemDataRole.CheckStateRole or not row.restorable:
+            return False
+        if Qt.CheckState(value) is Qt.CheckState.Checked:
+            self._chosen.add(row.parameter)
+        else:
+            self._chosen.discard(row.parameter)
+        self.dataChanged.emit(index, index)
+        self.ticked.emit()
+        return True
+
+    def _text(self, row: Row, column: int) -> str:
+        if column == NAME:
+            return full_name(row.parameter)
+        if column == STATE:
+            return self._state(row)
+        value = row.filed if column == FILED else row.held
+        return fmt.NOTHING if value is None else value_text(row.parameter.name, value)
+
+    def _state(self, row: Row) -> str:
+        """The comparison; or, of what is being restored, how far that is."""
+        cell = self._cell(row.parameter)
+        if cell.state is CellState.READING:
+            return self.tr("… reading")
+        if row.parameter in self._restored:
+            if cell.state is CellState.SAVING:
+                return self.tr("… restoring")
+            if cell.state is CellState.SAVED:
+                return self.tr("✓ restored")
+            if cell.state is CellState.REFUSED:
+                return self.tr("✗ not restored")
+        if row.against is not None:
+            return self.tr("≠ cannot be restored")
+        return verdict_word(row.verdict)
+
+    def _reason(self, row: Row) -> Refusal | None:
+        return row.against or self._cell(row.parameter).reason
+
+
+class DifferencesOnly(QSortFilterProxyModel):
+    """Hides what is the same in the file and in the arm, if wanted."""
+
+    def __init__(self, model: BackupModel) -> None:
+        super().__init__()
+        self._model = model
+        self._only = False
+        self.setSourceModel(model)
+
+    def show_only_differences(self, wanted: bool) -> None:
+        """Hide what is the same, or show it again."""
+        self._only = wanted
+        self.invalidate()
+
+    def filterAcceptsRow(  # noqa: N802 - the name Qt calls
+        self, source_row: int, _parent: _Index
+    ) -> bool:
+        """Whether a row is shown."""
+        return not self._only or self._model.rows[source_row].verdict is not Verdict.SAME

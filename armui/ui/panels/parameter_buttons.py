@@ -1,0 +1,76 @@
+"""The row of buttons below a panel of parameters: read, initialise, edit or cancel, save."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
+
+_SAVE_KEY: Final = "Ctrl+Return"
+_HEIGHT_PX: Final = 38
+_GAP_PX: Final = 10
+
+
+class ParameterButtons(QWidget):
+    """【编辑】 and 【取消】 share a place: only one of them makes sense at a time.
+
+    Args:
+        name: For the names of the buttons: ``<name>_save_button``.
+        can_reset: Whether there is a 【初始化】.
+    """
+
+    def __init__(self, name: str, *, can_reset: bool, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.read = QPushButton()
+        self.reset = QPushButton()
+        self.edit = QPushButton()
+        self.cancel = QPushButton()
+        self.save = QPushButton()
+        self.save.setProperty("primary", True)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(_GAP_PX)
+        for button, word in (
+            (self.read, "read"),
+            (self.reset, "reset"),
+            (self.edit, "edit"),
+            (self.cancel, "cancel"),
+            (self.save, "save"),
+        ):
+            button.setObjectName(f"{name}_{word}_button")
+            button.setMinimumHeight(_HEIGHT_PX)
+            layout.addWidget(button, 1)
+        self.reset.setVisible(can_reset)
+        self.show_editing(editing=False)
+
+    def show_editing(self, *, editing: bool) -> None:
+        """Show the button that ends editing, or the one that begins it."""
+        # the one that goes first: the row must never be wider than the panel
+        leaving, coming = (self.edit, self.cancel) if editing else (self.cancel, self.edit)
+        leaving.hide()
+        coming.show()
+
+    @staticmethod
+    def allow(button: QPushButton, hindrance: str, use: str) -> None:
+        """Switch a button on, or off with the reason in its tooltip."""
+        button.setEnabled(not hindrance)
+        button.setToolTip(hindrance or use)
+
+    def allow_saving(self, hindrance: str, use: str) -> None:
+        """The same for 【保存】, whose key is said too."""
+        shortcut = QKeySequence(_SAVE_KEY).toString(QKeySequence.SequenceFormat.NativeText)
+        self.allow(self.save, hindrance, f"{use} ({shortcut})")
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        for button, text in (
+            (self.read, self.tr("Read")),
+            (self.reset, self.tr("Initialise")),
+            (self.edit, self.tr("Edit")),
+            (self.cancel, self.tr("Cancel")),
+            (self.save, self.tr("Save")),
+        ):
+            button.setText(text)
+            button.setAccessibleName(text)
+        self.save.setShortcut(QKeySequence(_SAVE_KEY))  # a new text takes it away
