@@ -14,6 +14,7 @@ from armui.arm.frames import AXES, LINEAR_AXES, JogFrame
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.context import Context
+from armui.control.point_frames import leading_mode
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
 
@@ -183,9 +184,9 @@ class Cartesian:
         from armui.arm.poses import flange_pose  # noqa: PLC0415 - see above
 
         start, middle, end = (flange_pose(point, self.tool) for point in points)
-        frames = commands.move_arc(
-            context.connection.codec, start, middle, end, speed_percent=self._motion.speed_percent
-        )
+        codec, percent = context.connection.codec, self._motion.speed_percent
+        frames = leading_mode(codec, context.state(), MoveMode.MOVE_C, percent)
+        frames += commands.move_arc(codec, start, middle, end, speed_percent=percent)
         return self._send(frames, "sent_arc", {})
 
     def check_arc(self, *points: Sequence[float]) -> Refusal | None:
@@ -221,10 +222,12 @@ class Cartesian:
             return context.refuse(refusal)
         from armui.arm.poses import flange_pose  # noqa: PLC0415 - see above
 
-        frames = commands.move_pose(
-            context.connection.codec,
+        codec, percent = context.connection.codec, self._motion.speed_percent
+        frames = leading_mode(codec, context.state(), move_mode, percent)
+        frames += commands.move_pose(
+            codec,
             flange_pose(target, self.tool),
-            speed_percent=self._motion.speed_percent,
+            speed_percent=percent,
             move_mode=move_mode,
         )
         return self._send(frames, code, figures)

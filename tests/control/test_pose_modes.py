@@ -1,0 +1,55 @@
+"""From one kind of tool motion to another: each pose is taken for what it was meant."""
+
+import pytest
+
+from armui.arm.kinematics import Kinematics
+from armui.protocol.codes import MoveMode
+
+FIRST, SECOND, THIRD = (
+    tuple(Kinematics().forward(joints_deg))
+    for joints_deg in (
+        (20.0, 40.0, -40.0, 10.0, 20.0, 15.0),
+        (10.0, 45.0, -45.0, 5.0, 20.0, 5.0),
+        (-5.0, 40.0, -40.0, 5.0, 20.0, 0.0),
+    )
+)
+
+
+@pytest.fixture
+def ready(any_bench):
+    any_bench.ready()
+    any_bench.controller.motion.set_speed_percent(100)
+    any_bench.controller.cartesian.prepare()
+    assert any_bench.controller.motion.send_joints((20.0, 40.0, -40.0, 10.0, 20.0, 15.0)) is None
+    arrived(any_bench, FIRST)
+    return any_bench
+
+
+def arrived(bench, pose):
+    bench.run(0.2)
+    bench.run_until(lambda: not bench.controller.situation.moving)
+    assert bench.controller.state.end_pose()[:3] == pytest.approx(pose[:3], abs=0.05)
+
+
+def test_lines_and_point_to_point_may_follow_one_another(ready):
+    cartesian = ready.controller.cartesian
+    for move_mode, pose in (
+        (MoveMode.MOVE_L, SECOND),
+        (MoveMode.MOVE_P, FIRST),
+        (MoveMode.MOVE_P, SECOND),
+        (MoveMode.MOVE_L, FIRST),
+    ):
+        assert cartesian.move(pose, move_mode) is None
+        arrived(ready, pose)
+
+
+def test_an_arc_may_follow_a_line_and_a_line_an_arc(ready):
+    cartesian = ready.controller.cartesian
+    assert cartesian.move(SECOND, MoveMode.MOVE_L) is None
+    arrived(ready, SECOND)
+    assert cartesian.move(FIRST, MoveMode.MOVE_L) is None
+    arrived(ready, FIRST)
+    assert cartesian.move_arc(FIRST, SECOND, THIRD) is None
+    arrived(ready, THIRD)
+    assert cartesian.move(SECOND, MoveMode.MOVE_L) is None
+    arrived(ready, SECOND)
