@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Final
 
@@ -16,6 +16,7 @@ __all__ = [
     "SUFFIXES",
     "Content",
     "TrajectoryFileError",
+    "import_files",
     "load",
     "read_bytes",
     "read_text",
@@ -68,6 +69,23 @@ def load(path: Path) -> Content:
         text = error.strerror or str(error)
         reason = broken("file_unreadable", text=text).reason
         raise TrajectoryFileError(reason, file=path.name) from error
+
+
+def import_files(paths: Iterable[Path]) -> tuple[list[Content], list[TrajectoryFileError]]:
+    """What several files hold; a broken one keeps none of the others back.
+
+    Returns:
+        What was read, and what is wrong with the files that could not be: each error names its
+        file, and line, column and reason.
+    """
+    contents: list[Content] = []
+    errors: list[TrajectoryFileError] = []
+    for path in paths:
+        try:
+            contents.append(load(path))
+        except TrajectoryFileError as error:
+            errors.append(error)
+    return contents, errors
 
 
 def read_bytes(data: bytes, name: str) -> Content:

@@ -8,6 +8,7 @@ from typing import Final
 from armui.arm.refusal import Refusal
 
 _WORDS: Final[Mapping[str, str]] = {
+    "file_gone": "is not in the library any more",
     "file_unreadable": "cannot be read: {text}",
     "file_too_large": "has {value} MB; files up to {maximum} MB are read",
     "file_not_text": "is no text in UTF-8 or GBK",

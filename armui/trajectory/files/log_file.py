@@ -10,7 +10,7 @@ import json
 import re
 from typing import Any, Final
 
-from armui.trajectory.files.errors import broken
+from armui.trajectory.files.errors import TrajectoryFileError, broken
 from armui.trajectory.files.log_points import read_point, read_text, write_point
 from armui.trajectory.files.log_samples import read_samples, write_samples
 from armui.trajectory.files.model import VERSION, Content, parse_time, verified, verify
@@ -23,6 +23,22 @@ _ENTRY: Final = re.compile(r"([A-Za-z]\w*):[ \t]*(.*?)[ \t]*")
 def is_log(text: str) -> bool:
     """Whether a text begins as this format does."""
     return _FIRST.match(text) is not None
+
+
+def name_in(beginning: str) -> str | None:
+    """The name of a trajectory or recording as this program writes it: in the second line.
+
+    Args:
+        beginning: Of the text, at least its first two lines.
+    """
+    first, _, rest = beginning.partition("\n")
+    entry = _ENTRY.fullmatch(rest.partition("\n")[0])
+    if not is_log(first) or entry is None or entry.group(1) != "name":
+        return None
+    try:
+        return read_text(entry.group(2), 2, 1)
+    except TrajectoryFileError:
+        return None
 
 
 def write(content: Content) -> str:

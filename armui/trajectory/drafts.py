@@ -1,0 +1,81 @@
+"""Unsaved states of trajectories, kept through a crash: a `.draft` file each, beside the library's.
+
+A draft is a trajectory in our text format; its header holds the name it belongs to.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Final
+
+from armui.trajectory import files
+from armui.trajectory.atomic import sync_folder, write_whole
+from armui.trajectory.file_names import folded, free_stem
+from armui.trajectory.files.log_file import name_in
+from armui.trajectory.program import Trajectory
+
+_SUFFIX: Final = ".draft"
+_HEAD_BYTES: Final = 4096
+"""Enough for the first two lines with the longest name."""
+
+
+class Drafts:
+    """The drafts in a folder, by the name of their trajectory.
+
+    Args:
+        folder: It need not exist.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+
+    def paths(self) -> dict[str, Path]:
+        """All of them; only their beginnings are read."""
+        found: dict[str, Path] = {}
+        for path in sorted(self._folder.glob(f"[!.]*{_SUFFIX}")):
+            try:
+                with path.open("rb") as file:
+                    head = file.read(_HEAD_BYTES)
+            except OSError:  # another program has saved it meanwhile
+                continue
+            found.setdefault(name_in(head.decode(errors="ignore")) or path.stem, path)
+        return found
+
+    def names(self) -> list[str]:
+        """What they belong to."""
+        return sorted(self.paths())
+
+    def save(self, content: Trajectory) -> None:
+        """Write one in place of the last of that name.
+
+        Raises:
+            OSError: It was not written; the last one is as it was.
+            ValueError: It is not possible.
+        """
+        paths = self.paths()
+        path = paths.get(content.name)
+        if path is None:
+            taken = {folded(other.stem) for other in paths.values()}
+            path = self._folder / (free_stem(content.name, taken) + _SUFFIX)
+        write_whole(path, files.to_bytes(content, ".log"))
+
+    def load(self, name: str) -> Trajectory | None:
+        """One, if there is one.
+
+        Raises:
+            TrajectoryFileError: Somebody has damaged it.
+        """
+        path = self.paths().get(name)
+        content = None if path is None else files.load(path)
+        return content if isinstance(content, Trajectory) else None
+
+    def drop(self, name: str) -> None:
+        """Remove one, if there is one.
+
+        Raises:
+            OSError: It cannot be removed.
+        """
+        path = self.paths().get(name)
+        if path is not None:
+            path.unlink(missing_ok=True)
+            sync_folder(self._folder)

@@ -1,0 +1,376 @@
+"""The folder that keeps the trajectories: a file for each, every one of them always whole.
+
+Points are kept as `.log`, recordings as `.npz`. What the operator calls a trajectory stands within
+its file; the file's own name is as near to it as every file system allows. A file that somebody
+else has damaged is listed with what is wrong with it, and never written over.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Final, NamedTuple
+
+from armui.arm.refusal import Refusal
+from armui.trajectory import files
+from armui.trajectory.atomic import remove_abandoned, write_whole
+from armui.trajectory.drafts import Drafts
+from armui.trajectory.file_names import file_stem, folded, free_stem
+from armui.trajectory.files import Content, TrajectoryFileError
+from armui.trajectory.files.errors import broken
+from armui.trajectory.library_bin import Bin
+from armui.trajectory.library_index import Check, Entry, Index, Stamp, entry_of
+from armui.trajectory.program import LONGEST_NAME, Trajectory, check_name, check_trajectory
+from armui.trajectory.recording import Recording, check_recording
+
+__all__ = ["Check", "Deleted", "Entry", "Library", "LibraryError"]
+
+_SUFFIXES: Final = (".log", ".npz")
+_INDEX: Final = ".index.json"
+_BIN: Final = ".deleted"
+_ROOM_FOR_NUMBER: Final = 8
+
+
+class LibraryError(Exception):
+    """Something the library did not do; everything is as it was.
+
+    Attributes:
+        refusal: Why.
+        row: The point or sample to blame, from 1; 0 where none is.
+    """
+
+    def __init__(self, refusal: Refusal, row: int = 0) -> None:
+        super().__init__(refusal, row)
+        self.refusal = refusal
+        self.row = row
+
+    def __str__(self) -> str:
+        return f"row {self.row}: {self.refusal}" if self.row else str(self.refusal)
+
+
+class _Kept(NamedTuple):
+    """A file of the library and what is known of it."""
+
+    path: Path
+    stamp: Stamp
+    entry: Entry
+
+
+@dataclass(frozen=True, slots=True)
+class Deleted:
+    """What was deleted together, to be brought back together.
+
+    Attributes:
+        names: Of the trajectories.
+        places: For every file, drafts included: its name in the library, and where it is now.
+    """
+
+    names: tuple[str, ...]
+    places: tuple[tuple[str, Path], ...]
+
+
+class Library:
+    """Keeps trajectories and recordings by name. For one thread; other programs may look on.
+
+    Args:
+        folder: Where they are kept; it need not exist.
+        now: Tells the time that is kept as the last change.
+    """
+
+    def __init__(self, folder: Path, now: Callable[[], datetime] = lambda: datetime.now(UTC)):
+        self._folder = folder
+        self._now = now
+        self._index = Index(folder / _INDEX)
+        self._bin = Bin(folder / _BIN)
+        self._drafts = Drafts(folder)
+        remove_abandoned(folder)
+        self._bin.remove_outdated()
+
+    # What there is --------------------------------------------------------------------------------
+
+    def entries(self) -> list[Entry]:
+        """Everything there is, by name; only files that are new or changed are opened.
+
+        Raises:
+            LibraryError: The folder cannot be read.
+        """
+        return sorted((kept.entry for kept in self._scan().values()), key=lambda one: one.name)
+
+    def load(self, name: str) -> Content:
+        """A trajectory or recording.
+
+        Raises:
+            TrajectoryFileError: It is damaged, or gone.
+            LibraryError: The folder cannot be read.
+        """
+        kept = self._scan().get(name)
+        if kept is None:
+            raise TrajectoryFileError(broken("file_gone").reason, file=name)
+        content = files.load(kept.path)
+        return content if content.name == name else replace(content, name=name)
+
+    def free_name(self, wish: str) -> str:
+        """A name nothing has, not even a draft: the wish, or the wish with a number.
+
+        Args:
+            wish: Any text; what no name can hold is left out of it.
+        """
+        if check_name(wish) is not None:
+            plain = wish.encode(errors="ignore").decode().replace("\0", "")
+            wish = " ".join(plain.split()) or "?"
+        wish = wish[: LONGEST_NAME - _ROOM_FOR_NUMBER].rstrip()
+        taken = {*self._scan(), *self._drafts.names()}
+        name, number = wish, 1
+        while name in taken:
+            number += 1
+            name = f"{wish} {number}"
+        return name
+
+    # Changes --------------------------------------------------------------------------------------
+
+    def save(self, content: Content, *, replacing: str | None = None) -> None:
+        """Keep a trajectory or recording, with the present time as that of its last change.
+
+        Its draft is done with.
+
+        Args:
+            content: What to keep.
+            replacing: The name of the one it replaces; it may have had another name.
+
+        Raises:
+            LibraryError: It is not possible, its name is taken, the one to replace is damaged, or
+                the disk refuses.
+        """
+        _verify(content)
+        self._write(replace(content, modified=self._now()), replacing)
+        for name in {content.name, replacing or content.name}:
+            self.drop_draft(name)
+
+    def rename(self, name: str, new: str) -> None:
+        """Give a trajectory another name; its draft goes along.
+
+        Raises:
+            LibraryError: The new name is taken or no name, or the disk refuses.
+            TrajectoryFileError: It is damaged, or gone.
+        """
+        if new == name:
+            return
+        content = replace(self.load(name), name=new)
+        _verify(content)
+        known = self._scan()[name].entry
+        draft = self.draft(name)
+        self._write(content, name)
+        self.mark(new, check=known.check, length_s=known.length_s)
+        if draft is not None:
+            self.save_draft(new, draft)
+            self.drop_draft(name)
+
+    def duplicate(self, name: str, new: str) -> None:
+        """Keep a trajectory once more, under another name.
+
+        Raises:
+            LibraryError: The new name is taken or no name, or the disk refuses.
+            TrajectoryFileError: It is damaged, or gone.
+        """
+        content = replace(self.load(name), name=new)
+        _verify(content)
+        known = self._scan()[name].entry
+        self._write(content, None)
+        self.mark(new, check=known.check, length_s=known.length_s)
+
+    def delete(self, names: Sequence[str]) -> Deleted:
+        """Move trajectories, their drafts with them, where `restore` finds them.
+
+        Args:
+            names: Which; those that are gone already are left out.
+
+        Returns:
+            What to give to `restore`.
+
+        Raises:
+            LibraryError: The disk refuses; nothing is deleted.
+        """
+        found, drafts = self._scan(), self._drafts.paths()
+        gone = [name for name in dict.fromkeys(names) if name in found]
+        paths = [found[name].path for name in gone]
+        paths += [drafts[name] for name in gone if name in drafts]
+        with _disk("library_not_deleted", ", ".join(gone)):
+            places = self._bin.take(paths)
+        return Deleted(tuple(gone), places)
+
+    def restore(self, deleted: Deleted) -> None:
+        """Bring back what was deleted; where its name is taken by now, with a number.
+
+        Raises:
+            LibraryError: The disk refuses.
+        """
+        with _disk("library_not_restored", ", ".join(deleted.names)):
+            self._bin.give_back(deleted.places, self._folder)
+
+    def mark(self, name: str, *, check: Check | None, length_s: float | None) -> None:
+        """Note how a trajectory was checked and how long it takes, until its file changes.
+
+        Args:
+            name: Which; nothing is noted of one that is gone or damaged.
+            check: How the check ended.
+            length_s: How long it takes; a recording knows by itself.
+        """
+        kept = self._scan().get(name)
+        if kept is None or kept.entry.damage is not None:
+            return
+        entry = replace(kept.entry, check=check)
+        if entry.kind == "points":
+            entry = replace(entry, length_s=length_s)
+        self._index.put(kept.path.name, kept.stamp, entry)
+        self._index.save()
+
+    # Drafts ---------------------------------------------------------------------------------------
+
+    def save_draft(self, name: str, content: Trajectory) -> None:
+        """Keep the unsaved state of a trajectory through a crash.
+
+        Args:
+            name: What it is called in the library, or will be.
+            content: Its present state.
+
+        Raises:
+            LibraryError: It is not possible, or the disk refuses.
+        """
+        content = replace(content, name=name, modified=self._now())
+        _verify(content)
+        with _disk("library_not_saved", name):
+            self._folder.mkdir(parents=True, exist_ok=True)
+            self._drafts.save(content)
+
+    def draft(self, name: str) -> Trajectory | None:
+        """The unsaved state of a trajectory, if there is one.
+
+        Raises:
+            TrajectoryFileError: Somebody has damaged it.
+        """
+        return self._drafts.load(name)
+
+    def drop_draft(self, name: str) -> None:
+        """Forget the unsaved state of a trajectory.
+
+        Raises:
+            LibraryError: The disk refuses.
+        """
+        with _disk("library_not_deleted", name):
+            self._drafts.drop(name)
+
+    def drafts(self) -> list[str]:
+        """The names of all trajectories that have an unsaved state."""
+        return self._drafts.names()
+
+    # Files ----------------------------------------------------------------------------------------
+
+    def _scan(self) -> dict[str, _Kept]:
+        """All files by the name of what they hold."""
+        with _disk("library_unreadable", str(self._folder)):
+            found = [self._look(path, stamp) for path, stamp in self._files()]
+        self._index.keep_only([kept.path.name for kept in found])
+        self._index.save()
+        return _by_name(found)
+
+    def _files(self) -> Iterator[tuple[Path, Stamp]]:
+        if not self._folder.is_dir():
+            return
+        with os.scandir(self._folder) as items:
+            for item in items:
+                shown = item.name.endswith(_SUFFIXES) and not item.name.startswith(".")
+                if shown and item.is_file():
+                    with contextlib.suppress(FileNotFoundError):  # another program has deleted it
+                        yield Path(item.path), Stamp.of(Path(item.path).stat())
+
+    def _look(self, path: Path, stamp: Stamp) -> _Kept:
+        """What is known of a file; it is opened only where it is not the one known."""
+        entry = self._index.entry(path.name, stamp)
+        if entry is None:
+            try:
+                entry = entry_of(files.load(path))
+            except TrajectoryFileError as error:
+                kind: Final = "points" if path.suffix == ".log" else "recording"
+                name = self._index.last_name(path.name) or _name_of(path)
+                changed = datetime.fromtimestamp(stamp.time_ns / 1e9, UTC)
+                entry = Entry(name, kind, 0, None, changed, damage=error)
+            self._index.put(path.name, stamp, entry)
+        return _Kept(path, stamp, entry)
+
+    def _write(self, content: Content, replacing: str | None) -> None:
+        """Write a file: in place of the one to replace where there is one, else a new one."""
+        found = self._scan()
+        if content.name != replacing and content.name in found:
+            raise LibraryError(Refusal("name_taken", {"name": content.name}))
+        old = None if replacing is None else found.get(replacing)
+        if old is not None and old.entry.damage is not None:
+            raise LibraryError(Refusal("library_damaged", {"name": str(replacing)}))
+        stems = {folded(kept.path.stem) for kept in found.values() if kept is not old}
+        fitting = self._folder / (free_stem(content.name, stems) + _suffix(content))
+        in_place = old is not None and old.path.suffix == fitting.suffix
+        path = old.path if old is not None and in_place else fitting
+        with _disk("library_not_saved", content.name):
+            self._folder.mkdir(parents=True, exist_ok=True)
+            write_whole(path, files.to_bytes(content, path.suffix))
+            if old is not None and not in_place:
+                old.path.unlink()
+        if path != fitting and file_stem(content.name) != file_stem(str(replacing)):
+            # the file's own name follows; where it cannot, the one within it counts
+            with contextlib.suppress(OSError):
+                path = path.rename(fitting)
+        with _disk("library_unreadable", str(self._folder)):
+            self._index.put(path.name, Stamp.of(path.stat()), entry_of(content))
+        self._index.save()
+
+
+def _by_name(found: list[_Kept]) -> dict[str, _Kept]:
+    """Files by name; a copy that holds a name already taken goes by its file's name."""
+    named: dict[str, _Kept] = {}
+    found = sorted(found, key=lambda kept: (kept.path.stem != file_stem(kept.entry.name), kept))
+    for kept in found:
+        name, number = kept.entry.name, 1
+        if name in named:
+            name = stem = _name_of(kept.path)
+            while name in named:
+                number += 1
+                name = f"{stem} {number}"
+        entry = kept.entry if name == kept.entry.name else replace(kept.entry, name=name)
+        named[name] = kept._replace(entry=entry)
+    return named
+
+
+def _name_of(path: Path) -> str:
+    """What a file's name says, as far as it can be shown."""
+    return path.stem.encode(errors="replace").decode()
+
+
+def _suffix(content: Content) -> str:
+    return ".npz" if isinstance(content, Recording) else ".log"
+
+
+def _verify(content: Content) -> None:
+    """Make sure that what is kept can be read again.
+
+    Raises:
+        LibraryError: It could not.
+    """
+    found = (
+        check_recording(content) if isinstance(content, Recording) else check_trajectory(content)
+    )
+    if found is not None:
+        row, reason = found
+        raise LibraryError(reason, row)
+
+
+@contextlib.contextmanager
+def _disk(code: str, name: str) -> Iterator[None]:
+    """Says what the disk refused as a `LibraryError`."""
+    try:
+        yield
+    except OSError as error:
+        text = error.strerror or str(error)
+        raise LibraryError(Refusal(code, {"name": name, "text": text})) from error
