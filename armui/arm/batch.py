@@ -11,6 +11,7 @@ import math
 from typing import Final, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from armui.arm.kinematics import (
     BASE_MM,
@@ -22,6 +23,7 @@ from armui.arm.kinematics import (
     Kinematics,
     Matrix,
 )
+from armui.arm.wrist import bend_deg, bent_wrist
 
 WAYS: Final = 4
 """Ways to bring the wrist's centre to a place: reaching ahead or back, the elbow up or down."""
@@ -107,37 +109,69 @@ def jacobians(kinematics: Kinematics, joints_deg: Matrix) -> Matrix:
 
 
 def arm_ways(kinematics: Kinematics, targets: Matrix) -> Matrix:
-    """Joints 1–3 of the ways to bring the wrist's centre where the targets want it.
+    """Joints 1–3 of all ways to bring the wrist's centre where the targets want it.
 
     Args:
         kinematics: Of the arm.
         targets: (n, 4, 4) transforms of the flange.
 
     Returns:
-        (n, 4, 3) angles in degrees within half a turn of the middles of the joints' ranges, NaN
-        where a way does not exist. A way keeps its place along a continuous path.
+        (n, 4, 3) angles, as `arm_way` gives each.
     """
+    return np.stack([arm_way(kinematics, targets, way) for way in range(WAYS)], axis=1)
+
+
+def arm_way(kinematics: Kinematics, targets: Matrix, way: npt.NDArray[np.int64] | int) -> Matrix:
+    """Joints 1–3 of one way to bring the wrist's centre where each target wants it.
+
+    Args:
+        kinematics: Of the arm.
+        targets: (n, 4, 4) transforms of the flange.
+        way: Which, 0–3: 2·(reaching back) + (elbow the other way round); (n,), or one for all.
+
+    Returns:
+        (n, 3) angles in degrees within half a turn of the middles of the joints' ranges, NaN
+        where the way does not exist. A way keeps its number along a continuous path.
+    """
+    back, elbow = np.divmod(way, 2)
     centre = targets[:, :3, 3] - HAND_MM * targets[:, :3, 2]
-    turn = np.arctan2(centre[:, 1], centre[:, 0])
-    radius = np.hypot(centre[:, 0], centre[:, 1])
+    ahead = np.hypot(centre[:, 0], centre[:, 1]) * np.where(back, -1.0, 1.0)
     height = centre[:, 2] - BASE_MM
-    straight = np.hypot(radius, height)
-    bars = UPPER_ARM_MM**2 - _FORE_BAR_MM**2
+    straight = np.hypot(ahead, height)
     with np.errstate(divide="ignore", invalid="ignore"):
-        cosine = (bars + straight**2) / (2.0 * UPPER_ARM_MM * straight)
+        cosine = (UPPER_ARM_MM**2 - _FORE_BAR_MM**2 + straight**2) / (2 * UPPER_ARM_MM * straight)
         # a pose the arm itself has reported may be out of reach by rounding
         cosine = np.where(np.abs(cosine) <= 1.0 + _ROUNDING, np.clip(cosine, -1.0, 1.0), math.nan)
-        opening = np.arccos(cosine)
-    ways = np.empty((len(targets), WAYS, 3))
-    for way in range(WAYS):
-        back, elbow = divmod(way, 2)
-        ahead = -radius if back else radius
-        bar = np.arctan2(height, ahead) + (opening if elbow == back else -opening)
-        fore = np.arctan2(height - UPPER_ARM_MM * np.sin(bar), ahead - UPPER_ARM_MM * np.cos(bar))
-        j2 = np.degrees(-bar) - kinematics.shoulder_zero_deg
-        ways[:, way, 0] = np.degrees(turn) + 180.0 * back + 0.0 * opening
-        ways[:, way, 1] = j2
-        ways[:, way, 2] = np.degrees(_FORE_BAR_RAD - fore) - kinematics.forearm_zero_deg - j2
+    opening = np.arccos(cosine) * np.where(elbow == back, 1.0, -1.0)
+    bar = np.arctan2(height, ahead) + opening
+    fore = np.arctan2(height - UPPER_ARM_MM * np.sin(bar), ahead - UPPER_ARM_MM * np.cos(bar))
+    angles = np.empty((len(targets), 3))
+    angles[:, 0] = np.degrees(np.arctan2(centre[:, 1], centre[:, 0])) + 180.0 * back
+    angles[:, 1] = np.degrees(-bar) - kinematics.shoulder_zero_deg
+    angles[:, 2] = np.degrees(_FORE_BAR_RAD - fore) - kinematics.forearm_zero_deg - angles[:, 1]
+    angles[np.isnan(cosine)] = math.nan
     offset = 180.0 - np.array(MIDDLES_DEG)
-    near: Matrix = (ways + offset) % 360.0 - offset
+    near: Matrix = (angles + offset) % 360.0 - offset
     return near
+
+
+def solutions(kinematics: Kinematics, targets: Matrix) -> tuple[Matrix, Matrix]:
+    """All ways to bring the flange to each target, whatever the joints' limits.
+
+    Args:
+        kinematics: Of the arm.
+        targets: (n, 4, 4) transforms of the flange.
+
+    Returns:
+        (n, 8, 6) angles in degrees, as `Kinematics.inverse` has them but in fixed places: 2·way +
+        (wrist bent down); NaN where there is none. And (n,) how far the wrist is bent, in the way
+        in which it is least: one as good as stretched asks where joint 4 is.
+    """
+    arms = arm_ways(kinematics, targets)
+    joints = np.empty((len(targets), WAYS, 2, 6))
+    joints[..., :3] = arms[:, :, None]
+    hands = kinematics.hands(arms.reshape(-1, 3), np.repeat(targets, WAYS, axis=0))
+    wrists = (bent_wrist(hands) + 180.0) % 360.0 - 180.0
+    joints[..., 3:] = wrists.reshape(-1, WAYS, 2, 3)
+    bends = np.nan_to_num(bend_deg(hands), nan=180.0).reshape(-1, WAYS)
+    return joints.reshape(-1, 2 * WAYS, 6), bends.min(axis=1)

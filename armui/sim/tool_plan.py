@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 import numpy.typing as npt
 from scipy.interpolate import CubicSpline
-from scipy.spatial.transform import Rotation
 
-from armui.arm.kinematics import Kinematics, Matrix
+from armui.arm.kinematics import Kinematics
 from armui.arm.limits import ANGLE_STEP_DEG
+from armui.arm.pace import FINER, Demand, joint_demand, pace, tool_demand
 from armui.arm.tool_path import ToolPath, follow
 from armui.protocol.codes import ArmStatusCode
 from armui.sim.motion import JOINT_COUNT, STANDSTILL, SixValues
@@ -36,11 +35,6 @@ _JITTER_DEG: Final = 0.01
 
 _REPLAY_START_1_S: Final = 4.0
 """A replay takes at least a quarter of a second to come to its pace."""
-
-_FINER: Final = 4
-"""Limits are checked at this many places a step."""
-_BEND_SHARE: Final = 0.5
-"""Part of an acceleration limit that the path's bends may use up at full speed."""
 
 
 class Trouble(Exception):  # noqa: N818 - says why the arm stays, no error of the program
@@ -138,12 +132,10 @@ def plan(
     _check(joints, units / steps, settings)
     places = np.linspace(0.0, units, steps + 1)
     way = CubicSpline(places, joints)
-    fine = np.linspace(0.0, units, _FINER * steps + 1)
+    fine = np.linspace(0.0, units, FINER * steps + 1)
     top_speed, acceleration = _pace(
-        [
-            *_joint_demands(way, fine, settings),
-            *_tool_demands(path.poses(fine / units), fine, settings),
-        ]
+        _joint_demand(way, fine, settings),
+        tool_demand(path.poses(fine / units), fine, settings.end_limits),
     )
     if not (0.0 < top_speed < math.inf and 0.0 < acceleration < math.inf):
         raise Trouble(ArmStatusCode.NO_SOLUTION)
@@ -165,8 +157,8 @@ def plan_replay(recording: Sequence[SixValues], sample_s: float, settings: Setti
         raise Trouble(ArmStatusCode.NO_SOLUTION)
     end = sample_s * (len(recording) - 1)
     way = CubicSpline(np.linspace(0.0, end, len(recording)), np.array(recording))
-    fine = np.linspace(0.0, end, _FINER * (len(recording) - 1) + 1)
-    top_speed, acceleration = _pace(_joint_demands(way, fine, settings))
+    fine = np.linspace(0.0, end, FINER * (len(recording) - 1) + 1)
+    top_speed, acceleration = _pace(_joint_demand(way, fine, settings))
     top_speed = min(top_speed, 1.0)
     if not (top_speed > 0.0 and acceleration > 0.0):
         raise Trouble(ArmStatusCode.NO_SOLUTION)
@@ -193,74 +185,12 @@ def _check(joints: Values, units_a_step: float, settings: Settings) -> None:
     raise Trouble(ArmStatusCode.TARGET_BEYOND_LIMIT, outside[first].tolist())
 
 
-@dataclass(frozen=True, slots=True)
-class _Demand:
-    """What one limited quantity wants along the path.
-
-    Attributes:
-        rate: Its speed at a speed of 1 along the path, (n,).
-        bend: Its acceleration at that steady speed, (n,).
-        speed: Its highest speed.
-        acceleration: Its highest acceleration.
-    """
-
-    rate: Values
-    bend: Values
-    speed: float
-    acceleration: float
+def _joint_demand(way: CubicSpline, places: Values, settings: Settings) -> Demand:
+    speeds = [limits.max_speed_deg_s for limits in settings.limits]
+    return joint_demand(way, places, speeds, settings.accelerations_deg_s2)
 
 
-def _joint_demands(way: CubicSpline, places: Values, settings: Settings) -> list[_Demand]:
-    rates, bends = np.abs(way(places, 1)), np.abs(way(places, 2))
-    return [
-        _Demand(
-            rates[:, index],
-            bends[:, index],
-            settings.limits[index].max_speed_deg_s,
-            settings.accelerations_deg_s2[index],
-        )
-        for index in range(JOINT_COUNT)
-    ]
-
-
-def _tool_demands(poses: Matrix, places: Values, settings: Settings) -> list[_Demand]:
-    """The tool's own limits: m/s, rad/s and their accelerations."""
-    spacing = float(places[1] - places[0])
-    velocity = np.gradient(poses[:, :3, 3], spacing, axis=0) / 1e3
-    turns = Rotation.from_matrix(poses[:, :3, :3])
-    spin = (turns[1:] * turns[:-1].inv()).as_rotvec() / spacing
-    linear, angular, linear_acceleration, angular_acceleration = settings.end_limits
-    return [
-        _Demand(
-            np.linalg.norm(velocity, axis=1),
-            np.linalg.norm(np.gradient(velocity, spacing, axis=0), axis=1),
-            linear,
-            linear_acceleration,
-        ),
-        _Demand(
-            np.linalg.norm(spin, axis=1),
-            np.linalg.norm(np.gradient(spin, spacing, axis=0), axis=1),
-            angular,
-            angular_acceleration,
-        ),
-    ]
-
-
-def _pace(demands: list[_Demand]) -> tuple[float, float]:
-    """The highest speed and acceleration along the path that keep every limit everywhere."""
-    top_speed = math.inf
-    for demand in demands:
-        steepest, sharpest = float(demand.rate.max()), float(demand.bend.max())
-        if steepest > 0.0:
-            top_speed = min(top_speed, demand.speed / steepest)
-        if sharpest > 0.0:
-            top_speed = min(top_speed, math.sqrt(_BEND_SHARE * demand.acceleration / sharpest))
-    acceleration = math.inf
-    for demand in demands:
-        left = demand.acceleration - demand.bend * top_speed**2
-        turning = demand.rate > 0.0
-        if turning.any():
-            acceleration = min(
-                acceleration, float((left / np.where(turning, demand.rate, 1.0))[turning].min())
-            )
-    return top_speed, acceleration
+def _pace(*demands: Demand) -> tuple[float, float]:
+    """The highest speed and acceleration along one path."""
+    top_speed, acceleration = pace(demands)
+    return float(top_speed[0]), float(acceleration[0])

@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from armui.arm.batch import arm_ways, flanges, jacobians
-from armui.arm.kinematics import Geometry, Kinematics
+from armui.arm.batch import arm_ways, flanges, jacobians, solutions
+from armui.arm.kinematics import Geometry, Kinematics, matrix_to_pose
 
 LOW = (-150, 0, -170, -100, -70, -120)
 HIGH = (150, 180, 0, 100, 70, 120)
@@ -80,3 +80,23 @@ def test_a_stretched_arm_loses_no_way_to_rounding(kinematics):
         )
         assert np.abs(ways - joints[:, None, :3]).max(axis=2).min() < 1e-2
         assert not np.isnan(ways).any()
+
+
+def test_the_solutions_are_those_found_pose_by_pose(kinematics, joints):
+    targets = flanges(kinematics, joints)[:100]
+
+    for target, near, found in zip(
+        targets, joints, solutions(kinematics, targets)[0], strict=False
+    ):
+        one_by_one = np.array(kinematics.inverse(matrix_to_pose(target), near))
+        gaps = np.abs((one_by_one[:, None] - found[None] + 180.0) % 360.0 - 180.0).max(axis=2)
+        assert gaps.min(axis=1).max() < 1e-3
+
+
+def test_a_stretched_wrist_is_told(kinematics):
+    rows = np.array([(0, 90, -90, 0, 0, 0), (0, 90, -90, 0, 30, 0)], dtype=float)
+
+    least_bent = solutions(kinematics, flanges(kinematics, rows))[1]
+
+    assert least_bent[0] < 1e-6
+    assert least_bent[1] > 1.0

@@ -1,0 +1,33 @@
+"""What a plan has to know of the arm it is made for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from armui.arm.limits import JointLimits
+
+if TYPE_CHECKING:
+    from armui.arm.kinematics import Kinematics
+    from armui.arm.state import EndLimits
+
+
+@dataclass(frozen=True, slots=True)
+class ArmModel:
+    """An arm as a plan sees it.
+
+    Attributes:
+        limits: Of the six joints, as read from the arm.
+        accelerations_deg_s2: The highest of the six joints.
+        end_limits: Of the tool; ``None`` while the arm has not told them.
+        kinematics: Of its geometry.
+        tool_mm: How far the gripper reaches beyond the flange.
+        stroke_mm: How far the gripper opens; ``None`` if that is not known.
+    """
+
+    limits: tuple[JointLimits, ...]
+    accelerations_deg_s2: tuple[float, ...]
+    end_limits: EndLimits | None
+    kinematics: Kinematics
+    tool_mm: float
+    stroke_mm: float | None = None
