@@ -53,15 +53,17 @@ _BINARY: Final[int] = getattr(os, "O_BINARY", 0)
 
 
 def sync_folder(folder: Path) -> None:
-    """Have the names in a folder written to the disk, where the operating system lets one ask."""
-    if os.name != "posix":  # Windows opens no folders
-        return
-    handle = os.open(folder, os.O_RDONLY)
-    try:
-        with contextlib.suppress(OSError):  # some network file systems know no such thing
+    """Have the names in a folder written to the disk, where the system lets one ask.
+
+    Windows opens no folders, some network file systems know no such thing: then the change is as
+    durable as the system makes it, and it is made all the same.
+    """
+    with contextlib.suppress(OSError):
+        handle = os.open(folder, os.O_RDONLY)
+        try:
             os.fsync(handle)
-    finally:
-        os.close(handle)
+        finally:
+            os.close(handle)
 
 
 def remove_abandoned(folder: Path) -> None:

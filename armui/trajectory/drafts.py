@@ -5,12 +5,15 @@ A draft is a trajectory in our text format; its header holds the name it belongs
 
 from __future__ import annotations
 
+import contextlib
+from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
 from armui.trajectory import files
 from armui.trajectory.atomic import sync_folder, write_whole
 from armui.trajectory.file_names import folded, free_stem
+from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.files.log_file import name_in
 from armui.trajectory.program import Trajectory
 
@@ -68,6 +71,17 @@ class Drafts:
         path = self.paths().get(name)
         content = None if path is None else files.load(path)
         return content if isinstance(content, Trajectory) else None
+
+    def copy(self, name: str, new: str) -> None:
+        """Let a draft belong to another trajectory as well; a damaged one stays where it is.
+
+        Raises:
+            OSError: It was not written.
+        """
+        with contextlib.suppress(TrajectoryFileError):
+            content = self.load(name)
+            if content is not None:
+                self.save(replace(content, name=new))
 
     def drop(self, name: str) -> None:
         """Remove one, if there is one.

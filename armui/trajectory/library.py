@@ -161,13 +161,20 @@ class Library:
             return
         content = replace(self.load(name), name=new)
         _verify(content)
-        known = self._scan()[name].entry
-        draft = self.draft(name)
-        self._write(content, name)
+        found, drafts = self._scan(), self._drafts.names()
+        if new in found or new in drafts:
+            raise LibraryError(Refusal("name_taken", {"name": new}))
+        known = found[name].entry
+        if name in drafts:
+            with _disk("library_not_saved", new):
+                self._drafts.copy(name, new)
+        try:
+            self._write(content, name)
+        except LibraryError:
+            self.drop_draft(new)
+            raise
+        self.drop_draft(name)
         self.mark(new, check=known.check, length_s=known.length_s)
-        if draft is not None:
-            self.save_draft(new, draft)
-            self.drop_draft(name)
 
     def duplicate(self, name: str, new: str) -> None:
         """Keep a trajectory once more, under another name.

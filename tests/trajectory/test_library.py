@@ -204,6 +204,8 @@ def test_a_trajectory_is_renamed_with_its_mark_and_its_draft(shelf, folder):
     assert names(shelf) == ["Place"]
     shelf.save(trajectory())
     assert refused(shelf.rename, "pick", "Place").code == "name_taken"
+    shelf.save_draft("new", trajectory())
+    assert refused(shelf.rename, "pick", "new").code == "name_taken"
     assert refused(shelf.rename, "pick", "").code == "name_empty"
     shelf.rename("pick", "pick")
     assert names(shelf) == ["Place", "pick"]
