@@ -107,7 +107,7 @@ def _end_limits(desk: Desk) -> None:
     _settled(desk)
 
 
-def _collision(desk: Desk) -> None:
+def _levels(desk: Desk) -> None:
     _open(desk, "collision")
     desk.click("collision_edit_button")
     desk.click("collision_level_2_level_0")
@@ -244,12 +244,12 @@ WINDOW_SCENES = (
     Scene("lights", _lights),
     Scene("lights-refused", _lights_refused),
     Scene("motors", _motors),
+    Scene("gripper", _gripper),
     Scene("joint-settings", _joint_settings),
     Scene("joint-settings-refused", _joint_settings_refused),
     Scene("joint-settings-corrupt", _joint_settings_corrupt),
     Scene("end-limits", _end_limits),
-    Scene("collision", _collision),
-    Scene("gripper", _gripper),
+    Scene("collision-levels", _levels),
     Scene("moving", _moving),
     Scene("refused", _refused),
     Scene("tool", _tool),
@@ -420,7 +420,7 @@ DIALOG_SCENES = (
     DialogScene("hold-zero", "motors", _hold_zero),
     DialogScene("hold-disable", "motors", _hold_disable),
     DialogScene("backup", "joint-settings-corrupt", _backup),
-    DialogScene("confirm-unsaved", "collision", _confirm_unsaved),
+    DialogScene("confirm-unsaved", "collision-levels", _confirm_unsaved),
     DialogScene("confirm-close", "moving", _confirm_close),
     DialogScene("confirm-resume", "stopped", _confirm_resume),
 )
