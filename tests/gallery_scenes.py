@@ -152,6 +152,16 @@ def _joint_keys(desk: Desk) -> None:
     step_box.setCurrentIndex(step_box.count() - 1)
 
 
+def _linkage(desk: Desk) -> None:
+    desk.click("menu_linkage")
+
+
+def _linkage_question(desk: Desk) -> QDialog:
+    desk.click("linkage_input")
+    desk.click("linkage_confirm_button")
+    return desk.dialog(ConfirmDialog)
+
+
 def _gripper(desk: Desk) -> None:
     desk.click("menu_gripper")
     desk.run(0.3)
@@ -250,6 +260,8 @@ WINDOW_SCENES = (
     Scene("joint-settings-corrupt", _joint_settings_corrupt),
     Scene("end-limits", _end_limits),
     Scene("collision-levels", _levels),
+    Scene("linkage", _linkage),
+    Scene("gripper", _gripper),
     Scene("moving", _moving),
     Scene("refused", _refused),
     Scene("tool", _tool),
@@ -417,6 +429,7 @@ DIALOG_SCENES = (
     DialogScene("joint-status-stale", "offline", _joint_status),
     DialogScene("file", "no-device", _file),
     DialogScene("confirm-disable", "refused", _confirm_disable),
+    DialogScene("linkage", "linkage", _linkage_question),
     DialogScene("hold-zero", "motors", _hold_zero),
     DialogScene("hold-disable", "motors", _hold_disable),
     DialogScene("backup", "joint-settings-corrupt", _backup),

@@ -174,6 +174,8 @@ class ArmState:
         firmware: Version text of 0x4AF; generation 1 has none.
         foreign_targets_s: When the joint targets of another sender, a teaching input or another
             host, were last heard in full (0x155–0x157, with any identifier offset).
+        status_heard_s: When a status was heard under each identifier offset (0x470), whichever
+            arm sent it.
         frames: How many frames have been received since the bus was opened.
         oddities: How many frames of each kind were not understood.
     """
@@ -193,6 +195,7 @@ class ArmState:
     teaching_handle: Heard[TeachingHandle] | None = None
     end_motion: Six[Heard[EndMotion] | None] = _NOTHING
     firmware: str | None = None
+    status_heard_s: tuple[float | None, ...] = (None, None, None)
     foreign_targets_s: float | None = None
     frames: int = 0
     oddities: Mapping[str, int] = field(default_factory=lambda: _NO_ODDITIES)

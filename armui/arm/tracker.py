@@ -38,6 +38,7 @@ _TARGET_PLACES: Final = {
 }
 """Where the joint targets of any sender belong, whatever its identifier offset (0x470)."""
 
+_STATUS_ID: Final = 0x2A1
 _VERSION_CHARACTERS: Final = 8
 _VERSION_START: Final = "S-V"
 
@@ -68,6 +69,7 @@ class Tracker:
         self._version_bytes = bytearray()
         self._firmware: str | None = None
         self._foreign_targets_s: list[float | None] = [None] * len(_TARGET_MESSAGES)
+        self._status_heard_s: list[float | None] = [None] * len(OFFSETS)
         self._handlers = self._make_handlers()
 
     def fold(self, heard: Message | Oddity, at_s: float) -> None:
@@ -77,6 +79,7 @@ class Tracker:
         if isinstance(heard, Oddity):
             self._oddities[heard.kind.name] += 1
             if heard.message is None:
+                self._note_status(heard.arbitration_id - _STATUS_ID, at_s)
                 self._note_foreign_target(_TARGET_PLACES.get(heard.arbitration_id), at_s)
                 return
             heard = heard.message
@@ -111,6 +114,7 @@ class Tracker:
             teaching_handle=self._teaching_handle,
             end_motion=_six(self._end_motion),
             firmware=self._firmware,
+            status_heard_s=tuple(self._status_heard_s),
             foreign_targets_s=self._all_targets_s(),
             frames=self._frames,
             oddities=MappingProxyType(dict(self._oddities)),
@@ -141,6 +145,10 @@ class Tracker:
             handlers[f"EndMotion{joint}"] = self._end_motion_handler(joint)
         return handlers
 
+    def _note_status(self, offset: int, at_s: float) -> None:
+        if offset in OFFSETS:
+            self._status_heard_s[OFFSETS.index(offset)] = at_s
+
     def _note_foreign_target(self, place: int | None, at_s: float) -> None:
         if place is not None:
             self._foreign_targets_s[place] = at_s
@@ -163,6 +171,7 @@ class Tracker:
             communication_fault=_joint_flags(signals, "CommunicationFault"),
         )
         self._status = Heard(status, at_s)
+        self._note_status(self._codec.addressing.feedback_offset, at_s)
 
     def _on_gripper(self, signals: _Signals, at_s: float) -> None:
         self._gripper = Heard(gripper_of(signals), at_s)

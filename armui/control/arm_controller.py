@@ -27,6 +27,7 @@ from armui.control.gripper import Gripper
 from armui.control.jogging import Jogging
 from armui.control.joint_errors import JointErrors
 from armui.control.lights import Lights
+from armui.control.linkage import Linkage
 from armui.control.motion import Motion
 from armui.control.motors import Motors
 from armui.control.notices import CODES
@@ -41,6 +42,7 @@ from armui.control.stop import StopKeeper, is_stopped
 from armui.control.teaching import Teaching
 from armui.control.zeroing import Zeroing
 from armui.protocol import commands
+from armui.protocol.frame import Frame
 
 if TYPE_CHECKING:
     from armui.bus.worker import Opener
@@ -77,6 +79,7 @@ class ArmController(QObject):
         recovery: The next step towards an arm that may be moved.
         zeroing: Sets the zeros of the joints.
         gripper: Moves the gripper.
+        linkage: Sets the arm's role and its identifiers.
 
     Signals:
         state_changed: An :class:`ArmState`, at most 30 times a second, when something was heard.
@@ -132,6 +135,7 @@ class ArmController(QObject):
             stop=self.emergency_stop,
             announce=self.step_changed.emit,
         )
+        self.linkage = Linkage(context, self.orders)
         self.gripper = Gripper(context, self.settings)
         self.zeroing = Zeroing(context, self.orders, before_zeroing=self.motion.halt)
         self._parts: tuple[Part, ...] = (
@@ -140,6 +144,7 @@ class ArmController(QObject):
             self.player,
             self.cartesian,
             self.gripper,
+            self.linkage,
             self.jogging,
             self.replayer,
             self.recorder,
@@ -218,8 +223,17 @@ class ArmController(QObject):
         if self._connection.device is None:
             self._notice("stop_not_sent")
             return
-        frames = commands.emergency_stop(self._connection.codec)
-        on_the_bus = self._stop.request(frames, self._clock())
+        codec, offsets = self._connection.codec, self._connection.offsets
+        frames = commands.emergency_stop(codec)
+        everywhere = [
+            Frame(shifted, frame.data)
+            for frame in frames
+            for shifted in codec.addressing.on_every_offset(frame.arbitration_id)
+        ]
+        doubtful = offsets.wished is not None or not offsets.certain
+        on_the_bus = self._stop.request(
+            everywhere if doubtful else frames, self._clock(), everywhere
+        )
         self._halt()
         self._notice("stop_sent" if on_the_bus else "stop_not_sent")
         self._refresh()
@@ -321,5 +335,6 @@ class ArmController(QObject):
             speed_percent=self.motion.speed_percent,
             running=self.player.running or self.replayer.running,
             generation=self._connection.generation,
+            offsets=self._connection.offsets,
         )
         return assess(self._state, around, now_s)

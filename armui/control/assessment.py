@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from armui.arm.device import Device
 from armui.arm.limits import FACTORY_LIMITS, plausible
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Six, is_fresh
 from armui.control import gate
+from armui.control.offsets import OffsetFollower
 from armui.control.situation import Busy, LinkState, Situation, StopState
 from armui.protocol.generation import Generation
 
@@ -27,6 +28,7 @@ class Circumstances:
     speed_percent: int
     running: bool
     generation: Generation | None
+    offsets: OffsetFollower = field(default_factory=OffsetFollower)
 
 
 def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
@@ -35,6 +37,7 @@ def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
     no_command = gate.why_no_command(around.link, around.stop, around.busy)
     cannot_run = _first(
         lambda: no_command,
+        lambda: None if around.offsets.certain else Refusal("control_offset_unknown"),
         lambda: gate.why_not_enabled(enabled),
         lambda: gate.why_not_ready(state),
     )
@@ -70,6 +73,8 @@ def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
         and state.status is not None
         and not state.status.value.reached,
         generation=around.generation,
+        addressing=around.offsets.addressing,
+        control_certain=around.offsets.certain,
         teaching_input=around.link is LinkState.OFFLINE
         and is_fresh(state.foreign_targets_s, now_s),
     )

@@ -11,6 +11,7 @@ from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, is_fresh
 from armui.bus.link import BusReport, BusState
+from armui.control.offsets import OffsetFollower
 from armui.control.situation import LinkState
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
@@ -47,6 +48,7 @@ class Connection(QObject):
         self.problem: Refusal | None = None
         self.handshake: Handshake | None = None
         self._codec: Codec | None = None
+        self.offsets = OffsetFollower()
 
     @property
     def codec(self) -> Codec:
@@ -92,6 +94,7 @@ class Connection(QObject):
         self.device = device
         self.problem = None
         self._codec = Codec(Generation.TWO)
+        self.offsets = OffsetFollower()
         self._bus_state = BusState.OPENING
         self._worker = BusWorker(device, self._opener, self._codec, self._clock, self)
         self._worker.reported.connect(self._on_report)
@@ -138,7 +141,9 @@ class Connection(QObject):
         # A handshake starts with an empty picture of the arm: that is no silence.
         self._last_feedback_s = state.last_feedback_s or self._last_feedback_s
         online = self._bus_state is BusState.OPEN and is_fresh(self._last_feedback_s, now_s)
-        if online and not self._online:
+        came = online and not self._online
+        moved = self._bus_state is BusState.OPEN and self.offsets.advance(state, now_s, came=came)
+        if came or moved:
             self.handshake = self._begin_handshake(self._worker, now_s)
         self._online = online
         if self.handshake is not None and online:
@@ -146,11 +151,12 @@ class Connection(QObject):
             self._codec = self.handshake.codec
         return state
 
-    @staticmethod
-    def _begin_handshake(worker: BusWorker, now_s: float) -> Handshake:
+    def _begin_handshake(self, worker: BusWorker, now_s: float) -> Handshake:
         from armui.control.handshake import Handshake  # noqa: PLC0415 - see open()
 
-        return Handshake(worker, now_s)
+        handshake = Handshake(worker, now_s, self.offsets.addressing)
+        self._codec = handshake.codec
+        return handshake
 
     def _on_report(self, report: BusReport) -> None:
         before, self._bus_state = self._bus_state, report.state

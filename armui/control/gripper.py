@@ -85,6 +85,8 @@ class Gripper:
             return Refusal("generation_unknown")
         if state.gripper is None or not is_fresh(state.gripper.at_s, context.clock()):
             return Refusal("gripper_silent")
+        if not situation.control_certain:
+            return Refusal("control_offset_unknown")
         if not moving:
             return None
         if situation.running:

@@ -8,6 +8,7 @@ from typing import Final, Protocol
 
 from armui.arm.state import ArmState
 from armui.protocol import commands
+from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
@@ -44,10 +45,10 @@ class Handshake:
         codec: What to speak now.
     """
 
-    def __init__(self, wire: Wire, now_s: float) -> None:
+    def __init__(self, wire: Wire, now_s: float, addressing: Addressing = Addressing()) -> None:  # noqa: B008 - frozen
         self.phase = Phase.GENERATION
         self.generation: Generation | None = None
-        self.codec = Codec(Generation.TWO)
+        self.codec = Codec(Generation.TWO, addressing)
         self._wire = wire
         self._started_s = now_s
         self._next_s = now_s
@@ -70,7 +71,7 @@ class Handshake:
         if state.firmware is not None:
             self._settle(Generation.TWO, now_s)
         elif now_s - self._started_s >= _VERSION_WAIT_S:
-            self.codec = Codec(Generation.ONE)
+            self.codec = Codec(Generation.ONE, self.codec.addressing)
             self._wire.use_codec(self.codec)
             self._settle(Generation.ONE, now_s)
         elif now_s >= self._next_s:

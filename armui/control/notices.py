@@ -44,6 +44,12 @@ CODES: Final[Mapping[str, Level]] = {
     "clear_error_sent": Level.INFO,  # joint
     "clear_error_answered": Level.DONE,  # joint
     "clear_error_unanswered": Level.FAULT,  # joint
+    "linkage_sent": Level.INFO,
+    "linkage_answered": Level.INFO,
+    "linkage_answered_input": Level.INFO,
+    "linkage_failed": Level.FAULT,  # reason
+    "linkage_in_use": Level.DONE,  # feedback, control
+    "linkage_found": Level.WARNING,  # feedback
     "gripper_sent": Level.INFO,  # value, unit
     "gripper_there": Level.DONE,  # value, unit
     "gripper_grips": Level.DONE,  # value, unit, torque
@@ -161,6 +167,9 @@ REFUSALS: Final = frozenset(
         "setting_unanswered",
         "setting_not_read_back",
         "setting_not_taken",  # parameter, joint, value, held
+        "control_offset_unknown",
+        "offset_not_possible",  # offset, value
+        "linkage_while_moving",
         "gripper_silent",
         "gripper_no_zero",
         "gripper_out_of_range",  # gripper, value, minimum, maximum, unit

@@ -11,6 +11,7 @@ from armui.arm.device import Device
 from armui.arm.limits import FACTORY_LIMITS, JointLimits
 from armui.arm.refusal import Refusal
 from armui.arm.state import Six
+from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation
 
 
@@ -70,6 +71,8 @@ class Situation:
         speed_percent: What motions are sent with.
         moving: The arm says that it has not reached its target, and is not stopped.
         generation: The protocol the arm speaks, once that is known.
+        addressing: The identifier offsets in use (0x470).
+        control_certain: Whether the arm is known to take commands under them.
         teaching_input: Commands are heard and no feedback: the arm is a teaching input (0x470).
     """
 
@@ -90,6 +93,8 @@ class Situation:
     running: bool = False
     generation: Generation | None = None
     teaching_input: bool = False
+    addressing: Addressing = field(default_factory=Addressing)
+    control_certain: bool = True
 
     @property
     def unreachable(self) -> Refusal | None:

@@ -25,7 +25,7 @@ class StopKeeper:
 
     def __init__(self, send: Callable[[Sequence[Frame]], bool]) -> None:
         self._send = send
-        self._frames: Sequence[Frame] = ()
+        self._again: Sequence[Frame] = ()
         self._requested_s: float | None = None
         self._last_sent_s = 0.0
 
@@ -38,9 +38,17 @@ class StopKeeper:
         """Whether the confirmation is overdue."""
         return self._requested_s is not None and now_s - self._requested_s > _UNCONFIRMED_S
 
-    def request(self, frames: Sequence[Frame], now_s: float) -> bool:
-        """Stop now; says whether the frames are on the bus."""
-        self._frames = frames
+    def request(
+        self, frames: Sequence[Frame], now_s: float, again: Sequence[Frame] | None = None
+    ) -> bool:
+        """Stop now; says whether the frames are on the bus.
+
+        Args:
+            frames: What stops it.
+            now_s: Monotonic time.
+            again: What is sent while it is not confirmed, if that differs.
+        """
+        self._again = frames if again is None else again
         if self._requested_s is None:
             self._requested_s = now_s
         self._last_sent_s = now_s
@@ -55,7 +63,7 @@ class StopKeeper:
             return True
         if now_s - self._last_sent_s >= _REPEAT_S:
             self._last_sent_s = now_s
-            self._send(self._frames)
+            self._send(self._again)
         return False
 
     def forget(self) -> None:

@@ -44,6 +44,14 @@ class Addressing:
             return arbitration_id + self.control_offset
         return arbitration_id
 
+    def on_every_offset(self, arbitration_id: int) -> tuple[int, ...]:
+        """A motion command's identifier on the bus under each offset there is, one's own first."""
+        base = self.from_wire(arbitration_id)
+        if base is None or base not in _CONTROL:
+            return (arbitration_id,)
+        others = (base + offset for offset in OFFSETS if offset != self.control_offset)
+        return (arbitration_id, *others)
+
     def from_wire(self, arbitration_id: int) -> int | None:
         """The identifier in the protocol's tables for one seen on the bus.
 

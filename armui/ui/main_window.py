@@ -28,6 +28,7 @@ from armui.ui.panels.end_limits_panel import EndLimitsPanel
 from armui.ui.panels.gripper_panel import GripperPanel
 from armui.ui.panels.joint_settings_panel import JointSettingsPanel
 from armui.ui.panels.light_panel import LightPanel
+from armui.ui.panels.linkage_panel import LinkagePanel
 from armui.ui.panels.motion_panel import MotionPanel
 from armui.ui.panels.motor_panel import MotorPanel
 from armui.ui.panels.parameter_panel import ParameterPanel
@@ -91,6 +92,12 @@ class MainWindow(QMainWindow):
                 str(QT_TRANSLATE_NOOP("SideMenu", "Light control")),
                 "light",
                 lambda: LightPanel(self._controller),
+            ),
+            MenuEntry(
+                "linkage",
+                str(QT_TRANSLATE_NOOP("SideMenu", "Linkage control")),
+                "linkage",
+                lambda: LinkagePanel(self._controller),
             ),
             MenuEntry(
                 "joint_settings",

@@ -20,7 +20,7 @@ from armui.control.setting_cell import Cell
 from armui.control.setting_checks import Changes
 from armui.control.situation import Level, LinkState, Situation
 from armui.control.teaching_phase import why_not
-from armui.protocol.codes import ALL_JOINTS, TeachingState, TrajectoryCommand
+from armui.protocol.codes import ALL_JOINTS, LinkageRole, TeachingState, TrajectoryCommand
 from armui.ui.theme import Theme, apply_theme
 
 NOW_S = 100.0
@@ -102,6 +102,7 @@ class FakeController(QObject):
         self.zeroing = FakeZeroing(self)
         self.settings = FakeSettings(self)
         self.gripper = FakeGripper(self)
+        self.linkage = FakeLinkage(self)
 
     # what a test makes it show
 
@@ -312,6 +313,19 @@ class FakeZeroing:
 
     def set_zero(self, joint: int = ALL_JOINTS) -> Refusal | None:
         return self._controller._asked("set_zero", joint)
+
+
+class FakeLinkage:
+    """The linkage of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+
+    def set(self, role: LinkageRole, **offsets: int) -> Refusal | None:
+        return self._controller._asked("set_linkage", role, offsets)
+
+    def release(self) -> Refusal | None:
+        return self._controller._asked("release_linkage")
 
 
 class FakeGripper:

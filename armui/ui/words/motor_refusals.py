@@ -8,6 +8,17 @@ from typing import Final
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 MOTOR_REFUSALS: Final[Mapping[str, object]] = {
+    "control_offset_unknown": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "On which identifiers the arm takes commands is not known. Set the offsets under Linkage "
+        "control; the emergency stop is sent on all of them.",
+    ),
+    "offset_not_possible": QT_TRANSLATE_NOOP(
+        "Refusal", "An offset of {value} is not possible. Choose 0x00, 0x10 or 0x20."
+    ),
+    "linkage_while_moving": QT_TRANSLATE_NOOP(
+        "Refusal", "The arm is moving. Wait until it stands still, then set the linkage."
+    ),
     "gripper_silent": QT_TRANSLATE_NOOP(
         "Refusal",
         "No gripper is heard. If one is mounted, check its cable and its power.",

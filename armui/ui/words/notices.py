@@ -90,6 +90,26 @@ _NOTICES: Final[Mapping[str, object]] = {
         "Joint {joint}: the arm did not confirm within a second the command to clear the error. "
         "Try again; if it stays silent, check the CAN cable.",
     ),
+    "linkage_sent": QT_TRANSLATE_NOOP("Notice", "Linkage setting sent"),
+    "linkage_answered": QT_TRANSLATE_NOOP(
+        "Notice",
+        "The arm has answered the linkage setting. It holds in standby, or after the arm was "
+        "switched off and on.",
+    ),
+    "linkage_answered_input": QT_TRANSLATE_NOOP(
+        "Notice",
+        "The arm has answered: it becomes a teaching input. Its feedback ends and it can be led "
+        "by hand.",
+    ),
+    "linkage_failed": QT_TRANSLATE_NOOP("Notice", "Linkage setting not confirmed. {reason}"),
+    "linkage_in_use": QT_TRANSLATE_NOOP(
+        "Notice", "Identifiers in use: feedback from {feedback}, commands from {control}."
+    ),
+    "linkage_found": QT_TRANSLATE_NOOP(
+        "Notice",
+        "An arm is heard with its feedback from {feedback}. On which identifiers it takes commands "
+        "is not known: set them under Linkage control.",
+    ),
     "gripper_sent": QT_TRANSLATE_NOOP("Notice", "Gripper: sent to {value} {unit}"),
     "gripper_there": QT_TRANSLATE_NOOP("Notice", "The gripper is at {value} {unit}."),
     "gripper_grips": QT_TRANSLATE_NOOP(

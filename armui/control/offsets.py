@@ -1,0 +1,112 @@
+"""Which identifiers the arm uses (0x470): asked for, heard, followed. Pure; driven by the link.
+
+What moves is 0x2A1–0x2A8 and 0x150–0x15F. The feedback tells its own offset; the offset of the
+commands cannot be heard or asked for, so it is known only from what was set and seen to be taken.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+from armui.arm.state import ArmState, is_fresh
+from armui.protocol.addressing import OFFSETS, Addressing
+from armui.protocol.codes import ArmStatusCode, ControlMode
+
+_SILENT_S: Final = 0.5
+"""So long the known feedback must be away before another is taken for the same arm's."""
+_SETTLED_S: Final = 0.05
+"""A status this much after the setting was made after it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Wished:
+    """Offsets that were sent to the arm and have not been seen in use."""
+
+    addressing: Addressing
+    since_s: float
+
+
+class OffsetFollower:
+    """Decides under which identifiers the arm is spoken to.
+
+    Two arms with different offsets are never mixed: as long as the feedback in use goes on, other
+    feedback is another arm's.
+
+    Attributes:
+        addressing: What is in use.
+        control_known: Whether the arm takes commands under it: false for an arm that was found
+            with shifted feedback and has not been set since.
+        wished: What was sent and may come into use at any time.
+    """
+
+    def __init__(self) -> None:
+        self.addressing = Addressing()
+        self.control_known = True
+        self.wished: Wished | None = None
+        self._listening_since_s: float | None = None
+
+    @property
+    def certain(self) -> bool:
+        """Whether commands reach the arm.
+
+        Feedback and commands move together: while the old feedback is heard, so are old commands,
+        unless only the commands are to move.
+        """
+        wished = self.wished
+        moves_unseen = (
+            wished is not None
+            and wished.addressing.feedback_offset == self.addressing.feedback_offset
+        )
+        return self.control_known and not moves_unseen
+
+    def wish(self, addressing: Addressing, now_s: float) -> None:
+        """Offsets have been sent to the arm: it may use them from now on, or later."""
+        same = addressing == self.addressing and self.control_known
+        self.wished = None if same and self.wished is None else Wished(addressing, now_s)
+
+    def advance(self, state: ArmState, now_s: float, *, came: bool) -> bool:
+        """Take in what was heard; whether other identifiers are in use from now on.
+
+        Args:
+            state: The arm as heard.
+            now_s: Monotonic time.
+            came: It has come online just now: what it keeps is in use after a power cycle.
+        """
+        if self._listening_since_s is None:
+            self._listening_since_s = now_s
+        wished = self.wished
+        if wished is not None and self._taken_unseen(wished, state, came=came):
+            return self._use(wished.addressing, now_s, known=True)
+        own = OFFSETS.index(self.addressing.feedback_offset)
+        last_s = max(state.status_heard_s[own] or 0.0, self._listening_since_s)
+        if now_s - last_s < _SILENT_S:
+            return False
+        heard = [
+            offset
+            for offset, at_s in zip(OFFSETS, state.status_heard_s, strict=True)
+            if is_fresh(at_s, now_s) and offset != self.addressing.feedback_offset
+        ]
+        if wished is not None and wished.addressing.feedback_offset in heard:
+            return self._use(wished.addressing, now_s, known=True)
+        if not heard:
+            return False
+        # nothing tells the offset of the commands; 0x00 would be a guess
+        return self._use(Addressing(heard[0], self.addressing.control_offset), now_s, known=False)
+
+    def _taken_unseen(self, wished: Wished, state: ArmState, *, came: bool) -> bool:
+        """Only the commands move: the arm takes that in standby, or when it is switched on."""
+        if wished.addressing.feedback_offset != self.addressing.feedback_offset:
+            return False
+        status = state.status
+        if status is None or status.at_s < wished.since_s + _SETTLED_S:
+            return False
+        standby = status.value.control_mode == ControlMode.STANDBY
+        return came or (standby and status.value.arm_status != ArmStatusCode.EMERGENCY_STOP)
+
+    def _use(self, addressing: Addressing, now_s: float, *, known: bool) -> bool:
+        moved = addressing != self.addressing
+        self.addressing, self.control_known = addressing, known
+        self.wished = None
+        self._listening_since_s = now_s
+        return moved

@@ -1,0 +1,279 @@
+"""联动控制: the arm's role beside another arm, and the offsets of its identifiers (0x470)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QEvent
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QComboBox,
+    QFrame,
+    QGridLayout,
+    QLabel,
+    QPushButton,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from armui.arm.refusal import Refusal
+from armui.control.situation import Level, LinkState, Notice, Situation
+from armui.protocol.addressing import OFFSETS
+from armui.protocol.codes import LinkageRole
+from armui.ui import words
+from armui.ui.dialogs.confirm import confirm
+from armui.ui.widgets.card import scrolled
+from armui.ui.widgets.message_line import MessageLine
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_TALLEST_CARD_PX: Final = 400
+_BASES: Final = {"feedback": (0x2A1, 0x2A8), "control": (0x150, 0x15F), "target": (0x150, 0x15F)}
+
+
+class LinkagePanel(QWidget):
+    """What is to be set; which identifiers are in use; what a teaching input is, and the way back.
+
+    Args:
+        controller: Whom to tell.
+    """
+
+    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._controller = controller
+        self._situation = controller.situation
+        self._refusal: Refusal | None = None
+        self._notice: Notice | None = None
+        self._title = QLabel()
+        self._title.setProperty("rank", "title")
+        self._role_label = QLabel()
+        self._roles = QButtonGroup(self)
+        self._role_buttons = {
+            LinkageRole.TEACHING_INPUT: QToolButton(),
+            LinkageRole.MOTION_OUTPUT: QToolButton(),
+        }
+        self._labels = {name: QLabel() for name in _BASES}
+        self._boxes = {name: QComboBox() for name in _BASES}
+        self._in_use = QLabel()
+        self._in_use.setObjectName("linkage_in_use")
+        self._in_use.setWordWrap(True)
+        self._teaching = QLabel()
+        self._teaching.setObjectName("linkage_teaching_input")
+        self._teaching.setWordWrap(True)
+        self._back = QPushButton()
+        self._back.setObjectName("linkage_back_button")
+        self._confirm = QPushButton()
+        self._confirm.setObjectName("linkage_confirm_button")
+        self._confirm.setProperty("primary", True)
+        self._confirm.setMinimumHeight(38)
+        self._note = QLabel()
+        self._note.setProperty("rank", "muted")
+        self._note.setWordWrap(True)
+        self._message = MessageLine()
+        self._message.setObjectName("linkage_message")
+        self._lay_out()
+        self._confirm.clicked.connect(self._ask)
+        self._back.clicked.connect(lambda: self._took(controller.linkage.release()))
+        controller.situation_changed.connect(self._on_situation_changed)
+        controller.noticed.connect(self._on_noticed)
+        self.retranslate_ui()
+
+    def _lay_out(self) -> None:
+        card = QFrame()
+        grid = QGridLayout(card)
+        grid.setContentsMargins(16, 12, 16, 12)
+        grid.setHorizontalSpacing(10)
+        grid.setVerticalSpacing(10)
+        grid.addWidget(self._role_label, 0, 0, 1, 2)
+        for row, (role, button) in enumerate(self._role_buttons.items(), start=1):
+            button.setObjectName(
+                "linkage_input" if role is LinkageRole.TEACHING_INPUT else "linkage_output"
+            )
+            button.setCheckable(True)
+            button.setProperty("choice", True)
+            button.setSizePolicy(self._confirm.sizePolicy())
+            self._roles.addButton(button, int(role))
+            grid.addWidget(button, row, 0, 1, 2)
+        self._role_buttons[LinkageRole.MOTION_OUTPUT].setChecked(True)
+        for row, (name, box) in enumerate(self._boxes.items(), start=3):
+            box.setObjectName(f"linkage_{name}_offset")
+            first, last = _BASES[name]
+            for offset in OFFSETS:
+                span = f"0x{first + offset:03X}–0x{last + offset:03X}"
+                box.addItem(f"0x{offset:02X}  ({span})", offset)
+            self._labels[name].setBuddy(box)
+            self._labels[name].setWordWrap(True)
+            grid.addWidget(self._labels[name], row, 0)
+            grid.addWidget(box, row, 1)
+        grid.addWidget(self._in_use, 6, 0, 1, 2)
+        grid.setColumnStretch(0, 1)
+        grid.setRowStretch(7, 1)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(16, 14, 16, 14)
+        layout.setSpacing(12)
+        layout.addWidget(self._title)
+        layout.addWidget(self._teaching)
+        layout.addWidget(self._back)
+        layout.addWidget(scrolled(card, _TALLEST_CARD_PX), 1)
+        layout.addWidget(self._confirm)
+        layout.addWidget(self._note)
+        layout.addWidget(self._message)
+        layout.addStretch(0)
+
+    # -- actions ------------------------------------------------------------------------------
+
+    def _ask(self) -> None:
+        becomes_input = self._roles.checkedId() == LinkageRole.TEACHING_INPUT
+        what = (
+            self.tr(
+                "The arm becomes a teaching input: its feedback ends, it can be led by hand, obeys "
+                "no command and sends its own to the following arm."
+            )
+            if becomes_input
+            else self.tr(
+                "The arm becomes, or stays, a motion output arm. The program listens and talks on "
+                "the identifiers that the offsets lead to."
+            )
+        )
+        rest = self.tr(
+            "Every arm on this bus obeys this setting: leave only the one meant connected. The arm "
+            "keeps it when switched off. It holds in standby, or after the arm was switched off "
+            "and on."
+        )
+        confirm(
+            self.window(),
+            self._controller,
+            title=self.tr("Set the linkage"),
+            text=f"{what}\n{rest}",
+            action_label=self.tr("Confirm"),
+            on_confirmed=self._set,
+        )
+
+    def _set(self) -> None:
+        offsets = {name: int(box.currentData()) for name, box in self._boxes.items()}
+        self._took(
+            self._controller.linkage.set(
+                LinkageRole(self._roles.checkedId()),
+                feedback_offset=offsets["feedback"],
+                control_offset=offsets["control"],
+                target_offset=offsets["target"],
+            )
+        )
+
+    def _took(self, refusal: Refusal | None) -> None:
+        self._refusal = refusal
+        self._show_message()
+
+    # -- appearance ---------------------------------------------------------------------------
+
+    def _on_noticed(self, notice: Notice) -> None:
+        if notice.code.startswith("linkage_"):
+            self._refusal, self._notice = None, notice
+            self._show_message()
+
+    def _on_situation_changed(self, situation: Situation) -> None:
+        old, self._situation = self._situation, situation
+        if old.device != situation.device:
+            self._refusal = self._notice = None
+        if self.isVisible():
+            self._show_all()
+
+    def _show_all(self) -> None:
+        situation = self._situation
+        teaching = situation.teaching_input
+        self._teaching.setVisible(teaching)
+        self._back.setVisible(teaching)
+        link = situation.link
+        reachable = link in {LinkState.ONLINE, LinkState.OFFLINE}
+        unreachable = situation.unreachable
+        why_not = "" if reachable or unreachable is None else words.refusal(unreachable)
+        self._confirm.setEnabled(reachable)
+        self._confirm.setToolTip(why_not or self.tr("Says what will change, and asks first."))
+        self._show_in_use()
+        self._show_message()
+
+    def _show_in_use(self) -> None:
+        situation = self._situation
+        if situation.link is not LinkState.ONLINE:
+            self._in_use.setText(self.tr("In use: —"))
+            return
+        addressing = situation.addressing
+        control = (
+            f"0x{0x150 + addressing.control_offset:03X}–0x{0x15F + addressing.control_offset:03X}"
+            if situation.control_certain
+            else self.tr("not known")
+        )
+        self._in_use.setText(
+            self.tr("In use: feedback {feedback}, commands {control}").format(
+                feedback=f"0x{0x2A1 + addressing.feedback_offset:03X}–"
+                f"0x{0x2A8 + addressing.feedback_offset:03X}",
+                control=control,
+            )
+        )
+
+    def _show_message(self) -> None:
+        situation = self._situation
+        refusal = self._refusal
+        if refusal is None and not situation.control_certain:
+            refusal = Refusal("control_offset_unknown")
+        if refusal is None and not situation.teaching_input and self._notice is None:
+            refusal = situation.unreachable
+        if refusal is not None:
+            level = {"not_connected": Level.INFO, "link_lost": Level.FAULT}.get(refusal.code)
+            self._message.show_message(words.refusal(refusal), level or Level.WARNING)
+        elif self._notice is not None:
+            self._message.show_message(words.notice(self._notice), self._notice.level)
+        else:
+            self._message.show_message("")
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._title.setText(self.tr("Linkage control"))
+        self._role_label.setText(self.tr("Linkage setting"))
+        for role, text in (
+            (LinkageRole.TEACHING_INPUT, self.tr("Master arm (teaching input arm)")),
+            (LinkageRole.MOTION_OUTPUT, self.tr("Slave arm (motion output arm)")),
+        ):
+            self._role_buttons[role].setText(text)
+            self._role_buttons[role].setAccessibleName(text)
+        for name, text in (
+            ("feedback", self.tr("Feedback offset")),
+            ("control", self.tr("Control offset")),
+            ("target", self.tr("Address offset")),
+        ):
+            self._labels[name].setText(text)
+            self._boxes[name].setAccessibleName(text)
+        self._boxes["target"].setToolTip(
+            self.tr("Where a teaching input sends its commands: the control offset of its follower")
+        )
+        self._teaching.setText(
+            self.tr(
+                "The arm on this bus is a teaching input: it sends commands for a following arm "
+                "and no feedback. It obeys nothing but this:"
+            )
+        )
+        self._back.setText(self.tr("Back to a motion output arm without offsets"))
+        self._back.setAccessibleName(self._back.text())
+        self._confirm.setText(self.tr("Confirm"))
+        self._confirm.setAccessibleName(f"{self._title.text()}: {self._confirm.text()}")
+        self._note.setText(
+            self.tr(
+                "The arm cannot be asked for this setting: what counts is where its feedback is "
+                "heard."
+            )
+        )
+        self._show_all()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with what went by while the panel was hidden."""
+        super().showEvent(event)
+        self._show_all()

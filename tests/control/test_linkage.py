@@ -1,0 +1,173 @@
+"""联动控制: the literal bytes, and under which identifiers the arm is heard, moved and stopped."""
+
+import can
+import pytest
+
+from armui.control.offsets import OffsetFollower
+from armui.control.situation import LinkState
+from armui.protocol.addressing import Addressing
+from armui.protocol.codes import LinkageRole
+from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
+from armui.sim.settings import Linkage
+from tests.faulty_arm import HardOfHearing
+
+OUTPUT, INPUT = LinkageRole.MOTION_OUTPUT, LinkageRole.TEACHING_INPUT
+STOP = bytes.fromhex("01 00 00 00 00 00 00 00")
+
+
+@pytest.fixture
+def arm(any_bench):
+    any_bench.connect()
+    any_bench.ear = HardOfHearing(any_bench.firmware)
+    any_bench.linkage = any_bench.controller.linkage
+    return any_bench
+
+
+def used(arm):
+    return arm.controller.situation.addressing
+
+
+def wait_for(arm, addressing):
+    arm.run_until(lambda: used(arm) == addressing and arm.controller.situation.control_certain)
+    arm.run_until(lambda: arm.controller.state.angles_deg() is not None)
+    arm.run_until(lambda: None not in arm.controller.situation.enabled)
+
+
+def with_id(arm, arbitration_id):
+    return [frame for frame in arm.ear.heard if frame.arbitration_id == arbitration_id]
+
+
+def test_both_offsets(arm, generation):
+    assert arm.linkage.set(OUTPUT, feedback_offset=0x10, control_offset=0x20) is None
+    wait_for(arm, Addressing(0x10, 0x20))
+    padding = "" if generation is Generation.ONE else "00 00 00 00"
+    assert with_id(arm, 0x470) == [Frame(0x470, bytes.fromhex("FC 10 20 00" + padding))]
+    assert arm.firmware.addressing == Addressing(0x10, 0x20)
+    assert {"linkage_sent", "linkage_answered", "linkage_in_use"} <= set(arm.codes())
+    arm.run_until(lambda: arm.controller.situation.generation is generation)
+
+
+def test_it_moves_under_the_new_identifiers(arm):
+    arm.linkage.set(OUTPUT, feedback_offset=0x20, control_offset=0x10)
+    wait_for(arm, Addressing(0x20, 0x10))
+    assert arm.controller.motors.enable() is None
+    arm.run_until(lambda: arm.controller.situation.cannot_move is None)
+    arm.ear.heard.clear()
+    assert arm.controller.motion.send_joints((5.0, 0.0, 0.0, 0.0, 0.0, 0.0)) is None
+    arm.run_until(lambda: arm.controller.situation.moving)
+    ids = {frame.arbitration_id for frame in arm.ear.heard}
+    assert {0x161, 0x165, 0x166, 0x167} <= ids
+    assert not ids & {0x151, 0x155, 0x156, 0x157}
+    arm.ear.heard.clear()
+    arm.controller.emergency_stop()
+    arm.run_until(lambda: "stop_confirmed" in arm.codes())
+    assert arm.ear.heard[0] == Frame(0x160, STOP)
+    assert with_id(arm, 0x150) == with_id(arm, 0x170) == []
+
+
+def test_only_the_commands_move(arm):
+    arm.linkage.set(OUTPUT, control_offset=0x10)
+    assert not arm.controller._connection.offsets.certain
+    wait_for(arm, Addressing(0x00, 0x10))
+    assert arm.firmware.addressing == Addressing(0x00, 0x10)
+
+
+def test_until_standby_it_is_not_sure_and_the_stop_goes_everywhere(any_bench):
+    arm = any_bench
+    arm.ready()
+    arm.controller.motion.jog(1, 0.1)  # CAN control
+    arm.run(1.0)
+    arm.ear = HardOfHearing(arm.firmware)
+    arm.controller.linkage.set(OUTPUT, control_offset=0x20)
+    arm.run(0.5)
+    assert arm.controller.situation.cannot_move.code == "control_offset_unknown"
+    assert used(arm) == Addressing()
+    arm.ear.heard.clear()
+    arm.controller.emergency_stop()
+    arm.run(0.05)
+    assert [frame.arbitration_id for frame in arm.ear.heard] == [0x150, 0x160, 0x170]
+    assert all(frame.data == STOP for frame in arm.ear.heard)
+    arm.run_until(lambda: "stop_confirmed" in arm.codes())
+
+
+def test_a_stop_that_is_not_confirmed_goes_everywhere(arm):
+    arm.ear.deaf_to = {0x150}
+    arm.controller.emergency_stop()
+    arm.run(0.3)
+    assert {frame.arbitration_id for frame in arm.ear.heard} == {0x160, 0x170}
+
+
+def test_an_arm_left_with_offsets_is_found(any_bench):
+    arm = any_bench
+    arm.firmware.settings.linkage = Linkage(OUTPUT, 0x10, 0x20)
+    arm.firmware._take_linkage()
+    arm.controller.connect_device(arm.device)
+    arm.run_until(lambda: "linkage_found" in arm.codes())
+    arm.run_until(lambda: arm.controller.state.angles_deg() is not None)
+    assert used(arm).feedback_offset == 0x10
+    assert not arm.controller.situation.control_certain
+    arm.run_until(lambda: "limits_read" in arm.codes())
+    assert arm.controller.motors.enable() is None
+    arm.run_until(lambda: all(arm.controller.situation.enabled))
+    assert arm.controller.situation.cannot_move.code == "control_offset_unknown"
+    arm.controller.emergency_stop()
+    arm.run_until(lambda: "stop_confirmed" in arm.codes(), seconds=0.5)
+
+
+def test_a_teaching_input_and_the_way_back(arm):
+    arm.linkage.set(INPUT, target_offset=0x10)
+    arm.run_until(lambda: arm.controller.situation.teaching_input)
+    assert arm.firmware.leads
+    assert "linkage_answered_input" in arm.codes()
+    assert arm.controller.situation.link is LinkState.OFFLINE
+    assert arm.linkage.release() is None
+    wait_for(arm, Addressing())
+    assert not arm.firmware.leads
+    assert with_id(arm, 0x470)[-1].data[:4] == bytes.fromhex("FC 00 00 00")
+
+
+def test_no_answer(arm):
+    arm.ear.deaf_to = {0x470}
+    arm.linkage.set(OUTPUT, feedback_offset=0x10)
+    arm.run_until(lambda: "linkage_failed" in arm.codes())
+    assert used(arm) == Addressing()
+    failed = next(each for each in arm.notices if each.code == "linkage_failed")
+    assert failed.params["reason"].code == "setting_unanswered"
+
+
+def test_an_answer_that_got_lost_does_not_lose_the_arm(arm):
+    arm.ear.mute_on = {0x476}
+    arm.linkage.set(OUTPUT, feedback_offset=0x20, control_offset=0x20)
+    wait_for(arm, Addressing(0x20, 0x20))
+
+
+def test_another_arm_on_the_bus_is_not_mixed_in(arm, request):
+    with can.Bus(interface="virtual", channel=arm._channel) as other:
+        for _ in range(60):
+            other.send(can.Message(arbitration_id=0x2B1, data=bytes(8), is_extended_id=False))
+            other.send(can.Message(arbitration_id=0x2B5, data=b"\x7f" * 8, is_extended_id=False))
+            arm.step()
+    assert used(arm) == Addressing()
+    assert arm.controller.state.angles_deg() == (0.0,) * 6
+
+
+def test_refused(any_bench):
+    linkage = any_bench.controller.linkage
+    assert linkage.release().code == "not_connected"
+    any_bench.ready()
+    assert linkage.set(OUTPUT, feedback_offset=0x30).code == "offset_not_possible"
+    any_bench.controller.motion.send_joints((20.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    any_bench.run_until(lambda: any_bench.controller.situation.moving)
+    assert linkage.release().code == "linkage_while_moving"
+
+
+def test_what_is_the_same_is_no_wish():
+    follower = OffsetFollower()
+    follower.wish(Addressing(), 1.0)
+    assert follower.wished is None
+    assert follower.certain
+    follower.wish(Addressing(0x10, 0x00), 1.0)
+    assert follower.certain  # the old feedback vouches for the old commands
+    follower.wish(Addressing(0x00, 0x10), 1.0)
+    assert not follower.certain

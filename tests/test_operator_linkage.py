@@ -1,0 +1,98 @@
+"""An operator at 联动控制 of the main window: bytes at the arm, words on screen."""
+
+import pytest
+
+from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
+from armui.ui.dialogs.confirm import ConfirmDialog
+from tests.faulty_arm import HardOfHearing
+
+
+@pytest.fixture
+def link(any_desk):
+    any_desk.connect_by_hand()
+    any_desk.click("menu_linkage")
+    any_desk.ear = HardOfHearing(any_desk.firmware)
+    return any_desk
+
+
+def choose(desk, name, place):
+    desk.find(f"linkage_{name}_offset").setCurrentIndex(place)
+
+
+def sent(desk):
+    return [frame for frame in desk.ear.heard if frame.arbitration_id == 0x470]
+
+
+def test_offsets_asked_about_sent_and_followed(link, generation):
+    assert link.read("linkage_in_use") == ("In use: feedback 0x2A1–0x2A8, commands 0x150–0x15F")
+    choose(link, "feedback", 1)
+    choose(link, "control", 2)
+    link.click("linkage_confirm_button")
+    text = link.dialog(ConfirmDialog).text()
+    assert "Every arm on this bus obeys this setting" in text
+    assert "keeps it when switched off" in text
+    link.run(0.1)
+    assert sent(link) == []
+    link.confirm()
+    link.run_until(lambda: "linkage_in_use" in link.codes())
+    padding = "" if generation is Generation.ONE else "00 00 00 00"
+    assert sent(link) == [Frame(0x470, bytes.fromhex("FC 10 20 00" + padding))]
+    assert link.firmware.settings.linkage.control_offset == 0x20
+    link.step()
+    assert link.read("linkage_in_use") == "In use: feedback 0x2B1–0x2B8, commands 0x170–0x17F"
+    assert "feedback from 0x2B1, commands from 0x170" in link.read("linkage_message")
+    link.run_until(lambda: link.controller.state.angles_deg() is not None)
+
+
+def test_a_teaching_input_is_explained_and_led_back(link):
+    assert not link.find("linkage_back_button").isVisible()
+    link.click("linkage_input")
+    link.click("linkage_confirm_button")
+    assert "its feedback ends" in link.dialog(ConfirmDialog).text()
+    link.confirm()
+    link.run_until(lambda: link.find("linkage_back_button").isVisible())
+    assert "is a teaching input" in link.read("linkage_teaching_input")
+    assert link.read("linkage_in_use") == "In use: —"
+    link.click("linkage_back_button")
+    link.run_until(lambda: not link.find("linkage_back_button").isVisible())
+    assert sent(link)[-1].data[:4] == bytes.fromhex("FC 00 00 00")
+    assert not link.firmware.leads
+
+
+def test_no_answer_is_said(link):
+    link.ear.deaf_to = {0x470}
+    choose(link, "feedback", 1)
+    link.click("linkage_confirm_button")
+    link.confirm()
+    link.run(1.5)
+    assert "Linkage setting not confirmed" in link.read("linkage_message")
+    assert link.read("linkage_in_use").startswith("In use: feedback 0x2A1")
+
+
+def test_cancelled_nothing_is_sent(link):
+    link.click("linkage_input")
+    link.click("linkage_confirm_button")
+    link.click(link.dialog(ConfirmDialog).cancel_button)
+    link.run(0.3)
+    assert sent(link) == []
+
+
+def test_without_an_arm(any_desk):
+    any_desk.click("menu_linkage")
+    assert not any_desk.find("linkage_confirm_button").isEnabled()
+    assert "No arm is connected" in any_desk.read("linkage_message")
+    assert any_desk.read("linkage_in_use") == "In use: —"
+
+
+def test_the_makers_words(link):
+    link.store.change(language="zh")
+    link.step()
+    try:
+        assert link.read("menu_linkage").strip() == "联动控制"
+        assert link.read("linkage_input") == "主臂（示教输入臂）"
+        assert link.read("linkage_output") == "从臂（运动输出臂）"
+        assert link.read("linkage_confirm_button") == "确认"
+    finally:
+        link.store.change(language="en")
+        link.step()
