@@ -162,6 +162,13 @@ def _linkage_question(desk: Desk) -> QDialog:
     return desk.dialog(ConfirmDialog)
 
 
+def _end_load(desk: Desk) -> None:
+    desk.click("menu_end_load")
+    desk.click("load_half")
+    desk.click("end_feedback_button")
+    desk.run_until(lambda: "end_feedback_on" in desk.codes())
+
+
 def _gripper(desk: Desk) -> None:
     desk.click("menu_gripper")
     desk.run(0.3)
@@ -262,6 +269,7 @@ WINDOW_SCENES = (
     Scene("collision-levels", _levels),
     Scene("linkage", _linkage),
     Scene("gripper", _gripper),
+    Scene("end-load", _end_load),
     Scene("moving", _moving),
     Scene("refused", _refused),
     Scene("tool", _tool),

@@ -23,6 +23,7 @@ from armui.control.cartesian import Cartesian
 from armui.control.connection import Connection
 from armui.control.context import Context, Part
 from armui.control.device_finder import DeviceFinder
+from armui.control.end_reports import EndReports
 from armui.control.gripper import Gripper
 from armui.control.jogging import Jogging
 from armui.control.joint_errors import JointErrors
@@ -79,6 +80,7 @@ class ArmController(QObject):
         recovery: The next step towards an arm that may be moved.
         zeroing: Sets the zeros of the joints.
         gripper: Moves the gripper.
+        end_reports: Sets the load, switches the feedback of the end's motion.
         linkage: Sets the arm's role and its identifiers.
 
     Signals:
@@ -135,6 +137,7 @@ class ArmController(QObject):
             stop=self.emergency_stop,
             announce=self.step_changed.emit,
         )
+        self.end_reports = EndReports(context, self.orders)
         self.linkage = Linkage(context, self.orders)
         self.gripper = Gripper(context, self.settings)
         self.zeroing = Zeroing(context, self.orders, before_zeroing=self.motion.halt)

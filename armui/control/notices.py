@@ -44,6 +44,13 @@ CODES: Final[Mapping[str, Level]] = {
     "clear_error_sent": Level.INFO,  # joint
     "clear_error_answered": Level.DONE,  # joint
     "clear_error_unanswered": Level.FAULT,  # joint
+    "load_sent": Level.INFO,  # load
+    "load_answered": Level.DONE,  # load
+    "load_failed": Level.FAULT,  # reason
+    "end_feedback_sent": Level.INFO,
+    "end_feedback_on": Level.DONE,
+    "end_feedback_off": Level.DONE,
+    "end_feedback_failed": Level.FAULT,  # reason
     "linkage_sent": Level.INFO,
     "linkage_answered": Level.INFO,
     "linkage_answered_input": Level.INFO,
@@ -167,6 +174,9 @@ REFUSALS: Final = frozenset(
         "setting_unanswered",
         "setting_not_read_back",
         "setting_not_taken",  # parameter, joint, value, held
+        "load_not_chosen",
+        "load_while_moving",
+        "end_feedback_goes_on",
         "control_offset_unknown",
         "offset_not_possible",  # offset, value
         "linkage_while_moving",

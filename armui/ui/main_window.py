@@ -25,6 +25,7 @@ from armui.ui.freshness import is_stale
 from armui.ui.panels.cartesian_panel import CartesianPanel
 from armui.ui.panels.collision_panel import CollisionPanel
 from armui.ui.panels.end_limits_panel import EndLimitsPanel
+from armui.ui.panels.end_load_panel import EndLoadPanel
 from armui.ui.panels.gripper_panel import GripperPanel
 from armui.ui.panels.joint_settings_panel import JointSettingsPanel
 from armui.ui.panels.light_panel import LightPanel
@@ -128,6 +129,12 @@ class MainWindow(QMainWindow):
                 str(QT_TRANSLATE_NOOP("SideMenu", "Gripper control")),
                 "gripper",
                 lambda: GripperPanel(self._controller),
+            ),
+            MenuEntry(
+                "end_load",
+                str(QT_TRANSLATE_NOOP("SideMenu", "End load")),
+                "load",
+                lambda: EndLoadPanel(self._controller),
             ),
             MenuEntry(
                 "teaching",

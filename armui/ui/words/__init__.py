@@ -5,7 +5,7 @@ The words are looked up at every call, so a caller that asks again after the lan
 """
 
 from armui.ui.words.devices import device_name
-from armui.ui.words.gripper import gripper_act, gripper_fault, gripper_figure
+from armui.ui.words.gripper import end_load, gripper_act, gripper_fault, gripper_figure
 from armui.ui.words.joints import joint_item, joint_verdict, joint_word
 from armui.ui.words.notices import notice
 from armui.ui.words.refusals import light_figure, refusal
@@ -25,6 +25,7 @@ __all__ = [
     "control_mode",
     "control_mode_short",
     "device_name",
+    "end_load",
     "gripper_act",
     "gripper_fault",
     "gripper_figure",

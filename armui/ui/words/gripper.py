@@ -8,6 +8,7 @@ from typing import Final
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
 from armui.arm.gripper import GripperFault
+from armui.protocol.codes import EndLoad
 from armui.ui.words.text import sentence
 
 _FIGURES: Final[Mapping[str, object]] = {
@@ -32,6 +33,19 @@ _FAULTS: Final[Mapping[GripperFault, object]] = {
     GripperFault.SENSOR: QT_TRANSLATE_NOOP("GripperFault", "sensor abnormal"),
     GripperFault.DRIVER: QT_TRANSLATE_NOOP("GripperFault", "driver error"),
 }
+
+
+_LOADS: Final[Mapping[EndLoad, object]] = {
+    EndLoad.EMPTY: QT_TRANSLATE_NOOP("EndLoad", "No load"),
+    EndLoad.HALF: QT_TRANSLATE_NOOP("EndLoad", "Half load"),
+    EndLoad.FULL: QT_TRANSLATE_NOOP("EndLoad", "Full load"),
+    EndLoad.NOT_GIVEN: QT_TRANSLATE_NOOP("EndLoad", "Not given"),
+}
+
+
+def end_load(load: EndLoad) -> str:
+    """What the arm carries («半载»)."""
+    return QCoreApplication.translate("EndLoad", str(_LOADS[load]))
 
 
 def gripper_figure(name: str) -> str:

@@ -8,6 +8,13 @@ from typing import Final
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 MOTOR_REFUSALS: Final[Mapping[str, object]] = {
+    "load_not_chosen": QT_TRANSLATE_NOOP("Refusal", "No end load is chosen. Choose one first."),
+    "load_while_moving": QT_TRANSLATE_NOOP(
+        "Refusal", "The arm is moving. Wait until it stands still, then set the end load."
+    ),
+    "end_feedback_goes_on": QT_TRANSLATE_NOOP(
+        "Refusal", "The arm has answered, but goes on reporting. Try again."
+    ),
     "control_offset_unknown": QT_TRANSLATE_NOOP(
         "Refusal",
         "On which identifiers the arm takes commands is not known. Set the offsets under Linkage "

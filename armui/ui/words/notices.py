@@ -10,9 +10,9 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.control.situation import Notice
-from armui.protocol.codes import TeachingState, TrajectoryCommand
+from armui.protocol.codes import EndLoad, TeachingState, TrajectoryCommand
 from armui.ui.words.devices import device_name
-from armui.ui.words.gripper import gripper_act
+from armui.ui.words.gripper import end_load, gripper_act
 from armui.ui.words.refusals import refusal
 from armui.ui.words.teaching import teaching_command, trajectory_command
 from armui.ui.words.text import sentence
@@ -89,6 +89,19 @@ _NOTICES: Final[Mapping[str, object]] = {
         "Notice",
         "Joint {joint}: the arm did not confirm within a second the command to clear the error. "
         "Try again; if it stays silent, check the CAN cable.",
+    ),
+    "load_sent": QT_TRANSLATE_NOOP("Notice", "End load sent: {load}"),
+    "load_answered": QT_TRANSLATE_NOOP(
+        "Notice", "The arm has answered the end load: {load}. It cannot be asked for it."
+    ),
+    "load_failed": QT_TRANSLATE_NOOP("Notice", "End load not confirmed. {reason}"),
+    "end_feedback_sent": QT_TRANSLATE_NOOP("Notice", "Switching the feedback of the end's motion"),
+    "end_feedback_on": QT_TRANSLATE_NOOP("Notice", "The arm reports the motion of its end."),
+    "end_feedback_off": QT_TRANSLATE_NOOP(
+        "Notice", "The arm no longer reports the motion of its end."
+    ),
+    "end_feedback_failed": QT_TRANSLATE_NOOP(
+        "Notice", "The feedback of the end's motion is not switched. {reason}"
     ),
     "linkage_sent": QT_TRANSLATE_NOOP("Notice", "Linkage setting sent"),
     "linkage_answered": QT_TRANSLATE_NOOP(
@@ -226,6 +239,8 @@ def notice(event: Notice) -> str:
         params["plan"] = trajectory_command(TrajectoryCommand(plan))
     if isinstance(act := params.get("act"), str):
         params["act"] = gripper_act(act)
+    if isinstance(load := params.get("load"), int):
+        params["load"] = end_load(EndLoad(load))
     source = _NOTICES.get(event.code)
     if source is None:
         source = QT_TRANSLATE_NOOP("Notice", "Event: {code}")

@@ -340,6 +340,7 @@ _UNDER_WAY: Final[Mapping[str, object]] = {
     "running": QT_TRANSLATE_NOOP("UnderWay", "running a trajectory"),
     "recording": QT_TRANSLATE_NOOP("UnderWay", "recording"),
     "settings": QT_TRANSLATE_NOOP("UnderWay", "reading or saving the arm's settings"),
+    "end_reports": QT_TRANSLATE_NOOP("UnderWay", "the setting before"),
     "linkage": QT_TRANSLATE_NOOP("UnderWay", "setting the linkage"),
     "zeroing": QT_TRANSLATE_NOOP("UnderWay", "setting a zero"),
     "clearing_error": QT_TRANSLATE_NOOP("UnderWay", "clearing a joint's error"),
