@@ -261,7 +261,6 @@ WINDOW_SCENES = (
     Scene("lights", _lights),
     Scene("lights-refused", _lights_refused),
     Scene("motors", _motors),
-    Scene("gripper", _gripper),
     Scene("joint-settings", _joint_settings),
     Scene("joint-settings-refused", _joint_settings_refused),
     Scene("joint-settings-corrupt", _joint_settings_corrupt),
