@@ -174,6 +174,152 @@
     </message>
 </context>
 <context>
+    <name>BackupDialog</name>
+    <message>
+        <source>Parameter backup</source>
+        <translation>参数备份</translation>
+    </message>
+    <message>
+        <source>Parameters in the file and in the arm</source>
+        <translation>文件与机械臂中的参数</translation>
+    </message>
+    <message>
+        <source>Only differences</source>
+        <translation>只看不同</translation>
+    </message>
+    <message>
+        <source>Choose all</source>
+        <translation>全选</translation>
+    </message>
+    <message>
+        <source>Choose none</source>
+        <translation>全不选</translation>
+    </message>
+    <message>
+        <source>Save to a file…</source>
+        <translation>保存到文件…</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>打开文件…</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Reading was stopped; what was read is shown.</source>
+        <translation>已停止读取；显示的是已读到的参数。</translation>
+    </message>
+    <message>
+        <source>Save the parameters of the arm</source>
+        <translation>保存机械臂参数</translation>
+    </message>
+    <message>
+        <source>Saved {count} parameters to {path}.</source>
+        <translation>已将 {count} 个参数保存到 {path}。</translation>
+    </message>
+    <message>
+        <source>{missing} could not be read from the arm and are not in the file.</source>
+        <translation>有 {missing} 个参数未能从机械臂读出，文件中没有。</translation>
+    </message>
+    <message>
+        <source>Open a parameter backup</source>
+        <translation>打开参数备份</translation>
+    </message>
+    <message>
+        <source>The file is from an arm of protocol generation {filed}, this one speaks generation {here}. What both have can be restored; the steps of the values differ.</source>
+        <translation>文件来自第 {filed} 代协议的机械臂，当前机械臂为第 {here} 代。两者都有的参数可以恢复；数值的分辨率不同。</translation>
+    </message>
+    <message>
+        <source>The file is from firmware {filed}, this arm has {here}. Check the values before you restore them.</source>
+        <translation>文件来自固件 {filed}，当前机械臂的固件为 {here}。恢复前请核对数值。</translation>
+    </message>
+    <message>
+        <source>Restore parameters</source>
+        <translation>恢复参数</translation>
+    </message>
+    <message>
+        <source>{count} parameters of the arm are set to what the file says, limits and collision levels among them if they are chosen. Each is read back and compared.</source>
+        <translation>将把机械臂的 {count} 个参数设为文件中的值；如已选中，限位和碰撞等级也会改变。每个参数都会回读并比较。</translation>
+    </message>
+    <message>
+        <source>Restored {count} parameters: read back from the arm, and the same.</source>
+        <translation>已恢复 {count} 个参数：已从机械臂回读，数值一致。</translation>
+    </message>
+    <message>
+        <source>{failed} of {count} parameters were not restored.</source>
+        <translation>{count} 个参数中有 {failed} 个未恢复。</translation>
+    </message>
+    <message>
+        <source>No file is open; the arm&apos;s own values are shown.</source>
+        <translation>未打开文件；显示的是机械臂当前的值。</translation>
+    </message>
+    <message>
+        <source>{name}: saved {time}, {device}, generation {generation}, {firmware}</source>
+        <translation>{name}：保存于 {time}，{device}，第 {generation} 代，{firmware}</translation>
+    </message>
+    <message>
+        <source>Stop reading</source>
+        <translation>停止读取</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>读取</translation>
+    </message>
+    <message>
+        <source>Open a file first.</source>
+        <translation>请先打开文件。</translation>
+    </message>
+    <message>
+        <source>Choose what differs in the table first.</source>
+        <translation>请先在表中勾选不同的参数。</translation>
+    </message>
+</context>
+<context>
+    <name>BackupModel</name>
+    <message>
+        <source>Parameter</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>In the file</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>In the arm</source>
+        <translation>机械臂</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>… reading</source>
+        <translation>… 读取中</translation>
+    </message>
+    <message>
+        <source>… restoring</source>
+        <translation>… 恢复中</translation>
+    </message>
+    <message>
+        <source>✓ restored</source>
+        <translation>✓ 已恢复</translation>
+    </message>
+    <message>
+        <source>✗ not restored</source>
+        <translation>✗ 未恢复</translation>
+    </message>
+    <message>
+        <source>≠ cannot be restored</source>
+        <translation>≠ 无法恢复</translation>
+    </message>
+</context>
+<context>
     <name>CartesianPanel</name>
     <message>
         <source>Fills the fields with the measured pose; nothing moves.</source>
@@ -186,14 +332,6 @@
     <message>
         <source>Moves to the pose on a straight line.</source>
         <translation>沿直线移到该位姿。</translation>
-    </message>
-    <message>
-        <source>Tool centre point</source>
-        <translation>工具中心点</translation>
-    </message>
-    <message>
-        <source>Flange (no tool set)</source>
-        <translation>法兰（未设置工具）</translation>
     </message>
     <message>
         <source>Tool control</source>
@@ -220,10 +358,6 @@
         <translation>用键盘点动，须按住空格键（使能键）</translation>
     </message>
     <message>
-        <source>Measured</source>
-        <translation>测量</translation>
-    </message>
-    <message>
         <source>Load</source>
         <translation>装载</translation>
     </message>
@@ -236,27 +370,27 @@
     </message>
     <message>
         <source>Level 0 – no collision detection: {joints} will not stop when they hit something or someone.</source>
-        <translation type="unfinished"></translation>
+        <translation>等级 0 – 不检测碰撞：{joints} 碰到物体或人时不会停止。</translation>
     </message>
     <message>
         <source>This switches the collision detection of {joints} off: the arm will not stop when they hit something or someone. Keep everyone out of its reach.</source>
-        <translation type="unfinished"></translation>
+        <translation>将关闭 {joints} 的碰撞检测：碰到物体或人时机械臂不会停止。请确保工作范围内无人。</translation>
     </message>
     <message>
         <source>no detection</source>
-        <translation type="unfinished"></translation>
+        <translation>不检测</translation>
     </message>
     <message>
         <source>All</source>
-        <translation type="unfinished">全部</translation>
+        <translation>全部</translation>
     </message>
     <message>
         <source>All joints: level</source>
-        <translation type="unfinished"></translation>
+        <translation>全部关节：等级</translation>
     </message>
     <message>
         <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all.</source>
-        <translation type="unfinished"></translation>
+        <translation>等级 1~8 检测碰撞；等级 0 不检测碰撞。</translation>
     </message>
 </context>
 <context>
@@ -555,15 +689,15 @@
     <name>EndLimitsPanel</name>
     <message>
         <source>End speed limits</source>
-        <translation type="unfinished"></translation>
+        <translation>配速设置</translation>
     </message>
     <message>
         <source>Factory limits for the end</source>
-        <translation type="unfinished"></translation>
+        <translation>末端恢复出厂值</translation>
     </message>
     <message>
         <source>The greatest speeds and accelerations of the end become what they were when the arm left the factory: straight lines and arcs may run faster than they do now.</source>
-        <translation type="unfinished"></translation>
+        <translation>末端的最大速度和加速度将恢复为出厂值：直线和圆弧运动可能比现在更快。</translation>
     </message>
 </context>
 <context>
@@ -590,6 +724,171 @@
     <message>
         <source>Tool frame</source>
         <translation>工具坐标系</translation>
+    </message>
+</context>
+<context>
+    <name>GripperAct</name>
+    <message>
+        <source>Enable</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation>失能</translation>
+    </message>
+    <message>
+        <source>Clear error</source>
+        <translation>清除错误</translation>
+    </message>
+    <message>
+        <source>Set zero</source>
+        <translation>零点设置</translation>
+    </message>
+</context>
+<context>
+    <name>GripperFault</name>
+    <message>
+        <source>supply voltage too low</source>
+        <translation>电源电压过低</translation>
+    </message>
+    <message>
+        <source>motor too hot</source>
+        <translation>电机过温</translation>
+    </message>
+    <message>
+        <source>driver overcurrent</source>
+        <translation>驱动器过流</translation>
+    </message>
+    <message>
+        <source>driver too hot</source>
+        <translation>驱动器过温</translation>
+    </message>
+    <message>
+        <source>sensor abnormal</source>
+        <translation>传感器异常</translation>
+    </message>
+    <message>
+        <source>driver error</source>
+        <translation>驱动器错误</translation>
+    </message>
+</context>
+<context>
+    <name>GripperFigure</name>
+    <message>
+        <source>Opening</source>
+        <translation>开度</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>力矩</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+</context>
+<context>
+    <name>GripperPanel</name>
+    <message>
+        <source>Disable the gripper</source>
+        <translation>失能夹爪</translation>
+    </message>
+    <message>
+        <source>The gripper loses its power and drops what it holds. Hold the workpiece.</source>
+        <translation>失能后夹爪会松开，所夹工件会掉落，请扶住工件。</translation>
+    </message>
+    <message>
+        <source>Set the zero of the gripper</source>
+        <translation>设置夹爪零点</translation>
+    </message>
+    <message>
+        <source>Where the gripper stands now becomes its 0 mm, and it loses its power: it drops what it holds.
+Close it by hand before. With a wrong zero it presses against its stop, or does not close.</source>
+        <translation>夹爪的当前位置将成为 0 mm，同时夹爪断电，所夹工件会掉落。
+请先用手将夹爪闭合。零点设错，夹爪会顶住机械限位或无法闭合。</translation>
+    </message>
+    <message>
+        <source>No gripper heard</source>
+        <translation>未收到夹爪反馈</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Disabled</source>
+        <translation>失能</translation>
+    </message>
+    <message>
+        <source>Moves the gripper to the target, and gives it power.</source>
+        <translation>使能夹爪并运动到目标。</translation>
+    </message>
+    <message>
+        <source>Gives the gripper power where it is.</source>
+        <translation>使能夹爪，保持在当前位置。</translation>
+    </message>
+    <message>
+        <source>Takes its power: it drops what it holds. Asks first.</source>
+        <translation>切断夹爪动力，所夹工件会掉落。执行前会询问。</translation>
+    </message>
+    <message>
+        <source>Clears its error; it has no power until enabled again.</source>
+        <translation>清除夹爪错误；再次使能前夹爪无动力。</translation>
+    </message>
+    <message>
+        <source>Makes the present opening its zero. Asks first.</source>
+        <translation>将当前开度设为零点。执行前会询问。</translation>
+    </message>
+    <message>
+        <source>How far this gripper turns is not published: watch where it ends.</source>
+        <translation>该夹爪的最大角度未公布，请留意其行程终点。</translation>
+    </message>
+    <message>
+        <source>The stroke limit has not been read: up to 100 mm may be asked for.</source>
+        <translation>尚未读到行程限制，最大可设 100 mm。</translation>
+    </message>
+    <message>
+        <source>Gripper control</source>
+        <translation>夹爪控制</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>发送</translation>
+    </message>
+</context>
+<context>
+    <name>GripperRow</name>
+    <message>
+        <source>Closes the gripper by {step} at once. Hold to go on.</source>
+        <translation>立即闭合 {step}，按住可连续动作。</translation>
+    </message>
+    <message>
+        <source>Opens the gripper by {step} at once. Hold to go on.</source>
+        <translation>立即张开 {step}，按住可连续动作。</translation>
+    </message>
+    <message>
+        <source>Measured: {figure}</source>
+        <translation>实测：{figure}</translation>
+    </message>
+    <message>
+        <source>Measured by the gripper</source>
+        <translation>夹爪反馈值</translation>
+    </message>
+    <message>
+        <source>{figure} minus</source>
+        <translation>{figure} 减</translation>
+    </message>
+    <message>
+        <source>{figure} plus</source>
+        <translation>{figure} 加</translation>
     </message>
 </context>
 <context>
@@ -836,19 +1135,19 @@
     <name>JointSettingsPanel</name>
     <message>
         <source>Joint settings</source>
-        <translation type="unfinished"></translation>
+        <translation>关节设置</translation>
     </message>
     <message>
         <source>Factory limits for all joints</source>
-        <translation type="unfinished"></translation>
+        <translation>全部关节恢复出厂值</translation>
     </message>
     <message>
         <source>The angle limits, speeds and accelerations of all six joints become what they were when the arm left the factory. Limits set for this place, narrower ones too, are lost: save a backup first if you may need them again.</source>
-        <translation type="unfinished"></translation>
+        <translation>6 个关节的角度限位、速度和加速度都将恢复为出厂值。为现场设置的限位（包括更窄的限位）会丢失：如以后还需要，请先保存参数备份。</translation>
     </message>
     <message>
         <source>This arm&apos;s protocol (generation 1) has no command for it. Enter the values, or restore a backup.</source>
-        <translation type="unfinished"></translation>
+        <translation>该机械臂的协议（第 1 代）没有此指令。请手动输入数值，或从备份恢复。</translation>
     </message>
 </context>
 <context>
@@ -1448,6 +1747,34 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>关节 {joint}：机械臂在 1 秒内没有应答清除错误指令。请重试；若仍无应答，请检查 CAN 线缆。</translation>
     </message>
     <message>
+        <source>Gripper: sent to {value} {unit}</source>
+        <translation>夹爪：已发送 {value} {unit}</translation>
+    </message>
+    <message>
+        <source>The gripper is at {value} {unit}.</source>
+        <translation>夹爪已到 {value} {unit}。</translation>
+    </message>
+    <message>
+        <source>The gripper holds something at {value} {unit}, with {torque} N·m.</source>
+        <translation>夹爪在 {value} {unit} 处夹住物体，力矩 {torque} N·m。</translation>
+    </message>
+    <message>
+        <source>The gripper stands at {value} {unit} instead of {target} {unit}. Look for what blocks it, for its errors and its power.</source>
+        <translation>夹爪停在 {value} {unit}，未到 {target} {unit}。请检查是否受阻、有无错误以及供电。</translation>
+    </message>
+    <message>
+        <source>Gripper: {act} sent</source>
+        <translation>夹爪：已发送{act}</translation>
+    </message>
+    <message>
+        <source>Gripper: {act} done, by its own feedback.</source>
+        <translation>夹爪：{act}已完成（以其反馈为准）。</translation>
+    </message>
+    <message>
+        <source>Gripper: {act} has no effect. Look at its errors, its power and its cable, then try again.</source>
+        <translation>夹爪：{act}没有生效。请检查其错误、供电和线缆后重试。</translation>
+    </message>
+    <message>
         <source>Zero setting sent to all six joints</source>
         <translation>已发送全部 6 个关节的零点设置</translation>
     </message>
@@ -1668,122 +1995,153 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
     <message>
         <source>not read</source>
-        <translation type="unfinished"></translation>
+        <translation>未读取</translation>
     </message>
     <message>
         <source>reading…</source>
-        <translation type="unfinished"></translation>
+        <translation>读取中…</translation>
     </message>
     <message>
         <source>corrupt</source>
-        <translation type="unfinished"></translation>
+        <translation>已损坏</translation>
     </message>
     <message>
         <source>saving…</source>
-        <translation type="unfinished"></translation>
+        <translation>保存中…</translation>
     </message>
     <message>
         <source>saved</source>
-        <translation type="unfinished"></translation>
+        <translation>已保存</translation>
     </message>
     <message>
         <source>not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>未保存</translation>
     </message>
     <message>
         <source>not possible</source>
-        <translation type="unfinished"></translation>
+        <translation>无效</translation>
     </message>
     <message>
         <source>Not read from the arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>未从机械臂读取。</translation>
     </message>
     <message>
         <source>Being read from the arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>正在从机械臂读取。</translation>
     </message>
     <message>
         <source>What the arm holds here cannot be true: its memory is corrupt (0xFFFF). Enter a value and save it.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂中保存的值不可能成立：其存储已损坏 (0xFFFF)。请输入数值并保存。</translation>
     </message>
     <message>
         <source>Changed and not saved; the arm holds {held}.</source>
-        <translation type="unfinished"></translation>
+        <translation>已修改，未保存；机械臂中为 {held}。</translation>
     </message>
     <message>
         <source>Sent to the arm; its answer is awaited.</source>
-        <translation type="unfinished"></translation>
+        <translation>已发送，等待机械臂应答。</translation>
     </message>
     <message>
         <source>Saved: the arm holds this value.</source>
-        <translation type="unfinished"></translation>
+        <translation>已保存：机械臂中为此值。</translation>
+    </message>
+    <message>
+        <source>= the same</source>
+        <translation>= 相同</translation>
+    </message>
+    <message>
+        <source>≠ differs</source>
+        <translation>≠ 不同</translation>
+    </message>
+    <message>
+        <source>only in the file</source>
+        <translation>仅文件中有</translation>
+    </message>
+    <message>
+        <source>only in the arm</source>
+        <translation>仅机械臂中有</translation>
+    </message>
+    <message>
+        <source>not read from the arm</source>
+        <translation>未从机械臂读到</translation>
     </message>
     <message>
         <source>Possible: {minimum} to {maximum}</source>
-        <translation type="unfinished"></translation>
+        <translation>可设范围：{minimum} 至 {maximum}</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterButtons</name>
+    <message>
+        <source>Read</source>
+        <translation>读取</translation>
+    </message>
+    <message>
+        <source>Initialise</source>
+        <translation>初始化</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>编辑</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
     </message>
 </context>
 <context>
     <name>ParameterPanel</name>
     <message>
         <source>Saved: read back from the arm, and the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>已保存：已从机械臂回读，数值一致。</translation>
     </message>
     <message>
         <source>Saved. The arm keeps coarser steps; it holds the nearest: {values}.</source>
-        <translation type="unfinished"></translation>
+        <translation>已保存。机械臂的分辨率较粗，已取最接近的值：{values}。</translation>
     </message>
     <message>
         <source>was {held}</source>
-        <translation type="unfinished"></translation>
+        <translation>原值 {held}</translation>
     </message>
     <message>
         <source>Nothing has been changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有修改任何值。</translation>
     </message>
     <message>
         <source>Save or cancel your changes first.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先保存或取消修改。</translation>
     </message>
     <message>
         <source>The arm is being asked; wait for its answer.</source>
-        <translation type="unfinished"></translation>
+        <translation>正在与机械臂通信，请等待应答。</translation>
     </message>
     <message>
         <source>Sends what was changed, reads it back and compares.</source>
-        <translation type="unfinished"></translation>
+        <translation>发送修改过的值，回读并比较。</translation>
+    </message>
+    <message>
+        <source>Backup…</source>
+        <translation>参数备份…</translation>
+    </message>
+    <message>
+        <source>All parameters of the arm: save them to a file, compare, restore.</source>
+        <translation>机械臂的全部参数：保存到文件、比较、恢复。</translation>
     </message>
     <message>
         <source>Reads the values from the arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>从机械臂读取数值。</translation>
     </message>
     <message>
         <source>Lets you change the values; nothing is sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>可修改数值；不发送任何指令。</translation>
     </message>
     <message>
         <source>Shows what the arm holds again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Read</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Initialise</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation type="unfinished">取消</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>重新显示机械臂中的值。</translation>
     </message>
 </context>
 <context>
@@ -1815,6 +2173,52 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>Measured by the arm</source>
         <translation>机械臂测量值</translation>
+    </message>
+</context>
+<context>
+    <name>PoseRows</name>
+    <message>
+        <source>Tool centre point</source>
+        <translation>工具中心点</translation>
+    </message>
+    <message>
+        <source>Flange (no tool set)</source>
+        <translation>法兰（未设置工具）</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测量</translation>
+    </message>
+</context>
+<context>
+    <name>PreviewBar</name>
+    <message>
+        <source>Halt</source>
+        <translation>停住</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
+    </message>
+    <message>
+        <source>Moves the ghost arm only; the real arm stays where it is.</source>
+        <translation>只移动虚影机械臂，真实机械臂不动。</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
+    </message>
+    <message>
+        <source>Time of the preview</source>
+        <translation>预览时间</translation>
+    </message>
+    <message>
+        <source>Moves the ghost arm through the motion.</source>
+        <translation>拖动以查看虚影机械臂的运动过程。</translation>
+    </message>
+    <message>
+        <source>Close preview</source>
+        <translation>关闭预览</translation>
     </message>
 </context>
 <context>
@@ -2291,6 +2695,22 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>{light}：“{value}”不是整数。请输入 {minimum} 至 {maximum} 的整数。</translation>
     </message>
     <message>
+        <source>No gripper is heard. If one is mounted, check its cable and its power.</source>
+        <translation>未收到夹爪反馈。若已安装夹爪，请检查其线缆和供电。</translation>
+    </message>
+    <message>
+        <source>The gripper of a generation 1 arm has no command for its zero.</source>
+        <translation>第 1 代机械臂的夹爪没有零点设置指令。</translation>
+    </message>
+    <message>
+        <source>{gripper}: {value} {unit} is out of range. Enter a value from {minimum} to {maximum} {unit}.</source>
+        <translation>{gripper}：{value} {unit} 超出范围，请输入 {minimum} 至 {maximum} {unit} 之间的值。</translation>
+    </message>
+    <message>
+        <source>{gripper}: “{value}” is not a number. Enter a value from {minimum} to {maximum} {unit}.</source>
+        <translation>{gripper}：“{value}”不是数字，请输入 {minimum} 至 {maximum} {unit} 之间的值。</translation>
+    </message>
+    <message>
         <source>Whether these joints stand still is not known: {joints}. Their drivers report no speed: check the arm&apos;s power and the CAN cable.</source>
         <translation>无法确认以下关节是否静止：{joints}。其驱动器未上报速度，请检查机械臂电源和 CAN 线缆。</translation>
     </message>
@@ -2510,6 +2930,46 @@ Lead it near its rest pose, then stop recording.</source>
         <source>Row {row}: this arm&apos;s protocol moves the gripper by other figures (generation 1 by an angle, generation 2 by an opening). Change the gripper&apos;s action.</source>
         <translation>第 {row} 行：本机械臂协议的夹爪参数不同（第一代用角度，第二代用开度），请修改夹爪动作。</translation>
     </message>
+    <message>
+        <source>The file is broken or cut short: line {line}, column {column} is no JSON. Nothing was changed; choose another file, or mend that line.</source>
+        <translation>文件已损坏或不完整：第 {line} 行第 {column} 列不是 JSON。未作任何更改；请选择其他文件，或修正该行。</translation>
+    </message>
+    <message>
+        <source>This is not a parameter backup of this program. Nothing was changed; choose another file.</source>
+        <translation>这不是本程序的参数备份文件。未作任何更改；请选择其他文件。</translation>
+    </message>
+    <message>
+        <source>The file has format version {version}; this program reads version {known}. Open it with the program that wrote it, or update this one.</source>
+        <translation>文件的格式版本为 {version}，本程序只能读取版本 {known}。请用保存它的程序打开，或更新本程序。</translation>
+    </message>
+    <message>
+        <source>The file lacks the field “{field}”. Nothing was changed; choose another file, or add the field.</source>
+        <translation>文件缺少字段“{field}”。未作任何更改；请选择其他文件，或补上该字段。</translation>
+    </message>
+    <message>
+        <source>The file says “{value}” in the field “{field}”, which is not possible. Nothing was changed; choose another file, or mend the field.</source>
+        <translation>文件的字段“{field}”为“{value}”，该值无效。未作任何更改；请选择其他文件，或修正该字段。</translation>
+    </message>
+    <message>
+        <source>The file names {parameter} a second time, in “{field}”. Nothing was changed; take one of the two away.</source>
+        <translation>文件中的{parameter}重复（“{field}”）。未作任何更改；请删去其中一个。</translation>
+    </message>
+    <message>
+        <source>The file holds no parameter. Nothing was changed; choose another file.</source>
+        <translation>文件中没有参数。未作任何更改；请选择其他文件。</translation>
+    </message>
+    <message>
+        <source>The file {path} cannot be read: {text}. Choose another one.</source>
+        <translation>无法读取文件 {path}：{text}。请选择其他文件。</translation>
+    </message>
+    <message>
+        <source>The backup could not be written to {path}: {text}. Choose another folder.</source>
+        <translation>无法将备份写入 {path}：{text}。请选择其他文件夹。</translation>
+    </message>
+    <message>
+        <source>Nothing has been read from the arm. Press Read first.</source>
+        <translation>尚未从机械臂读到任何参数。请先点击“读取”。</translation>
+    </message>
 </context>
 <context>
     <name>SettingName</name>
@@ -2617,11 +3077,11 @@ Lead it near its rest pose, then stop recording.</source>
     </message>
     <message>
         <source>Joint settings</source>
-        <translation type="unfinished"></translation>
+        <translation>关节设置</translation>
     </message>
     <message>
         <source>End speed limits</source>
-        <translation type="unfinished"></translation>
+        <translation>配速设置</translation>
     </message>
     <message>
         <source>Collision level</source>
@@ -2630,6 +3090,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Motor settings</source>
         <translation>电机设置</translation>
+    </message>
+    <message>
+        <source>Gripper control</source>
+        <translation>夹爪控制</translation>
     </message>
     <message>
         <source>Drag teaching</source>
@@ -2993,15 +3457,15 @@ Afterwards the motors must be enabled again.</source>
     <name>Unsaved</name>
     <message>
         <source>Changes are not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>有未保存的修改</translation>
     </message>
     <message>
         <source>What you entered has not been saved to the arm. If you go on it is lost; the arm keeps what it holds now.</source>
-        <translation type="unfinished"></translation>
+        <translation>输入的值尚未保存到机械臂。继续将丢失这些修改；机械臂保持现有的值。</translation>
     </message>
     <message>
         <source>Discard changes</source>
-        <translation type="unfinished"></translation>
+        <translation>放弃修改</translation>
     </message>
 </context>
 <context>
