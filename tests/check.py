@@ -16,7 +16,7 @@ CHECKS = (
     (SCRIPTS / "ruff", "format", "--check"),
     (SCRIPTS / "mypy",),
     (SCRIPTS / "lint-imports",),
-    (sys.executable, "-m", "pytest"),
+    (sys.executable, "-m", "pytest", "-n", "auto"),
 )
 
 

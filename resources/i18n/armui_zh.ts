@@ -701,6 +701,84 @@
     </message>
 </context>
 <context>
+    <name>EndLoad</name>
+    <message>
+        <source>No load</source>
+        <translation>空载</translation>
+    </message>
+    <message>
+        <source>Half load</source>
+        <translation>半载</translation>
+    </message>
+    <message>
+        <source>Full load</source>
+        <translation>满载</translation>
+    </message>
+    <message>
+        <source>Not given</source>
+        <translation>未设置</translation>
+    </message>
+</context>
+<context>
+    <name>EndLoadPanel</name>
+    <message>
+        <source>The arm reports</source>
+        <translation>机械臂正在上报</translation>
+    </message>
+    <message>
+        <source>Not heard</source>
+        <translation>未收到</translation>
+    </message>
+    <message>
+        <source>Switch off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Switch on</source>
+        <translation>开启</translation>
+    </message>
+    <message>
+        <source>Tells the arm what it carries: it holds against that weight.</source>
+        <translation>告知机械臂末端负载，以便其补偿重量。</translation>
+    </message>
+    <message>
+        <source>Switches the periodic frames 0x481–0x486.</source>
+        <translation>开启或关闭 0x481–0x486 周期反馈。</translation>
+    </message>
+    <message>
+        <source>End load</source>
+        <translation>末端负载</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>The arm answers this setting and cannot be asked for it afterwards.</source>
+        <translation>机械臂会应答此设置，但之后无法查询。</translation>
+    </message>
+    <message>
+        <source>Speed and acceleration of the end, by joint</source>
+        <translation>各关节末端速度/加速度</translation>
+    </message>
+    <message>
+        <source>Linear speed</source>
+        <translation>线速度</translation>
+    </message>
+    <message>
+        <source>Angular speed</source>
+        <translation>角速度</translation>
+    </message>
+    <message>
+        <source>Linear acceleration</source>
+        <translation>线加速度</translation>
+    </message>
+    <message>
+        <source>Angular acceleration</source>
+        <translation>角加速度</translation>
+    </message>
+</context>
+<context>
     <name>FileDialog</name>
     <message>
         <source>Folder</source>
@@ -1373,6 +1451,89 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
 </context>
 <context>
+    <name>LinkagePanel</name>
+    <message>
+        <source>The arm becomes a teaching input: its feedback ends, it can be led by hand, obeys no command and sends its own to the following arm.</source>
+        <translation>机械臂将成为示教输入臂：停止上报反馈，可用手拖动，不响应控制指令，并向从臂发送指令。</translation>
+    </message>
+    <message>
+        <source>The arm becomes, or stays, a motion output arm. The program listens and talks on the identifiers that the offsets lead to.</source>
+        <translation>机械臂将成为（或保持为）运动输出臂。程序将按偏移后的 ID 收发报文。</translation>
+    </message>
+    <message>
+        <source>Every arm on this bus obeys this setting: leave only the one meant connected. The arm keeps it when switched off. It holds in standby, or after the arm was switched off and on.</source>
+        <translation>总线上的所有机械臂都会响应此设置，请只连接要设置的机械臂。该设置断电保存，在待机模式下或重新上电后生效。</translation>
+    </message>
+    <message>
+        <source>Set the linkage</source>
+        <translation>设置联动</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>Says what will change, and asks first.</source>
+        <translation>执行前会说明改变的内容并询问。</translation>
+    </message>
+    <message>
+        <source>In use: —</source>
+        <translation>当前使用：—</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>In use: feedback {feedback}, commands {control}</source>
+        <translation>当前使用：反馈 {feedback}，控制 {control}</translation>
+    </message>
+    <message>
+        <source>Linkage control</source>
+        <translation>联动控制</translation>
+    </message>
+    <message>
+        <source>Linkage setting</source>
+        <translation>联动设置指令</translation>
+    </message>
+    <message>
+        <source>Master arm (teaching input arm)</source>
+        <translation>主臂（示教输入臂）</translation>
+    </message>
+    <message>
+        <source>Slave arm (motion output arm)</source>
+        <translation>从臂（运动输出臂）</translation>
+    </message>
+    <message>
+        <source>Feedback offset</source>
+        <translation>反馈指令偏移值</translation>
+    </message>
+    <message>
+        <source>Control offset</source>
+        <translation>控制指令偏移值</translation>
+    </message>
+    <message>
+        <source>Address offset</source>
+        <translation>地址偏移值</translation>
+    </message>
+    <message>
+        <source>Where a teaching input sends its commands: the control offset of its follower</source>
+        <translation>示教输入臂发送指令的目标地址，即从臂的控制指令偏移值</translation>
+    </message>
+    <message>
+        <source>The arm on this bus is a teaching input: it sends commands for a following arm and no feedback. It obeys nothing but this:</source>
+        <translation>总线上的机械臂是示教输入臂：只向从臂发送指令，不上报反馈，仅响应以下操作：</translation>
+    </message>
+    <message>
+        <source>Back to a motion output arm without offsets</source>
+        <translation>恢复为运动输出臂（不偏移）</translation>
+    </message>
+    <message>
+        <source>The arm cannot be asked for this setting: what counts is where its feedback is heard.</source>
+        <translation>此设置无法从机械臂查询，以实际收到反馈的 ID 为准。</translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message>
         <source>armui – PiPER arm</source>
@@ -1745,6 +1906,58 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>Joint {joint}: the arm did not confirm within a second the command to clear the error. Try again; if it stays silent, check the CAN cable.</source>
         <translation>关节 {joint}：机械臂在 1 秒内没有应答清除错误指令。请重试；若仍无应答，请检查 CAN 线缆。</translation>
+    </message>
+    <message>
+        <source>End load sent: {load}</source>
+        <translation>已发送末端负载：{load}</translation>
+    </message>
+    <message>
+        <source>The arm has answered the end load: {load}. It cannot be asked for it.</source>
+        <translation>机械臂已应答末端负载：{load}（无法查询核对）。</translation>
+    </message>
+    <message>
+        <source>End load not confirmed. {reason}</source>
+        <translation>末端负载未得到确认。{reason}</translation>
+    </message>
+    <message>
+        <source>Switching the feedback of the end&apos;s motion</source>
+        <translation>正在切换末端速度/加速度反馈</translation>
+    </message>
+    <message>
+        <source>The arm reports the motion of its end.</source>
+        <translation>机械臂正在上报末端速度/加速度。</translation>
+    </message>
+    <message>
+        <source>The arm no longer reports the motion of its end.</source>
+        <translation>机械臂已停止上报末端速度/加速度。</translation>
+    </message>
+    <message>
+        <source>The feedback of the end&apos;s motion is not switched. {reason}</source>
+        <translation>末端速度/加速度反馈未切换成功。{reason}</translation>
+    </message>
+    <message>
+        <source>Linkage setting sent</source>
+        <translation>已发送联动设置</translation>
+    </message>
+    <message>
+        <source>The arm has answered the linkage setting. It holds in standby, or after the arm was switched off and on.</source>
+        <translation>机械臂已应答联动设置，在待机模式下或重新上电后生效。</translation>
+    </message>
+    <message>
+        <source>The arm has answered: it becomes a teaching input. Its feedback ends and it can be led by hand.</source>
+        <translation>机械臂已应答：将成为示教输入臂，反馈停止，可用手拖动。</translation>
+    </message>
+    <message>
+        <source>Linkage setting not confirmed. {reason}</source>
+        <translation>联动设置未得到确认。{reason}</translation>
+    </message>
+    <message>
+        <source>Identifiers in use: feedback from {feedback}, commands from {control}.</source>
+        <translation>当前使用的 ID：反馈从 {feedback} 起，控制从 {control} 起。</translation>
+    </message>
+    <message>
+        <source>An arm is heard with its feedback from {feedback}. On which identifiers it takes commands is not known: set them under Linkage control.</source>
+        <translation>收到机械臂的反馈，ID 从 {feedback} 起。其控制指令 ID 未知，请在“联动控制”中设置。</translation>
     </message>
     <message>
         <source>Gripper: sent to {value} {unit}</source>
@@ -2695,6 +2908,30 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>{light}：“{value}”不是整数。请输入 {minimum} 至 {maximum} 的整数。</translation>
     </message>
     <message>
+        <source>No end load is chosen. Choose one first.</source>
+        <translation>尚未选择末端负载，请先选择。</translation>
+    </message>
+    <message>
+        <source>The arm is moving. Wait until it stands still, then set the end load.</source>
+        <translation>机械臂正在运动，请待其静止后再设置末端负载。</translation>
+    </message>
+    <message>
+        <source>The arm has answered, but goes on reporting. Try again.</source>
+        <translation>机械臂已应答，但仍在上报，请重试。</translation>
+    </message>
+    <message>
+        <source>On which identifiers the arm takes commands is not known. Set the offsets under Linkage control; the emergency stop is sent on all of them.</source>
+        <translation>机械臂的控制指令 ID 未知。请在“联动控制”中设置偏移值；急停会在所有 ID 上发送。</translation>
+    </message>
+    <message>
+        <source>An offset of {value} is not possible. Choose 0x00, 0x10 or 0x20.</source>
+        <translation>偏移值不能为 {value}，请选择 0x00、0x10 或 0x20。</translation>
+    </message>
+    <message>
+        <source>The arm is moving. Wait until it stands still, then set the linkage.</source>
+        <translation>机械臂正在运动，请待其静止后再设置联动。</translation>
+    </message>
+    <message>
         <source>No gripper is heard. If one is mounted, check its cable and its power.</source>
         <translation>未收到夹爪反馈。若已安装夹爪，请检查其线缆和供电。</translation>
     </message>
@@ -3076,6 +3313,10 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>灯光控制</translation>
     </message>
     <message>
+        <source>Linkage control</source>
+        <translation>联动控制</translation>
+    </message>
+    <message>
         <source>Joint settings</source>
         <translation>关节设置</translation>
     </message>
@@ -3094,6 +3335,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Gripper control</source>
         <translation>夹爪控制</translation>
+    </message>
+    <message>
+        <source>End load</source>
+        <translation>末端负载</translation>
     </message>
     <message>
         <source>Drag teaching</source>
@@ -3428,6 +3673,14 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>reading or saving the arm&apos;s settings</source>
         <translation>读取或保存机械臂参数</translation>
+    </message>
+    <message>
+        <source>the setting before</source>
+        <translation>上一项设置</translation>
+    </message>
+    <message>
+        <source>setting the linkage</source>
+        <translation>设置联动</translation>
     </message>
     <message>
         <source>setting a zero</source>
