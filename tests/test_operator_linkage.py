@@ -42,6 +42,7 @@ def test_offsets_asked_about_sent_and_followed(link, generation):
     link.step()
     assert link.read("linkage_in_use") == "In use: feedback 0x2B1–0x2B8, commands 0x170–0x17F"
     assert "feedback from 0x2B1, commands from 0x170" in link.read("linkage_message")
+    assert "feedback comes from 0x2B1" in link.find("communication_button").toolTip()
     link.run_until(lambda: link.controller.state.angles_deg() is not None)
 
 

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
 from armui.arm.device import Device
 from armui.control.situation import LinkState, Situation
+from armui.protocol.addressing import Addressing
 from armui.ui import words
 from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import painting
@@ -29,6 +30,7 @@ class CommunicationButton(QAbstractButton):
         self.setObjectName("communication_button")
         self._link = LinkState.NO_DEVICE
         self._device: Device | None = None
+        self._addressing = Addressing()
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         self.setAttribute(Qt.WidgetAttribute.WA_Hover)
@@ -46,8 +48,10 @@ class CommunicationButton(QAbstractButton):
 
     def show_situation(self, situation: Situation) -> None:
         """Show how the program stands to its arm."""
-        if (situation.link, situation.device) != (self._link, self._device):
+        shown = (self._link, self._device, self._addressing)
+        if (situation.link, situation.device, situation.addressing) != shown:
             self._link, self._device = situation.link, situation.device
+            self._addressing = situation.addressing
             self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
@@ -65,10 +69,20 @@ class CommunicationButton(QAbstractButton):
             ),
         }
         self.setText(self._link_words()[self._link])
-        self.setToolTip("\n".join(filter(None, (self.device_name, tips[self._link]))))
+        lines = (self.device_name, tips[self._link], self._offset_text())
+        self.setToolTip("\n".join(filter(None, lines)))
         self.setAccessibleName(f"{self.text()} {self.device_name}".strip())
         self.updateGeometry()
         self.update()
+
+    def _offset_text(self) -> str:
+        """Under which identifiers the arm is heard, where they are not the usual ones."""
+        offset = self._addressing.feedback_offset
+        if self._link is not LinkState.ONLINE or self._addressing == Addressing():
+            return ""
+        return self.tr("Its feedback comes from {feedback} on; see Linkage control.").format(
+            feedback=f"0x{0x2A1 + offset:03X}"
+        )
 
     def _link_words(self) -> dict[LinkState, str]:
         return {
