@@ -1,0 +1,54 @@
+"""Arms and points for tests of plans."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from armui.arm.kinematics import Kinematics
+from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS
+from armui.arm.model import ArmModel
+from armui.arm.state import EndLimits
+from armui.protocol.codes import MoveMode
+from armui.trajectory.program import Trajectory, Waypoint
+
+KINEMATICS = Kinematics()
+ARM = ArmModel(
+    limits=FACTORY_LIMITS,
+    accelerations_deg_s2=(FACTORY_ACCELERATION_DEG_S2,) * 6,
+    end_limits=EndLimits(1.0, 1.0, 1.0, 1.0),
+    kinematics=KINEMATICS,
+    tool_mm=140.0,
+    stroke_mm=70.0,
+)
+"""As it leaves the factory; the limits of the tool are the simulated arm's."""
+
+HERE = (10.0, 70.0, -60.0, 10.0, 25.0, -20.0)
+
+
+def pose_near(
+    joints_deg: Sequence[float], by_mm: Sequence[float] = (0, 0, 0), turned_deg: float = 0.0
+) -> tuple[float, ...]:
+    """The pose some way off the one at these joints, in the steps of the protocol."""
+    x, y, z, rx, ry, rz = KINEMATICS.forward(joints_deg)
+    dx, dy, dz = by_mm
+    return tuple(round(v, 3) for v in (x + dx, y + dy, z + dz, rx, ry, rz + turned_deg))
+
+
+def joint(*angles_deg: float, speed: int = 100, dwell_s: float = 0.0) -> Waypoint:
+    return Waypoint(MoveMode.MOVE_J, angles_deg, speed_percent=speed, dwell_s=dwell_s)
+
+
+def pose(target: Sequence[float], speed: int = 100) -> Waypoint:
+    return Waypoint(MoveMode.MOVE_P, tuple(target), speed_percent=speed)
+
+
+def line(target: Sequence[float], speed: int = 100) -> Waypoint:
+    return Waypoint(MoveMode.MOVE_L, tuple(target), speed_percent=speed)
+
+
+def arc(middle: Sequence[float], end: Sequence[float], speed: int = 100) -> Waypoint:
+    return Waypoint(MoveMode.MOVE_C, tuple(end), middle=tuple(middle), speed_percent=speed)
+
+
+def run(*points: Waypoint) -> Trajectory:
+    return Trajectory("t", points=points)
