@@ -4,12 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Final
 
 from armui.arm.kinematics import Kinematics, Pose
 from armui.arm.limits import JointLimits, check_joints
 from armui.arm.refusal import Refusal
 from armui.protocol.codes import MoveMode
 from armui.trajectory.program import Waypoint
+
+REFUSALS: Final = frozenset(
+    {
+        "convert_needs_middle",
+        "convert_out_of_reach",  # x, y, z
+    }
+)
 
 
 def to_pose(
@@ -49,7 +57,7 @@ def to_joints(
     ways = kinematics.inverse(Pose(*point.target), near_deg)
     if not ways:
         x, y, z = point.target[:3]
-        return Refusal("pose_out_of_reach", {"x": x, "y": y, "z": z})
+        return Refusal("convert_out_of_reach", {"x": x, "y": y, "z": z})
     within = [way for way in ways if limits is None or check_joints(way, limits) is None]
     best = (within or ways)[0]
     return replace(point, move=MoveMode.MOVE_J, target=tuple(best), middle=None)

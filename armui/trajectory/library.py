@@ -35,6 +35,19 @@ _BIN: Final = ".deleted"
 _ROOM_FOR_NUMBER: Final = 8
 
 
+REFUSALS: Final = frozenset(
+    {
+        "name_taken",  # name
+        "library_damaged",  # name
+        "library_not_saved",  # name, text
+        "library_not_deleted",  # name, text
+        "library_not_restored",  # name, text
+        "library_unreadable",  # name, text
+    }
+)
+"""The reasons of a `LibraryError`, beside those against a trajectory itself."""
+
+
 class LibraryError(Exception):
     """Something the library did not do; everything is as it was.
 

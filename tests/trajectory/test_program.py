@@ -129,7 +129,7 @@ def test_a_way_within_the_limits_goes_before_a_nearer_one():
 def test_a_pose_out_of_reach_stays_a_pose():
     far = Waypoint(MoveMode.MOVE_P, (900.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     assert to_joints(far, KINEMATICS, HERE) == Refusal(
-        "pose_out_of_reach", {"x": 900.0, "y": 0.0, "z": 0.0}
+        "convert_out_of_reach", {"x": 900.0, "y": 0.0, "z": 0.0}
     )
 
 

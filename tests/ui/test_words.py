@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import string
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from datetime import datetime
 
 import pytest
@@ -13,7 +14,10 @@ from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.control.notices import CODES, REFUSALS
 from armui.control.situation import Level, Notice
+from armui.protocol.codes import MoveMode
 from armui.settings import SettingsStore, check
+from armui.trajectory import columns, convert, files, library
+from armui.trajectory.program import GripperOpening, Waypoint, check_point
 from armui.ui import words
 from armui.ui.translation import LANGUAGES, Translator
 from armui.ui.words import notices, refusals
@@ -60,7 +64,8 @@ def test_there_is_a_sentence_for_every_refusal() -> None:
         "tool_not_possible",
         "urdf_missing",
     }
-    assert REFUSALS | LOAD_REFUSALS | of_settings == refusals.CODES
+    of_trajectories = files.errors.CODES | library.REFUSALS | columns.REFUSALS | convert.REFUSALS
+    assert REFUSALS | LOAD_REFUSALS | of_settings | of_trajectories == refusals.CODES
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -91,6 +96,44 @@ def test_a_notice_reads_as_words(translator: Translator, language: str, code: st
 def test_what_nobody_foresaw_is_still_said(qapp: QApplication) -> None:
     assert words.refusal(Refusal("odd", {"a": 1})) == "Not possible now: odd(a=1)."
     assert notice("odd") == "Event: odd"
+
+
+# Files -------------------------------------------------------------------------------------------
+
+
+PLACED = Refusal("number_bad", {"value": "o"})
+
+
+@pytest.mark.parametrize(
+    ("error", "expected"),
+    [
+        (files.TrajectoryFileError(PLACED, 4, 7, "a.log"), "a.log, line 4, column 7: "),
+        (files.TrajectoryFileError(PLACED, 4, 0, "a.log"), "a.log, line 4: "),
+        (files.TrajectoryFileError(PLACED, 0, 0, "a.log"), "a.log: "),
+        (files.TrajectoryFileError(PLACED, 4, 7), "Line 4, column 7: "),
+        (files.TrajectoryFileError(PLACED, 4), "Line 4: "),
+        (files.TrajectoryFileError(PLACED), ""),
+    ],
+)
+def test_what_is_wrong_with_a_file_names_its_place(
+    qapp: QApplication, error: files.TrajectoryFileError, expected: str
+) -> None:
+    assert words.file_error(error) == f"{expected}“o” is not a number."
+
+
+def test_a_figure_of_a_point_is_named_with_its_unit_and_limits(qapp: QApplication) -> None:
+    point = Waypoint(MoveMode.MOVE_J, (0.0,) * 6, speed_percent=0)
+    assert words.refusal(check_point(point) or PLACED) == (
+        "Speed: 0% is out of range. Enter a value from 1% to 100%."
+    )
+    far = replace(point, speed_percent=1, gripper=GripperOpening(500.0))
+    assert words.refusal(check_point(far) or PLACED) == (
+        "Gripper opening: 500.000 mm is out of range. Enter a value from 0.000 mm to 200.000 mm."
+    )
+    missing = columns.check_mapping(columns.ColumnMapping(()))
+    assert words.refusal(missing or PLACED) == (
+        "Still missing: Time, J1, J2, J3, J4, J5, J6. Say which columns hold them."
+    )
 
 
 # Figures ------------------------------------------------------------------------------------------

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+import contextlib
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Final
 
@@ -18,6 +19,7 @@ __all__ = [
     "TrajectoryFileError",
     "import_files",
     "load",
+    "load_text",
     "read_bytes",
     "read_text",
     "to_bytes",
@@ -57,12 +59,33 @@ def load(path: Path) -> Content:
     Raises:
         TrajectoryFileError: It cannot be read or is none; it names the file.
     """
+    with _named(path):
+        return read_bytes(_bytes_of(path), path.stem)
+
+
+def load_text(path: Path) -> str:
+    """The text of a file of any kind, for the import by columns.
+
+    Raises:
+        TrajectoryFileError: It cannot be read or is no text; it names the file.
+    """
+    with _named(path):
+        return decode(_bytes_of(path))
+
+
+def _bytes_of(path: Path) -> bytes:
+    size = path.stat().st_size
+    if size > LARGEST_BYTES:
+        mega = 1024 * 1024
+        raise broken("file_too_large", value=size // mega, maximum=LARGEST_BYTES // mega)
+    return path.read_bytes()
+
+
+@contextlib.contextmanager
+def _named(path: Path) -> Iterator[None]:
+    """Gives what goes wrong the name of the file."""
     try:
-        size = path.stat().st_size
-        if size > LARGEST_BYTES:
-            mega = 1024 * 1024
-            raise broken("file_too_large", value=size // mega, maximum=LARGEST_BYTES // mega)
-        return read_bytes(path.read_bytes(), path.stem)
+        yield
     except TrajectoryFileError as error:
         raise TrajectoryFileError(error.reason, error.line, error.column, path.name) from error
     except OSError as error:

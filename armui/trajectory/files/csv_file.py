@@ -85,25 +85,33 @@ def read(text: str, name: str) -> Content:
     return _read_samples(titles, body, fields)
 
 
-def rows(text: str, delimiter: str = ",") -> Iterator[Row]:
+def rows(text: str, delimiter: str = ",", first_line: int = 1) -> Iterator[Row]:
     """The rows of a table that hold anything.
+
+    Args:
+        text: Of the whole file.
+        delimiter: Between cells.
+        first_line: Where the table begins; what stands before is no table and is not parsed.
 
     Raises:
         TrajectoryFileError: It cannot be parted into rows.
     """
-    reader = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter)
-    line = 1
+    stream = io.StringIO(text, newline="")
+    for _ in range(first_line - 1):
+        stream.readline()
+    reader = csv.reader(stream, delimiter=delimiter)
+    line = first_line
     csv.field_size_limit(_LONGEST_CELL)
     while True:
         try:
             cells = next(reader, None)
         except csv.Error as error:
-            raise broken("file_damaged", reader.line_num, text=str(error)) from error
+            raise broken("file_damaged", line, text=str(error)) from error
         if cells is None:
             return
         if any(cells):
             yield line, cells
-        line = reader.line_num + 1
+        line = first_line + reader.line_num
 
 
 def _titles(line: str) -> set[str]:

@@ -5,6 +5,7 @@ The words are looked up at every call, so a caller that asks again after the lan
 """
 
 from armui.ui.words.devices import device_name
+from armui.ui.words.file_errors import file_error
 from armui.ui.words.gripper import end_load, gripper_act, gripper_fault, gripper_figure
 from armui.ui.words.joints import joint_item, joint_verdict, joint_word
 from armui.ui.words.notices import notice
@@ -19,6 +20,7 @@ from armui.ui.words.status import (
 )
 from armui.ui.words.steps import step, step_action, step_danger, step_question
 from armui.ui.words.teaching import teaching_command, teaching_phase, trajectory_command
+from armui.ui.words.trajectory_refusals import point_figure
 
 __all__ = [
     "arm_status",
@@ -26,6 +28,7 @@ __all__ = [
     "control_mode_short",
     "device_name",
     "end_load",
+    "file_error",
     "gripper_act",
     "gripper_fault",
     "gripper_figure",
@@ -35,6 +38,7 @@ __all__ = [
     "light_figure",
     "move_mode",
     "notice",
+    "point_figure",
     "reached",
     "refusal",
     "step",

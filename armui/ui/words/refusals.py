@@ -15,6 +15,7 @@ from armui.ui.words.motor_refusals import MOTOR_REFUSALS
 from armui.ui.words.run_refusals import RUN_REFUSALS
 from armui.ui.words.setting_refusals import SETTING_REFUSALS, with_units
 from armui.ui.words.text import NOT_KNOWN, sentence
+from armui.ui.words.trajectory_refusals import TRAJECTORY_REFUSALS, with_figures
 
 _REFUSALS: Final[Mapping[str, object]] = {
     "not_connected": QT_TRANSLATE_NOOP(
@@ -331,6 +332,7 @@ _ALL: Final[Mapping[str, object]] = {
     **BACKUP_REFUSALS,
     **RUN_REFUSALS,
     **MOTOR_REFUSALS,
+    **TRAJECTORY_REFUSALS,
 }
 
 _UNDER_WAY: Final[Mapping[str, object]] = {
@@ -370,7 +372,7 @@ CODES: Final = frozenset(_ALL)
 
 def refusal(reason: Refusal) -> str:
     """A reason against an action in the operator's language."""
-    params = with_units(dict(reason.params))
+    params = with_figures(reason.code, with_units(dict(reason.params)))
     if isinstance(mode := params.get("mode"), int):
         params["mode"] = status.control_mode(mode)
     if isinstance(code := params.get("status"), int):

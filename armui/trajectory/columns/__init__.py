@@ -1,0 +1,30 @@
+"""Import of an unknown table: see how it is built, say which column is what, take it over.
+
+`sniff` looks at the text and guesses; the operator corrects the guesses to a `ColumnMapping`;
+`apply` reads the whole text by it.
+"""
+
+from armui.trajectory.columns.apply import apply, check_mapping
+from armui.trajectory.columns.model import (
+    REFUSALS,
+    UNITS,
+    Column,
+    ColumnMapping,
+    Guess,
+    Quantity,
+    Sheet,
+)
+from armui.trajectory.columns.sniff import sniff
+
+__all__ = [
+    "REFUSALS",
+    "UNITS",
+    "Column",
+    "ColumnMapping",
+    "Guess",
+    "Quantity",
+    "Sheet",
+    "apply",
+    "check_mapping",
+    "sniff",
+]

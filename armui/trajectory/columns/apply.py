@@ -1,0 +1,170 @@
+"""A table read by a mapping: a recording of its rows over time, or a trajectory through them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Final
+
+import numpy as np
+
+from armui.arm.refusal import Refusal
+from armui.protocol.codes import MoveMode
+from armui.trajectory.columns.model import (
+    JOINTS,
+    POSE,
+    UNITS,
+    ColumnMapping,
+    Quantity,
+    Sheet,
+    as_number,
+    table,
+)
+from armui.trajectory.files.errors import broken
+from armui.trajectory.files.model import Content, verified, verified_point
+from armui.trajectory.program import GripperOpening, Trajectory, Waypoint
+from armui.trajectory.recording import COLUMN_COUNT, GRIPPER, Array, Recording
+
+_TIME_DIGITS: Final = 6
+"""Of seconds, so that a sum of waits does not drift by rounding."""
+
+_MAY_BE_EMPTY: Final = (Quantity.GRIPPER, Quantity.SPEED, Quantity.DWELL)
+
+
+def check_mapping(mapping: ColumnMapping) -> Refusal | None:
+    """Whether a mapping says enough, and nothing twice: ``None``, or the reason against it."""
+    columns: dict[Quantity, int] = {}
+    for number, column in enumerate(mapping.columns, start=1):
+        if column is None:
+            continue
+        quantity, unit = column
+        if quantity in columns:
+            first = columns[quantity]
+            return Refusal(
+                "columns_twice", {"first": first, "second": number, "field": str(quantity)}
+            )
+        if unit not in UNITS[quantity]:
+            choices = ", ".join(UNITS[quantity])
+            return Refusal(
+                "columns_unit",
+                {"column": number, "field": str(quantity), "value": unit, "choices": choices},
+            )
+        columns[quantity] = number
+    needed = POSE if mapping.move in (MoveMode.MOVE_P, MoveMode.MOVE_L) else JOINTS
+    missing = [str(quantity) for quantity in needed if quantity not in columns]
+    timed = Quantity.TIME in columns or Quantity.WAIT in columns
+    if mapping.move is None and not timed:
+        missing.insert(0, str(Quantity.TIME))
+    return Refusal("columns_missing", {"missing": ", ".join(missing)}) if missing else None
+
+
+def apply(text: str, sheet: Sheet, mapping: ColumnMapping, name: str) -> Content:
+    """A recording or trajectory from a table.
+
+    Args:
+        text: Of the whole file.
+        sheet: How it is built.
+        mapping: Which column is what.
+        name: What the result is called.
+
+    Raises:
+        TrajectoryFileError: A row does not fit, with the line and, as column, the cell.
+        ValueError: The mapping is not possible; see `check_mapping`.
+    """
+    reason = check_mapping(mapping)
+    if reason is not None:
+        raise ValueError(str(reason))
+    if len(mapping.columns) != sheet.width:
+        raise ValueError(f"{len(mapping.columns)} columns mapped of {sheet.width}")
+    places = {
+        column.quantity: place for place, column in enumerate(mapping.columns) if column is not None
+    }
+    note = places.pop(Quantity.NOTE, None)
+    values, notes, lines = _read(text, sheet, places, note)
+    for index, place in enumerate(places.values()):
+        column = mapping.columns[place]
+        if column is not None:
+            values[:, index] *= UNITS[column.quantity][column.unit]
+    found = {quantity: values[:, index] for index, quantity in enumerate(places)}
+    if mapping.move is None:
+        return verified(Recording(name, samples=_samples(found)), lines)
+    points = _points(found, notes, lines, mapping)
+    return verified(Trajectory(name, points=points), lines)
+
+
+def _read(
+    text: str, sheet: Sheet, places: dict[Quantity, int], note: int | None
+) -> tuple[Array, list[str], list[int]]:
+    """The figures (n, len(places)) of the rows, their notes, and the line of each."""
+    wanted = list(places.values())
+    plain = sheet.decimal == "." and "_" not in text  # which Python takes for part of a number
+    figures: list[list[float]] = []
+    notes: list[str] = []
+    lines: list[int] = []
+    for line, cells in table(text, sheet.delimiter, sheet.first_line):
+        if len(cells) < sheet.width or any(map(str.strip, cells[sheet.width :])):
+            raise broken("cells_count", line, value=len(cells), expected=sheet.width)
+        try:
+            row = [float(cells[place]) for place in wanted] if plain else None
+        except ValueError:
+            row = None
+        if row is None:
+            row = [_figure(cells[place], sheet, line, places, place) for place in wanted]
+        figures.append(row)
+        lines.append(line)
+        if note is not None:
+            notes.append(cells[note].strip())
+    return np.array(figures, dtype=np.float64).reshape(-1, len(wanted)), notes, lines
+
+
+def _figure(cell: str, sheet: Sheet, line: int, places: dict[Quantity, int], place: int) -> float:
+    """The number of a cell; NaN for an empty one where none is needed."""
+    if not cell.strip() and any(places.get(quantity) == place for quantity in _MAY_BE_EMPTY):
+        return math.nan
+    value = as_number(cell, sheet.decimal)
+    if value is None or not math.isfinite(value):
+        raise broken("number_bad", line, place + 1, value=cell)
+    return value
+
+
+def _samples(found: dict[Quantity, Array]) -> Array:
+    """Samples (n, 8) as `Recording` wants them, from 0 s up."""
+    count = len(found[Quantity.J1])
+    samples = np.full((count, COLUMN_COUNT), np.nan)
+    times = found.get(Quantity.TIME)
+    if times is None:
+        times = np.cumsum(found[Quantity.WAIT])
+    samples[:, 0] = np.round(times - times[:1].sum(), _TIME_DIGITS)
+    samples[:, 1:GRIPPER] = np.column_stack([found[joint] for joint in JOINTS])
+    if Quantity.GRIPPER in found:
+        samples[:, GRIPPER] = found[Quantity.GRIPPER]
+    return samples
+
+
+def _points(
+    found: dict[Quantity, Array],
+    notes: Sequence[str],
+    lines: Sequence[int],
+    mapping: ColumnMapping,
+) -> tuple[Waypoint, ...]:
+    """A point for each row."""
+    move = mapping.move or MoveMode.MOVE_J
+    targets = np.column_stack([found[name] for name in (JOINTS if move.name == "MOVE_J" else POSE)])
+    empty = np.full(len(targets), np.nan)
+    options = (found.get(name, empty).tolist() for name in _MAY_BE_EMPTY)
+    points: list[Waypoint] = []
+    for index, (target, opening, speed, dwell) in enumerate(
+        zip(targets.tolist(), *options, strict=True)
+    ):
+        percent = mapping.speed_percent if math.isnan(speed) else speed
+        point = Waypoint(
+            move,
+            tuple(target),
+            # a broken figure stays as it is, for the check to name
+            speed_percent=int(percent) if percent == int(percent) else percent,
+            dwell_s=0.0 if math.isnan(dwell) else dwell,
+            gripper=None if math.isnan(opening) else GripperOpening(opening),
+            note=notes[index] if notes else "",
+        )
+        points.append(verified_point(point, lines[index]))
+    return tuple(points)

@@ -1,0 +1,162 @@
+"""What a column seems to hold: by its title, else by its place and its figures."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from typing import Final
+
+from armui.trajectory.columns.model import JOINTS, POSE, UNITS, Column, Guess, Quantity
+
+Figures = Sequence[float | None]
+"""Of one column, in their order; ``None`` where a cell holds no number."""
+
+_TITLES: Final[Mapping[Quantity, tuple[str, ...]]] = {
+    Quantity.TIME: ("t", "time", "timestamp", "stamp", "elapsed", "时间", "时间戳"),
+    Quantity.WAIT: ("wait", "dt", "delta", "delay", "interval", "step", "等待", "间隔"),
+    Quantity.X: ("x", "posx", "px"),
+    Quantity.Y: ("y", "posy", "py"),
+    Quantity.Z: ("z", "posz", "pz"),
+    Quantity.RX: ("rx", "roll", "a"),
+    Quantity.RY: ("ry", "pitch", "b"),
+    Quantity.RZ: ("rz", "yaw", "c"),
+    Quantity.GRIPPER: ("gripper", "grip", "opening", "finger", "夹爪", "gripperopening"),
+    Quantity.SPEED: ("speed", "velocity", "vel", "速度"),
+    Quantity.DWELL: ("dwell", "pause", "hold", "停留", "停留时间"),
+    Quantity.NOTE: ("note", "comment", "label", "remark", "备注", "注释"),
+}
+_BY_TITLE: Final = {title: quantity for quantity, titles in _TITLES.items() for title in titles}
+_JOINT: Final = re.compile(r"(?:joint|j|q|theta|axis|关节|轴)([0-6])(?:pos|position|angle|角度?)?")
+
+_UNIT_WORDS: Final = {
+    **dict.fromkeys(("s", "sec", "secs", "second", "seconds", "秒"), "s"),
+    **dict.fromkeys(("ms", "msec", "毫秒"), "ms"),
+    **dict.fromkeys(("us", "µs", "μs", "usec"), "µs"),
+    **dict.fromkeys(("ns", "nsec"), "ns"),
+    **dict.fromkeys(("rad", "rads", "radian", "radians", "弧度"), "rad"),
+    **dict.fromkeys(("deg", "degree", "degrees", "°", "度"), "°"),
+    **dict.fromkeys(("mm", "毫米"), "mm"),
+    **dict.fromkeys(("m", "meter", "metre", "米"), "m"),
+    **dict.fromkeys(("%", "percent"), "%"),
+}
+_PARTS: Final = re.compile(r"[\s_\-./:()\[\]（）【】]+")
+
+_SURE: Final = 1.0
+_UNIT_GUESSED: Final = 0.8
+_PLACE_ONLY: Final = 0.5
+
+_FULL_TURN_RAD: Final = 2 * math.pi + 0.01
+_LONGEST_M: Final = 2.0
+_WIDEST_M: Final = 0.2
+_LONGEST_WAIT: Final = 60.0
+_EPOCHS: Final = (("ns", 1e17), ("µs", 1e14), ("ms", 1e11))
+"""Time since 1970 in these units is beyond these figures, in this century."""
+
+
+def guess_columns(header: Sequence[str], figures: Sequence[Figures]) -> tuple[Guess, ...]:
+    """What each column of a table seems to hold.
+
+    Args:
+        header: The titles; empty where there are none.
+        figures: Some of every column's.
+    """
+    named = _by_titles(header) if header else []
+    quantities = [quantity for quantity, _ in named]
+    units = [unit for _, unit in named]
+    confidence = _UNIT_GUESSED
+    if not any(quantities):
+        quantities, units = _by_place(figures), [""] * len(figures)
+        confidence = _PLACE_ONLY
+    guesses = []
+    for quantity, unit in zip(quantities, units, strict=True):
+        if quantity is None:
+            guesses.append(Guess(None, 0.0))
+        elif unit in UNITS[quantity] and confidence == _UNIT_GUESSED:
+            guesses.append(Guess(Column(quantity, unit), _SURE))
+        else:
+            likely = _unit(quantity, quantities, figures)
+            guesses.append(Guess(Column(quantity, likely), confidence))
+    return tuple(guesses)
+
+
+def _by_titles(header: Sequence[str]) -> list[tuple[Quantity | None, str]]:
+    """Quantity and unit of each title, as far as it names them; a quantity only once."""
+    parts = [_parts(title) for title in header]
+    joints = [_JOINT.fullmatch(title) for title, _ in parts]
+    numbers = {int(match.group(1)) for match in joints if match is not None}
+    first = 0 if 0 in numbers and 6 not in numbers else 1  # some count joints from 0
+    named: list[tuple[Quantity | None, str]] = []
+    for (title, unit), match in zip(parts, joints, strict=True):
+        quantity = _BY_TITLE.get(title)
+        if match is not None and int(match.group(1)) >= first:
+            quantity = JOINTS[int(match.group(1)) - first]
+        seen = quantity in [other for other, _ in named]
+        named.append((None, "") if seen else (quantity, unit))
+    return named
+
+
+def _parts(title: str) -> tuple[str, str]:
+    """A title without its unit, in small letters and one word; and the unit, or ""."""
+    words = [word for word in _PARTS.split(title.lower().replace("°", " ° ")) if word]
+    unit = _UNIT_WORDS.get(words[-1], "") if len(words) > 1 else ""
+    return "".join(words[:-1] if unit else words), unit
+
+
+def _by_place(figures: Sequence[Figures]) -> list[Quantity | None]:
+    """The usual order: perhaps a time, six values, perhaps the gripper."""
+    numeric = [index for index, column in enumerate(figures) if _numbers(column)]
+    quantities: list[Quantity | None] = [None] * len(figures)
+    if len(numeric) > len(JOINTS):
+        values = _numbers(figures[numeric[0]])
+        rises = all(a <= b for a, b in pairwise(values))
+        if rises and values[0] < values[-1]:
+            quantities[numeric.pop(0)] = Quantity.TIME
+        elif min(values) >= 0.0 and max(values) <= _LONGEST_WAIT:
+            quantities[numeric.pop(0)] = Quantity.WAIT
+    if len(numeric) < len(JOINTS):
+        return quantities
+    far = any(_largest(figures[index]) > 360.0 for index in numeric[:3])
+    for index, quantity in zip(
+        numeric, (*(POSE if far else JOINTS), Quantity.GRIPPER), strict=False
+    ):
+        quantities[index] = quantity
+    return quantities
+
+
+def _unit(
+    quantity: Quantity, quantities: Sequence[Quantity | None], figures: Sequence[Figures]
+) -> str:
+    """The unit that the figures of a quantity and of its kin speak for."""
+    group = next((kin for kin in (JOINTS, POSE[:3], POSE[3:]) if quantity in kin), (quantity,))
+    columns = [figures[index] for index, other in enumerate(quantities) if other in group]
+    largest = max(map(_largest, columns), default=0.0)
+    units = UNITS[quantity]
+    if "rad" in units:
+        return "rad" if largest <= _FULL_TURN_RAD else "°"
+    if "mm" in units:
+        return (
+            "m" if largest <= (_WIDEST_M if quantity is Quantity.GRIPPER else _LONGEST_M) else "mm"
+        )
+    if "ms" in units:
+        return _time_unit(_numbers(columns[0]), largest)
+    return next(iter(units))
+
+
+def _time_unit(values: Sequence[float], largest: float) -> str:
+    for unit, least in _EPOCHS:
+        if largest >= least:
+            return unit
+    whole = all(value == int(value) for value in values)
+    return "ms" if whole and largest > _LONGEST_WAIT else "s"
+
+
+def _numbers(column: Figures) -> list[float]:
+    """The finite figures of a column; none where most of its cells hold something else."""
+    values = [value for value in column if value is not None and math.isfinite(value)]
+    return values if 2 * len(values) >= max(1, len(column)) else []
+
+
+def _largest(column: Figures) -> float:
+    return max(map(abs, _numbers(column)), default=0.0)

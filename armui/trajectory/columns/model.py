@@ -1,0 +1,173 @@
+"""What a column can hold, in which unit, and how a table is built."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+from itertools import islice
+from typing import Final, NamedTuple
+
+from armui.protocol.codes import MoveMode
+from armui.trajectory.files.csv_file import Row, rows
+
+REFUSALS: Final = frozenset(
+    {
+        "columns_twice",  # first, second, field
+        "columns_missing",  # missing
+        "columns_unit",  # column, field, value, choices
+    }
+)
+"""The reasons against a mapping."""
+
+SPACES: Final = " "
+"""The delimiter of a table whose cells stand apart by any number of blanks."""
+_COMMENTS: Final = ("#", "%", "//")
+
+
+class Quantity(StrEnum):
+    """What a column can hold. Time counts from anywhere; wait is the time since the row before."""
+
+    TIME = "time"
+    WAIT = "wait"
+    J1 = "J1"
+    J2 = "J2"
+    J3 = "J3"
+    J4 = "J4"
+    J5 = "J5"
+    J6 = "J6"
+    X = "X"
+    Y = "Y"
+    Z = "Z"
+    RX = "RX"
+    RY = "RY"
+    RZ = "RZ"
+    GRIPPER = "gripper"
+    SPEED = "speed"
+    DWELL = "dwell"
+    NOTE = "note"
+
+
+JOINTS: Final = tuple(Quantity(f"J{joint}") for joint in range(1, 7))
+POSE: Final = (Quantity.X, Quantity.Y, Quantity.Z, Quantity.RX, Quantity.RY, Quantity.RZ)
+
+_TIMES: Final = {"s": 1.0, "ms": 1e-3, "µs": 1e-6, "ns": 1e-9}
+_ANGLES: Final = {"°": 1.0, "rad": math.degrees(1.0)}
+_LENGTHS: Final = {"mm": 1.0, "m": 1e3}
+
+UNITS: Final[Mapping[Quantity, Mapping[str, float]]] = {
+    **dict.fromkeys((Quantity.TIME, Quantity.WAIT, Quantity.DWELL), _TIMES),
+    **dict.fromkeys((*JOINTS, *POSE[3:]), _ANGLES),
+    **dict.fromkeys((*POSE[:3], Quantity.GRIPPER), _LENGTHS),
+    Quantity.SPEED: {"%": 1.0},
+    Quantity.NOTE: {"": 1.0},
+}
+"""The units of each quantity; times the factor it is in ours: s, °, mm, %."""
+
+
+class Column(NamedTuple):
+    """What a column holds."""
+
+    quantity: Quantity
+    unit: str
+
+
+class Guess(NamedTuple):
+    """What a column seems to hold: `column` is ``None`` where nothing speaks for anything.
+
+    `confidence` is 1 where the title says quantity and unit, less where one of them was guessed
+    from the figures, 0 for no idea.
+    """
+
+    column: Column | None
+    confidence: float
+
+
+@dataclass(frozen=True, slots=True)
+class Sheet:
+    """How a text is built that holds a table.
+
+    Attributes:
+        delimiter: Between cells; :data:`SPACES` for any number of blanks.
+        decimal: The decimal sign, a point or a comma.
+        header: The titles of the columns; empty where there are none.
+        first_line: Of the table's figures, from 1.
+        width: How many columns there are.
+        preview: The first rows, as text.
+        guesses: For every column.
+    """
+
+    delimiter: str
+    decimal: str
+    header: tuple[str, ...]
+    first_line: int
+    width: int
+    preview: tuple[tuple[str, ...], ...]
+    guesses: tuple[Guess, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ColumnMapping:
+    """Which column is what, as the operator says it.
+
+    Attributes:
+        columns: For every column of the sheet; ``None`` for one that is left out.
+        move: How to go to each row: MOVE_J to its joint angles, MOVE_P or MOVE_L to its pose;
+            ``None`` makes a recording of joint angles over time. What is not needed for that is
+            left out.
+        speed_percent: Of points, where no column says it.
+    """
+
+    columns: tuple[Column | None, ...]
+    move: MoveMode | None = None
+    speed_percent: int = 30
+
+
+def split(line: str, delimiter: str) -> list[str]:
+    """The cells of one line."""
+    if delimiter == SPACES:
+        return line.split()
+    return next(csv.reader([line], delimiter=delimiter), [])
+
+
+def table(text: str, delimiter: str, first_line: int) -> Iterator[Row]:
+    """The rows of a text that are no comments, from a line on.
+
+    Raises:
+        TrajectoryFileError: It cannot be parted into rows.
+    """
+    if delimiter == SPACES:
+        parted = ((line, row.split()) for line, row in enumerate(lines_of(text), start=1))
+        found: Iterable[Row] = islice(parted, first_line - 1, None)
+    else:
+        found = rows(text, delimiter, first_line)
+    for line, cells in found:
+        if cells and not is_comment(cells[0]):
+            yield line, cells
+
+
+def lines_of(text: str) -> Iterator[str]:
+    """The lines of a text, whichever way they end; as the csv module counts them."""
+    return iter(io.StringIO(text, newline=None))
+
+
+def is_comment(text: str) -> bool:
+    """Whether a line or its first cell begins a comment."""
+    return text.lstrip().startswith(_COMMENTS)
+
+
+def as_number(cell: str, decimal: str) -> float | None:
+    """The number in a cell, if it is one."""
+    text = cell.strip()
+    if decimal != ".":
+        if "." in text:
+            return None
+        text = text.replace(decimal, ".")
+    try:
+        value = float(text)
+    except ValueError:
+        return None
+    return None if "_" in text else value

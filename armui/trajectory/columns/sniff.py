@@ -1,0 +1,123 @@
+"""How a text is built that holds a table: delimiter, decimal sign, titles, first row."""
+
+from __future__ import annotations
+
+import csv
+from collections import Counter
+from collections.abc import Sequence
+from itertools import islice
+from typing import Final, NamedTuple
+
+from armui.trajectory.columns.guess import guess_columns
+from armui.trajectory.columns.model import (
+    SPACES,
+    Sheet,
+    as_number,
+    is_comment,
+    lines_of,
+    split,
+    table,
+)
+from armui.trajectory.files.errors import broken
+
+_STYLES: Final = (
+    *((",", "."), (";", "."), (";", ","), ("\t", "."), ("\t", ",")),
+    *(("|", "."), (SPACES, "."), (SPACES, ",")),
+)
+_LOOKED_AT: Final = 400
+"""Lines the build of the table is judged by, spread over the whole text."""
+_PREVIEW: Final = 20
+
+
+class _Style(NamedTuple):
+    """One way to read a table, and how much of it makes sense so."""
+
+    delimiter: str
+    decimal: str
+    width: int
+    sense: float
+
+
+def sniff(text: str) -> Sheet:
+    """How a table in a text is built and what its columns seem to hold.
+
+    Args:
+        text: Of the whole file; prose and comments may stand before the table.
+
+    Raises:
+        TrajectoryFileError: There are no rows of numbers.
+    """
+    lines = [line.rstrip("\n") for line in lines_of(text)]
+    spread = _spread(lines)
+    style = max((_judge(spread, *style) for style in _STYLES), key=lambda one: one[2:][::-1])
+    first = _first_row(lines, style)
+    if first is None:
+        raise broken("file_no_table")
+    header = _header(lines[:first], style)
+    body = [_cells(line, style) for line in _spread(lines[first:])]
+    body = [cells for cells in body if len(cells) == style.width]
+    figures = [
+        [as_number(row[index], style.decimal) for row in body] for index in range(style.width)
+    ]
+    preview = islice(table(text, style.delimiter, first + 1), _PREVIEW)
+    return Sheet(
+        style.delimiter,
+        style.decimal,
+        header,
+        first + 1,
+        style.width,
+        tuple(tuple(cells) for _, cells in preview),
+        guess_columns(header, figures),
+    )
+
+
+def _spread(lines: Sequence[str]) -> list[str]:
+    """Some lines from everywhere, in their order, without comments and empty ones."""
+    step = max(1, len(lines) // _LOOKED_AT)
+    return [line for line in lines[::step] if line.strip() and not is_comment(line)]
+
+
+def _judge(lines: Sequence[str], delimiter: str, decimal: str) -> _Style:
+    """How much sense lines make when parted so: the share of cells that are numbers."""
+    parted = [_parted(line, delimiter) for line in lines]
+    widths = Counter(map(len, parted))
+    width = max(widths, key=lambda count: (widths[count], count), default=0)
+    if width < 2:
+        return _Style(delimiter, decimal, width, 0.0)
+    fitting = [cells for cells in parted if len(cells) == width]
+    numbers = sum(as_number(cell, decimal) is not None for cells in fitting for cell in cells)
+    empty = sum(not cell.strip() for cells in fitting for cell in cells)
+    share = numbers / max(1, width * len(fitting) - empty)
+    return _Style(delimiter, decimal, width, round(share * len(fitting) / len(parted), 3))
+
+
+def _first_row(lines: Sequence[str], style: _Style) -> int | None:
+    """The index of the first line of figures, also of one with cells too many or too few."""
+    for index, line in enumerate(lines):
+        cells = [] if is_comment(line) else _cells(line, style)
+        numbers = sum(as_number(cell, style.decimal) is not None for cell in cells)
+        if style.width >= 2 and 2 * numbers >= style.width:
+            return index
+    return None
+
+
+def _header(lines: Sequence[str], style: _Style) -> tuple[str, ...]:
+    """The titles in the last line before the figures, be it a comment or not; else none."""
+    for line in reversed(lines):
+        if not line.strip():
+            continue
+        cells = _cells(line.lstrip(" \t#%/"), style)
+        titles = tuple(cell.strip() for cell in cells)
+        return titles if len(titles) == style.width else ()
+    return ()
+
+
+def _cells(line: str, style: _Style) -> list[str]:
+    return _parted(line, style.delimiter)
+
+
+def _parted(line: str, delimiter: str) -> list[str]:
+    try:
+        return split(line, delimiter)
+    except csv.Error:
+        return []
