@@ -13,6 +13,7 @@ from armui.control.recovery_steps import Action, Kind, Step
 from armui.control.request import Outcome, Request
 from armui.control.situation import Level, why_unreachable
 from armui.protocol import commands
+from armui.protocol.addressing import Addressing
 from armui.protocol.codes import ALL_JOINTS, ControlMode, LinkageRole, MoveMode, TeachingState
 from armui.protocol.frame import Frame
 
@@ -225,6 +226,7 @@ class Recovery:
 
     def _leave_teaching_input(self, _step: Step) -> Refusal | None:
         frames = commands.set_linkage(self._context.connection.codec, LinkageRole.MOTION_OUTPUT)
+        self._context.connection.offsets.wish(Addressing(), self._context.clock())
         return self._send("motion_output_sent", frames)
 
     def _send(self, code: str, frames: Sequence[Frame]) -> Refusal | None:
