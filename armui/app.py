@@ -42,6 +42,7 @@ class Program:
         app: Qt's application.
         store: The operator's settings.
         controller: Who speaks to the arm.
+        trajectories: The folder of the library; the user's own by default.
 
     Attributes:
         controller, view, window: What its parts are.
@@ -52,6 +53,7 @@ class Program:
         app: QApplication,
         store: SettingsStore,
         controller: ArmController,
+        trajectories: Path | None = None,
     ) -> None:
         self._app = app
         self._translator = Translator(app)
@@ -60,7 +62,7 @@ class Program:
         apply_theme(app, Theme(settings.theme))
         self.controller = controller
         self.view = ArmView(Path(settings.urdf_path) if settings.urdf_path else None)
-        self.window = MainWindow(self.controller, self.view, store)
+        self.window = MainWindow(self.controller, self.view, store, trajectories)
         self._stop_shortcut = StopShortcut(app, self.controller)
         self._unsubscribe = store.subscribe(self._on_settings_changed)
 

@@ -1,8 +1,10 @@
-"""Where the program's own files are: beside the package in a checkout, inside it when installed."""
+"""Where the program's own files are, beside the package or inside it; and the operator's."""
 
 from __future__ import annotations
 
 from pathlib import Path
+
+import platformdirs
 
 _PACKAGE = Path(__file__).resolve().parent
 
@@ -17,3 +19,8 @@ RESOURCES = _data_folder("resources")
 
 URDF = _data_folder("urdf")
 """The robot description with its meshes."""
+
+
+def trajectories() -> Path:
+    """Where the operator's trajectories are kept: the user's folder for data of programs."""
+    return platformdirs.user_data_path("armui", appauthor=False) / "trajectories"

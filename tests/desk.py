@@ -20,6 +20,7 @@ class Desk(Bench):
     Attributes:
         program: The program, wired as it is for the operator.
         window: Its main window, shown.
+        library_folder: Where its trajectories are kept.
     """
 
     def __init__(
@@ -27,7 +28,8 @@ class Desk(Bench):
     ) -> None:
         super().__init__(channel, generation)
         self.store = SettingsStore(settings, for_this_run={"language": "en"})
-        self.program = Program(app, self.store, self.controller)
+        self.library_folder = settings.parent / "trajectories"
+        self.program = Program(app, self.store, self.controller, self.library_folder)
         self.window = self.program.window
         self.window.resize(1280, 800)
         self.window.show()

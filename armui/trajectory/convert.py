@@ -91,3 +91,26 @@ def to_move(
         halves = ((a + b) / 2 for a, b in zip(before[:3], target.target[:3], strict=True))
         return replace(target, move=move, middle=(*halves, *target.target[3:]))
     return to_pose(point, kinematics, move)
+
+
+def comes_from(
+    points: Sequence[Waypoint], row: int, kinematics: Kinematics, measured_deg: Sequence[float]
+) -> tuple[Sequence[float], Pose]:
+    """Where the arm is about to come from when it moves to a row.
+
+    Args:
+        points: Of the trajectory.
+        row: Which, from 0.
+        kinematics: Of the arm.
+        measured_deg: Where the arm is before the first point.
+
+    Returns:
+        Joint angles: those of the nearest row above, or this one, that has some, else the measured
+        ones. The pose of the row above, else the measured one.
+    """
+    above = points[row::-1] if row < len(points) else points[::-1]
+    near_deg = next((point.target for point in above if point.is_joint), measured_deg)
+    if row == 0:
+        return near_deg, kinematics.forward(measured_deg)
+    last = points[row - 1]
+    return near_deg, kinematics.forward(last.target) if last.is_joint else Pose(*last.target)

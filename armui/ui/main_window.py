@@ -38,8 +38,9 @@ from armui.ui.side_menu import MenuEntry, SideMenu
 from armui.ui.status_bar import StatusBar
 from armui.ui.theme import DARK, colors_of
 from armui.ui.top_bar import TopBar
-from armui.ui.unsaved import leave_then, unsaved
+from armui.ui.unsaved import KeepsWork, leave_then, unsaved
 from armui.ui.widgets.joint_status_button import JointStatusButton
+from armui.ui.widgets.library_button import LibraryButton
 from armui.ui.widgets.recovery_line import RecoveryLine
 from armui.ui.widgets.view_region import ViewRegion
 from armui.viewport import palette as scene_palette
@@ -62,15 +63,21 @@ class MainWindow(QMainWindow):
         controller: Whom the regions tell, and who tells them.
         view: The 3D picture.
         preferences: What the operator chose; changes reach the window at once.
+        trajectories: The folder of the library; the user's own by default.
     """
 
     def __init__(
-        self, controller: ArmController, view: ArmView, preferences: SettingsStore
+        self,
+        controller: ArmController,
+        view: ArmView,
+        preferences: SettingsStore,
+        trajectories: Path | None = None,
     ) -> None:
         super().__init__()
         self._controller = controller
         self._view = view
         self._preferences = preferences
+        self._trajectories = trajectories
         self._settings = preferences.settings
         self._dialogs: dict[str, QDialog] = {}
         self._may_close = False
@@ -156,7 +163,8 @@ class MainWindow(QMainWindow):
     # -- layout -------------------------------------------------------------------------------
 
     def _lay_out(self) -> None:
-        self._menu = SideMenu(self._entries, self._joint_status_button)
+        self._library_button = LibraryButton()
+        self._menu = SideMenu(self._entries, (self._library_button, self._joint_status_button))
         self._panels = QStackedWidget()
         self._panels.setObjectName("operation_area")
         for entry in self._entries:
@@ -199,6 +207,7 @@ class MainWindow(QMainWindow):
     def _connect(self) -> None:
         self._menu.chosen.connect(self._on_entry_chosen)
         self._joint_status_button.clicked.connect(self.open_joint_status_dialog)
+        self._library_button.clicked.connect(self.open_library_window)
         self._view_region.help_wanted.connect(self.open_help_dialog)
         self._view_region.reset_wanted.connect(self._view.reset_view)
         self._view_region.settings_wanted.connect(self.open_settings_dialog)
@@ -293,6 +302,19 @@ class MainWindow(QMainWindow):
 
         self._open("backup", make)
 
+    def open_library_window(self) -> None:
+        """Show the window 轨迹库 (manual 1.0.9)."""
+
+        def make() -> QDialog:
+            from armui import paths  # noqa: PLC0415 - faster start
+            from armui.trajectory.library import Library  # noqa: PLC0415 - numpy, faster start
+            from armui.ui.trajectory.library_window import LibraryWindow  # noqa: PLC0415 - as above
+
+            library = Library(self._trajectories or paths.trajectories())
+            return LibraryWindow(self._controller, library, self)
+
+        self._open("library", make)
+
     def open_help_dialog(self) -> None:
         """Show how the 3D view is used."""
 
@@ -349,6 +371,9 @@ class MainWindow(QMainWindow):
             self._leave_arm_then(self, self._close_unless_moving)
             return
         self._unsubscribe()
+        for dialog in self._dialogs.values():
+            if isinstance(dialog, KeepsWork):
+                dialog.keep_work()
         super().closeEvent(event)
 
     def _close_unless_moving(self) -> None:

@@ -1,4 +1,4 @@
-"""Region 2: the vertical menu; below it region 10."""
+"""Region 2: the vertical menu; below it regions 9 and 10."""
 
 from __future__ import annotations
 
@@ -53,7 +53,10 @@ class SideMenu(QWidget):
     chosen = Signal(int)
 
     def __init__(
-        self, entries: Sequence[MenuEntry], at_bottom: QWidget, parent: QWidget | None = None
+        self,
+        entries: Sequence[MenuEntry],
+        at_bottom: Sequence[QWidget],
+        parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
         self.setObjectName("side_menu")
@@ -80,7 +83,8 @@ class SideMenu(QWidget):
         whole.setContentsMargins(8, 12, 8, 14)
         whole.setSpacing(8)
         whole.addWidget(self._scrolled(column), 1)
-        whole.addWidget(at_bottom)
+        for widget in at_bottom:
+            whole.addWidget(widget)
         self._group.button(0).setChecked(True)
         self._group.idClicked.connect(self.chosen)
         self._group.idClicked.connect(self._draw_icons)

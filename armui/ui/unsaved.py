@@ -25,6 +25,14 @@ class KeepsDraft(Protocol):
         """Forget what was entered."""
 
 
+@runtime_checkable
+class KeepsWork(Protocol):
+    """A window whose unsaved work is kept on the disk and offered the next time."""
+
+    def keep_work(self) -> None:
+        """The program ends: bring what is kept up to date."""
+
+
 def unsaved(panels: Iterable[object]) -> list[KeepsDraft]:
     """Those of the panels in which something is not saved; the others need not know of this."""
     return [

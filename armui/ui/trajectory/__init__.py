@@ -1,1 +1,1 @@
-"""The trajectory library, its editor, its run controls and the preview."""
+"""轨迹库: the library of trajectories, the editor of one, running and recording them."""

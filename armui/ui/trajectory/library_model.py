@@ -1,0 +1,188 @@
+"""The list of the library as a table: name, points, length in time, last change, check mark."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Sequence
+from typing import Any, Final
+
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    QSortFilterProxyModel,
+    Qt,
+    Signal,
+)
+
+from armui.trajectory.library import Entry
+from armui.ui import format as fmt
+from armui.ui.trajectory.text import duration, file_error
+
+_Index = QModelIndex | QPersistentModelIndex
+
+ENTRY_ROLE: Final = Qt.ItemDataRole.UserRole
+"""The :class:`Entry` of a row."""
+SORT_ROLE: Final = Qt.ItemDataRole.UserRole + 1
+
+_RIGHT: Final = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+
+
+class LibraryColumn(enum.IntEnum):
+    """From left to right."""
+
+    NAME = 0
+    POINTS = 1
+    LENGTH = 2
+    MODIFIED = 3
+    CHECK = 4
+    NOTE = 5
+
+
+class LibraryModel(QAbstractTableModel):
+    """Shows the entries it is given; a name typed anew is handed on.
+
+    Signals:
+        rename_wanted: The name of a trajectory and its new one.
+    """
+
+    rename_wanted = Signal(str, str)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._entries: Sequence[Entry] = ()
+        self._drafts: frozenset[str] = frozenset()
+
+    def show(self, entries: Sequence[Entry], drafts: Sequence[str]) -> None:
+        """Show other entries; ``drafts`` are those with changes that are not saved."""
+        self.beginResetModel()
+        self._entries, self._drafts = tuple(entries), frozenset(drafts)
+        self.endResetModel()
+
+    def rowCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008, N802 - Qt's signature
+        """How many there are."""
+        return 0 if parent.isValid() else len(self._entries)
+
+    def columnCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008, N802 - as above
+        """As many as there are columns."""
+        return 0 if parent.isValid() else len(LibraryColumn)
+
+    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """What a cell shows."""
+        if not index.isValid():
+            return None
+        entry, column = self._entries[index.row()], LibraryColumn(index.column())
+        if role in {Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole}:
+            return self._text(entry, column)
+        if role == Qt.ItemDataRole.EditRole:
+            return entry.name
+        if role == ENTRY_ROLE:
+            return entry
+        if role == SORT_ROLE:
+            return _sort_key(entry, column)
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return file_error(entry.damage) if entry.damage is not None else entry.note
+        if role == Qt.ItemDataRole.TextAlignmentRole and column in {
+            LibraryColumn.POINTS,
+            LibraryColumn.LENGTH,
+        }:
+            return _RIGHT
+        return None
+
+    def _text(self, entry: Entry, column: LibraryColumn) -> str:
+        if column is LibraryColumn.NAME:
+            return f"{entry.name} *" if entry.name in self._drafts else entry.name
+        if column is LibraryColumn.POINTS:
+            if entry.damage is not None:
+                return fmt.NOTHING
+            count = entry.count
+            is_recording = entry.kind == "recording"
+            return self.tr("{count} samples").format(count=count) if is_recording else str(count)
+        if column is LibraryColumn.LENGTH:
+            return duration(entry.length_s)
+        if column is LibraryColumn.MODIFIED:
+            return f"{entry.modified.astimezone():%Y-%m-%d %H:%M}"
+        return self._check(entry) if column is LibraryColumn.CHECK else " ".join(entry.note.split())
+
+    def _check(self, entry: Entry) -> str:
+        if entry.damage is not None:
+            return f"✕ {self.tr('damaged')}"
+        if entry.check is None:
+            return fmt.NOTHING
+        return {
+            "ok": f"✓ {self.tr('checked')}",
+            "warnings": f"! {self.tr('warnings')}",
+            "errors": f"✕ {self.tr('errors')}",
+        }[entry.check]
+
+    def headerData(  # noqa: N802 - Qt's name
+        self,
+        section: int,
+        orientation: Qt.Orientation,
+        role: int = Qt.ItemDataRole.DisplayRole,
+    ) -> Any:
+        """The titles of the columns."""
+        if role != Qt.ItemDataRole.DisplayRole or orientation != Qt.Orientation.Horizontal:
+            return None
+        return (
+            self.tr("Name"),
+            self.tr("Points"),
+            self.tr("Length"),
+            self.tr("Last change"),
+            self.tr("Check"),
+            self.tr("Note"),
+        )[section]
+
+    def flags(self, index: _Index) -> Qt.ItemFlag:
+        """Names can be edited."""
+        flags = super().flags(index)
+        named = index.isValid() and index.column() == LibraryColumn.NAME
+        return flags | Qt.ItemFlag.ItemIsEditable if named else flags
+
+    def setData(  # noqa: N802 - Qt's name
+        self, index: _Index, value: Any, role: int = Qt.ItemDataRole.EditRole
+    ) -> bool:
+        """Hand on another name."""
+        if role != Qt.ItemDataRole.EditRole or not index.isValid():
+            return False
+        name, new = self._entries[index.row()].name, str(value).strip()
+        if new != name:
+            self.rename_wanted.emit(name, new)
+        return True
+
+    def retranslate(self) -> None:
+        """Everything in another language."""
+        self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(LibraryColumn) - 1)
+        if self._entries:
+            last = self.index(len(self._entries) - 1, len(LibraryColumn) - 1)
+            self.dataChanged.emit(self.index(0, 0), last)
+
+
+class LibraryFilter(QSortFilterProxyModel):
+    """Only those whose name or note holds a text, in the order of a column."""
+
+    def __init__(self, source: LibraryModel, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.setSourceModel(source)
+        self.setSortRole(SORT_ROLE)
+        self.setFilterCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
+        self.setSortCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
+
+    def filterAcceptsRow(self, row: int, parent: _Index) -> bool:  # noqa: N802 - Qt's name
+        """Whether the text is in the name or the note."""
+        entry: Entry = self.sourceModel().index(row, 0, parent).data(ENTRY_ROLE)
+        wanted = self.filterRegularExpression()
+        return any(wanted.match(text).hasMatch() for text in (entry.name, entry.note))
+
+
+def _sort_key(entry: Entry, column: LibraryColumn) -> str | float:
+    if column is LibraryColumn.POINTS:
+        return entry.count
+    if column is LibraryColumn.LENGTH:
+        return -1.0 if entry.length_s is None else entry.length_s
+    if column is LibraryColumn.MODIFIED:
+        return entry.modified.timestamp()
+    if column is LibraryColumn.CHECK:
+        return "damaged" if entry.damage is not None else entry.check or ""
+    return entry.note if column is LibraryColumn.NOTE else entry.name

@@ -1,0 +1,401 @@
+"""The window 轨迹库: all trajectories, and what can be done with them (manual figure 1-19)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from datetime import datetime
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QItemSelectionModel, QModelIndex, QSize, Qt
+from PySide6.QtGui import QAction, QKeySequence, QShowEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHBoxLayout,
+    QHeaderView,
+    QLineEdit,
+    QMenu,
+    QPushButton,
+    QTableView,
+    QWidget,
+)
+
+from armui.control.situation import Level
+from armui.trajectory.files import SUFFIXES, Content, TrajectoryFileError
+from armui.trajectory.library import Deleted, Entry, Library, LibraryError
+from armui.trajectory.program import Trajectory
+from armui.ui import words
+from armui.ui.dialogs.base import ArmDialog
+from armui.ui.trajectory import library_files
+from armui.ui.trajectory.editor_window import EditorWindow
+from armui.ui.trajectory.library_model import (
+    ENTRY_ROLE,
+    LibraryColumn,
+    LibraryFilter,
+    LibraryModel,
+)
+from armui.ui.trajectory.text import file_error
+from armui.ui.widgets.message_line import MessageLine
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_SIZE: Final = QSize(1040, 640)
+_ROW_PX: Final = 34
+_WIDTHS_PX: Final = {
+    LibraryColumn.POINTS: 110,
+    LibraryColumn.LENGTH: 90,
+    LibraryColumn.MODIFIED: 150,
+    LibraryColumn.CHECK: 120,
+    LibraryColumn.NOTE: 200,
+}
+_BUTTONS: Final = ("import", "create", "delete", "duplicate", "rename", "export")
+
+
+class LibraryWindow(ArmDialog):
+    """The list of the library; a double click opens the second level.
+
+    Args:
+        controller: Runs trajectories, and knows where the arm is.
+        library: What is listed.
+        parent: The main window.
+    """
+
+    def __init__(
+        self, controller: ArmController, library: Library, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(controller, parent)
+        self._controller = controller
+        self._library = library
+        self._editors: dict[str, EditorWindow] = {}
+        self._deleted: Deleted | None = None
+        self._model = LibraryModel(self)
+        self._shown = LibraryFilter(self._model, self)
+        self._search = QLineEdit()
+        self._search.setObjectName("library_search")
+        self._search.setClearButtonEnabled(True)
+        self._search.textChanged.connect(self._shown.setFilterFixedString)
+        self._buttons = {name: QPushButton() for name in _BUTTONS}
+        self._table = QTableView()
+        self._message = MessageLine()
+        self._message.setObjectName("library_message")
+        self._undo_button = QPushButton()
+        self._undo_button.setObjectName("library_undo")
+        self._undo_button.setAutoDefault(False)
+        self._undo_button.hide()
+        self._undo_button.clicked.connect(self._restore)
+        self._export_menu = QMenu(self)
+        self._build_table()
+        self._lay_out()
+        self._connect()
+        self.retranslate_ui()
+        self.resize(_SIZE)
+
+    # Layout -----------------------------------------------------------------------------------
+
+    def _build_table(self) -> None:
+        table = self._table
+        table.setObjectName("library_table")
+        table.setModel(self._shown)
+        table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        table.setEditTriggers(QAbstractItemView.EditTrigger.EditKeyPressed)
+        table.setSortingEnabled(True)
+        table.sortByColumn(LibraryColumn.NAME, Qt.SortOrder.AscendingOrder)
+        table.setShowGrid(False)
+        table.setAlternatingRowColors(True)
+        table.setWordWrap(False)
+        table.setTabKeyNavigation(False)
+        table.verticalHeader().hide()
+        table.verticalHeader().setDefaultSectionSize(_ROW_PX)
+        across = table.horizontalHeader()
+        across.setHighlightSections(False)
+        across.setSectionResizeMode(LibraryColumn.NAME, QHeaderView.ResizeMode.Stretch)
+        for column, width_px in _WIDTHS_PX.items():
+            table.setColumnWidth(column, width_px)
+
+    def _lay_out(self) -> None:
+        bar = QHBoxLayout()
+        bar.setSpacing(6)
+        for name, button in self._buttons.items():
+            button.setObjectName(f"library_{name}")
+            button.setAutoDefault(False)
+            bar.addWidget(button)
+        self._buttons["export"].setMenu(self._export_menu)
+        bar.addStretch(1)
+        bar.addWidget(self._search, 2)
+        below = QHBoxLayout()
+        below.addWidget(self._message, 1)
+        below.addWidget(self._undo_button)
+        self.body.addLayout(bar)
+        self.body.addWidget(self._table, 1)
+        self.body.addLayout(below)
+
+    def _connect(self) -> None:
+        handlers: dict[str, Callable[[], object]] = {
+            "import": self._choose_imports,
+            "create": self._create,
+            "delete": self._delete,
+            "duplicate": self._duplicate,
+            "rename": self._edit_name,
+        }
+        for name, do in handlers.items():
+            self._buttons[name].clicked.connect(lambda _checked=False, do=do: do())
+        for suffix in SUFFIXES:
+            action = self._export_menu.addAction(suffix)
+            action.triggered.connect(partial(self._export, suffix))
+        delete = QAction(self._table)
+        delete.setShortcut(QKeySequence.StandardKey.Delete)
+        delete.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
+        delete.triggered.connect(self._delete)
+        self._table.addAction(delete)
+        self._table.doubleClicked.connect(self._on_double_click)
+        self._table.selectionModel().selectionChanged.connect(self._show_usable)
+        self._model.modelReset.connect(self._show_usable)
+        self._model.rename_wanted.connect(self._rename)
+
+    # The list ---------------------------------------------------------------------------------
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Look at the folder anew: files may have come or gone."""
+        self.refresh()
+        super().showEvent(event)
+
+    def refresh(self, choose: Sequence[str] | None = None) -> None:
+        """List the library as it is now.
+
+        Args:
+            choose: The names to be chosen; those chosen before by default.
+        """
+        names = list(choose) if choose is not None else [one.name for one in self.chosen()]
+        try:
+            self._model.show(self._library.entries(), self._library.drafts())
+        except LibraryError as error:
+            self._say(words.refusal(error.refusal), Level.FAULT)
+            return
+        flag = QItemSelectionModel.SelectionFlag
+        for row in range(self._shown.rowCount()):
+            index = self._shown.index(row, 0)
+            if index.data(ENTRY_ROLE).name in names:
+                self._table.selectionModel().select(index, flag.Select | flag.Rows)
+                self._table.selectionModel().setCurrentIndex(index, flag.NoUpdate)
+                self._table.scrollTo(index)
+
+    def chosen(self) -> list[Entry]:
+        """The chosen entries, from top to bottom."""
+        rows = self._table.selectionModel().selectedRows()
+        return [index.data(ENTRY_ROLE) for index in sorted(rows, key=QModelIndex.row)]
+
+    def _show_usable(self, *_: object) -> None:
+        count = len(self.chosen())
+        self._buttons["delete"].setEnabled(count > 0)
+        self._buttons["export"].setEnabled(count > 0)
+        self._buttons["duplicate"].setEnabled(count == 1)
+        self._buttons["rename"].setEnabled(count == 1)
+        missing = self.tr("Choose a trajectory in the list first")
+        for name in ("delete", "export", "duplicate", "rename"):
+            button = self._buttons[name]
+            button.setToolTip("" if button.isEnabled() else missing)
+
+    # Opening ----------------------------------------------------------------------------------
+
+    def _on_double_click(self, index: QModelIndex) -> None:
+        self.open_trajectory(index.data(ENTRY_ROLE).name)
+
+    def open_trajectory(self, name: str) -> None:
+        """Open the second level of a trajectory, with what was not saved of it."""
+        if name in self._editors:
+            self._editors[name].open()
+            return
+        content = self._load(name)
+        if isinstance(content, Trajectory):
+            self._open_editor(content)
+
+    def _load(self, name: str) -> Content | None:
+        try:
+            return self._library.load(name)
+        except TrajectoryFileError as error:
+            self._say(file_error(error), Level.FAULT)
+        except LibraryError as error:
+            self._say(words.refusal(error.refusal), Level.FAULT)
+        return None
+
+    def _open_editor(self, trajectory: Trajectory) -> None:
+        try:
+            draft = self._library.draft(trajectory.name)
+        except TrajectoryFileError as error:
+            draft = None
+            self._say(file_error(error), Level.WARNING)
+        editor = EditorWindow(
+            self._controller, self._library, trajectory, draft, self.parentWidget()
+        )
+        self._editors[trajectory.name] = editor
+        editor.saved.connect(self.refresh)
+        editor.left.connect(partial(self._on_left, trajectory.name))
+        editor.open()
+
+    def _on_left(self, name: str) -> None:
+        self._editors.pop(name).deleteLater()
+        self.refresh()
+
+    def keep_work(self) -> None:
+        """The program ends: what is not saved in an editor is offered the next time."""
+        for editor in self._editors.values():
+            editor.keep_draft()
+
+    # What the buttons do ----------------------------------------------------------------------
+
+    def _create(self) -> None:
+        name = self._library.free_name(self.tr("Trajectory"))
+        trajectory = Trajectory(name, modified=datetime.now().astimezone())
+        if self._attempt(lambda: self._library.save(trajectory)):
+            self.refresh([name])
+            self._open_editor(trajectory)
+
+    def _delete(self) -> None:
+        names = [entry.name for entry in self.chosen()]
+        busy = [name for name in names if name in self._editors]
+        if busy:
+            self._say(
+                self.tr("“{name}” is open. Close its window first.").format(name=busy[0]),
+                Level.WARNING,
+            )
+            return
+        if names and self._attempt(lambda: self._take_away(names)):
+            self.refresh([])
+            text = self.tr("Deleted: {names}").format(names=", ".join(names))
+            self._say(text, Level.DONE)
+            self._undo_button.show()
+
+    def _take_away(self, names: Sequence[str]) -> None:
+        self._deleted = self._library.delete(names)
+
+    def _restore(self) -> None:
+        deleted = self._deleted
+        if deleted is not None and self._attempt(lambda: self._library.restore(deleted)):
+            self._deleted = None
+            self.refresh(deleted.names)
+            text = self.tr("Brought back: {names}").format(names=", ".join(deleted.names))
+            self._say(text, Level.DONE)
+
+    def _duplicate(self) -> None:
+        name = self.chosen()[0].name
+        new = self._library.free_name(name)
+        if self._attempt(lambda: self._library.duplicate(name, new)):
+            self.refresh([new])
+            self._say("")
+
+    def _edit_name(self) -> None:
+        rows = self._table.selectionModel().selectedRows(LibraryColumn.NAME)
+        if rows:
+            self._table.setFocus()
+            self._table.setCurrentIndex(rows[0])
+            self._table.edit(rows[0])
+
+    def _rename(self, name: str, new: str) -> None:
+        if name in self._editors:
+            self._say(
+                self.tr("“{name}” is open. Close its window first.").format(name=name),
+                Level.WARNING,
+            )
+        elif self._attempt(lambda: self._library.rename(name, new)):
+            self.refresh([new])
+            self._say("")
+
+    def _attempt(self, action: Callable[[], object]) -> bool:
+        """Do something with the library; what it refuses is said."""
+        try:
+            action()
+        except LibraryError as error:
+            self._say(words.refusal(error.refusal), Level.FAULT)
+        except TrajectoryFileError as error:
+            self._say(file_error(error), Level.FAULT)
+        else:
+            return True
+        return False
+
+    # Files ------------------------------------------------------------------------------------
+
+    def _choose_imports(self) -> None:
+        library_files.choose_imports(self, self._controller, self.import_files)
+
+    def import_files(self, paths: Sequence[Path]) -> None:
+        """Take over what is whole of some files; each of the others is told."""
+        contents, errors = library_files.read_all(paths)
+        taken: list[str] = []
+        problems = [file_error(error) for error in errors]
+        for content in contents:
+            name = self._library.free_name(content.name)
+            try:
+                self._library.save(replace(content, name=name))
+            except LibraryError as error:
+                problems.append(f"{content.name}: {words.refusal(error.refusal)}")
+            else:
+                taken.append(name)
+        self.refresh(taken)
+        texts = []
+        if taken:
+            texts.append(self.tr("Imported: {names}").format(names=", ".join(taken)))
+        texts += [self.tr("Not imported. {reason}").format(reason=text) for text in problems]
+        self._say("\n".join(texts), Level.WARNING if problems else Level.DONE)
+
+    def _export(self, suffix: str) -> None:
+        names = [entry.name for entry in self.chosen()]
+        if len(names) == 1:
+            library_files.choose_export(
+                self,
+                self._controller,
+                names[0],
+                suffix,
+                lambda path: self._write(names, lambda _name: path),
+            )
+        else:
+            library_files.choose_folder(
+                self,
+                self._controller,
+                lambda folder: self._write(
+                    names, lambda name: library_files.free_path(folder, name, suffix)
+                ),
+            )
+
+    def _write(self, names: Sequence[str], path_of: Callable[[str], Path]) -> None:
+        written: list[str] = []
+        for name in names:
+            content = self._load(name)
+            if content is None:
+                return
+            path = path_of(name)
+            problem = library_files.write_one(content, path)
+            if problem is not None:
+                text = self.tr("Not exported. {file}: {text}")
+                self._say(text.format(file=problem[0], text=problem[1]), Level.FAULT)
+                return
+            written.append(path.name)
+        self._say(self.tr("Exported: {names}").format(names=", ".join(written)), Level.DONE)
+
+    # Words ------------------------------------------------------------------------------------
+
+    def _say(self, text: str, level: Level = Level.INFO) -> None:
+        self._undo_button.hide()
+        self._message.show_message(text, level)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.tr("Trajectory library"))
+        texts = {
+            "import": self.tr("Import files"),
+            "create": self.tr("Create"),
+            "delete": self.tr("Delete"),
+            "duplicate": self.tr("Duplicate"),
+            "rename": self.tr("Rename"),
+            "export": self.tr("Export files"),
+        }
+        for name, text in texts.items():
+            self._buttons[name].setText(text)
+        self._undo_button.setText(self.tr("Undo"))
+        self._search.setPlaceholderText(self.tr("Search"))
+        self._table.setAccessibleName(self.tr("Trajectory library"))
+        self._model.retranslate()
+        self._show_usable()
