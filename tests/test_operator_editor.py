@@ -42,7 +42,9 @@ class Editor:
     def open(self, name="Test"):
         self.desk.click("library_button")
         self.desk.dialog(LibraryWindow).open_trajectory(name)
-        return self.desk.dialog(EditorWindow)
+        window = self.desk.dialog(EditorWindow)
+        self.desk.wait(window.isActiveWindow)
+        return window
 
     @property
     def points(self):
