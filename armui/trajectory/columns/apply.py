@@ -13,14 +13,17 @@ from armui.protocol.codes import MoveMode
 from armui.trajectory.columns.model import (
     JOINTS,
     POSE,
+    SPACES,
     UNITS,
     ColumnMapping,
     Quantity,
     Sheet,
     as_number,
+    lines_from,
     table,
 )
 from armui.trajectory.files.errors import broken
+from armui.trajectory.files.figures import read_figures
 from armui.trajectory.files.model import Content, verified, verified_point
 from armui.trajectory.program import GripperOpening, Trajectory, Waypoint
 from armui.trajectory.recording import COLUMN_COUNT, GRIPPER, Array, Recording
@@ -96,6 +99,20 @@ def _read(
     text: str, sheet: Sheet, places: dict[Quantity, int], note: int | None
 ) -> tuple[Array, list[str], list[int]]:
     """The figures (n, len(places)) of the rows, their notes, and the line of each."""
+    wanted = list(places.values())
+    if note is None and sheet.decimal == "." and '"' not in text:
+        numbered = list(lines_from(text, sheet.first_line))
+        delimiter = None if sheet.delimiter == SPACES else sheet.delimiter
+        table_figures = read_figures([line for _, line in numbered], delimiter)
+        if table_figures is not None and table_figures.shape[1] == sheet.width:
+            return table_figures[:, wanted], [], [number for number, _ in numbered]
+    return _read_one_by_one(text, sheet, places, note)
+
+
+def _read_one_by_one(
+    text: str, sheet: Sheet, places: dict[Quantity, int], note: int | None
+) -> tuple[Array, list[str], list[int]]:
+    """The same where cells hold texts, or nothing, or one is wrong."""
     wanted = list(places.values())
     plain = sheet.decimal == "." and "_" not in text  # which Python takes for part of a number
     figures: list[list[float]] = []

@@ -149,6 +149,12 @@ def table(text: str, delimiter: str, first_line: int) -> Iterator[Row]:
             yield line, cells
 
 
+def lines_from(text: str, first_line: int) -> Iterator[tuple[int, str]]:
+    """The lines of a table that are neither empty nor comments, with their numbers."""
+    numbered = islice(enumerate(lines_of(text), start=1), first_line - 1, None)
+    return ((number, line) for number, line in numbered if line.strip() and not is_comment(line))
+
+
 def lines_of(text: str) -> Iterator[str]:
     """The lines of a text, whichever way they end; as the csv module counts them."""
     return iter(io.StringIO(text, newline=None))

@@ -8,6 +8,7 @@ from typing import Any, Final
 import numpy as np
 
 from armui.trajectory.files.errors import broken
+from armui.trajectory.files.figures import read_figures
 from armui.trajectory.files.model import Content, verified
 from armui.trajectory.files.text import number, parse_number
 from armui.trajectory.recording import COLUMN_COUNT, GRIPPER, Array, Recording
@@ -35,6 +36,22 @@ def read_samples(lines: list[str], begin: int, fields: dict[str, Any]) -> Conten
     Raises:
         TrajectoryFileError: With line and column.
     """
+    places = [place for place in range(begin, len(lines)) if _is_sample(lines[place])]
+    figures = read_figures([lines[place] for place in places], None)
+    if figures is not None and figures.shape[1] in (GRIPPER, COLUMN_COUNT):
+        samples = np.full((len(figures), COLUMN_COUNT), np.nan)
+        samples[:, : figures.shape[1]] = figures
+        return verified(Recording(samples=samples, **fields), [place + 1 for place in places])
+    return _read_one_by_one(lines, begin, fields)
+
+
+def _is_sample(line: str) -> bool:
+    text = line.lstrip()
+    return bool(text) and not text.startswith("#")
+
+
+def _read_one_by_one(lines: list[str], begin: int, fields: dict[str, Any]) -> Content:
+    """The same where only some samples hold the gripper, or one is wrong."""
     rows: list[list[float]] = []
     numbers: list[int] = []
     for line, text in enumerate(lines[begin:], start=begin + 1):
