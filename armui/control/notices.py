@@ -154,6 +154,8 @@ REFUSALS: Final = frozenset(
         "light_not_a_number",  # light, value, minimum, maximum
         "joints_unknown",
         "generation_unknown",
+        "no_rows_chosen",
+        "findings_against",  # count
         "not_running",
         "not_paused",
         "run_empty",  # name

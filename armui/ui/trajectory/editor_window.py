@@ -10,10 +10,12 @@ from PySide6.QtCore import QSize, Signal
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from armui.arm.refusal import Refusal
+from armui.control.run import OVER, Progress
 from armui.control.situation import Level
 from armui.trajectory import edits
 from armui.trajectory.edits import Change
 from armui.trajectory.files.errors import TrajectoryFileError
+from armui.trajectory.findings import Severity
 from armui.trajectory.library import LibraryError
 from armui.trajectory.program import Trajectory, Waypoint
 from armui.ui import words
@@ -22,11 +24,13 @@ from armui.ui.trajectory.document import Document
 from armui.ui.trajectory.draft_keeper import DraftKeeper
 from armui.ui.trajectory.editor_actions import EditorActions
 from armui.ui.trajectory.find_bar import FindBar
+from armui.ui.trajectory.findings_pane import FindingsPane
 from armui.ui.trajectory.leave_question import LeaveQuestion
 from armui.ui.trajectory.point_edits import Outcome, PointEdits
 from armui.ui.trajectory.points_model import PointsModel
 from armui.ui.trajectory.points_table import PointsTable
-from armui.ui.trajectory.text import file_error
+from armui.ui.trajectory.preflight import Preflight
+from armui.ui.trajectory.run_strip import RunStrip
 from armui.ui.widgets.message_line import MessageLine
 
 if TYPE_CHECKING:
@@ -80,6 +84,8 @@ class EditorWindow(ArmDialog):
         self._note.setObjectName("trajectory_note")
         self._message = MessageLine()
         self._message.setObjectName("editor_message")
+        self._findings = FindingsPane()
+        self._strip = RunStrip(controller, self.document.trajectory)
         self._actions = EditorActions(self, self.table, self._handlers())
         self._lay_out()
         self._connect()
@@ -87,6 +93,7 @@ class EditorWindow(ArmDialog):
         self.resize(_SIZE)
         if draft is not None:
             self._take_draft(draft)
+        self._strip.show_content(len(self.document.points))
         self.table.select_row(0)
         self.table.setFocus()
 
@@ -103,11 +110,8 @@ class EditorWindow(ArmDialog):
             "undo": partial(self._step, self.document.stack.undo),
             "redo": partial(self._step, self.document.stack.redo),
             "find": self._find_bar.open,
-            "check": self.check,
+            "check": self._strip.check,
         }
-
-    def check(self) -> None:
-        """Look for what speaks against running it."""
 
     def _lay_out(self) -> None:
         self._find_bar.hide()
@@ -116,6 +120,8 @@ class EditorWindow(ArmDialog):
         self.body.addLayout(bar)
         self.body.addWidget(self._find_bar)
         self.body.addWidget(self.table, 1)
+        self.body.addWidget(self._findings)
+        self.body.addWidget(self._strip)
         self.body.addWidget(self._message)
 
     def _connect(self) -> None:
@@ -132,6 +138,11 @@ class EditorWindow(ArmDialog):
         self._find_bar.closed.connect(self.table.setFocus)
         self._drafts.failed.connect(self._show_failure)
         self.table.row_chosen.connect(self.selected_row_changed)
+        self._strip.checked.connect(self._show_check)
+        self._strip.refused.connect(lambda reason: self._say(words.refusal(reason), Level.WARNING))
+        self._strip.progressed.connect(self._on_progress)
+        self._findings.row_wanted.connect(self.table.select_row)
+        self.document.changed.connect(self._on_points)
 
     # Editing ----------------------------------------------------------------------------------
 
@@ -206,6 +217,42 @@ class EditorWindow(ArmDialog):
         else:
             self._find(1)
 
+    # Checking and running ---------------------------------------------------------------------
+
+    def _on_points(self, _change: Change) -> None:
+        """What was found and planned was of other points."""
+        self._findings.clear()
+        self._strip.show_content(len(self.document.points))
+        self.preview_wanted.emit(None)
+
+    def _show_check(self, checked: Preflight, accept: Callable[[], object] | None) -> None:
+        self._findings.show_check(checked, accept)
+        faults: dict[int, bool] = {}
+        for finding in checked.findings:
+            if finding.row is not None:
+                error = finding.severity is Severity.ERROR
+                faults[finding.row] = faults.get(finding.row, False) or error
+        self.model.show_faults(faults)
+        if self.document.saved:
+            length_s = sum(checked.expected_s)
+            self._library.mark(self.document.name, check=checked.mark, length_s=length_s)
+            self.saved.emit()
+        self._say("")
+        self.preview_wanted.emit(checked.path)
+
+    def _on_progress(self, progress: Progress) -> None:
+        ours = progress.name == self.document.name
+        under_way = ours and progress.phase not in OVER
+        row = progress.index if under_way else -1
+        self.model.show_current(row)
+        if under_way and self.isVisible():
+            self.table.scrollTo(self.model.index(row, 0))
+        if ours and progress.reason is not None:
+            text = self.tr("Ended at row {row}. {reason}").format(
+                row=progress.index + 1, reason=words.refusal(progress.reason)
+            )
+            self._say(text, Level.FAULT)
+
     # Saving -----------------------------------------------------------------------------------
 
     def save(self) -> bool:
@@ -256,7 +303,7 @@ class EditorWindow(ArmDialog):
             self._say("")
         elif isinstance(outcome, TrajectoryFileError):
             self._say(
-                self.tr("Not pasted. {reason}").format(reason=file_error(outcome)),
+                self.tr("Not pasted. {reason}").format(reason=words.file_error(outcome)),
                 Level.WARNING,
             )
         else:

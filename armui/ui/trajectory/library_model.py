@@ -18,7 +18,8 @@ from PySide6.QtCore import (
 
 from armui.trajectory.library import Entry
 from armui.ui import format as fmt
-from armui.ui.trajectory.text import duration, file_error
+from armui.ui import words
+from armui.ui.trajectory.text import duration
 
 _Index = QModelIndex | QPersistentModelIndex
 
@@ -82,7 +83,7 @@ class LibraryModel(QAbstractTableModel):
         if role == SORT_ROLE:
             return _sort_key(entry, column)
         if role == Qt.ItemDataRole.ToolTipRole:
-            return file_error(entry.damage) if entry.damage is not None else entry.note
+            return words.file_error(entry.damage) if entry.damage is not None else entry.note
         if role == Qt.ItemDataRole.TextAlignmentRole and column in {
             LibraryColumn.POINTS,
             LibraryColumn.LENGTH,

@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from armui.control.run import Progress
 from armui.control.situation import Level
 from armui.trajectory.files import SUFFIXES, Content, TrajectoryFileError
 from armui.trajectory.library import Deleted, Entry, Library, LibraryError
@@ -30,13 +31,15 @@ from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.trajectory import library_files
 from armui.ui.trajectory.editor_window import EditorWindow
+from armui.ui.trajectory.findings_pane import FindingsPane
 from armui.ui.trajectory.library_model import (
     ENTRY_ROLE,
     LibraryColumn,
     LibraryFilter,
     LibraryModel,
 )
-from armui.ui.trajectory.text import file_error
+from armui.ui.trajectory.preflight import Preflight
+from armui.ui.trajectory.run_strip import RunStrip
 from armui.ui.widgets.message_line import MessageLine
 
 if TYPE_CHECKING:
@@ -87,6 +90,8 @@ class LibraryWindow(ArmDialog):
         self._undo_button.hide()
         self._undo_button.clicked.connect(self._restore)
         self._export_menu = QMenu(self)
+        self._findings = FindingsPane()
+        self._strip = RunStrip(controller, self._to_run)
         self._build_table()
         self._lay_out()
         self._connect()
@@ -131,6 +136,8 @@ class LibraryWindow(ArmDialog):
         below.addWidget(self._undo_button)
         self.body.addLayout(bar)
         self.body.addWidget(self._table, 1)
+        self.body.addWidget(self._findings)
+        self.body.addWidget(self._strip)
         self.body.addLayout(below)
 
     def _connect(self) -> None:
@@ -155,6 +162,9 @@ class LibraryWindow(ArmDialog):
         self._table.selectionModel().selectionChanged.connect(self._show_usable)
         self._model.modelReset.connect(self._show_usable)
         self._model.rename_wanted.connect(self._rename)
+        self._strip.checked.connect(self._show_check)
+        self._strip.refused.connect(lambda reason: self._say(words.refusal(reason), Level.WARNING))
+        self._strip.progressed.connect(self._on_progress)
 
     # The list ---------------------------------------------------------------------------------
 
@@ -194,6 +204,10 @@ class LibraryWindow(ArmDialog):
         self._buttons["export"].setEnabled(count > 0)
         self._buttons["duplicate"].setEnabled(count == 1)
         self._buttons["rename"].setEnabled(count == 1)
+        one = self.chosen()[0] if count == 1 else None
+        recording = one is not None and one.kind == "recording"
+        self._strip.show_content(0 if one is None else one.count, recording=recording)
+        self._findings.clear()
         missing = self.tr("Choose a trajectory in the list first")
         for name in ("delete", "export", "duplicate", "rename"):
             button = self._buttons[name]
@@ -217,7 +231,7 @@ class LibraryWindow(ArmDialog):
         try:
             return self._library.load(name)
         except TrajectoryFileError as error:
-            self._say(file_error(error), Level.FAULT)
+            self._say(words.file_error(error), Level.FAULT)
         except LibraryError as error:
             self._say(words.refusal(error.refusal), Level.FAULT)
         return None
@@ -227,7 +241,7 @@ class LibraryWindow(ArmDialog):
             draft = self._library.draft(trajectory.name)
         except TrajectoryFileError as error:
             draft = None
-            self._say(file_error(error), Level.WARNING)
+            self._say(words.file_error(error), Level.WARNING)
         editor = EditorWindow(
             self._controller, self._library, trajectory, draft, self.parentWidget()
         )
@@ -244,6 +258,33 @@ class LibraryWindow(ArmDialog):
         """The program ends: what is not saved in an editor is offered the next time."""
         for editor in self._editors.values():
             editor.keep_draft()
+
+    # Running ----------------------------------------------------------------------------------
+
+    def _to_run(self) -> Content | None:
+        chosen = self.chosen()
+        return self._load(chosen[0].name) if len(chosen) == 1 else None
+
+    def _show_check(self, checked: Preflight, accept: Callable[[], object] | None) -> None:
+        name = checked.content.name
+        length_s = checked.path.duration_s if checked.speed_factor == 1.0 else None
+        if not self._attempt(
+            lambda: self._library.mark(name, check=checked.mark, length_s=length_s)
+        ):
+            return
+        self.refresh()
+        self._say("")
+        self._findings.show_check(checked, accept)
+        self._findings.setVisible(bool(checked.findings))
+
+    def _on_progress(self, progress: Progress) -> None:
+        if progress.reason is not None:
+            text = self.tr("“{name}” ended at row {row}. {reason}").format(
+                name=progress.name,
+                row=progress.index + 1,
+                reason=words.refusal(progress.reason),
+            )
+            self._say(text, Level.FAULT)
 
     # What the buttons do ----------------------------------------------------------------------
 
@@ -311,7 +352,7 @@ class LibraryWindow(ArmDialog):
         except LibraryError as error:
             self._say(words.refusal(error.refusal), Level.FAULT)
         except TrajectoryFileError as error:
-            self._say(file_error(error), Level.FAULT)
+            self._say(words.file_error(error), Level.FAULT)
         else:
             return True
         return False
@@ -325,7 +366,7 @@ class LibraryWindow(ArmDialog):
         """Take over what is whole of some files; each of the others is told."""
         contents, errors = library_files.read_all(paths)
         taken: list[str] = []
-        problems = [file_error(error) for error in errors]
+        problems = [words.file_error(error) for error in errors]
         for content in contents:
             name = self._library.free_name(content.name)
             try:

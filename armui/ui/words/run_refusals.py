@@ -8,6 +8,13 @@ from typing import Final
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 RUN_REFUSALS: Final[Mapping[str, object]] = {
+    "no_rows_chosen": QT_TRANSLATE_NOOP(
+        "Refusal", "No row is chosen. Click one in the table first."
+    ),
+    "findings_against": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Not run: the check has found errors ({count}). Correct the rows listed, then send again.",
+    ),
     "not_running": QT_TRANSLATE_NOOP("Refusal", "No trajectory is running: nothing to pause."),
     "not_paused": QT_TRANSLATE_NOOP("Refusal", "No trajectory is paused: nothing to go on with."),
     "run_empty": QT_TRANSLATE_NOOP(

@@ -1,0 +1,301 @@
+"""发送 and what follows: how often and how fast, how far it has come, pause, go on, end."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QEvent, Signal
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QSpinBox,
+    QVBoxLayout,
+    QWidget,
+)
+
+from armui.arm.refusal import Refusal
+from armui.control.run import ENDLESS, Phase, Progress
+from armui.trajectory.files import Content
+from armui.trajectory.recording import Recording
+from armui.ui import words
+from armui.ui.trajectory.preflight import Preflight, preflight
+from armui.ui.trajectory.runner import Runner, RunOptions, can_go_on, can_pause, ended_early
+from armui.ui.trajectory.text import duration
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.control.situation import Situation
+
+_ONCE, _TIMES, _LOOP = range(3)
+_MOST_LAPS: Final = 9999
+_FASTEST_PERCENT: Final = 200
+_STEPS: Final = 1000
+"""Of the progress bar."""
+
+
+class RunStrip(QWidget):
+    """Runs what its window gives it.
+
+    Args:
+        controller: Runs it.
+        content: What would be run now; ``None`` if nothing is chosen.
+
+    Signals:
+        checked: A :class:`Preflight` and, if it found nothing but warnings, what runs it all the
+            same; else ``None``.
+        refused: A :class:`Refusal`.
+        progressed: A :class:`Progress`.
+    """
+
+    checked = Signal(object, object)
+    refused = Signal(object)
+    progressed = Signal(object)
+
+    def __init__(
+        self,
+        controller: ArmController,
+        content: Callable[[], Content | None],
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._controller = controller
+        self._content = content
+        self._runner = Runner(controller, self)
+        self._again: RunOptions | None = None
+        self._make_widgets()
+        self._lay_out()
+        self._send.clicked.connect(self._on_send)
+        self._pause.clicked.connect(self._on_pause)
+        self._stop.clicked.connect(self._runner.stop)
+        self._resume.clicked.connect(self._on_resume)
+        self._laps.currentIndexChanged.connect(self._show_usable)
+        self._runner.progressed.connect(self._on_progress)
+        controller.situation_changed.connect(self._on_situation)
+        self.retranslate_ui()
+
+    def _make_widgets(self) -> None:
+        self._send, self._pause, self._stop, self._resume = (QPushButton() for _ in range(4))
+        for name, button in (
+            ("run_send", self._send),
+            ("run_pause", self._pause),
+            ("run_stop", self._stop),
+            ("run_resume", self._resume),
+        ):
+            button.setObjectName(name)
+            button.setAutoDefault(False)
+        self._send.setProperty("primary", True)
+        self._laps = QComboBox()
+        self._laps.setObjectName("run_laps")
+        self._laps.addItems(["", "", ""])
+        self._times = _spin("run_times", 1, _MOST_LAPS, 3)
+        self._speed = _spin("run_speed", 1, _FASTEST_PERCENT, 100)
+        self._speed.setSuffix(" %")
+        self._first = _spin("run_first", 1, 1, 1)
+        self._speed_label, self._first_label = QLabel(), QLabel()
+        self._steps = QCheckBox()
+        self._steps.setObjectName("run_steps")
+        self._bar = QProgressBar()
+        self._bar.setObjectName("run_bar")
+        self._bar.setRange(0, _STEPS)
+        self._bar.setTextVisible(False)
+        self._text = QLabel()
+        self._text.setObjectName("run_text")
+
+    def _lay_out(self) -> None:
+        options = QHBoxLayout()
+        options.setSpacing(8)
+        for widget in (
+            *(self._laps, self._times, self._speed_label, self._speed),
+            *(self._first_label, self._first, self._steps),
+        ):
+            options.addWidget(widget)
+        options.addStretch(1)
+        for button in (self._resume, self._send, self._pause, self._stop):
+            options.addWidget(button)
+        state = QHBoxLayout()
+        state.setSpacing(12)
+        state.addWidget(self._bar, 1)
+        state.addWidget(self._text)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(8)
+        layout.addLayout(options)
+        layout.addLayout(state)
+
+    # What the operator wants ------------------------------------------------------------------
+
+    def show_content(self, count: int, *, recording: bool = False) -> None:
+        """Fit the choices to what would be run: how many points it has, or that it has none."""
+        self._first.setMaximum(max(1, count))
+        for widget in (self._first, self._first_label, self._steps):
+            widget.setVisible(not recording)
+        self._show_usable()
+
+    def begin_with(self, row: int) -> None:
+        """Let the next run begin with a row."""
+        self._first.setValue(row + 1)
+
+    def check(self) -> Preflight | None:
+        """Check what would be run, and tell what was found."""
+        content = self._content()
+        if content is None:
+            self.refused.emit(Refusal("no_rows_chosen"))
+            return None
+        checked = preflight(self._controller, content, self._speed.value() / 100.0)
+        self.checked.emit(checked, None)
+        return checked
+
+    def _options(self) -> RunOptions:
+        recording = isinstance(self._content(), Recording)
+        laps = {_ONCE: 1, _TIMES: self._times.value(), _LOOP: ENDLESS}
+        return RunOptions(
+            laps[self._laps.currentIndex()],
+            self._speed.value() / 100.0,
+            0 if recording else self._first.value() - 1,
+            not recording and self._steps.isChecked(),
+        )
+
+    def _on_send(self) -> None:
+        self._run(self._options())
+
+    def _on_resume(self) -> None:
+        """Take a run up where it ended, for as many laps as are left."""
+        if self._again is not None:
+            self._run(self._again)
+
+    def _run(self, options: RunOptions) -> None:
+        refusal = self._controller.situation.cannot_run
+        if refusal is not None:
+            self.refused.emit(refusal)
+            return
+        checked = self.check()
+        if checked is None:
+            return
+        if checked.errors:
+            self.refused.emit(Refusal("findings_against", {"count": checked.errors}))
+        elif checked.findings:
+            self.checked.emit(checked, lambda: self._start(checked, options))
+        else:
+            self._start(checked, options)
+
+    def _start(self, checked: Preflight, options: RunOptions) -> None:
+        self._again = options
+        refusal = self._runner.start(checked, options)
+        if refusal is not None:
+            self.refused.emit(refusal)
+
+    def _on_pause(self) -> None:
+        go_on = can_go_on(self._runner.progress)
+        refusal = self._runner.go_on() if go_on else self._runner.pause()
+        if refusal is not None:
+            self.refused.emit(refusal)
+
+    # How far it has come ----------------------------------------------------------------------
+
+    def _on_progress(self, progress: Progress) -> None:
+        if ended_early(progress) and self._again is not None:
+            left = ENDLESS if progress.laps == ENDLESS else progress.laps - progress.lap + 1
+            self._again = replace(self._again, first=progress.index, laps=left)
+        if self.isVisible():
+            self._show_progress(progress)
+        self.progressed.emit(progress)
+
+    def _show_progress(self, progress: Progress) -> None:
+        self._bar.setValue(round(progress.done * _STEPS))
+        self._text.setText(self._describe(progress))
+        self._show_usable()
+
+    def _describe(self, progress: Progress) -> str:
+        if progress.phase is Phase.IDLE:
+            return ""
+        row = self.tr("{name}: point {row} of {count}").format(
+            name=progress.name, row=progress.index + 1, count=progress.count
+        )
+        parts = [row]
+        if progress.laps != 1:
+            total = "∞" if progress.laps == ENDLESS else progress.laps
+            parts.append(self.tr("lap {lap} of {laps}").format(lap=progress.lap, laps=total))
+        if progress.remaining_s is not None and self._runner.running:
+            left = duration(progress.remaining_s)
+            parts.append(self.tr("{time} left").format(time=left))
+        parts.append(self._phase_word(progress.phase))
+        return " · ".join(parts)
+
+    def _phase_word(self, phase: Phase) -> str:
+        return {
+            Phase.IDLE: "",
+            Phase.MOVING: self.tr("moving"),
+            Phase.DWELLING: self.tr("dwelling"),
+            Phase.WAITING: self.tr("waits for the next step"),
+            Phase.PAUSED: self.tr("paused"),
+            Phase.STOPPING: self.tr("coming to rest"),
+            Phase.DONE: self.tr("done"),
+            Phase.STOPPED: self.tr("ended"),
+            Phase.FAILED: self.tr("ended by a fault"),
+        }[phase]
+
+    def _on_situation(self, _situation: Situation) -> None:
+        if self.isVisible():
+            self._show_usable()
+
+    def _show_usable(self, *_: object) -> None:
+        progress, running = self._runner.progress, self._runner.running
+        reason = self._controller.situation.cannot_run
+        self._times.setVisible(self._laps.currentIndex() == _TIMES)
+        self._send.setEnabled(not running and reason is None)
+        self._send.setToolTip("" if reason is None else words.refusal(reason))
+        self._pause.setEnabled(can_pause(progress) or can_go_on(progress))
+        self._stop.setEnabled(running)
+        again = not running and self._again is not None and ended_early(progress)
+        self._resume.setVisible(again)
+        self._resume.setEnabled(again and reason is None)
+        self._resume.setToolTip("" if reason is None else words.refusal(reason))
+        self._resume.setText(self.tr("Go on from row {row}").format(row=progress.index + 1))
+        if progress.phase is Phase.WAITING:
+            self._pause.setText(self.tr("Next step"))
+        elif progress.phase is Phase.PAUSED:
+            self._pause.setText(self.tr("Continue"))
+        else:
+            self._pause.setText(self.tr("Pause"))
+
+    # Words ------------------------------------------------------------------------------------
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._send.setText(self.tr("Send"))
+        self._stop.setText(self.tr("End run"))
+        for place, text in enumerate((self.tr("Once"), self.tr("Times"), self.tr("In a loop"))):
+            self._laps.setItemText(place, text)
+        self._laps.setAccessibleName(self.tr("How often"))
+        self._times.setAccessibleName(self.tr("How often"))
+        self._speed_label.setText(self.tr("Speed"))
+        self._speed.setToolTip(self.tr("Of each point's own speed"))
+        self._first_label.setText(self.tr("From row"))
+        self._steps.setText(self.tr("Step by step"))
+        self._show_progress(self._runner.progress)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with what went by while the window was hidden."""
+        self._show_progress(self._runner.progress)
+        super().showEvent(event)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)
+
+
+def _spin(name: str, least: int, most: int, value: int) -> QSpinBox:
+    spin = QSpinBox()
+    spin.setObjectName(name)
+    spin.setRange(least, most)
+    spin.setValue(value)
+    return spin

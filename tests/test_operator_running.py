@@ -1,0 +1,225 @@
+"""An operator who runs trajectories from 轨迹库: the path the simulated arm really took."""
+
+import math
+from dataclasses import replace
+
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QComboBox, QListWidget, QProgressBar, QSpinBox, QWidget
+
+from armui.control.run import Phase
+from armui.protocol.codes import MoveMode
+from armui.trajectory.library import Library
+from armui.trajectory.program import Trajectory, Waypoint
+from armui.ui.trajectory.editor_window import EditorWindow
+from armui.ui.trajectory.library_window import LibraryWindow
+
+OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
+BACK = (-15.0, 30.0, -30.0, -10.0, 30.0, -20.0)
+UP = (0.0, 60.0, -60.0, 0.0, 20.0, 0.0)
+AWAY = Waypoint(MoveMode.MOVE_P, (900.0, 0.0, 200.0, 0.0, 85.0, 0.0))
+
+
+def to(joints_deg, **more):
+    return Waypoint(MoveMode.MOVE_J, joints_deg, speed_percent=100, **more)
+
+
+class Operator:
+    """At the editor of one trajectory, with an arm that may move.
+
+    Attributes:
+        path: Where the arm was at each step.
+    """
+
+    def __init__(self, desk, *points):
+        self.desk = desk
+        self.path = []
+        desk.ready()
+        Library(desk.library_folder).save(Trajectory("Test", points=points))
+        desk.click("library_button")
+        self.library = desk.dialog(LibraryWindow)
+        self.library.open_trajectory("Test")
+        self.window = desk.dialog(EditorWindow)
+        desk.wait(self.window.isActiveWindow)
+
+    @property
+    def progress(self):
+        return self.desk.controller.player.progress
+
+    def child(self, name, kind=QWidget):
+        return self.window.findChild(kind, name)
+
+    def click(self, name):
+        self.desk.click(self.child(name))
+
+    def text(self, name):
+        return self.child(name).text()
+
+    def until(self, condition, seconds=40.0):
+        def look():
+            self.path.append(tuple(self.desk.firmware.joints_deg))
+            return condition()
+
+        self.desk.run_until(look, seconds)
+
+    def until_over(self):
+        self.until(lambda: not self.desk.controller.player.running)
+
+    def visits(self, joints_deg):
+        there = [math.dist(here, joints_deg) < 0.1 for here in self.path]
+        return sum(now and not before for before, now in zip([False, *there], there, strict=False))
+
+    def lit(self):
+        model = self.window.model
+        headers = (
+            model.headerData(row, Qt.Orientation.Vertical) for row in range(model.rowCount())
+        )
+        return [row for row, text in enumerate(headers) if text.startswith("▶")]
+
+
+def test_once_through_every_point_in_order(any_desk):
+    operator = Operator(any_desk, to(OUT), to(BACK), to(UP))
+    operator.click("run_send")
+    operator.until(lambda: operator.progress.index == 1)
+    assert operator.lit() == [1]
+    assert "point 2 of 3" in operator.text("run_text")
+    assert "left" in operator.text("run_text")
+    assert not operator.child("run_send").isEnabled()
+    operator.until_over()
+    assert [operator.visits(place) for place in (OUT, BACK, UP)] == [1, 1, 1]
+    assert operator.lit() == []
+    assert operator.child("run_bar", QProgressBar).value() == 1000
+    assert operator.text("run_text").endswith("done")
+
+
+def test_so_many_times(desk):
+    operator = Operator(desk, to(OUT), to(UP))
+    operator.child("run_laps", QComboBox).setCurrentIndex(1)
+    operator.child("run_times", QSpinBox).setValue(2)
+    operator.click("run_send")
+    operator.until(lambda: operator.progress.lap == 2)
+    assert "lap 2 of 2" in operator.text("run_text")
+    operator.until_over()
+    assert (operator.visits(OUT), operator.visits(UP)) == (2, 2)
+
+
+def test_in_a_loop_until_it_is_ended_and_on_from_there(desk):
+    operator = Operator(desk, to(OUT), to(UP))
+    operator.child("run_laps", QComboBox).setCurrentIndex(2)
+    operator.click("run_send")
+    operator.until(lambda: (operator.progress.lap, operator.progress.index) == (2, 1))
+    assert "∞" in operator.text("run_text")
+    operator.click("run_stop")
+    operator.until_over()
+    assert operator.progress.phase is Phase.STOPPED
+    assert operator.text("run_resume") == "Go on from row 2"
+    operator.click("run_resume")
+    operator.until(lambda: operator.visits(UP) == 2)
+    assert operator.progress.laps == 0
+
+
+def test_a_pause_holds_the_arm(any_desk):
+    operator = Operator(any_desk, to(OUT), to(BACK))
+    operator.click("run_send")
+    operator.until(lambda: operator.progress.index == 1)
+    operator.desk.run(0.3)
+    operator.click("run_pause")
+    operator.desk.run(1.5)
+    here = tuple(operator.desk.firmware.joints_deg)
+    operator.desk.run(1.0)
+    assert math.dist(here, operator.desk.firmware.joints_deg) < 0.001
+    assert operator.text("run_pause") == "Continue"
+    operator.click("run_pause")
+    operator.until_over()
+    assert operator.visits(BACK) == 1
+
+
+def test_step_by_step_from_the_second_row(desk):
+    operator = Operator(desk, to(OUT), to(BACK), to(UP))
+    operator.child("run_first", QSpinBox).setValue(2)
+    operator.child("run_steps").setChecked(True)
+    operator.click("run_send")
+    operator.until(lambda: operator.progress.phase is Phase.WAITING)
+    assert operator.text("run_pause") == "Next step"
+    assert (operator.visits(OUT), operator.visits(BACK)) == (0, 1)
+    operator.desk.run(1.0)
+    assert operator.progress.index == 1
+    operator.click("run_pause")
+    operator.until_over()
+    assert operator.visits(UP) == 1
+
+
+def test_the_emergency_stop_ends_it_and_says_where(desk):
+    operator = Operator(desk, to(OUT), to(BACK))
+    operator.click("run_send")
+    operator.until(lambda: operator.progress.index == 1)
+    operator.desk.press(operator.window.stop_button)
+    operator.until_over()
+    assert operator.progress.phase is Phase.FAILED
+    assert "Ended at row 2" in operator.text("editor_message")
+    assert "emergency stop" in operator.text("editor_message")
+    assert operator.text("run_resume") == "Go on from row 2"
+    assert not operator.child("run_resume").isEnabled()
+
+
+def test_errors_of_the_check_are_not_run(desk):
+    operator = Operator(desk, to(OUT), AWAY, to(UP))
+    desk.heard()
+    operator.click("run_send")
+    desk.run(0.2)
+    assert desk.heard() == []
+    assert "the check has found errors (1)" in operator.text("editor_message")
+    findings = operator.child("findings_list", QListWidget)
+    assert findings.count() == 1
+    assert "Row 2" in findings.item(0).text()
+    assert not operator.child("accept_warnings").isVisible()
+    place = findings.visualItemRect(findings.item(0)).center()
+    QTest.mouseClick(findings.viewport(), Qt.MouseButton.LeftButton, pos=place)
+    assert operator.window.table.current_row() == 1
+    assert operator.window.model.headerData(1, Qt.Orientation.Vertical) == "✕ 2"
+
+
+def test_the_check_marks_the_list(desk):
+    operator = Operator(desk, to(OUT), AWAY)
+    operator.click("editor_check")
+    table = operator.library.findChild(QWidget, "library_table")
+    assert table.model().index(0, 4).data() == "✕ errors"
+
+
+def test_points_that_change_take_the_findings_away(desk):
+    operator = Operator(desk, to(OUT), AWAY)
+    operator.click("editor_check")
+    assert operator.child("findings_list").isVisible()
+    operator.window.select_row(1)
+    QTest.keyClick(operator.window.table, Qt.Key.Key_Delete)
+    assert not operator.child("findings_list").isVisible()
+
+
+def test_motors_that_are_off_keep_it_from_being_sent(desk):
+    operator = Operator(desk, to(OUT))
+    assert desk.controller.motors.disable() is None
+    desk.run_until(lambda: desk.controller.situation.cannot_run is not None)
+    desk.run(0.2)
+    assert not operator.child("run_send").isEnabled()
+    assert operator.child("run_send").toolTip()
+
+
+def test_the_speed_is_that_of_the_points_times_a_factor(desk):
+    operator = Operator(desk, replace(to(OUT), speed_percent=60), to(UP))
+    operator.child("run_speed", QSpinBox).setValue(50)
+    desk.heard()
+    operator.click("run_send")
+    operator.until(lambda: operator.progress.index == 1)
+    modes = [frame for frame in desk.heard() if frame.arbitration_id == 0x151]
+    assert [frame.payload[2] for frame in modes] == [30, 50]  # 60 % and 100 %, halved
+
+
+def test_the_library_sends_the_chosen_one(desk):
+    operator = Operator(desk, to(OUT), to(UP))
+    operator.window.close()
+    table = operator.library.findChild(QWidget, "library_table")
+    table.selectRow(0)
+    desk.click(operator.library.findChild(QWidget, "run_send"))
+    operator.until_over()
+    assert (operator.visits(OUT), operator.visits(UP)) == (1, 1)
+    assert "done" in operator.library.findChild(QWidget, "run_text").text()
