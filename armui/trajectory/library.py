@@ -8,12 +8,11 @@ else has damaged is listed with what is wrong with it, and never written over.
 from __future__ import annotations
 
 import contextlib
-import os
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Final, NamedTuple
+from typing import Final
 
 from armui.arm.refusal import Refusal
 from armui.trajectory import files
@@ -23,14 +22,13 @@ from armui.trajectory.file_names import file_stem, folded, free_stem
 from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.files.errors import broken
 from armui.trajectory.library_bin import Bin
-from armui.trajectory.library_index import Check, Entry, Index, Stamp, entry_of
+from armui.trajectory.library_files import Kept, Shelf, suffix_of
+from armui.trajectory.library_index import Check, Entry, entry_of
 from armui.trajectory.program import LONGEST_NAME, Trajectory, check_name, check_trajectory
 from armui.trajectory.recording import Recording, check_recording
 
 __all__ = ["Check", "Deleted", "Entry", "Library", "LibraryError"]
 
-_SUFFIXES: Final = (".log", ".npz")
-_INDEX: Final = ".index.json"
 _BIN: Final = ".deleted"
 _ROOM_FOR_NUMBER: Final = 8
 
@@ -65,14 +63,6 @@ class LibraryError(Exception):
         return f"row {self.row}: {self.refusal}" if self.row else str(self.refusal)
 
 
-class _Kept(NamedTuple):
-    """A file of the library and what is known of it."""
-
-    path: Path
-    stamp: Stamp
-    entry: Entry
-
-
 @dataclass(frozen=True, slots=True)
 class Deleted:
     """What was deleted together, to be brought back together.
@@ -97,7 +87,7 @@ class Library:
     def __init__(self, folder: Path, now: Callable[[], datetime] = lambda: datetime.now(UTC)):
         self._folder = folder
         self._now = now
-        self._index = Index(folder / _INDEX)
+        self._shelf = Shelf(folder)
         self._bin = Bin(folder / _BIN)
         self._drafts = Drafts(folder)
         remove_abandoned(folder)
@@ -245,8 +235,7 @@ class Library:
         entry = replace(kept.entry, check=check)
         if entry.kind == "points":
             entry = replace(entry, length_s=length_s)
-        self._index.put(kept.path.name, kept.stamp, entry)
-        self._index.save()
+        self._shelf.mark(kept, entry)
 
     # Drafts ---------------------------------------------------------------------------------------
 
@@ -289,37 +278,10 @@ class Library:
 
     # Files ----------------------------------------------------------------------------------------
 
-    def _scan(self) -> dict[str, _Kept]:
+    def _scan(self) -> dict[str, Kept]:
         """All files by the name of what they hold."""
         with _disk("library_unreadable", str(self._folder)):
-            found = [self._look(path, stamp) for path, stamp in self._files()]
-        self._index.keep_only([kept.path.name for kept in found])
-        self._index.save()
-        return _by_name(found)
-
-    def _files(self) -> Iterator[tuple[Path, Stamp]]:
-        if not self._folder.is_dir():
-            return
-        with os.scandir(self._folder) as items:
-            for item in items:
-                shown = item.name.endswith(_SUFFIXES) and not item.name.startswith(".")
-                if shown and item.is_file():
-                    with contextlib.suppress(FileNotFoundError):  # another program has deleted it
-                        yield Path(item.path), Stamp.of(Path(item.path).stat())
-
-    def _look(self, path: Path, stamp: Stamp) -> _Kept:
-        """What is known of a file; it is opened only where it is not the one known."""
-        entry = self._index.entry(path.name, stamp)
-        if entry is None:
-            try:
-                entry = entry_of(files.load(path))
-            except TrajectoryFileError as error:
-                kind: Final = "points" if path.suffix == ".log" else "recording"
-                name = self._index.last_name(path.name) or _name_of(path)
-                changed = datetime.fromtimestamp(stamp.time_ns / 1e9, UTC)
-                entry = Entry(name, kind, 0, None, changed, damage=error)
-            self._index.put(path.name, stamp, entry)
-        return _Kept(path, stamp, entry)
+            return self._shelf.scan()
 
     def _write(self, content: Content, replacing: str | None) -> None:
         """Write a file: in place of the one to replace where there is one, else a new one."""
@@ -330,7 +292,7 @@ class Library:
         if old is not None and old.entry.damage is not None:
             raise LibraryError(Refusal("library_damaged", {"name": str(replacing)}))
         stems = {folded(kept.path.stem) for kept in found.values() if kept is not old}
-        fitting = self._folder / (free_stem(content.name, stems) + _suffix(content))
+        fitting = self._folder / (free_stem(content.name, stems) + suffix_of(content))
         in_place = old is not None and old.path.suffix == fitting.suffix
         path = old.path if old is not None and in_place else fitting
         with _disk("library_not_saved", content.name):
@@ -343,33 +305,7 @@ class Library:
             with contextlib.suppress(OSError):
                 path = path.rename(fitting)
         with _disk("library_unreadable", str(self._folder)):
-            self._index.put(path.name, Stamp.of(path.stat()), entry_of(content))
-        self._index.save()
-
-
-def _by_name(found: list[_Kept]) -> dict[str, _Kept]:
-    """Files by name; a copy that holds a name already taken goes by its file's name."""
-    named: dict[str, _Kept] = {}
-    found = sorted(found, key=lambda kept: (kept.path.stem != file_stem(kept.entry.name), kept))
-    for kept in found:
-        name, number = kept.entry.name, 1
-        if name in named:
-            name = stem = _name_of(kept.path)
-            while name in named:
-                number += 1
-                name = f"{stem} {number}"
-        entry = kept.entry if name == kept.entry.name else replace(kept.entry, name=name)
-        named[name] = kept._replace(entry=entry)
-    return named
-
-
-def _name_of(path: Path) -> str:
-    """What a file's name says, as far as it can be shown."""
-    return path.stem.encode(errors="replace").decode()
-
-
-def _suffix(content: Content) -> str:
-    return ".npz" if isinstance(content, Recording) else ".log"
+            self._shelf.note(path, entry_of(content))
 
 
 def _verify(content: Content) -> None:
