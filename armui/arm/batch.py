@@ -95,6 +95,34 @@ def flanges(kinematics: Kinematics, joints_deg: Matrix) -> Matrix:
     return transforms
 
 
+def flange_heights(kinematics: Kinematics, joints_deg: Matrix) -> Matrix:
+    """(n,) how high the flange is, in mm, at (n, 6) joint angles; without all the rest."""
+    _, j2, j3, j4, j5, _ = np.radians(joints_deg).T
+    s = j2 + math.radians(kinematics.shoulder_zero_deg)
+    e = j2 + j3 + math.radians(kinematics.forearm_zero_deg)
+    sin_e, cos_e = np.sin(e), np.cos(e)
+    centre = BASE_MM - UPPER_ARM_MM * np.sin(s) - ELBOW_MM * sin_e + FOREARM_MM * cos_e
+    heights: Matrix = centre + HAND_MM * (cos_e * np.cos(j5) - sin_e * np.cos(j4) * np.sin(j5))
+    return heights
+
+
+def margins(kinematics: Kinematics, joints_deg: Matrix) -> Matrix:
+    """(n,) how far poses are from a singular one, 0 to 1, by a product quick to work out.
+
+    It is 0 where the wrist or the elbow is straight or the wrist's centre is above joint 1, and
+    tells which of the poses of one path is nearest to a singular one; how near, the smallest
+    singular value of the Jacobian tells.
+    """
+    _, j2, j3, _, j5, _ = np.radians(joints_deg).T
+    s = j2 + math.radians(kinematics.shoulder_zero_deg)
+    e = j2 + j3 + math.radians(kinematics.forearm_zero_deg)
+    ahead = UPPER_ARM_MM * np.cos(s) + ELBOW_MM * np.cos(e) + FOREARM_MM * np.sin(e)
+    elbow = np.sin(_FORE_BAR_RAD - e + s)
+    share = ahead / (UPPER_ARM_MM + _FORE_BAR_MM)
+    margin: Matrix = np.abs(np.sin(j5) * elbow * share)
+    return margin
+
+
 def jacobians(kinematics: Kinematics, joints_deg: Matrix) -> Matrix:
     """(n, 6, 6) as `Kinematics.jacobian` gives it for one pose."""
     bones = skeletons(kinematics, joints_deg)

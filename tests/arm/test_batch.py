@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from armui.arm.batch import arm_ways, flanges, jacobians, solutions
+from armui.arm.batch import arm_ways, flange_heights, flanges, jacobians, margins, solutions
 from armui.arm.kinematics import Geometry, Kinematics, matrix_to_pose
 
 LOW = (-150, 0, -170, -100, -70, -120)
@@ -100,3 +100,16 @@ def test_a_stretched_wrist_is_told(kinematics):
 
     assert least_bent[0] < 1e-6
     assert least_bent[1] > 1.0
+
+
+def test_the_height_of_the_flange_alone_is_the_same(kinematics, joints):
+    heights = flange_heights(kinematics, joints)
+
+    assert heights == pytest.approx(flanges(kinematics, joints)[:, 2, 3], abs=1e-9)
+
+
+def test_a_margin_is_the_volume_of_the_jacobian(kinematics, joints):
+    volumes = np.abs(np.linalg.det(jacobians(kinematics, joints)))
+    bars = 0.28503 * math.hypot(0.25075, 0.02198) * (0.28503 + math.hypot(0.25075, 0.02198))
+
+    assert margins(kinematics, joints) * bars == pytest.approx(volumes, abs=1e-12)

@@ -6,6 +6,7 @@ The words are looked up at every call, so a caller that asks again after the lan
 
 from armui.ui.words.devices import device_name
 from armui.ui.words.file_errors import file_error
+from armui.ui.words.findings import finding
 from armui.ui.words.gripper import end_load, gripper_act, gripper_fault, gripper_figure
 from armui.ui.words.joints import joint_item, joint_verdict, joint_word
 from armui.ui.words.notices import notice
@@ -29,6 +30,7 @@ __all__ = [
     "device_name",
     "end_load",
     "file_error",
+    "finding",
     "gripper_act",
     "gripper_fault",
     "gripper_figure",

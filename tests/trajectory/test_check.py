@@ -1,0 +1,273 @@
+"""What a check finds, where, and what it does not hold against an arm."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from armui.arm.batch import skeletons
+from armui.trajectory.check import Report, check
+from armui.trajectory.collision import collisions, segment_distances
+from armui.trajectory.findings import SEVERITIES, Severity
+from armui.trajectory.program import GripperOpening, Waypoint
+from armui.trajectory.recording import Recording
+from armui.trajectory.timing import plan_path
+from tests.trajectory.arms import ARM, HERE, KINEMATICS, joint, line, pose, pose_near, run
+
+
+def found(report: Report) -> list[tuple[str, int | None]]:
+    return [(finding.code, finding.row) for finding in report.findings]
+
+
+def checked(*points: Waypoint, start: Sequence[float] = HERE) -> Report:
+    return check(run(*points), ARM, start)
+
+
+def recording(times_s: Sequence[float], joints_deg: Sequence[Sequence[float]]) -> Recording:
+    grip = np.full((len(times_s), 1), math.nan)
+    return Recording("r", samples=np.hstack((np.array([times_s]).T, joints_deg, grip)))
+
+
+ACROSS = pose_near(HERE, (60, -150, 40), 8.0)
+
+
+def test_nothing_is_found_in_a_sound_trajectory() -> None:
+    report = checked(joint(*HERE, speed=30), line(ACROSS), pose(pose_near(HERE), speed=30))
+
+    assert found(report) == []
+    assert report.path.duration_s > 1.0
+
+
+def test_a_target_beyond_a_limit_names_joint_value_and_limits() -> None:
+    report = checked(joint(10, 70, -60, 101.5, 25, -20, speed=30))
+
+    (finding,) = [each for each in report.findings if each.code == "target_beyond_limit"]
+    assert finding.row == 0
+    assert finding.severity is Severity.ERROR
+    assert finding.params == {"joint": 4, "value": 101.5, "minimum": -100.0, "maximum": 100.0}
+    assert finding.joints_deg == (10, 70, -60, 101.5, 25, -20)
+
+
+def test_the_limits_are_those_read_from_the_arm() -> None:
+    limits = list(ARM.limits)
+    limits[1] = replace(limits[1], max_deg=60.0)
+
+    report = check(run(joint(*HERE)), replace(ARM, limits=tuple(limits)), HERE)
+
+    assert ("target_beyond_limit", 0) in found(report)
+
+
+def test_an_arm_beyond_a_limit_may_come_back() -> None:
+    sagged = (10.0, -0.6, -60.0, 10.0, 25.0, -20.0)
+
+    report = checked(joint(10, 20, -60, 10, 25, -20, speed=20), start=sagged)
+
+    assert found(report) == []
+
+
+def test_a_line_that_leaves_the_limits_between_its_ends_is_found() -> None:
+    # the chord comes nearer to the axis than its ends: the elbow bends on the way
+    chord = line(pose_near(HERE, (0, -200, -60)))
+    path = plan_path(run(chord), ARM, HERE).joints_deg[:, 2]
+    ends_deg = max(path[0], path[-1])
+    assert path.max() > ends_deg + 3.0
+    limits = list(ARM.limits)
+    limits[2] = replace(limits[2], max_deg=float(ends_deg) + 1.0)
+
+    report = check(run(chord), replace(ARM, limits=tuple(limits)), HERE)
+
+    assert found(report) == [("path_beyond_limit", 0)]
+    assert report.findings[0].params["joint"] == 3
+    assert report.findings[0].params["value"] == pytest.approx(path.max())
+
+
+def test_what_cannot_be_planned_is_an_error() -> None:
+    report = checked(pose((900.0, 0.0, 300.0, 0.0, 90.0, 0.0)))
+
+    assert ("out_of_reach", 0) in found(report)
+    assert report.errors
+    assert report.errors[0].place_mm is not None
+
+
+def test_a_line_past_a_singular_pose_is_a_warning() -> None:
+    begin, end = (0, 80, -80, 0, 25, 0), (0, 80, -80, 0, -25, 0)
+
+    report = checked(joint(*begin), line(KINEMATICS.forward(end)), start=begin)
+
+    assert found(report) == [("near_singular", 1)]
+    assert report.warnings == report.findings
+    joints = report.findings[0].joints_deg
+    assert joints is not None
+    assert abs(joints[4]) < 3.0
+
+
+def test_joints_may_pass_a_singular_pose() -> None:
+    assert found(checked(joint(0, 80, -80, 0, -14, 0), start=(0, 80, -80, 0, 14, 0))) == []
+
+
+def test_a_first_point_far_away_is_a_warning() -> None:
+    report = checked(joint(50, 70, -60, 10, 25, -20, speed=20))
+
+    assert found(report) == [("far_from_start", 0)]
+    assert report.findings[0].params == {"joint": 1, "value": 40.0}
+
+
+def test_another_way_to_hold_a_pose_is_a_warning() -> None:
+    near, other = (10, 70, -60, -60, 25, 20), (10, 70, -60, 60, 25, -80)
+
+    report = checked(joint(*near), pose(KINEMATICS.forward(other), speed=20), start=near)
+
+    assert ("large_turn", 1) in found(report)
+
+
+def test_a_tool_faster_than_its_limit_is_a_warning_on_motions_of_joints() -> None:
+    start, end = (-60, 100, -60, 0, 0, 0), (60, 100, -60, 0, 0, 0)
+
+    fast, slow = (
+        found(checked(joint(*start), joint(*end, speed=speed), start=start)) for speed in (100, 30)
+    )
+
+    assert fast == [("tool_too_fast", 1)]
+    assert slow == []
+
+
+def test_the_tip_below_the_floor_is_a_warning_with_the_deepest_place() -> None:
+    low = (0.0, 120.0, -60.0, 0.0, 60.0, 0.0)
+
+    report = checked(joint(*low, speed=20), start=low)
+
+    finding = report.findings[0]
+    assert (finding.code, finding.row) == ("below_floor", 0)
+    matrix = KINEMATICS.matrix(low)
+    tip_mm = matrix[2, 3] + 140.0 * matrix[2, 2]
+    assert tip_mm < -10.0
+    assert finding.params["value"] == pytest.approx(-tip_mm, abs=0.06)
+    assert finding.place_mm is not None
+    assert finding.place_mm[2] == pytest.approx(tip_mm)
+    without = replace(ARM, tool_mm=0.0)
+    assert (matrix[2, 3] < 0.0) == bool(check(run(joint(*low)), without, low).findings)
+
+
+def test_a_gripper_beyond_its_stroke_is_an_error() -> None:
+    wide = replace(joint(*HERE), gripper=GripperOpening(70.5))
+
+    assert found(checked(wide)) == [("gripper_beyond_stroke", 0)]
+    assert found(check(run(wide), replace(ARM, stroke_mm=None), HERE)) == []
+
+
+def test_an_empty_trajectory_is_an_error() -> None:
+    assert found(checked()) == [("empty", None)]
+    assert found(check(Recording("r"), ARM, HERE)) == [("empty", None)]
+
+
+# The arm against itself ---------------------------------------------------------------------------
+
+def test_the_hand_in_the_base_is_an_error() -> None:
+    draw = np.random.default_rng(2)
+    low, high = (-150, 0, -170, -100, -70, -120), (150, 180, 0, 100, 70, 120)
+    joints = draw.uniform(low, high, (60_000, 6))
+
+    hits = collisions(KINEMATICS, joints, 140.0)
+
+    assert len(hits) < 3000
+    bones = skeletons(KINEMATICS, joints)
+    tips = bones.flange + 140.0 * bones.hand
+    inside = (np.hypot(tips[:, 0], tips[:, 1]) < 30) & (tips[:, 2] > 10) & (tips[:, 2] < 120)
+    assert inside.any()
+    assert set(np.flatnonzero(inside).tolist()) <= set(hits)
+    hit = joints[min(hits)]
+    report = checked(joint(*hit), start=hit)
+    finding = next(each for each in report.findings if each.code == "links_collide")
+    assert finding.severity is Severity.ERROR
+    assert f"{finding.params['one']}/{finding.params['other']}" == hits[min(hits)]
+
+
+def test_the_arm_at_rest_and_at_work_touches_nothing() -> None:
+    poses = np.array([(0,) * 6, (0, 90, -90, 0, 0, 0), HERE, (90, 60, -80, -20, 40, 60)], float)
+
+    assert collisions(KINEMATICS, poses, 140.0) == {}
+    assert collisions(KINEMATICS, poses, 0.0) == {}
+
+
+def test_a_collision_on_the_way_is_found_though_both_ends_are_free() -> None:
+    draw = np.random.default_rng(3)
+    low, high = (-150, 10, -165, -90, -65, -100), (150, 80, -60, 90, 65, 100)
+    for _ in range(3000):
+        start, end = draw.uniform(low, high, (2, 6))
+        hits = collisions(KINEMATICS, np.linspace(start, end, 40), 140.0)
+        if len(hits) > 2 and min(hits) > 2 and max(hits) < 37:
+            break
+    else:
+        pytest.fail("no such way was drawn")
+
+    report = checked(joint(*start), joint(*end), start=start)
+
+    assert ("links_collide", 1) in found(report)
+
+
+def test_the_distance_of_two_segments_is_the_least_of_all_their_points() -> None:
+    draw = np.random.default_rng(6)
+    a, b, c, d = draw.uniform(-100, 100, (4, 40, 3))
+    b[0], d[0] = a[0] + (50, 0, 0), c[0] + (30, 0, 0)  # parallel
+    d[1] = c[1]  # a point
+    shares = np.linspace(0.0, 1.0, 201)[:, None, None]
+    one, other = a + shares * (b - a), c + shares * (d - c)
+
+    for index, gap in enumerate(segment_distances(a, b, c, d)):
+        apart = np.linalg.norm(one[:, None, index] - other[None, :, index], axis=2).min()
+        assert gap <= apart + 1e-9
+        assert gap == pytest.approx(apart, abs=1.5)
+
+
+# Recordings ---------------------------------------------------------------------------------------
+
+
+def test_a_sound_recording_has_no_findings() -> None:
+    ways = np.linspace(HERE, np.add(HERE, 20.0), 101)
+
+    assert found(check(recording(np.linspace(0, 5, 101), ways), ARM, HERE)) == []
+
+
+def test_a_recording_too_fast_for_the_arm_tells_the_speed_that_would_do() -> None:
+    ways = np.linspace(HERE, np.add(HERE, (40.0, 0, 0, 0, 0, 0)), 41)
+    report = check(recording(np.linspace(0, 0.16, 41), ways), ARM, HERE)
+
+    finding = next(each for each in report.findings if each.code == "joint_too_fast")
+    assert finding.params["joint"] == 1
+    assert finding.params["value"] == pytest.approx(250.0, abs=1.0)
+    assert finding.params["percent"] == 68
+    slower = plan_path(recording(np.linspace(0, 0.16, 41), ways), ARM, HERE, speed_factor=0.68)
+    again = check(recording(np.linspace(0, 0.16, 41), ways), ARM, HERE, slower)
+    assert "joint_too_fast" not in {each.code for each in again.findings}
+
+
+def test_a_jump_and_a_limit_in_a_recording_are_named_once() -> None:
+    ways = np.tile(HERE, (100, 1)).astype(float)
+    ways[40:, 0] += 8.0
+    ways[60:80, 4] = np.concatenate((np.linspace(26, 70.5, 10), np.linspace(70.5, 26, 10)))
+
+    report = check(recording(np.linspace(0, 10, 100), ways), ARM, HERE)
+
+    assert ("sample_jump", 40) in found(report)
+    assert found(report).count(("target_beyond_limit", 69)) == 1
+    assert sum(code == "target_beyond_limit" for code, _ in found(report)) == 1
+
+
+def test_a_plan_that_is_there_already_is_used() -> None:
+    points = run(joint(*HERE), line(ACROSS))
+    path = plan_path(points, ARM, HERE)
+
+    assert check(points, ARM, HERE, path).path is path
+
+
+def test_errors_come_before_warnings_of_the_same_row() -> None:
+    report = checked(joint(100, 70, -60, 101.5, 25, -20))
+
+    codes = [finding.code for finding in report.findings if finding.row == 0]
+    severities = [SEVERITIES[code] for code in codes]
+    assert len(codes) > 1
+    assert severities == sorted(severities, key=lambda each: each is Severity.WARNING)
