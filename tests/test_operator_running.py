@@ -211,7 +211,7 @@ def test_the_speed_is_that_of_the_points_times_a_factor(desk):
     operator.click("run_send")
     operator.until(lambda: operator.progress.index == 1)
     modes = [frame for frame in desk.heard() if frame.arbitration_id == 0x151]
-    assert [frame.payload[2] for frame in modes] == [30, 50]  # 60 % and 100 %, halved
+    assert [frame.data[2] for frame in modes] == [30, 50]  # 60 % and 100 %, halved
 
 
 def test_the_library_sends_the_chosen_one(desk):

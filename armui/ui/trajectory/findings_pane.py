@@ -45,7 +45,6 @@ class FindingsPane(QWidget):
         self._list = QListWidget()
         self._list.setObjectName("findings_list")
         self._list.setWordWrap(True)
-        self._list.setMaximumHeight(_TALLEST_PX)
         self._list.currentItemChanged.connect(self._on_current)
         self._list.itemClicked.connect(self._on_current)
         self.accept_button = QPushButton()
@@ -102,6 +101,8 @@ class FindingsPane(QWidget):
         self._title.setText(title)
         for finding in checked.findings[:_MOST]:
             self._list.addItem(self._item(finding))
+        lines = self._list.count() * self._list.sizeHintForRow(0) + 2 * self._list.frameWidth() + 4
+        self._list.setFixedHeight(max(0, min(_TALLEST_PX, lines)))
         self._list.setVisible(bool(checked.findings))
         self.accept_button.setVisible(self._accept is not None)
 

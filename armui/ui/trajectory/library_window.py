@@ -27,6 +27,7 @@ from armui.control.situation import Level
 from armui.trajectory.files import SUFFIXES, Content, TrajectoryFileError
 from armui.trajectory.library import Deleted, Entry, Library, LibraryError
 from armui.trajectory.program import Trajectory
+from armui.trajectory.recording import Recording
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.trajectory import library_files
@@ -39,6 +40,7 @@ from armui.ui.trajectory.library_model import (
     LibraryModel,
 )
 from armui.ui.trajectory.preflight import Preflight
+from armui.ui.trajectory.recording_window import RecordingWindow
 from armui.ui.trajectory.run_strip import RunStrip
 from armui.ui.widgets.message_line import MessageLine
 
@@ -54,7 +56,7 @@ _WIDTHS_PX: Final = {
     LibraryColumn.CHECK: 120,
     LibraryColumn.NOTE: 200,
 }
-_BUTTONS: Final = ("import", "create", "delete", "duplicate", "rename", "export")
+_BUTTONS: Final = ("import", "create", "record", "delete", "duplicate", "rename", "export")
 
 
 class LibraryWindow(ArmDialog):
@@ -73,6 +75,7 @@ class LibraryWindow(ArmDialog):
         self._controller = controller
         self._library = library
         self._editors: dict[str, EditorWindow] = {}
+        self._recorder: RecordingWindow | None = None
         self._deleted: Deleted | None = None
         self._model = LibraryModel(self)
         self._shown = LibraryFilter(self._model, self)
@@ -144,6 +147,7 @@ class LibraryWindow(ArmDialog):
         handlers: dict[str, Callable[[], object]] = {
             "import": self._choose_imports,
             "create": self._create,
+            "record": self.open_recorder,
             "delete": self._delete,
             "duplicate": self._duplicate,
             "rename": self._edit_name,
@@ -226,6 +230,21 @@ class LibraryWindow(ArmDialog):
         content = self._load(name)
         if isinstance(content, Trajectory):
             self._open_editor(content)
+        elif content is not None:
+            self.open_recorder(content)
+
+    def open_recorder(self, recording: Recording | None = None) -> None:
+        """Open the window that records, or one that trims and thins what was recorded."""
+        if self._recorder is not None and self._recorder.isVisible():
+            self._recorder.open()
+            return
+        if self._recorder is not None:
+            self._recorder.deleteLater()
+        self._recorder = RecordingWindow(
+            self._controller, self._library, recording, self.parentWidget()
+        )
+        self._recorder.saved.connect(lambda name: self.refresh([name]))
+        self._recorder.open()
 
     def _load(self, name: str) -> Content | None:
         try:
@@ -428,6 +447,7 @@ class LibraryWindow(ArmDialog):
         texts = {
             "import": self.tr("Import files"),
             "create": self.tr("Create"),
+            "record": self.tr("Record"),
             "delete": self.tr("Delete"),
             "duplicate": self.tr("Duplicate"),
             "rename": self.tr("Rename"),

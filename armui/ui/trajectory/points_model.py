@@ -124,7 +124,8 @@ class PointsModel(QAbstractTableModel):
     def _titles(self) -> Sequence[str]:
         return (
             self.tr("Motion"),
-            *("J1 / X", "J2 / Y", "J3 / Z", "J4 / RX", "J5 / RY", "J6 / RZ"),
+            *("J1 °\nX mm", "J2 °\nY mm", "J3 °\nZ mm"),
+            *("J4 °\nRX °", "J5 °\nRY °", "J6 °\nRZ °"),
             self.tr("Middle pose"),
             self.tr("Speed"),
             self.tr("Dwell"),
@@ -254,11 +255,9 @@ class PointsModel(QAbstractTableModel):
 
 
 def shown(point: Waypoint, column: Column) -> str:
-    """What a cell shows: figures with a fixed number of decimals and their unit."""
+    """What a cell shows: figures with a fixed number of decimals; the title has their units."""
     if column in VALUES:
-        place = column - Column.VALUE_1
-        unit = RANGES[point.names[place]].unit
-        return f"{fmt.number(point.target[place])}{'' if unit == '°' else ' '}{unit}"
+        return fmt.number(point.target[column - Column.VALUE_1])
     if column is Column.MIDDLE:
         return "  ".join(fmt.number(value, 1) for value in point.middle or ())
     if column is Column.SPEED:

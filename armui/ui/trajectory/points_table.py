@@ -17,12 +17,12 @@ _ROW_PX: Final = 32
 _NOTE_PX: Final = 360
 _WIDTHS_PX: Final = {
     Column.MOVE: 84,
-    **dict.fromkeys((Column(place) for place in VALUES), 92),
-    Column.MIDDLE: 130,
-    Column.SPEED: 60,
-    Column.DWELL: 64,
-    Column.GRIPPER: 108,
-    Column.LIGHT: 118,
+    **dict.fromkeys((Column(place) for place in VALUES), 82),
+    Column.MIDDLE: 120,
+    Column.SPEED: 66,
+    Column.DWELL: 66,
+    Column.GRIPPER: 104,
+    Column.LIGHT: 116,
 }
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 _ONCE, _TIMES, _LOOP = range(3)
 _MOST_LAPS: Final = 9999
 _FASTEST_PERCENT: Final = 200
+_SPIN_PX: Final = 34
 _STEPS: Final = 1000
 """Of the progress bar."""
 
@@ -298,4 +299,6 @@ def _spin(name: str, least: int, most: int, value: int) -> QSpinBox:
     spin.setObjectName(name)
     spin.setRange(least, most)
     spin.setValue(value)
+    spin.setAlignment(Qt.AlignmentFlag.AlignCenter)
+    spin.setFixedHeight(_SPIN_PX)
     return spin

@@ -1,0 +1,294 @@
+"""录制: records where the arm goes; then trims and thins it, and keeps it as samples or points."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QTimer, Signal
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
+
+from armui.control.situation import Level, Situation
+from armui.trajectory import thin
+from armui.trajectory.library import Library, LibraryError
+from armui.trajectory.recording import Recording
+from armui.ui import words
+from armui.ui.dialogs.base import ArmDialog
+from armui.ui.trajectory.leave_question import LeaveQuestion
+from armui.ui.trajectory.text import duration
+from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.message_line import MessageLine
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.trajectory.files import Content
+
+_TOLERANCE_DEG: Final = 0.1
+_WIDTH_PX: Final = 620
+_FIELD_PX: Final = 120
+_AFTER_MS: Final = 250
+"""Half an hour of samples is not thinned anew at each key."""
+
+
+class RecordingWindow(ArmDialog):
+    """From the first sample to what is kept.
+
+    Args:
+        controller: Records, and knows whether there is an arm.
+        library: Where the recording is kept.
+        recording: One of the library, to be trimmed and thinned; without one a new one is made.
+        parent: The window it belongs to.
+
+    Signals:
+        saved: The name under which something has been put into the library.
+    """
+
+    saved = Signal(str)
+
+    def __init__(
+        self,
+        controller: ArmController,
+        library: Library,
+        recording: Recording | None = None,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(controller, parent)
+        self._controller = controller
+        self._library = library
+        self._recording = recording
+        self._result = recording
+        self._unsaved = False
+        self._timer = QTimer(self, singleShot=True, interval=_AFTER_MS)
+        self._timer.timeout.connect(self._work_out)
+        self._make_widgets()
+        self._lay_out()
+        self._connect()
+        if recording is not None:
+            self._show_recording(recording)
+        self.retranslate_ui()
+        self.setMinimumWidth(_WIDTH_PX)
+
+    def _make_widgets(self) -> None:
+        self._record, self._as_samples, self._as_points = (QPushButton() for _ in range(3))
+        for name, button in (
+            ("record", self._record),
+            ("save_recording", self._as_samples),
+            ("save_points", self._as_points),
+        ):
+            button.setObjectName(name)
+            button.setAutoDefault(False)
+        self._state = QLabel()
+        self._state.setObjectName("record_state")
+        self._name = QLineEdit()
+        self._name.setObjectName("record_name")
+        self._from = _field("record_from", 3, "s")
+        self._to = _field("record_to", 3, "s")
+        self._tolerance = _field("record_tolerance", 3, "°")
+        self._tolerance.step = 0.1
+        self._kept = QLabel()
+        self._kept.setObjectName("record_kept")
+        self._kept.setProperty("rank", "muted")
+        self._labels = [QLabel() for _ in range(4)]
+        self._message = MessageLine()
+        self._message.setObjectName("record_message")
+
+    def _lay_out(self) -> None:
+        head = QHBoxLayout()
+        head.addWidget(self._record)
+        head.addWidget(self._state, 1)
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(10)
+        for row, (label, field) in enumerate(
+            zip(self._labels, (self._name, self._from, self._to, self._tolerance), strict=True)
+        ):
+            grid.addWidget(label, row, 0)
+            grid.addWidget(field, row, 1)
+            label.setBuddy(field)
+        grid.addWidget(self._kept, 3, 2)
+        grid.setColumnStretch(2, 1)
+        self.body.addLayout(head)
+        self.body.addLayout(grid)
+        self.body.addWidget(self._message)
+        self.footer.addStretch(1)
+        self.footer.addWidget(self._as_points)
+        self.footer.addWidget(self._as_samples)
+
+    def _connect(self) -> None:
+        self._record.clicked.connect(self._on_record)
+        self._as_samples.clicked.connect(self.save_samples)
+        self._as_points.clicked.connect(self.save_points)
+        for field in (self._from, self._to, self._tolerance):
+            field.value_edited.connect(self._timer.start)
+        self._controller.recorder.changed.connect(self._show_state)
+        self._controller.situation_changed.connect(self._on_situation)
+
+    # Recording --------------------------------------------------------------------------------
+
+    def _on_record(self) -> None:
+        recorder = self._controller.recorder
+        if recorder.recording:
+            self._take()
+            return
+        refusal = recorder.start()
+        if refusal is not None:
+            self._say(words.refusal(refusal), Level.WARNING)
+        else:
+            self._recording = self._result = None
+            self._say("")
+        self._show_state()
+
+    def _take(self) -> None:
+        name = self._name.text().strip() or self.tr("Recording")
+        recording = self._controller.recorder.finish(self._library.free_name(name))
+        if recording is None:
+            self._say(self.tr("Nothing was recorded: the arm told no angles."), Level.WARNING)
+            self._show_state()
+            return
+        self._unsaved = True
+        self._show_recording(recording)
+
+    def _show_recording(self, recording: Recording) -> None:
+        self._recording = recording
+        self._name.setText(recording.name)
+        self._from.show_value(0.0)
+        self._to.show_value(recording.duration_s)
+        self._tolerance.show_value(_TOLERANCE_DEG)
+        self._work_out()
+        self._show_state()
+
+    def _work_out(self) -> None:
+        """Cut and thin what was recorded as the fields say."""
+        self._timer.stop()
+        whole = self._recording
+        if whole is None:
+            return
+        for field in (self._from, self._to, self._tolerance):
+            field.show_attention(wanted=field.value is None or field.value < 0.0)
+        figures = [field.value for field in (self._from, self._to, self._tolerance)]
+        from_s, to_s, tolerance_deg = (-1.0 if value is None else value for value in figures)
+        self._result = None
+        if min(from_s, to_s, tolerance_deg) >= 0.0:
+            # the field shows milliseconds: the last sample may lie a bit behind it
+            cut = thin.trim(whole, from_s, to_s + 0.0005)
+            self._result = thin.thin(cut, tolerance_deg) if len(cut.samples) else None
+        self._show_kept()
+
+    def _show_kept(self) -> None:
+        whole, result = self._recording, self._result
+        if whole is None:
+            self._kept.clear()
+        elif result is None:
+            self._kept.setText(self.tr("Nothing is left: correct the marked fields."))
+        else:
+            self._kept.setText(
+                self.tr("{kept} of {count} samples, {time}").format(
+                    kept=len(result.samples),
+                    count=len(whole.samples),
+                    time=duration(result.duration_s),
+                )
+            )
+        for button in (self._as_samples, self._as_points):
+            button.setEnabled(result is not None)
+
+    # Keeping ----------------------------------------------------------------------------------
+
+    def save_samples(self) -> None:
+        """Keep it as a recording, to be replayed in its own time."""
+        self._work_out()
+        if self._result is not None:
+            self._save(self._result)
+
+    def save_points(self) -> None:
+        """Keep it as points of MOVE J, to be edited; the arm will come to rest in each."""
+        self._work_out()
+        if self._result is not None:
+            self._save(thin.to_points(self._result, self._controller.situation.limits))
+
+    def _save(self, content: Content) -> None:
+        wish = self._name.text().strip() or content.name
+        name = self._library.free_name(wish)
+        try:
+            self._library.save(replace(content, name=name))
+        except LibraryError as error:
+            self._say(words.refusal(error.refusal), Level.FAULT)
+            return
+        self._unsaved = False
+        self._say(self.tr("Saved as “{name}”.").format(name=name), Level.DONE)
+        self.saved.emit(name)
+
+    def reject(self) -> None:
+        """Close; a recording that runs is ended first, one that is not kept asks."""
+        if self._controller.recorder.recording and self._recording is None:
+            self._take()
+        if not self._unsaved:
+            super().reject()
+            return
+        question = LeaveQuestion(self._controller, self, self._name.text())
+        question.accepted.connect(self._discard)
+        question.save_wanted.connect(self.save_samples)
+        question.finished.connect(question.deleteLater)
+        question.open()
+
+    def _discard(self) -> None:
+        self._unsaved = False
+        super().reject()
+
+    # Words ------------------------------------------------------------------------------------
+
+    def _show_state(self) -> None:
+        recorder = self._controller.recorder
+        running = recorder.recording
+        self._record.setText(self.tr("Stop recording") if running else self.tr("Record"))
+        if running:
+            text = self.tr("Recording: {time}, {count} samples").format(
+                time=duration(recorder.duration_s), count=recorder.count
+            )
+            if recorder.dropped:
+                text += self.tr(" ({count} lost)").format(count=recorder.dropped)
+        elif self._recording is None:
+            text = self.tr("Lead the arm by hand, or move it by anything, while it records.")
+        else:
+            text = self.tr("Recorded: {time}, {count} samples").format(
+                time=duration(self._recording.duration_s), count=len(self._recording.samples)
+            )
+        self._state.setText(text)
+        for field in (self._from, self._to, self._tolerance):
+            field.setEnabled(self._recording is not None)
+        self._show_kept()
+        self._show_usable(self._controller.situation)
+
+    def _on_situation(self, situation: Situation) -> None:
+        if self.isVisible():
+            self._show_usable(situation)
+
+    def _show_usable(self, situation: Situation) -> None:
+        reason = None if self._controller.recorder.recording else situation.unreachable
+        if reason is None and self._unsaved:
+            self._record.setToolTip(self.tr("Recording anew takes the place of what is not saved"))
+        else:
+            self._record.setToolTip("" if reason is None else words.refusal(reason))
+        self._record.setEnabled(reason is None)
+
+    def _say(self, text: str, level: Level = Level.INFO) -> None:
+        self._message.show_message(text, level)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.tr("Record"))
+        texts = (self.tr("Name"), self.tr("From"), self.tr("To"), self.tr("Tolerance"))
+        for label, text in zip(self._labels, texts, strict=True):
+            label.setText(text)
+        self._tolerance.setToolTip(
+            self.tr("How far a joint may be off where samples are left out, in degrees")
+        )
+        self._as_samples.setText(self.tr("Save as recording"))
+        self._as_points.setText(self.tr("Save as points"))
+        self._as_points.setToolTip(self.tr("The arm comes to rest in every point"))
+        self._show_state()
+
+
+def _field(name: str, decimals: int, unit: str) -> FigureField:
+    field = FigureField(decimals, unit)
+    field.setObjectName(name)
+    field.setFixedWidth(_FIELD_PX)
+    return field

@@ -1,0 +1,150 @@
+"""An operator who records the arm, trims and thins what came of it, keeps it and replays it."""
+
+import math
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
+
+from armui.protocol.codes import MoveMode
+from armui.trajectory.library import Library
+from armui.trajectory.program import Trajectory
+from armui.trajectory.recording import Recording
+from armui.ui.trajectory.leave_question import LeaveQuestion
+from armui.ui.trajectory.library_window import LibraryWindow
+from armui.ui.trajectory.recording_window import RecordingWindow
+
+OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
+
+
+class Operator:
+    """With the window 录制 open before an arm that may move."""
+
+    def __init__(self, desk):
+        self.desk = desk
+        desk.ready()
+        desk.click("library_button")
+        self.list = desk.dialog(LibraryWindow)
+        desk.click(self.list.findChild(QWidget, "library_record"))
+        self.window = desk.dialog(RecordingWindow)
+        self.library = Library(desk.library_folder)
+
+    def child(self, name):
+        return self.window.findChild(QWidget, name)
+
+    def click(self, name):
+        self.desk.click(self.child(name))
+
+    def text(self, name):
+        return self.child(name).text()
+
+    def type_into(self, name, text):
+        field = self.child(name)
+        field.selectAll()
+        QTest.keyClicks(field, text)
+        QTest.keyClick(field, Qt.Key.Key_Return)
+
+    def record(self):
+        self.click("record")
+        self.desk.controller.motion.set_speed_percent(100)
+        self.desk.controller.motion.send_joints(OUT)
+        self.desk.run_until(lambda: math.dist(self.desk.firmware.joints_deg, OUT) < 1e-3)
+        self.desk.run(0.5)
+        self.click("record")
+
+
+@pytest.fixture
+def operator(desk):
+    return Operator(desk)
+
+
+def test_what_the_arm_did_is_kept_as_a_recording(operator):
+    operator.click("record")
+    operator.desk.run(1.0)
+    assert operator.text("record_state").startswith("Recording: ")
+    assert operator.text("record") == "Stop recording"
+    operator.click("record")
+    operator.record()
+    assert operator.text("record_state").startswith("Recorded: ")
+    operator.type_into("record_name", "By hand")
+    operator.click("save_recording")
+    kept = operator.library.load("By hand")
+    assert isinstance(kept, Recording)
+    assert kept.joints_deg[-1] == pytest.approx(OUT, abs=0.01)
+    assert "Saved as “By hand”" in operator.text("record_message")
+    operator.window.close()
+    assert not operator.window.isVisible()
+
+
+def test_fewer_samples_with_a_larger_tolerance(operator):
+    operator.record()
+    operator.child("record_tolerance").show_value(0.0)
+    operator.type_into("record_tolerance", "5")
+    operator.click("save_recording")
+    coarse = len(operator.library.load("Recording").samples)
+    operator.type_into("record_tolerance", "0.01")
+    operator.click("save_recording")
+    assert coarse < len(operator.library.load("Recording 2").samples)
+
+
+def test_it_is_trimmed(operator):
+    operator.record()
+    operator.type_into("record_from", "0.2")
+    operator.type_into("record_to", "0.7")
+    operator.click("save_recording")
+    assert operator.library.load("Recording").duration_s == pytest.approx(0.5, abs=0.06)
+
+
+def test_times_that_leave_nothing_are_not_saved(operator):
+    operator.record()
+    operator.type_into("record_from", "900")
+    operator.desk.wait(lambda: not operator.child("save_recording").isEnabled())
+    assert "Nothing is left" in operator.text("record_kept")
+
+
+def test_it_is_kept_as_points(operator):
+    operator.record()
+    operator.type_into("record_tolerance", "1")
+    operator.click("save_points")
+    kept = operator.library.load("Recording")
+    assert isinstance(kept, Trajectory)
+    assert {point.move for point in kept.points} == {MoveMode.MOVE_J}
+    assert kept.points[-1].target == pytest.approx(OUT, abs=0.01)
+
+
+def test_closing_what_is_not_kept_asks(operator):
+    operator.record()
+    operator.window.close()
+    question = operator.desk.dialog(LeaveQuestion)
+    operator.desk.click(question.save_button)
+    assert [entry.name for entry in operator.library.entries()] == ["Recording"]
+
+
+def test_without_an_arm_there_is_nothing_to_record(desk):
+    desk.click("library_button")
+    desk.click(desk.dialog(LibraryWindow).findChild(QWidget, "library_record"))
+    button = desk.dialog(RecordingWindow).findChild(QWidget, "record")
+    assert not button.isEnabled()
+    assert "No arm is connected" in button.toolTip()
+
+
+def test_a_recording_is_replayed_from_the_list(operator):
+    operator.record()
+    operator.click("save_recording")
+    operator.window.close()
+    desk = operator.desk
+    desk.controller.motion.go_home()
+    desk.run_until(lambda: max(map(abs, desk.firmware.joints_deg)) < 0.01)
+    desk.run_until(lambda: not desk.controller.situation.moving)
+    operator.list.findChild(QWidget, "library_table").selectRow(0)
+    speed = operator.list.findChild(QWidget, "run_speed")
+    speed.setValue(50)
+    assert not operator.list.findChild(QWidget, "run_first").isVisible()
+    desk.click(operator.list.findChild(QWidget, "run_send"))
+    assert desk.controller.replayer.running, operator.list.findChild(
+        QWidget, "library_message"
+    ).text()
+    desk.run(0.2)
+    desk.click(operator.list.findChild(QWidget, "run_stop"))
+    desk.run_until(lambda: not desk.controller.replayer.running)
