@@ -43,11 +43,13 @@ def plan_route(points: Sequence[Waypoint], arm: ArmModel, start_deg: Sequence[fl
     table = stops(points, arm, start_deg)
     problems: dict[int, Finding] = {}
     followed: dict[int, tuple[Joints, Joints]] = {}
+    moves: list[ToolMoves] = []
     for turn in range(2 * _ROUNDS):
         route = choose(points, table, arm, problems, followed)
         found = {stop: _out_of_reach(table, arm, stop) for stop in route.unreachable}
         paths = _paths(points, table, route, found)
-        moves = plan_tool_moves(paths, arm)
+        kept, changed = _kept(moves, paths)
+        moves = kept + plan_tool_moves(changed, arm)
         for group in moves:
             found |= _broken(group)
         settled = _compare(route, moves, followed)
@@ -91,6 +93,20 @@ def _paths(
         route.ways[wanted],
         arcs,
     )
+
+
+def _kept(moves: list[ToolMoves], paths: Paths) -> tuple[list[ToolMoves], Paths]:
+    """What was followed before and begins where it did, and the paths that are left to follow."""
+    kept = []
+    left = np.ones(len(paths.stops), dtype=bool)
+    for group in moves:
+        places = np.searchsorted(paths.stops, group.stops)
+        same = np.flatnonzero(np.isin(group.stops, paths.stops))
+        begun = group.joints_deg[same, 0] == paths.starts_deg[places[same]]
+        same = same[begun.all(axis=1)]
+        left[places[same]] = False
+        kept.append(group.only(same))
+    return kept, paths.only(np.flatnonzero(left))
 
 
 def _same_place(start: Matrix, goal: Matrix) -> bool:

@@ -69,6 +69,19 @@ class ToolMoves:
     broken: Whole
     singular: Flags
 
+    def only(self, wanted: Whole | Flags) -> ToolMoves:
+        """Some of them, by their indices or marks."""
+        return ToolMoves(
+            self.stops[wanted],
+            self.joints_deg[wanted],
+            self.lengths_mm[wanted],
+            self.angles_deg[wanted],
+            self.speeds[wanted],
+            self.accelerations[wanted],
+            self.broken[wanted],
+            self.singular[wanted],
+        )
+
 
 @dataclass(frozen=True, slots=True)
 class Paths:
@@ -145,7 +158,7 @@ def plan_tool_moves(paths: Paths, arm: ArmModel) -> list[ToolMoves]:
         moves = _followed(paths.only(wanted), arm, steps, units[wanted])
         fast = (_uneven(moves.joints_deg) | moves.singular) & (fine[wanted] > steps)
         again.append(wanted[fast])
-        done.append(_some(moves, ~fast))
+        done.append(moves.only(~fast))
     rest = np.concatenate(again)
     for steps, chosen in _groups(fine[rest]):
         wanted = rest[chosen]
@@ -219,7 +232,7 @@ def _paced(moves: ToolMoves, paths: Paths, arm: ArmModel) -> ToolMoves:
     tops = [limits.max_speed_deg_s for limits in arm.limits]
     demands = [joint_demand(way, fine, tops, arm.accelerations_deg_s2)]
     if arm.end_limits is not None:
-        demands.append(_tool_demand(_some(moves, good), paths, arm))
+        demands.append(_tool_demand(moves.only(good), paths, arm))
     speeds[good], accelerations[good] = pace(demands)
     return replace(moves, speeds=speeds, accelerations=accelerations)
 
@@ -245,19 +258,6 @@ def _tool_demand(moves: ToolMoves, paths: Paths, arm: ArmModel) -> Demand:
             demand = tool_demand(arc.poses(places), places, limits)
             rates[0, index], bends[0, index] = demand.rates.max(axis=0), demand.bends.max(axis=0)
     return Demand(rates, bends, np.array(limits[:2]), np.array(limits[2:]))
-
-
-def _some(moves: ToolMoves, wanted: Whole | Flags) -> ToolMoves:
-    return ToolMoves(
-        moves.stops[wanted],
-        moves.joints_deg[wanted],
-        moves.lengths_mm[wanted],
-        moves.angles_deg[wanted],
-        moves.speeds[wanted],
-        moves.accelerations[wanted],
-        moves.broken[wanted],
-        moves.singular[wanted],
-    )
 
 
 def _steps(wanted: Array) -> Whole:
