@@ -46,8 +46,18 @@ class Path:
         return float(self.times_s[-1]) if len(self.times_s) else 0.0
 
     def at(self, t_s: float) -> Joints:
-        """Six angles so long after the start; before and after the path its ends."""
-        return tuple(float(np.interp(t_s, self.times_s, each)) for each in self.joints_deg.T)
+        """Six angles so long after the start; before and after the path its ends.
+
+        Raises:
+            IndexError: The path is empty.
+        """
+        after = int(np.searchsorted(self.times_s, t_s))
+        if not 0 < after < len(self.times_s):
+            return tuple(self.joints_deg[min(after, len(self.times_s) - 1)].tolist())
+        before_s, after_s = self.times_s[after - 1 : after + 1].tolist()
+        share = (t_s - before_s) / (after_s - before_s)
+        one, other = self.joints_deg[after - 1], self.joints_deg[after]
+        return tuple((one + share * (other - one)).tolist())
 
     def row_at(self, t_s: float) -> int:
         """The index of the point under way so long after the start."""

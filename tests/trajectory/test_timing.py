@@ -11,6 +11,7 @@ import pytest
 
 from armui.arm.kinematics import Geometry, Kinematics
 from armui.arm.tool_path import Line
+from armui.control import replayer
 from armui.protocol.codes import MotionState, MoveMode
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
@@ -265,6 +266,17 @@ def test_a_recording_is_approached_slowly_and_then_kept_to_its_time() -> None:
     assert path.at(approach_s + 1.0) == pytest.approx([angle + 2.5 for angle in HERE])
     assert path.row_at(approach_s + 3.0) == 2
     assert path.expected_s == ()
+
+
+def test_a_replay_approaches_as_slowly_as_planned() -> None:
+    assert replayer._APPROACH_PERCENT == APPROACH_PERCENT
+
+
+def test_before_and_after_a_path_the_arm_is_at_its_ends() -> None:
+    path = plan_path(run(joint(*FAR)), ARM, HERE)
+
+    assert path.at(-1.0) == pytest.approx(HERE)
+    assert path.at(path.duration_s + 1.0) == pytest.approx(FAR)
 
 
 def test_no_samples_are_a_path_of_no_time() -> None:
