@@ -108,10 +108,11 @@ class FindingsPane(QWidget):
 
     def _item(self, finding: Finding) -> QListWidgetItem:
         error = finding.severity is Severity.ERROR
-        kind = self.tr("Error") if error else self.tr("Warning")
-        place = "" if finding.row is None else f"{self.tr('Row')} {finding.row + 1}: "
         text = words.refusal(Refusal(finding.code, finding.params))
-        item = QListWidgetItem(f"{'✕' if error else '!'} {kind} · {place}{text}")
+        if finding.row is not None:
+            text = self.tr("Row {row}: {text}").format(row=finding.row + 1, text=text)
+        kind = self.tr("✕ Error") if error else self.tr("! Warning")
+        item = QListWidgetItem(f"{kind} · {text}")
         item.setData(Qt.ItemDataRole.UserRole, finding.row)
         colors = colors_of(self)
         item.setForeground(QColor(colors.stop if error else colors.warn))

@@ -107,15 +107,15 @@ class LibraryModel(QAbstractTableModel):
         return self._check(entry) if column is LibraryColumn.CHECK else " ".join(entry.note.split())
 
     def _check(self, entry: Entry) -> str:
+        """A sign and a word: a state is never told by one of them alone."""
+        words_of = {
+            "ok": self.tr("✓ checked"),
+            "warnings": self.tr("! warnings"),
+            "errors": self.tr("✕ errors"),
+        }
         if entry.damage is not None:
-            return f"✕ {self.tr('damaged')}"
-        if entry.check is None:
-            return fmt.NOTHING
-        return {
-            "ok": f"✓ {self.tr('checked')}",
-            "warnings": f"! {self.tr('warnings')}",
-            "errors": f"✕ {self.tr('errors')}",
-        }[entry.check]
+            return self.tr("✕ damaged")
+        return fmt.NOTHING if entry.check is None else words_of[entry.check]
 
     def headerData(  # noqa: N802 - Qt's name
         self,
