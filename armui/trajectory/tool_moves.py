@@ -36,8 +36,10 @@ _FEWEST_STEPS: Final = 8
 _MOST_STEPS: Final = 8192
 _FAST_DEG: Final = 4.0
 """A joint that turns further in a step is looked at more finely."""
+_BENT_DEG: Final = 0.5
+"""So is one that turns by so much more, or less, in a step than in the step before."""
 _SHARP: Final = 4.0
-"""So does one that bends so many times as much in one place as it does on the average."""
+"""So is one for which that difference is so many times its mean along the path."""
 _STEEPEST_DEG: Final = 5.0
 _JITTER_DEG: Final = 0.01
 """What the simulated arm takes for a singular pose: so much in a fine step, and rounding."""
@@ -281,7 +283,7 @@ def _uneven(joints_deg: Array) -> Flags:
     bends = np.nan_to_num(np.abs(np.diff(joints_deg, n=2, axis=1)).max(axis=2))
     sharpest, mean = bends.max(axis=1), bends.mean(axis=1)
     sharp = (sharpest > _SHARP * mean) & (sharpest > _JITTER_DEG)
-    fast = _leaps(joints_deg).max(axis=1) > _FAST_DEG
+    fast = (_leaps(joints_deg).max(axis=1) > _FAST_DEG) | (sharpest > _BENT_DEG)
     return np.asarray(sharp | fast)
 
 
