@@ -18,6 +18,7 @@ from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS
 from armui.control.recovery_steps import Kind
 from armui.control.situation import LinkState, StopState
 from armui.sim.faults import fault
+from armui.trajectory.library import Library
 from armui.ui.dialogs.backup import BackupDialog
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
@@ -25,8 +26,12 @@ from armui.ui.dialogs.files import FileDialog
 from armui.ui.dialogs.help import HelpDialog
 from armui.ui.dialogs.joint_status import JointStatusDialog
 from armui.ui.dialogs.settings import SettingsDialog
+from armui.ui.trajectory.editor_window import EditorWindow
+from armui.ui.trajectory.library_window import LibraryWindow
+from armui.ui.trajectory.recording_window import RecordingWindow
 from tests.desk import Desk
 from tests.faulty_arm import FaultyDrivers
+from tests.shelf import SHELF
 
 _PUSH = fault("collision", 2)
 
@@ -354,6 +359,42 @@ def _file(desk: Desk) -> QDialog:
     return chooser
 
 
+def _library(desk: Desk) -> QDialog:
+    """Four trajectories, one of them checked; the simulated arm never runs them."""
+    library = Library(desk.library_folder)
+    if not library.entries():
+        for content in SHELF:
+            library.save(content)
+        library.mark("Warm up", check="ok", length_s=84.0)
+    desk.window.open_library_window()
+    window = desk.dialog(LibraryWindow)
+    window.refresh(["Pick and place"])
+    return window
+
+
+def _editor(desk: Desk) -> QDialog:
+    _library(desk).open_trajectory("Pick and place")
+    return desk.dialog(EditorWindow)
+
+
+def _editor_find(desk: Desk) -> QDialog:
+    window = _editor(desk)
+    QTest.keyClick(window, Qt.Key.Key_F, Qt.KeyboardModifier.ControlModifier)
+    return window
+
+
+def _failed_check(desk: Desk) -> QDialog:
+    _library(desk).open_trajectory("Out of reach")
+    window = desk.dialog(EditorWindow)
+    desk.click(window.findChild(QWidget, "editor_check"))
+    return window
+
+
+def _recording(desk: Desk) -> QDialog:
+    _library(desk).open_trajectory("By hand")
+    return desk.dialog(RecordingWindow)
+
+
 def _confirm_disable(desk: Desk) -> QDialog:
     desk.click("enable_button")
     return desk.dialog(ConfirmDialog)
@@ -435,6 +476,11 @@ DIALOG_SCENES = (
     DialogScene("joint-status-faults", "refused", _joint_status_faults),
     DialogScene("joint-status-stale", "offline", _joint_status),
     DialogScene("file", "no-device", _file),
+    DialogScene("library", "online", _library),
+    DialogScene("editor", "online", _editor),
+    DialogScene("editor-find", "online", _editor_find),
+    DialogScene("editor-check-failed", "online", _failed_check),
+    DialogScene("recording", "online", _recording),
     DialogScene("confirm-disable", "refused", _confirm_disable),
     DialogScene("linkage", "linkage", _linkage_question),
     DialogScene("hold-zero", "motors", _hold_zero),

@@ -93,7 +93,7 @@ class FindingsPane(QWidget):
         self._list.clear()
         warnings = len(checked.findings) - checked.errors
         if checked.findings:
-            title = self.tr("Check: {errors} errors, {warnings} warnings").format(
+            title = self.tr("Check: errors {errors}, warnings {warnings}").format(
                 errors=checked.errors, warnings=warnings
             )
         else:

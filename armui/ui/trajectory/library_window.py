@@ -100,6 +100,7 @@ class LibraryWindow(ArmDialog):
         self._connect()
         self.retranslate_ui()
         self.resize(_SIZE)
+        self._table.setFocus()
 
     # Layout -----------------------------------------------------------------------------------
 

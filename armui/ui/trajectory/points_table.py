@@ -17,12 +17,12 @@ _ROW_PX: Final = 32
 _NOTE_PX: Final = 360
 _WIDTHS_PX: Final = {
     Column.MOVE: 84,
-    **dict.fromkeys((Column(place) for place in VALUES), 82),
-    Column.MIDDLE: 120,
+    **dict.fromkeys((Column(place) for place in VALUES), 78),
+    Column.MIDDLE: 104,
     Column.SPEED: 66,
-    Column.DWELL: 66,
+    Column.DWELL: 62,
     Column.GRIPPER: 104,
-    Column.LIGHT: 116,
+    Column.LIGHT: 112,
 }
 
 

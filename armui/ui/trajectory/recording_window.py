@@ -67,6 +67,7 @@ class RecordingWindow(ArmDialog):
             self._show_recording(recording)
         self.retranslate_ui()
         self.setMinimumWidth(_WIDTH_PX)
+        self._record.setFocus()
 
     def _make_widgets(self) -> None:
         self._record, self._as_samples, self._as_points = (QPushButton() for _ in range(3))
@@ -102,7 +103,7 @@ class RecordingWindow(ArmDialog):
             zip(self._labels, (self._name, self._from, self._to, self._tolerance), strict=True)
         ):
             grid.addWidget(label, row, 0)
-            grid.addWidget(field, row, 1)
+            grid.addWidget(field, row, 1, 1, 2 if field is self._name else 1)
             label.setBuddy(field)
         grid.addWidget(self._kept, 3, 2)
         grid.setColumnStretch(2, 1)
