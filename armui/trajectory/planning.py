@@ -16,7 +16,7 @@ from armui.trajectory.program import Waypoint
 from armui.trajectory.stops import TOOL_MOVES, Route, Stops, choose, stops, transforms
 from armui.trajectory.tool_moves import Paths, ToolMoves, plan_tool_moves
 
-_ROUNDS: Final = 5
+_ROUNDS: Final = 3
 """So often the way is looked for anew without the points that cannot be reached."""
 _NO_WAY: Final = 1e-9
 """Transforms as much alike are one place."""

@@ -34,6 +34,8 @@ _FINE_STEP_MM: Final = 1.0
 _FINE_STEP_DEG: Final = 0.25
 _FEWEST_STEPS: Final = 8
 _MOST_STEPS: Final = 8192
+_MOST_PLACES: Final = 200_000
+"""So many places are worked on together."""
 _FAST_DEG: Final = 4.0
 """A joint that turns further in a step is looked at more finely."""
 _BENT_DEG: Final = 0.5
@@ -270,12 +272,14 @@ def _steps(wanted: Array) -> Whole:
 
 
 def _groups(steps: Whole) -> Iterator[tuple[int, Whole]]:
-    """The indices that have the same number of steps."""
+    """Indices that have the same number of steps, not more of them than memory holds with ease."""
     groups: dict[int, list[int]] = defaultdict(list)
     for index, count in enumerate(steps.tolist()):
         groups[count].append(index)
     for count, members in groups.items():
-        yield count, np.array(members)
+        most = max(1, _MOST_PLACES // count)
+        for first in range(0, len(members), most):
+            yield count, np.array(members[first : first + most])
 
 
 def _uneven(joints_deg: Array) -> Flags:
