@@ -92,6 +92,29 @@
     </message>
 </context>
 <context>
+    <name>ArmPart</name>
+    <message>
+        <source>the base</source>
+        <translation>底座</translation>
+    </message>
+    <message>
+        <source>the upper arm</source>
+        <translation>大臂</translation>
+    </message>
+    <message>
+        <source>the forearm</source>
+        <translation>小臂</translation>
+    </message>
+    <message>
+        <source>the wrist</source>
+        <translation>手腕</translation>
+    </message>
+    <message>
+        <source>the gripper</source>
+        <translation>夹爪</translation>
+    </message>
+</context>
+<context>
     <name>ArmStatus</name>
     <message>
         <source>Normal</source>
@@ -436,6 +459,10 @@
         <translation>CAN 设备已断开。重新插好后会自动连接。</translation>
     </message>
     <message>
+        <source>Its feedback comes from {feedback} on; see Linkage control.</source>
+        <translation>其反馈 ID 从 {feedback} 起，详见“联动控制”。</translation>
+    </message>
+    <message>
         <source>Choose a device</source>
         <translation>选择设备</translation>
     </message>
@@ -659,6 +686,132 @@
     </message>
 </context>
 <context>
+    <name>EditorAction</name>
+    <message>
+        <source>Insert before</source>
+        <translation>在上方插入</translation>
+    </message>
+    <message>
+        <source>Insert after</source>
+        <translation>在下方插入</translation>
+    </message>
+    <message>
+        <source>Insert current pose</source>
+        <translation>插入当前位姿</translation>
+    </message>
+    <message>
+        <source>Replace by current pose</source>
+        <translation>替换为当前位姿</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>复制一份</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>剪切</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>粘贴</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>上移</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>下移</translation>
+    </message>
+    <message>
+        <source>Convert joint angles ↔ pose</source>
+        <translation>关节角 ↔ 位姿互换</translation>
+    </message>
+    <message>
+        <source>Go to this point</source>
+        <translation>运动到该点</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>Find and replace</source>
+        <translation>查找与替换</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>检查</translation>
+    </message>
+</context>
+<context>
+    <name>EditorWindow</name>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>未保存的修改</translation>
+    </message>
+    <message>
+        <source>These are the changes that were not saved when the program ended. Save them, or undo them to see what was saved.</source>
+        <translation>以下是上次程序结束时未保存的修改。请保存，或撤销以查看已保存的内容。</translation>
+    </message>
+    <message>
+        <source>Not found</source>
+        <translation>未找到</translation>
+    </message>
+    <message>
+        <source>{place} of {count}</source>
+        <translation>第 {place} 处，共 {count} 处</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>{count} replaced</source>
+        <translation>已替换 {count} 处</translation>
+    </message>
+    <message>
+        <source>Ended at row {row}. {reason}</source>
+        <translation>在第 {row} 行结束。{reason}</translation>
+    </message>
+    <message>
+        <source>Saved.</source>
+        <translation>已保存。</translation>
+    </message>
+    <message>
+        <source>Not pasted. {reason}</source>
+        <translation>未粘贴。{reason}</translation>
+    </message>
+    <message>
+        <source>What this trajectory is for</source>
+        <translation>该轨迹的用途</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>轨迹点</translation>
+    </message>
+</context>
+<context>
     <name>EnableButton</name>
     <message>
         <source>Enabling…</source>
@@ -790,6 +943,178 @@
     </message>
 </context>
 <context>
+    <name>FilePlace</name>
+    <message>
+        <source>{file}, line {line}, column {column}: {reason}</source>
+        <translation>{file}，第 {line} 行，第 {column} 列：{reason}</translation>
+    </message>
+    <message>
+        <source>{file}, line {line}: {reason}</source>
+        <translation>{file}，第 {line} 行：{reason}</translation>
+    </message>
+    <message>
+        <source>{file}: {reason}</source>
+        <translation>{file}：{reason}</translation>
+    </message>
+    <message>
+        <source>Line {line}, column {column}: {reason}</source>
+        <translation>第 {line} 行，第 {column} 列：{reason}</translation>
+    </message>
+    <message>
+        <source>Line {line}: {reason}</source>
+        <translation>第 {line} 行：{reason}</translation>
+    </message>
+</context>
+<context>
+    <name>FindBar</name>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>停留</translation>
+    </message>
+    <message>
+        <source>Where to look</source>
+        <translation>查找范围</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>查找</translation>
+    </message>
+    <message>
+        <source>Replace by</source>
+        <translation>替换为</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一个</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>上一个</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>Replace all</source>
+        <translation>全部替换</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>Finding</name>
+    <message>
+        <source>There is nothing to run. Add points, or record.</source>
+        <translation>没有可执行的内容。请添加轨迹点，或重新录制。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} would be at {value}°, beyond its limits {minimum}° to {maximum}°. Change the point.</source>
+        <translation>关节 {joint} 将到 {value}°，超出限位 {minimum}° 至 {maximum}°。请修改该点。</translation>
+    </message>
+    <message>
+        <source>On the way joint {joint} would come to {value}°, beyond its limits {minimum}° to {maximum}°. Put another point between, or use MOVE J.</source>
+        <translation>途中关节 {joint} 将到 {value}°，超出限位 {minimum}° 至 {maximum}°。请在中间增加一点，或改用 MOVE J。</translation>
+    </message>
+    <message>
+        <source>The arm cannot bring its flange there: {missing} mm are missing. Move the point nearer.</source>
+        <translation>法兰无法到达该位置：还差 {missing} mm。请把该点移近。</translation>
+    </message>
+    <message>
+        <source>After {gone} % of the way the tool would be out of reach. Put another point between, or use MOVE J.</source>
+        <translation>走完 {gone} % 后末端将超出工作范围。请在中间增加一点，或改用 MOVE J。</translation>
+    </message>
+    <message>
+        <source>After {gone} % of the way joint {joint} would have to leap: the arm is in a singular pose there. Put another point between, or use MOVE J.</source>
+        <translation>走完 {gone} % 后关节 {joint} 需要突变：该处为奇异点。请在中间增加一点，或改用 MOVE J。</translation>
+    </message>
+    <message>
+        <source>The point before, the middle and the end lie on a line or upon one another: that is no arc. Move the middle aside, or use MOVE L.</source>
+        <translation>上一点、中间点和终点共线或重合，不能构成圆弧。请移开中间点，或改用 MOVE L。</translation>
+    </message>
+    <message>
+        <source>This would begin where row {before} ends, and the arm does not come there. Change row {before} first.</source>
+        <translation>本点应从第 {before} 行的终点开始，但机械臂到不了那里。请先修改第 {before} 行。</translation>
+    </message>
+    <message>
+        <source>The arm would hit itself: {other} against {one}. Put another point between, or change the point.</source>
+        <translation>机械臂将碰到自身：{other}与{one}。请在中间增加一点，或修改该点。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} would have to turn at {value}°/s; its limit is {maximum}°/s. Replay at {percent} % of this speed at most.</source>
+        <translation>关节 {joint} 需要以 {value}°/s 转动，上限为 {maximum}°/s。请以当前速度的 {percent} % 以下复现。</translation>
+    </message>
+    <message>
+        <source>The gripper would have to open {value} mm; it opens {maximum} mm at most. Enter less.</source>
+        <translation>夹爪需要张开 {value} mm，最大行程为 {maximum} mm。请改小。</translation>
+    </message>
+    <message>
+        <source>The way passes near a singular pose ({value}, should be {minimum} or more): joints turn fast there and the tool is slow. Use MOVE J, or turn the wrist.</source>
+        <translation>路径经过奇异点附近（{value}，应不小于 {minimum}）：该处关节转动快而末端缓慢。请改用 MOVE J，或改变手腕姿态。</translation>
+    </message>
+    <message>
+        <source>The first point is far from where the arm is: joint {joint} turns {value}°. Watch the way there in the preview, or bring the arm nearer first.</source>
+        <translation>第一点离机械臂当前位置较远：关节 {joint} 要转 {value}°。请在预览中查看这段路径，或先把机械臂移近。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} turns {value}° to hold this pose. If that is not meant, give the point as joint angles.</source>
+        <translation>到达该位姿时关节 {joint} 要转 {value}°。如非本意，请改用关节角度表示该点。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} jumps {value}° from the sample before. Trim the recording there, or record again.</source>
+        <translation>关节 {joint} 与上一采样相差 {value}°。请在此处裁剪，或重新录制。</translation>
+    </message>
+    <message>
+        <source>The tool would go at {value} mm/s; its limit is {maximum} mm/s, and the arm does not keep it here by itself. Lower the speed.</source>
+        <translation>末端速度将达 {value} mm/s，上限为 {maximum} mm/s，此处机械臂不会自行限速。请降低速度。</translation>
+    </message>
+    <message>
+        <source>The tool would be {value} mm below the plane the arm stands on. Accept this only if there is nothing.</source>
+        <translation>末端将低于机械臂安装平面 {value} mm。确认下方没有物体时才可接受。</translation>
+    </message>
+</context>
+<context>
+    <name>FindingsPane</name>
+    <message>
+        <source>Check: errors {errors}, warnings {warnings}</source>
+        <translation>检查：{errors} 个错误，{warnings} 个警告</translation>
+    </message>
+    <message>
+        <source>Check: nothing found.</source>
+        <translation>检查：未发现问题。</translation>
+    </message>
+    <message>
+        <source>Row {row}: {text}</source>
+        <translation>第 {row} 行：{text}</translation>
+    </message>
+    <message>
+        <source>✕ Error</source>
+        <translation>✕ 错误</translation>
+    </message>
+    <message>
+        <source>! Warning</source>
+        <translation>! 警告</translation>
+    </message>
+    <message>
+        <source>Accept the warnings and run</source>
+        <translation>接受警告并运行</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
     <name>FrameChoice</name>
     <message>
         <source>− and + along</source>
@@ -821,6 +1146,21 @@
     <message>
         <source>Set zero</source>
         <translation>零点设置</translation>
+    </message>
+</context>
+<context>
+    <name>GripperEditor</name>
+    <message>
+        <source>Nothing</source>
+        <translation>无动作</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>张开</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
     </message>
 </context>
 <context>
@@ -1364,6 +1704,204 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Click here to jog by keys.</source>
         <translation>点击此处后可用键盘点动。</translation>
+    </message>
+</context>
+<context>
+    <name>LeaveQuestion</name>
+    <message>
+        <source>Changes are not saved</source>
+        <translation>修改未保存</translation>
+    </message>
+    <message>
+        <source>What you changed in “{name}” has not been saved.</source>
+        <translation>“{name}”中的修改尚未保存。</translation>
+    </message>
+    <message>
+        <source>Discard changes</source>
+        <translation>放弃修改</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+</context>
+<context>
+    <name>LibraryButton</name>
+    <message>
+        <source>Trajectory library</source>
+        <translation>轨迹库</translation>
+    </message>
+    <message>
+        <source>Make, check, run and record trajectories</source>
+        <translation>编辑、检查、运行和录制轨迹</translation>
+    </message>
+</context>
+<context>
+    <name>LibraryFiles</name>
+    <message>
+        <source>Trajectories</source>
+        <translation>轨迹文件</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>所有文件</translation>
+    </message>
+    <message>
+        <source>Import files</source>
+        <translation>导入文件</translation>
+    </message>
+    <message>
+        <source>Export file</source>
+        <translation>导出文件</translation>
+    </message>
+    <message>
+        <source>Export files into a folder</source>
+        <translation>导出文件到文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>LibraryModel</name>
+    <message>
+        <source>{count} samples</source>
+        <translation>{count} 个采样</translation>
+    </message>
+    <message>
+        <source>✓ checked</source>
+        <translation>✓ 通过</translation>
+    </message>
+    <message>
+        <source>! warnings</source>
+        <translation>! 有警告</translation>
+    </message>
+    <message>
+        <source>✕ errors</source>
+        <translation>✕ 有错误</translation>
+    </message>
+    <message>
+        <source>✕ damaged</source>
+        <translation>✕ 已损坏</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点数</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Last change</source>
+        <translation>修改时间</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+</context>
+<context>
+    <name>LibraryWindow</name>
+    <message>
+        <source>Choose a trajectory in the list first</source>
+        <translation>请先在列表中选择轨迹</translation>
+    </message>
+    <message>
+        <source>“{name}” ended at row {row}. {reason}</source>
+        <translation>“{name}”在第 {row} 行结束。{reason}</translation>
+    </message>
+    <message>
+        <source>Trajectory</source>
+        <translation>轨迹</translation>
+    </message>
+    <message>
+        <source>“{name}” is open. Close its window first.</source>
+        <translation>“{name}”已打开。请先关闭其窗口。</translation>
+    </message>
+    <message>
+        <source>Deleted: {names}</source>
+        <translation>已删除：{names}</translation>
+    </message>
+    <message>
+        <source>Brought back: {names}</source>
+        <translation>已恢复：{names}</translation>
+    </message>
+    <message>
+        <source>Imported: {names}</source>
+        <translation>已导入：{names}</translation>
+    </message>
+    <message>
+        <source>Not imported. {reason}</source>
+        <translation>未导入。{reason}</translation>
+    </message>
+    <message>
+        <source>Not exported. {file}: {text}</source>
+        <translation>未导出。{file}：{text}</translation>
+    </message>
+    <message>
+        <source>Exported: {names}</source>
+        <translation>已导出：{names}</translation>
+    </message>
+    <message>
+        <source>Trajectory library</source>
+        <translation>轨迹库</translation>
+    </message>
+    <message>
+        <source>Import files</source>
+        <translation>导入文件</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>创建</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>Export files</source>
+        <translation>导出文件</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+</context>
+<context>
+    <name>LightEditor</name>
+    <message>
+        <source>Nothing</source>
+        <translation>无动作</translation>
+    </message>
+    <message>
+        <source>Lamp: 0 to 254, or all</source>
+        <translation>灯编号：0 至 254，或 all（全部）</translation>
+    </message>
+    <message>
+        <source>Grey values of red, green and blue, 0 to 255: 255,128,0</source>
+        <translation>红、绿、蓝灰度值，0 至 255，例如 255,128,0</translation>
     </message>
 </context>
 <context>
@@ -2358,6 +2896,147 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
 </context>
 <context>
+    <name>PointEdits</name>
+    <message>
+        <source>Replace by current pose</source>
+        <translation>替换为当前位姿</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>插入</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>Convert</source>
+        <translation>转换</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>剪切</translation>
+    </message>
+</context>
+<context>
+    <name>PointFigure</name>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>停留时间</translation>
+    </message>
+    <message>
+        <source>Gripper opening</source>
+        <translation>夹爪开口</translation>
+    </message>
+    <message>
+        <source>Gripper torque</source>
+        <translation>夹爪扭矩</translation>
+    </message>
+    <message>
+        <source>Gripper angle</source>
+        <translation>夹爪角度</translation>
+    </message>
+    <message>
+        <source>Gripper speed</source>
+        <translation>夹爪速度</translation>
+    </message>
+    <message>
+        <source>Light, joint</source>
+        <translation>灯光关节</translation>
+    </message>
+    <message>
+        <source>Light, lamp</source>
+        <translation>灯光灯号</translation>
+    </message>
+    <message>
+        <source>Light, R</source>
+        <translation>灯光 R</translation>
+    </message>
+    <message>
+        <source>Light, G</source>
+        <translation>灯光 G</translation>
+    </message>
+    <message>
+        <source>Light, B</source>
+        <translation>灯光 B</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Middle pose</source>
+        <translation>中间位姿</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Time since the row before</source>
+        <translation>距上一行的时间</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>注释</translation>
+    </message>
+</context>
+<context>
+    <name>PointsModel</name>
+    <message>
+        <source>Motion</source>
+        <translation>运动方式</translation>
+    </message>
+    <message>
+        <source>Middle pose</source>
+        <translation>中间位姿</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>停留</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>夹爪</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>灯光</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>编辑</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移动</translation>
+    </message>
+</context>
+<context>
     <name>PoseRow</name>
     <message>
         <source>Moves along {axis} while it is held; let go to stop.</source>
@@ -2443,6 +3122,89 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>Target not reached</source>
         <translation>未达指定点</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingWindow</name>
+    <message>
+        <source>Recording</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded: the arm told no angles.</source>
+        <translation>未录到数据：机械臂没有反馈关节角度。</translation>
+    </message>
+    <message>
+        <source>Nothing is left: correct the marked fields.</source>
+        <translation>没有剩余数据：请修正标记的输入框。</translation>
+    </message>
+    <message>
+        <source>{kept} of {count} samples, {time}</source>
+        <translation>保留 {kept}/{count} 个采样，{time}</translation>
+    </message>
+    <message>
+        <source>Saved as “{name}”.</source>
+        <translation>已保存为“{name}”。</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>停止录制</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Recording: {time}, {count} samples</source>
+        <translation>正在录制：{time}，{count} 个采样</translation>
+    </message>
+    <message>
+        <source> ({count} lost)</source>
+        <translation>（丢失 {count} 个）</translation>
+    </message>
+    <message>
+        <source>Lead the arm by hand, or move it by anything, while it records.</source>
+        <translation>录制期间可拖动机械臂，或以任意方式使其运动。</translation>
+    </message>
+    <message>
+        <source>Recorded: {time}, {count} samples</source>
+        <translation>已录制：{time}，{count} 个采样</translation>
+    </message>
+    <message>
+        <source>Recording anew takes the place of what is not saved</source>
+        <translation>重新录制将覆盖未保存的内容</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>起始</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>结束</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>容差</translation>
+    </message>
+    <message>
+        <source>How far a joint may be off where samples are left out, in degrees</source>
+        <translation>省略采样处关节允许的偏差，单位为度</translation>
+    </message>
+    <message>
+        <source>Save as recording</source>
+        <translation>保存为录制</translation>
+    </message>
+    <message>
+        <source>Save as points</source>
+        <translation>保存为轨迹点</translation>
+    </message>
+    <message>
+        <source>The arm comes to rest in every point</source>
+        <translation>机械臂会在每个点停下</translation>
     </message>
 </context>
 <context>
@@ -3120,6 +3882,14 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>{parameter}：已发送 {value} 且有应答，但机械臂中仍为 {held}，该值未被采用，请换一个值。</translation>
     </message>
     <message>
+        <source>No row is chosen. Click one in the table first.</source>
+        <translation>未选择行。请先在表格中点击一行。</translation>
+    </message>
+    <message>
+        <source>Not run: the check has found errors ({count}). Correct the rows listed, then send again.</source>
+        <translation>未运行：检查发现 {count} 个错误。请修正列出的行后重新发送。</translation>
+    </message>
+    <message>
         <source>No trajectory is running: nothing to pause.</source>
         <translation>没有正在执行的轨迹，无法暂停。</translation>
     </message>
@@ -3206,6 +3976,301 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Nothing has been read from the arm. Press Read first.</source>
         <translation>尚未从机械臂读到任何参数。请先点击“读取”。</translation>
+    </message>
+    <message>
+        <source>It is not in the library any more.</source>
+        <translation>它已不在轨迹库中。</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: {text}.</source>
+        <translation>无法读取文件：{text}。</translation>
+    </message>
+    <message>
+        <source>The file has {value} MB; files up to {maximum} MB are read.</source>
+        <translation>文件大小为 {value} MB，最大可读取 {maximum} MB。</translation>
+    </message>
+    <message>
+        <source>This is no text in UTF-8 or GBK. Save it as a text file in UTF-8.</source>
+        <translation>不是 UTF-8 或 GBK 编码的文本。请另存为 UTF-8 文本文件。</translation>
+    </message>
+    <message>
+        <source>This is no trajectory file the program knows. Import it by columns.</source>
+        <translation>不是程序可识别的轨迹文件。请按列导入。</translation>
+    </message>
+    <message>
+        <source>No rows of numbers are found here. Choose a file with one point a row.</source>
+        <translation>未找到由数字组成的行。请选择每行一个点的文件。</translation>
+    </message>
+    <message>
+        <source>The file is of version {value}; this program reads up to version {maximum}. Update the program.</source>
+        <translation>文件版本为 {value}，本程序最高支持版本 {maximum}。请更新程序。</translation>
+    </message>
+    <message>
+        <source>The file holds nothing.</source>
+        <translation>文件为空。</translation>
+    </message>
+    <message>
+        <source>The file ends too early.</source>
+        <translation>文件不完整，提前结束。</translation>
+    </message>
+    <message>
+        <source>The file is damaged: {text}.</source>
+        <translation>文件已损坏：{text}。</translation>
+    </message>
+    <message>
+        <source>“{value}” is no kind of line. A line begins with J, P, L, C or #.</source>
+        <translation>“{value}”不是有效的行类型。行首应为 J、P、L、C 或 #。</translation>
+    </message>
+    <message>
+        <source>“{value}” is no entry of the header; name, note and modified are.</source>
+        <translation>“{value}”不是有效的文件头条目，可用条目为 name、note 和 modified。</translation>
+    </message>
+    <message>
+        <source>“{value}” is no option of a point; speed, dwell, gripper, light and note are.</source>
+        <translation>“{value}”不是有效的点选项，可用选项为 speed、dwell、gripper、light 和 note。</translation>
+    </message>
+    <message>
+        <source>“{value}” is given twice. Leave one.</source>
+        <translation>“{value}”重复出现，请只保留一个。</translation>
+    </message>
+    <message>
+        <source>“{value}” is no {field}. Write it as {example}.</source>
+        <translation>“{value}”不是有效的 {field}。请写成 {example}。</translation>
+    </message>
+    <message>
+        <source>“{value}” is not a number.</source>
+        <translation>“{value}”不是数字。</translation>
+    </message>
+    <message>
+        <source>{value} numbers where {expected} belong.</source>
+        <translation>此处有 {value} 个数，应为 {expected} 个。</translation>
+    </message>
+    <message>
+        <source>The closing quotation mark is missing.</source>
+        <translation>缺少右引号。</translation>
+    </message>
+    <message>
+        <source>The column “{field}” is missing.</source>
+        <translation>缺少列“{field}”。</translation>
+    </message>
+    <message>
+        <source>The column “{value}” is unknown.</source>
+        <translation>未知的列“{value}”。</translation>
+    </message>
+    <message>
+        <source>The column “{field}” is there twice.</source>
+        <translation>列“{field}”重复出现。</translation>
+    </message>
+    <message>
+        <source>{value} cells where there are {expected} columns.</source>
+        <translation>此行有 {value} 个单元格，而表格有 {expected} 列。</translation>
+    </message>
+    <message>
+        <source>“{value}” is no date and time. Write it as 2026-01-31T12:00:00.</source>
+        <translation>“{value}”不是有效的日期时间。请写成 2026-01-31T12:00:00。</translation>
+    </message>
+    <message>
+        <source>This is not valid JSON: {text}.</source>
+        <translation>不是有效的 JSON：{text}。</translation>
+    </message>
+    <message>
+        <source>“{field}” is missing.</source>
+        <translation>缺少“{field}”。</translation>
+    </message>
+    <message>
+        <source>“{value}” is unknown.</source>
+        <translation>未知的“{value}”。</translation>
+    </message>
+    <message>
+        <source>“{field}” is not what it should be: {expected}.</source>
+        <translation>“{field}”的内容不符合要求，应为：{expected}。</translation>
+    </message>
+    <message>
+        <source>{field}: {value}{unit} is out of range. Enter a value from {minimum}{unit} to {maximum}{unit}.</source>
+        <translation>{field}：{value}{unit} 超出范围。请输入 {minimum}{unit} 至 {maximum}{unit} 之间的值。</translation>
+    </message>
+    <message>
+        <source>{field}: “{value}” is not a number.</source>
+        <translation>{field}：“{value}”不是数字。</translation>
+    </message>
+    <message>
+        <source>{field}: {value} is not a whole number.</source>
+        <translation>{field}：{value} 不是整数。</translation>
+    </message>
+    <message>
+        <source>{field}: {value} values; six belong there, and a middle only to MOVE C.</source>
+        <translation>{field}：有 {value} 个值，应为六个；只有 MOVE C 才有中间位姿。</translation>
+    </message>
+    <message>
+        <source>“{value}” is no kind of motion. MOVE J, MOVE P, MOVE L and MOVE C are.</source>
+        <translation>“{value}”不是有效的运动类型，可用类型为 MOVE J、MOVE P、MOVE L 和 MOVE C。</translation>
+    </message>
+    <message>
+        <source>The time {value} s is before the one above, {minimum} s.</source>
+        <translation>时间 {value} s 早于上一行的 {minimum} s。</translation>
+    </message>
+    <message>
+        <source>{field}: {value} characters; up to {maximum} are kept. Shorten it.</source>
+        <translation>{field}：有 {value} 个字符，最多 {maximum} 个。请缩短。</translation>
+    </message>
+    <message>
+        <source>{field}: holds a character that cannot be kept. Remove it.</source>
+        <translation>{field}：含有无法保存的字符。请删除该字符。</translation>
+    </message>
+    <message>
+        <source>An arc needs a middle pose, which no conversion can know. Enter it by hand.</source>
+        <translation>圆弧需要中间位姿，无法由转换得到。请手动输入。</translation>
+    </message>
+    <message>
+        <source>The arm cannot bring its flange to X {x}  Y {y}  Z {z} mm with this orientation: no joint angles belong to it. Change the pose.</source>
+        <translation>机械臂法兰无法以此姿态到达 X {x}  Y {y}  Z {z} mm：没有对应的关节角。请修改位姿。</translation>
+    </message>
+    <message>
+        <source>A trajectory needs a name. Enter one.</source>
+        <translation>轨迹需要名称。请输入名称。</translation>
+    </message>
+    <message>
+        <source>The name has {value} characters; up to {maximum} are kept. Shorten it.</source>
+        <translation>名称有 {value} 个字符，最多 {maximum} 个。请缩短。</translation>
+    </message>
+    <message>
+        <source>There is a “{name}” already. Choose another name.</source>
+        <translation>已存在“{name}”。请使用其他名称。</translation>
+    </message>
+    <message>
+        <source>The file of “{name}” is damaged and is not written over. Save under another name.</source>
+        <translation>“{name}”的文件已损坏，不会被覆盖。请以其他名称保存。</translation>
+    </message>
+    <message>
+        <source>“{name}” was not saved: {text}. What was kept before is unchanged. Check the disk, then save again.</source>
+        <translation>“{name}”未保存：{text}。原有内容未变。请检查磁盘后重新保存。</translation>
+    </message>
+    <message>
+        <source>Not deleted: {name}: {text}. Check the rights to the library&apos;s folder.</source>
+        <translation>未删除：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
+    </message>
+    <message>
+        <source>Not brought back: {name}: {text}. Check the rights to the library&apos;s folder.</source>
+        <translation>未恢复：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
+    </message>
+    <message>
+        <source>The library cannot be read: {name}: {text}. Check the rights to this folder.</source>
+        <translation>无法读取轨迹库：{name}：{text}。请检查该文件夹的权限。</translation>
+    </message>
+    <message>
+        <source>Columns {first} and {second} are both {field}. Leave one of them out.</source>
+        <translation>第 {first} 列和第 {second} 列都是{field}。请去掉其中一列。</translation>
+    </message>
+    <message>
+        <source>Still missing: {missing}. Say which columns hold them.</source>
+        <translation>还缺少：{missing}。请指定对应的列。</translation>
+    </message>
+    <message>
+        <source>Column {column}: {field} is not given in “{value}”. Choose one of {choices}.</source>
+        <translation>第 {column} 列：{field}不能使用单位“{value}”。请选择 {choices} 之一。</translation>
+    </message>
+</context>
+<context>
+    <name>RunStrip</name>
+    <message>
+        <source>{name}: point {row} of {count}</source>
+        <translation>{name}：第 {row}/{count} 点</translation>
+    </message>
+    <message>
+        <source>lap {lap} of {laps}</source>
+        <translation>第 {lap}/{laps} 次</translation>
+    </message>
+    <message>
+        <source>{time} left</source>
+        <translation>剩余 {time}</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>运动中</translation>
+    </message>
+    <message>
+        <source>dwelling</source>
+        <translation>停留中</translation>
+    </message>
+    <message>
+        <source>waits for the next step</source>
+        <translation>等待下一步</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>已暂停</translation>
+    </message>
+    <message>
+        <source>coming to rest</source>
+        <translation>正在停下</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>已结束</translation>
+    </message>
+    <message>
+        <source>ended by a fault</source>
+        <translation>因故障结束</translation>
+    </message>
+    <message>
+        <source>Go on from row {row}</source>
+        <translation>从第 {row} 行继续</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>发送</translation>
+    </message>
+    <message>
+        <source>End run</source>
+        <translation>结束运行</translation>
+    </message>
+    <message>
+        <source>Once</source>
+        <translation>单次</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>多次</translation>
+    </message>
+    <message>
+        <source>In a loop</source>
+        <translation>循环</translation>
+    </message>
+    <message>
+        <source>How often</source>
+        <translation>运行次数</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Of each point&apos;s own speed</source>
+        <translation>相对于各点自身速度的百分比</translation>
+    </message>
+    <message>
+        <source>From row</source>
+        <translation>起始行</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>单步运行</translation>
     </message>
 </context>
 <context>
