@@ -142,6 +142,9 @@ def test_a_recording_is_replayed_from_the_list(operator):
     speed.setValue(50)
     assert not operator.list.findChild(QWidget, "run_first").isVisible()
     desk.click(operator.list.findChild(QWidget, "run_send"))
+    accept = operator.list.findChild(QWidget, "accept_warnings")
+    if accept.isVisible():
+        desk.click(accept)
     assert desk.controller.replayer.running, operator.list.findChild(
         QWidget, "library_message"
     ).text()

@@ -52,6 +52,14 @@ class Operator:
     def click(self, name):
         self.desk.click(self.child(name))
 
+    def send(self, button="run_send", window=None):
+        """Press 发送, and accept that the first point is far from where the arm is."""
+        window = window or self.window
+        self.desk.click(window.findChild(QWidget, button))
+        accept = window.findChild(QWidget, "accept_warnings")
+        if accept.isVisible():
+            self.desk.click(accept)
+
     def text(self, name):
         return self.child(name).text()
 
@@ -79,7 +87,7 @@ class Operator:
 
 def test_once_through_every_point_in_order(any_desk):
     operator = Operator(any_desk, to(OUT), to(BACK), to(UP))
-    operator.click("run_send")
+    operator.send()
     operator.until(lambda: operator.progress.index == 1)
     assert operator.lit() == [1]
     assert "point 2 of 3" in operator.text("run_text")
@@ -96,7 +104,7 @@ def test_so_many_times(desk):
     operator = Operator(desk, to(OUT), to(UP))
     operator.child("run_laps", QComboBox).setCurrentIndex(1)
     operator.child("run_times", QSpinBox).setValue(2)
-    operator.click("run_send")
+    operator.send()
     operator.until(lambda: operator.progress.lap == 2)
     assert "lap 2 of 2" in operator.text("run_text")
     operator.until_over()
@@ -106,21 +114,21 @@ def test_so_many_times(desk):
 def test_in_a_loop_until_it_is_ended_and_on_from_there(desk):
     operator = Operator(desk, to(OUT), to(UP))
     operator.child("run_laps", QComboBox).setCurrentIndex(2)
-    operator.click("run_send")
+    operator.send()
     operator.until(lambda: (operator.progress.lap, operator.progress.index) == (2, 1))
     assert "∞" in operator.text("run_text")
     operator.click("run_stop")
     operator.until_over()
     assert operator.progress.phase is Phase.STOPPED
     assert operator.text("run_resume") == "Go on from row 2"
-    operator.click("run_resume")
+    operator.send("run_resume")
     operator.until(lambda: operator.visits(UP) == 2)
     assert operator.progress.laps == 0
 
 
 def test_a_pause_holds_the_arm(any_desk):
     operator = Operator(any_desk, to(OUT), to(BACK))
-    operator.click("run_send")
+    operator.send()
     operator.until(lambda: operator.progress.index == 1)
     operator.desk.run(0.3)
     operator.click("run_pause")
@@ -138,7 +146,7 @@ def test_step_by_step_from_the_second_row(desk):
     operator = Operator(desk, to(OUT), to(BACK), to(UP))
     operator.child("run_first", QSpinBox).setValue(2)
     operator.child("run_steps").setChecked(True)
-    operator.click("run_send")
+    operator.send()
     operator.until(lambda: operator.progress.phase is Phase.WAITING)
     assert operator.text("run_pause") == "Next step"
     assert (operator.visits(OUT), operator.visits(BACK)) == (0, 1)
@@ -151,7 +159,7 @@ def test_step_by_step_from_the_second_row(desk):
 
 def test_the_emergency_stop_ends_it_and_says_where(desk):
     operator = Operator(desk, to(OUT), to(BACK))
-    operator.click("run_send")
+    operator.send()
     operator.until(lambda: operator.progress.index == 1)
     operator.desk.press(operator.window.stop_button)
     operator.until_over()
@@ -170,13 +178,33 @@ def test_errors_of_the_check_are_not_run(desk):
     assert desk.heard() == []
     assert "the check has found errors (1)" in operator.text("editor_message")
     findings = operator.child("findings_list", QListWidget)
-    assert findings.count() == 1
-    assert "Row 2" in findings.item(0).text()
+    assert findings.item(0).text().startswith("✕ Error · Row 2")
     assert not operator.child("accept_warnings").isVisible()
     place = findings.visualItemRect(findings.item(0)).center()
     QTest.mouseClick(findings.viewport(), Qt.MouseButton.LeftButton, pos=place)
     assert operator.window.table.current_row() == 1
     assert operator.window.model.headerData(1, Qt.Orientation.Vertical) == "✕ 2"
+
+
+def test_warnings_are_run_once_they_are_accepted(desk):
+    operator = Operator(desk, to((0.0, 60.0, -60.0, 0.0, 20.0, 100.0)))
+    desk.heard()
+    operator.click("run_send")
+    desk.run(0.2)
+    assert desk.heard() == []  # far from where the arm is
+    findings = operator.child("findings_list", QListWidget)
+    assert findings.item(0).text().startswith("! Warning")
+    operator.click("accept_warnings")
+    operator.until_over()
+    assert operator.progress.phase is Phase.DONE
+
+
+def test_a_joint_beyond_its_limit_is_an_error(desk):
+    operator = Operator(desk, to((0.0, 60.0, -60.0, 0.0, 20.0, 0.0)), to((170.0, *UP[1:])))
+    operator.click("editor_check")
+    findings = operator.child("findings_list", QListWidget)
+    rows = [findings.item(place).text() for place in range(findings.count())]
+    assert any(text.startswith("✕ Error · Row 2") for text in rows)
 
 
 def test_the_check_marks_the_list(desk):
@@ -208,7 +236,7 @@ def test_the_speed_is_that_of_the_points_times_a_factor(desk):
     operator = Operator(desk, replace(to(OUT), speed_percent=60), to(UP))
     operator.child("run_speed", QSpinBox).setValue(50)
     desk.heard()
-    operator.click("run_send")
+    operator.send()
     operator.until(lambda: operator.progress.index == 1)
     modes = [frame for frame in desk.heard() if frame.arbitration_id == 0x151]
     assert [frame.data[2] for frame in modes] == [30, 50]  # 60 % and 100 %, halved
@@ -219,7 +247,7 @@ def test_the_library_sends_the_chosen_one(desk):
     operator.window.close()
     table = operator.library.findChild(QWidget, "library_table")
     table.selectRow(0)
-    desk.click(operator.library.findChild(QWidget, "run_send"))
+    operator.send(window=operator.library)
     operator.until_over()
     assert (operator.visits(OUT), operator.visits(UP)) == (1, 1)
     assert "done" in operator.library.findChild(QWidget, "run_text").text()

@@ -16,7 +16,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from armui.arm.refusal import Refusal
 from armui.trajectory.findings import Finding, Severity
 from armui.ui import words
 from armui.ui.theme import colors_of
@@ -108,7 +107,7 @@ class FindingsPane(QWidget):
 
     def _item(self, finding: Finding) -> QListWidgetItem:
         error = finding.severity is Severity.ERROR
-        text = words.refusal(Refusal(finding.code, finding.params))
+        text = words.finding(finding)
         if finding.row is not None:
             text = self.tr("Row {row}: {text}").format(row=finding.row + 1, text=text)
         kind = self.tr("✕ Error") if error else self.tr("! Warning")

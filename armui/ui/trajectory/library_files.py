@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 from armui.trajectory import files
 from armui.trajectory.atomic import write_whole
 from armui.trajectory.file_names import file_stem
-from armui.trajectory.files import Content, TrajectoryFileError
+from armui.trajectory.files import Content
 from armui.ui.dialogs.files import FileDialog
 
 if TYPE_CHECKING:
@@ -80,18 +80,6 @@ def choose_folder(
     dialog.fileSelected.connect(lambda chosen: on_chosen(Path(chosen)))
     dialog.show()
     return dialog
-
-
-def read_all(paths: Sequence[Path]) -> tuple[list[Content], list[TrajectoryFileError]]:
-    """What is in some files: all that is whole, and what is wrong with each of the others."""
-    contents: list[Content] = []
-    errors: list[TrajectoryFileError] = []
-    for path in paths:
-        try:
-            contents.append(files.load(path))
-        except TrajectoryFileError as error:
-            errors.append(error)
-    return contents, errors
 
 
 def write_one(content: Content, path: Path) -> Problem | None:

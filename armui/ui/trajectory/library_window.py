@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
 
 from armui.control.run import Progress
 from armui.control.situation import Level
+from armui.trajectory import files
 from armui.trajectory.files import SUFFIXES, Content, TrajectoryFileError
 from armui.trajectory.library import Deleted, Entry, Library, LibraryError
 from armui.trajectory.program import Trajectory
@@ -384,7 +385,7 @@ class LibraryWindow(ArmDialog):
 
     def import_files(self, paths: Sequence[Path]) -> None:
         """Take over what is whole of some files; each of the others is told."""
-        contents, errors = library_files.read_all(paths)
+        contents, errors = files.import_files(paths)
         taken: list[str] = []
         problems = [words.file_error(error) for error in errors]
         for content in contents:

@@ -143,13 +143,13 @@ class RunStrip(QWidget):
         """Let the next run begin with a row."""
         self._first.setValue(row + 1)
 
-    def check(self) -> Preflight | None:
-        """Check what would be run, and tell what was found."""
+    def check(self, options: RunOptions | None = None) -> Preflight | None:
+        """Check what would be run, as the operator wants it or with other options."""
         content = self._content()
         if content is None:
             self.refused.emit(Refusal("no_rows_chosen"))
             return None
-        checked = preflight(self._controller, content, self._speed.value() / 100.0)
+        checked = preflight(self._controller, content, options or self._options())
         self.checked.emit(checked, None)
         return checked
 
@@ -176,7 +176,7 @@ class RunStrip(QWidget):
         if refusal is not None:
             self.refused.emit(refusal)
             return
-        checked = self.check()
+        checked = self.check(options)
         if checked is None:
             return
         if checked.errors:
