@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from datetime import datetime
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QItemSelectionModel, QModelIndex, QSize, Qt
+from PySide6.QtCore import QItemSelectionModel, QModelIndex, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QKeySequence, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -24,16 +22,15 @@ from PySide6.QtWidgets import (
 
 from armui.control.run import Progress
 from armui.control.situation import Level
-from armui.trajectory import files
 from armui.trajectory.files import SUFFIXES, Content, TrajectoryFileError
 from armui.trajectory.library import Deleted, Entry, Library, LibraryError
 from armui.trajectory.program import Trajectory
 from armui.trajectory.recording import Recording
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
-from armui.ui.trajectory import library_files
 from armui.ui.trajectory.editor_window import EditorWindow
 from armui.ui.trajectory.findings_pane import FindingsPane
+from armui.ui.trajectory.library_exchange import LibraryExchange
 from armui.ui.trajectory.library_model import (
     ENTRY_ROLE,
     LibraryColumn,
@@ -67,7 +64,13 @@ class LibraryWindow(ArmDialog):
         controller: Runs trajectories, and knows where the arm is.
         library: What is listed.
         parent: The main window.
+
+    Signals:
+        editor_opened: The :class:`EditorWindow` of a trajectory, before it is shown: whoever shows
+            previews follows its ``preview_wanted`` and ``selected_row_changed``.
     """
+
+    editor_opened = Signal(object)
 
     def __init__(
         self, controller: ArmController, library: Library, parent: QWidget | None = None
@@ -93,6 +96,7 @@ class LibraryWindow(ArmDialog):
         self._undo_button.setAutoDefault(False)
         self._undo_button.hide()
         self._undo_button.clicked.connect(self._restore)
+        self._exchange = LibraryExchange(controller, library, self)
         self._export_menu = QMenu(self)
         self._findings = FindingsPane()
         self._strip = RunStrip(controller, self._to_run)
@@ -147,7 +151,7 @@ class LibraryWindow(ArmDialog):
 
     def _connect(self) -> None:
         handlers: dict[str, Callable[[], object]] = {
-            "import": self._choose_imports,
+            "import": self._exchange.choose_imports,
             "create": self._create,
             "record": self.open_recorder,
             "delete": self._delete,
@@ -168,6 +172,8 @@ class LibraryWindow(ArmDialog):
         self._table.selectionModel().selectionChanged.connect(self._show_usable)
         self._model.modelReset.connect(self._show_usable)
         self._model.rename_wanted.connect(self._rename)
+        self._exchange.said.connect(self._say)
+        self._exchange.imported.connect(self.refresh)
         self._strip.checked.connect(self._show_check)
         self._strip.refused.connect(lambda reason: self._say(words.refusal(reason), Level.WARNING))
         self._strip.progressed.connect(self._on_progress)
@@ -267,6 +273,7 @@ class LibraryWindow(ArmDialog):
             self._controller, self._library, trajectory, draft, self.parentWidget()
         )
         self._editors[trajectory.name] = editor
+        self.editor_opened.emit(editor)
         editor.saved.connect(self.refresh)
         editor.left.connect(partial(self._on_left, trajectory.name))
         editor.open()
@@ -366,6 +373,9 @@ class LibraryWindow(ArmDialog):
             self.refresh([new])
             self._say("")
 
+    def _export(self, suffix: str) -> None:
+        self._exchange.export([entry.name for entry in self.chosen()], suffix)
+
     def _attempt(self, action: Callable[[], object]) -> bool:
         """Do something with the library; what it refuses is said."""
         try:
@@ -377,65 +387,6 @@ class LibraryWindow(ArmDialog):
         else:
             return True
         return False
-
-    # Files ------------------------------------------------------------------------------------
-
-    def _choose_imports(self) -> None:
-        library_files.choose_imports(self, self._controller, self.import_files)
-
-    def import_files(self, paths: Sequence[Path]) -> None:
-        """Take over what is whole of some files; each of the others is told."""
-        contents, errors = files.import_files(paths)
-        taken: list[str] = []
-        problems = [words.file_error(error) for error in errors]
-        for content in contents:
-            name = self._library.free_name(content.name)
-            try:
-                self._library.save(replace(content, name=name))
-            except LibraryError as error:
-                problems.append(f"{content.name}: {words.refusal(error.refusal)}")
-            else:
-                taken.append(name)
-        self.refresh(taken)
-        texts = []
-        if taken:
-            texts.append(self.tr("Imported: {names}").format(names=", ".join(taken)))
-        texts += [self.tr("Not imported. {reason}").format(reason=text) for text in problems]
-        self._say("\n".join(texts), Level.WARNING if problems else Level.DONE)
-
-    def _export(self, suffix: str) -> None:
-        names = [entry.name for entry in self.chosen()]
-        if len(names) == 1:
-            library_files.choose_export(
-                self,
-                self._controller,
-                names[0],
-                suffix,
-                lambda path: self._write(names, lambda _name: path),
-            )
-        else:
-            library_files.choose_folder(
-                self,
-                self._controller,
-                lambda folder: self._write(
-                    names, lambda name: library_files.free_path(folder, name, suffix)
-                ),
-            )
-
-    def _write(self, names: Sequence[str], path_of: Callable[[str], Path]) -> None:
-        written: list[str] = []
-        for name in names:
-            content = self._load(name)
-            if content is None:
-                return
-            path = path_of(name)
-            problem = library_files.write_one(content, path)
-            if problem is not None:
-                text = self.tr("Not exported. {file}: {text}")
-                self._say(text.format(file=problem[0], text=problem[1]), Level.FAULT)
-                return
-            written.append(path.name)
-        self._say(self.tr("Exported: {names}").format(names=", ".join(written)), Level.DONE)
 
     # Words ------------------------------------------------------------------------------------
 
