@@ -7,16 +7,13 @@ from datetime import datetime
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QItemSelectionModel, QModelIndex, QSize, Qt, Signal
+from PySide6.QtCore import QModelIndex, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QKeySequence, QShowEvent
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QHBoxLayout,
-    QHeaderView,
     QLineEdit,
     QMenu,
     QPushButton,
-    QTableView,
     QWidget,
 )
 
@@ -33,10 +30,10 @@ from armui.ui.trajectory.findings_pane import FindingsPane
 from armui.ui.trajectory.library_exchange import LibraryExchange
 from armui.ui.trajectory.library_model import (
     ENTRY_ROLE,
-    LibraryColumn,
     LibraryFilter,
     LibraryModel,
 )
+from armui.ui.trajectory.library_table import LibraryTable
 from armui.ui.trajectory.preflight import Preflight
 from armui.ui.trajectory.recording_window import RecordingWindow
 from armui.ui.trajectory.run_strip import RunStrip
@@ -46,14 +43,6 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
 _SIZE: Final = QSize(1040, 640)
-_ROW_PX: Final = 34
-_WIDTHS_PX: Final = {
-    LibraryColumn.POINTS: 110,
-    LibraryColumn.LENGTH: 90,
-    LibraryColumn.MODIFIED: 150,
-    LibraryColumn.CHECK: 120,
-    LibraryColumn.NOTE: 200,
-}
 _BUTTONS: Final = ("import", "create", "record", "delete", "duplicate", "rename", "export")
 
 
@@ -88,7 +77,7 @@ class LibraryWindow(ArmDialog):
         self._search.setClearButtonEnabled(True)
         self._search.textChanged.connect(self._shown.setFilterFixedString)
         self._buttons = {name: QPushButton() for name in _BUTTONS}
-        self._table = QTableView()
+        self._table = LibraryTable(self._shown)
         self._message = MessageLine()
         self._message.setObjectName("library_message")
         self._undo_button = QPushButton()
@@ -100,7 +89,6 @@ class LibraryWindow(ArmDialog):
         self._export_menu = QMenu(self)
         self._findings = FindingsPane()
         self._strip = RunStrip(controller, self._to_run)
-        self._build_table()
         self._lay_out()
         self._connect()
         self.retranslate_ui()
@@ -108,27 +96,6 @@ class LibraryWindow(ArmDialog):
         self._table.setFocus()
 
     # Layout -----------------------------------------------------------------------------------
-
-    def _build_table(self) -> None:
-        table = self._table
-        table.setObjectName("library_table")
-        table.setModel(self._shown)
-        table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
-        table.setEditTriggers(QAbstractItemView.EditTrigger.EditKeyPressed)
-        table.setSortingEnabled(True)
-        table.sortByColumn(LibraryColumn.NAME, Qt.SortOrder.AscendingOrder)
-        table.setShowGrid(False)
-        table.setAlternatingRowColors(True)
-        table.setWordWrap(False)
-        table.setTabKeyNavigation(False)
-        table.verticalHeader().hide()
-        table.verticalHeader().setDefaultSectionSize(_ROW_PX)
-        across = table.horizontalHeader()
-        across.setHighlightSections(False)
-        across.setSectionResizeMode(LibraryColumn.NAME, QHeaderView.ResizeMode.Stretch)
-        for column, width_px in _WIDTHS_PX.items():
-            table.setColumnWidth(column, width_px)
 
     def _lay_out(self) -> None:
         bar = QHBoxLayout()
@@ -197,18 +164,11 @@ class LibraryWindow(ArmDialog):
         except LibraryError as error:
             self._say(words.refusal(error.refusal), Level.FAULT)
             return
-        flag = QItemSelectionModel.SelectionFlag
-        for row in range(self._shown.rowCount()):
-            index = self._shown.index(row, 0)
-            if index.data(ENTRY_ROLE).name in names:
-                self._table.selectionModel().select(index, flag.Select | flag.Rows)
-                self._table.selectionModel().setCurrentIndex(index, flag.NoUpdate)
-                self._table.scrollTo(index)
+        self._table.choose(names)
 
     def chosen(self) -> list[Entry]:
         """The chosen entries, from top to bottom."""
-        rows = self._table.selectionModel().selectedRows()
-        return [index.data(ENTRY_ROLE) for index in sorted(rows, key=QModelIndex.row)]
+        return self._table.chosen()
 
     def _show_usable(self, *_: object) -> None:
         count = len(self.chosen())
@@ -357,11 +317,7 @@ class LibraryWindow(ArmDialog):
             self._say("")
 
     def _edit_name(self) -> None:
-        rows = self._table.selectionModel().selectedRows(LibraryColumn.NAME)
-        if rows:
-            self._table.setFocus()
-            self._table.setCurrentIndex(rows[0])
-            self._table.edit(rows[0])
+        self._table.edit_name()
 
     def _rename(self, name: str, new: str) -> None:
         if name in self._editors:
