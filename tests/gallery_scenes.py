@@ -11,7 +11,7 @@ from pathlib import Path
 import can
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialog, QLineEdit, QStackedWidget, QWidget
+from PySide6.QtWidgets import QApplication, QDialog, QLineEdit, QWidget
 
 from armui.arm.device import Device
 from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS
@@ -26,6 +26,7 @@ from armui.ui.dialogs.files import FileDialog
 from armui.ui.dialogs.help import HelpDialog
 from armui.ui.dialogs.joint_status import JointStatusDialog
 from armui.ui.dialogs.settings import SettingsDialog
+from armui.ui.operation_area import OperationArea
 from armui.ui.trajectory.editor_window import EditorWindow
 from armui.ui.trajectory.library_window import LibraryWindow
 from armui.ui.trajectory.recording_window import RecordingWindow
@@ -502,6 +503,5 @@ def close_dialogs() -> None:
 
 def panels(window: QWidget) -> dict[str, QWidget]:
     """The panels of the operation area by their names."""
-    area = window.findChild(QStackedWidget, "operation_area")
-    found = [area.widget(index) for index in range(area.count())]
-    return {type(panel).__name__.removesuffix("Panel").lower(): panel for panel in found}
+    area = window.findChild(OperationArea, "operation_area")
+    return {type(panel).__name__.removesuffix("Panel").lower(): panel for panel in area.panels}

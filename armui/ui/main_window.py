@@ -6,13 +6,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QEvent, QSize, Qt
+from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QCloseEvent, QShowEvent
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QMainWindow,
     QSplitter,
-    QStackedWidget,
     QVBoxLayout,
     QWidget,
 )
@@ -22,19 +21,10 @@ from armui.control.joint_monitor import JointMonitor
 from armui.control.situation import Situation
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
-from armui.ui.panels.cartesian_panel import CartesianPanel
-from armui.ui.panels.collision_panel import CollisionPanel
-from armui.ui.panels.end_limits_panel import EndLimitsPanel
-from armui.ui.panels.end_load_panel import EndLoadPanel
-from armui.ui.panels.gripper_panel import GripperPanel
-from armui.ui.panels.joint_settings_panel import JointSettingsPanel
-from armui.ui.panels.light_panel import LightPanel
-from armui.ui.panels.linkage_panel import LinkagePanel
+from armui.ui.operation_area import OperationArea
+from armui.ui.panel_menu import PanelMaker
 from armui.ui.panels.motion_panel import MotionPanel
-from armui.ui.panels.motor_panel import MotorPanel
-from armui.ui.panels.parameter_panel import ParameterPanel
-from armui.ui.panels.teaching_panel import TeachingPanel
-from armui.ui.side_menu import MenuEntry, SideMenu
+from armui.ui.side_menu import SideMenu
 from armui.ui.status_bar import StatusBar
 from armui.ui.theme import DARK, colors_of
 from armui.ui.top_bar import TopBar
@@ -81,75 +71,8 @@ class MainWindow(QMainWindow):
         self._settings = preferences.settings
         self._dialogs: dict[str, QDialog] = {}
         self._may_close = False
-        self._motion_panel: MotionPanel | None = None
-        self._entries = (
-            MenuEntry(
-                "motion",
-                str(QT_TRANSLATE_NOOP("SideMenu", "Motion control")),
-                "motion",
-                self._make_motion_panel,
-            ),
-            MenuEntry(
-                "cartesian",
-                str(QT_TRANSLATE_NOOP("SideMenu", "Tool control")),
-                "cartesian",
-                lambda: CartesianPanel(self._controller, self._preferences),
-            ),
-            MenuEntry(
-                "light",
-                str(QT_TRANSLATE_NOOP("SideMenu", "Light control")),
-                "light",
-                lambda: LightPanel(self._controller),
-            ),
-            MenuEntry(
-                "linkage",
-                str(QT_TRANSLATE_NOOP("SideMenu", "Linkage control")),
-                "linkage",
-                lambda: LinkagePanel(self._controller),
-            ),
-            MenuEntry(
-                "joint_settings",
-                str(QT_TRANSLATE_NOOP("SideMenu", "Joint settings")),
-                "joint_settings",
-                lambda: JointSettingsPanel(self._controller, self.open_backup_dialog),
-            ),
-            MenuEntry(
-                "end_limits",
-                str(QT_TRANSLATE_NOOP("SideMenu", "End speed limits")),
-                "end_limits",
-                lambda: EndLimitsPanel(self._controller, self.open_backup_dialog),
-            ),
-            MenuEntry(
-                "collision",
-                str(QT_TRANSLATE_NOOP("SideMenu", "Collision level")),
-                "collision",
-                lambda: CollisionPanel(self._controller, self.open_backup_dialog),
-            ),
-            MenuEntry(
-                "motor",
-                str(QT_TRANSLATE_NOOP("SideMenu", "Motor settings")),
-                "motor",
-                lambda: MotorPanel(self._controller),
-            ),
-            MenuEntry(
-                "gripper",
-                str(QT_TRANSLATE_NOOP("SideMenu", "Gripper control")),
-                "gripper",
-                lambda: GripperPanel(self._controller),
-            ),
-            MenuEntry(
-                "end_load",
-                str(QT_TRANSLATE_NOOP("SideMenu", "End load")),
-                "load",
-                lambda: EndLoadPanel(self._controller),
-            ),
-            MenuEntry(
-                "teaching",
-                str(QT_TRANSLATE_NOOP("SideMenu", "Drag teaching")),
-                "teaching",
-                lambda: TeachingPanel(self._controller),
-            ),
-        )
+        maker = PanelMaker(controller, preferences, self.open_backup_dialog)
+        self._entries = maker.entries()
         self._joint_monitor = JointMonitor(controller, parent=self)
         self._joint_status_button = JointStatusButton(self._joint_monitor)
         self._view_region = ViewRegion(view)
@@ -165,10 +88,7 @@ class MainWindow(QMainWindow):
     def _lay_out(self) -> None:
         self._library_button = LibraryButton()
         self._menu = SideMenu(self._entries, (self._library_button, self._joint_status_button))
-        self._panels = QStackedWidget()
-        self._panels.setObjectName("operation_area")
-        for entry in self._entries:
-            self._panels.addWidget(entry.make_panel())
+        self._panels = OperationArea(self._entries)
         self._panels.setMinimumWidth(_PANEL_WIDTH_PX - 40)
 
         splitter = QSplitter(Qt.Orientation.Horizontal)
@@ -200,10 +120,6 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(central)
         central.setFocus()  # no control has it before the operator takes one
 
-    def _make_motion_panel(self) -> QWidget:
-        self._motion_panel = MotionPanel(self._controller, self._settings.jog_step_deg)
-        return self._motion_panel
-
     def _connect(self) -> None:
         self._menu.chosen.connect(self._on_entry_chosen)
         self._joint_status_button.clicked.connect(self.open_joint_status_dialog)
@@ -211,7 +127,7 @@ class MainWindow(QMainWindow):
         self._view_region.help_wanted.connect(self.open_help_dialog)
         self._view_region.reset_wanted.connect(self._view.reset_view)
         self._view_region.settings_wanted.connect(self.open_settings_dialog)
-        self._view.joint_picked.connect(self._on_joint_picked)
+        self._view.joint_picked.connect(self._panels.focus_joint)
         self._view.load_failed.connect(self._status_bar.show_problem)
         self._controller.state_changed.connect(self._show_in_view)
         self._controller.situation_changed.connect(self._on_situation_changed)
@@ -227,14 +143,11 @@ class MainWindow(QMainWindow):
 
     def _show_panel(self, place: int) -> None:
         self._menu.choose(place)
-        self._panels.setCurrentIndex(place)
-
-    def _all_panels(self) -> list[QWidget | None]:
-        return [self._panels.widget(place) for place in range(self._panels.count())]
+        self._panels.show_panel(place)
 
     def _leave_arm_then(self, asking: QWidget, proceed: Callable[[], object]) -> None:
         """Leave the arm, or the program; what is not saved in any panel asks first."""
-        leave_then(asking, self._controller, self._all_panels(), proceed)
+        leave_then(asking, self._controller, self._panels.panels, proceed)
 
     # -- the arm in 3D ------------------------------------------------------------------------
 
@@ -253,12 +166,6 @@ class MainWindow(QMainWindow):
         self._view.set_joints(state.angles_deg(), gripper_mm, stale=joints_stale)
         self._view.set_pose(state.end_pose(), stale=pose_stale)
 
-    def _on_joint_picked(self, joint: int) -> None:
-        """A double click on a link leads to its joint in the panel that is shown."""
-        panel = self._panels.currentWidget()
-        if isinstance(panel, MotionPanel | LightPanel | MotorPanel | ParameterPanel):
-            panel.focus_joint(joint)
-
     def _color_view(self) -> None:
         dark = colors_of(self) is DARK
         self._view.set_theme(scene_palette.DARK if dark else scene_palette.LIGHT)
@@ -267,8 +174,10 @@ class MainWindow(QMainWindow):
 
     def _on_settings_changed(self, settings: Settings) -> None:
         old, self._settings = self._settings, settings
-        if old.jog_step_deg != settings.jog_step_deg and self._motion_panel is not None:
-            self._motion_panel.set_jog_step(settings.jog_step_deg)
+        if old.jog_step_deg != settings.jog_step_deg:
+            for panel in self._panels.panels:
+                if isinstance(panel, MotionPanel):
+                    panel.set_jog_step(settings.jog_step_deg)
         if old.urdf_path != settings.urdf_path:
             self._view.set_robot(Path(settings.urdf_path) if settings.urdf_path else None)
 
@@ -365,7 +274,7 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask first while something is not saved, or the arm moves: closing doesn't stop it."""
-        at_stake = self._controller.situation.moving or unsaved(self._all_panels())
+        at_stake = self._controller.situation.moving or unsaved(self._panels.panels)
         if at_stake and not self._may_close:
             event.ignore()
             self._leave_arm_then(self, self._close_unless_moving)

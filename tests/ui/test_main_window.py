@@ -21,6 +21,9 @@ from armui.settings import SettingsStore
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.main_window import MainWindow
+from armui.ui.operation_area import OperationArea
+from armui.ui.panels.light_panel import LightPanel
+from armui.ui.panels.motion_panel import MotionPanel
 from armui.ui.theme import LIGHT, Theme, apply_theme
 from armui.ui.translation import Translator
 from armui.viewport import palette
@@ -107,12 +110,33 @@ def window(qtbot, controller, view, store):
     return window
 
 
-@pytest.mark.parametrize("name", NAMED)
-def test_what_a_test_clicks_has_one_name(window, name):
-    assert len(window.findChildren(QWidget, name)) == 1
+@pytest.fixture
+def whole_window(window):
+    """With every panel in it."""
+    area = window.findChild(OperationArea, "operation_area")
+    for place in [*range(area.count()), 0]:
+        area.show_panel(place)
+    return window
 
 
-def test_every_control_has_an_accessible_name(window):
+def test_what_a_test_clicks_has_one_name(whole_window):
+    counts = {name: len(whole_window.findChildren(QWidget, name)) for name in NAMED}
+    assert {name: count for name, count in counts.items() if count != 1} == {}
+
+
+def test_a_panel_is_made_when_it_is_first_shown(window, qtbot):
+    area = window.findChild(OperationArea, "operation_area")
+    assert len(area.panels) == 1
+    qtbot.mouseClick(window.findChild(QWidget, "menu_light"), LEFT)
+    assert [type(panel) for panel in area.panels] == [MotionPanel, LightPanel]
+    first = area.currentWidget()
+    qtbot.mouseClick(window.findChild(QWidget, "menu_motion"), LEFT)
+    qtbot.mouseClick(window.findChild(QWidget, "menu_light"), LEFT)
+    assert area.currentWidget() is first
+
+
+def test_every_control_has_an_accessible_name(whole_window):
+    window = whole_window
     controls = [
         control
         for kind in (QAbstractButton, QLineEdit, QSlider, QSpinBox)
