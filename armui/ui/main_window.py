@@ -28,6 +28,8 @@ from armui.ui.side_menu import SideMenu
 from armui.ui.status_bar import StatusBar
 from armui.ui.theme import DARK, colors_of
 from armui.ui.top_bar import TopBar
+from armui.ui.trajectory.path_preview import PathPreview
+from armui.ui.trajectory.preview_bar import PreviewBar
 from armui.ui.unsaved import KeepsWork, leave_then, unsaved
 from armui.ui.widgets.joint_status_button import JointStatusButton
 from armui.ui.widgets.library_button import LibraryButton
@@ -75,7 +77,9 @@ class MainWindow(QMainWindow):
         self._entries = maker.entries()
         self._joint_monitor = JointMonitor(controller, parent=self)
         self._joint_status_button = JointStatusButton(self._joint_monitor)
-        self._view_region = ViewRegion(view)
+        self._preview_bar = PreviewBar()
+        self._preview = PathPreview(view, self._preview_bar, self)
+        self._view_region = ViewRegion(view, self._preview_bar)
         self._status_bar = StatusBar(controller)
         self._lay_out()
         self._connect()
@@ -218,9 +222,13 @@ class MainWindow(QMainWindow):
             from armui import paths  # noqa: PLC0415 - faster start
             from armui.trajectory.library import Library  # noqa: PLC0415 - numpy, faster start
             from armui.ui.trajectory.library_window import LibraryWindow  # noqa: PLC0415 - as above
+            from armui.ui.trajectory.preview_link import PreviewLink  # noqa: PLC0415 - as above
 
             library = Library(self._trajectories or paths.trajectories())
-            return LibraryWindow(self._controller, library, self)
+            window = LibraryWindow(self._controller, library, self)
+            link = PreviewLink(window, self._preview)
+            self._view.mark_picked.connect(link.on_mark_picked)
+            return window
 
         self._open("library", make)
 

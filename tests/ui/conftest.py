@@ -352,6 +352,7 @@ class FakeView(QWidget):
     """Stands for the 3D view; remembers what it was last given."""
 
     joint_picked = Signal(int)
+    mark_picked = Signal(int)
     load_failed = Signal(object)
 
     def __init__(self) -> None:
@@ -373,6 +374,9 @@ class FakeView(QWidget):
 
     def set_robot(self, path: Any) -> None:
         self.robot = path
+
+    def set_preview(self, preview: Any) -> None:
+        self.preview = preview
 
     def reset_view(self) -> None:
         self.resets += 1

@@ -55,7 +55,7 @@ class EditorWindow(ArmDialog):
         saved: The trajectory is in the library as it is shown.
         left: The window was closed for good.
         selected_row_changed: The row the operator is in, −1 for none.
-        preview_wanted: A :class:`Path` to show in 3D, or ``None``.
+        preview_wanted: A :class:`Preflight` whose path is to be shown in 3D, or ``None``.
     """
 
     saved = Signal()
@@ -238,7 +238,7 @@ class EditorWindow(ArmDialog):
             self._library.mark(self.document.name, check=checked.mark, length_s=length_s)
             self.saved.emit()
         self._say("")
-        self.preview_wanted.emit(checked.path)
+        self.preview_wanted.emit(checked)
 
     def _on_progress(self, progress: Progress) -> None:
         ours = progress.name == self.document.name

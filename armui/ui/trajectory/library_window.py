@@ -57,9 +57,11 @@ class LibraryWindow(ArmDialog):
     Signals:
         editor_opened: The :class:`EditorWindow` of a trajectory, before it is shown: whoever shows
             previews follows its ``preview_wanted`` and ``selected_row_changed``.
+        preview_wanted: A :class:`Preflight` whose path is to be shown in 3D.
     """
 
     editor_opened = Signal(object)
+    preview_wanted = Signal(object)
 
     def __init__(
         self, controller: ArmController, library: Library, parent: QWidget | None = None
@@ -264,6 +266,7 @@ class LibraryWindow(ArmDialog):
         self._say("")
         self._findings.show_check(checked, accept)
         self._findings.setVisible(bool(checked.findings))
+        self.preview_wanted.emit(checked)
 
     def _on_progress(self, progress: Progress) -> None:
         if progress.reason is not None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Protocol
 
@@ -11,24 +11,8 @@ from PySide6.QtCore import QObject, Signal
 from armui.viewport.path_picture import NOTHING, PathPicture, Preview
 
 if TYPE_CHECKING:
+    from armui.trajectory.path import Path
     from armui.ui.trajectory.preview_bar import PreviewBar
-    from armui.viewport.path_picture import Array
-
-
-class PlannedPath(Protocol):
-    """What is shown of a plan; see :class:`armui.trajectory.timing.Path`."""
-
-    @property
-    def places_mm(self) -> Array: ...  # noqa: D102 - as in timing.Path
-    @property
-    def speeds_mm_s(self) -> Array: ...  # noqa: D102
-    @property
-    def times_s(self) -> Array: ...  # noqa: D102
-    @property
-    def rows(self) -> Sequence[int] | Array: ...  # noqa: D102
-    @property
-    def duration_s(self) -> float: ...  # noqa: D102
-    def at(self, t_s: float) -> Sequence[float]: ...  # noqa: D102
 
 
 class ShowsPreviews(Protocol):
@@ -54,12 +38,12 @@ class PathPreview(QObject):
         super().__init__(parent)
         self._view = view
         self._bar = bar
-        self._path: PlannedPath | None = None
+        self._path: Path | None = None
         self._shown = NOTHING
         bar.time_changed.connect(self._on_time)
         bar.closed.connect(self._on_closed)
 
-    def show(self, path: PlannedPath | None, bad_rows: frozenset[int] = frozenset()) -> None:
+    def show(self, path: Path | None, bad_rows: frozenset[int] = frozenset()) -> None:
         """Show a path; ``None`` takes the preview away."""
         self._path = path
         if path is None or path.duration_s <= 0.0:
@@ -100,6 +84,6 @@ class PathPreview(QObject):
         self._view.set_preview(preview)
 
 
-def _last_of_each(rows: Sequence[int] | Array) -> dict[int, int]:
+def _last_of_each(rows: Iterable[int]) -> dict[int, int]:
     """The index of the last sample of each row."""
     return {int(row): index for index, row in enumerate(rows)}
