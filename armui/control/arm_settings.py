@@ -93,6 +93,14 @@ class ArmSettings(QObject):
             codec, state, {parameter: value}
         )
 
+    def why_not_kept(self, batches: Iterable[Batch]) -> Refusal | None:
+        """Why this arm has no such parameters: generation 1 has no teaching handle."""
+        generation = self._context.connection.generation
+        wants_handle = any(batch.group is Group.TEACHING for batch in batches)
+        if generation is Generation.ONE and wants_handle:
+            return Refusal("setting_not_kept", {"generation": int(generation)})
+        return None
+
     # What the operator wants ------------------------------------------------------------------
 
     def read(self, batches: Iterable[Batch]) -> Refusal | None:
@@ -101,7 +109,8 @@ class ArmSettings(QObject):
         Returns:
             ``None`` if it was asked, or why not.
         """
-        refusal = self._why_unknown()
+        batches = list(batches)
+        refusal = self._why_unknown() or self.why_not_kept(batches)
         if refusal is not None:
             return refusal
         for batch in batches:
@@ -128,7 +137,9 @@ class ArmSettings(QObject):
         codec = self._codec()
         if isinstance(codec, Refusal):
             return codec
-        refusal = why_not(codec, self._context.state(), changes)
+        refusal = self.why_not_kept(batches_of(changes)) or why_not(
+            codec, self._context.state(), changes
+        )
         if refusal is not None:
             return self._context.refuse(refusal)
         self._context.tell("settings_sent", count=len(changes))

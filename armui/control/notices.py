@@ -170,6 +170,7 @@ REFUSALS: Final = frozenset(
         "setting_out_of_range",  # parameter, joint, value, minimum, maximum
         "setting_not_a_number",  # parameter, joint, value, minimum, maximum
         "setting_no_choice",  # parameter, joint, value, choices
+        "setting_not_kept",  # generation
         "setting_unknown",  # parameter, joint
         "setting_corrupt",  # parameter, joint
         "limits_crossed",  # joint, minimum, maximum

@@ -95,6 +95,12 @@ class PanelMaker:
                 self._gripper,
             ),
             MenuEntry(
+                "gripper_settings",
+                str(QT_TRANSLATE_NOOP("SideMenu", "Gripper settings")),
+                "gripper_settings",
+                self._gripper_settings,
+            ),
+            MenuEntry(
                 "end_load",
                 str(QT_TRANSLATE_NOOP("SideMenu", "End load")),
                 "load",
@@ -150,6 +156,11 @@ class PanelMaker:
         from armui.ui.panels.gripper_panel import GripperPanel
 
         return GripperPanel(self._controller)
+
+    def _gripper_settings(self) -> QWidget:
+        from armui.ui.panels.gripper_settings_panel import GripperSettingsPanel
+
+        return GripperSettingsPanel(self._controller, self._open_backup)
 
     def _end_load(self) -> QWidget:
         from armui.ui.panels.end_load_panel import EndLoadPanel

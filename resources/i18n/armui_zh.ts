@@ -1310,6 +1310,13 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>GripperSettingsPanel</name>
+    <message>
+        <source>Gripper settings</source>
+        <translation>夹爪设置</translation>
+    </message>
+</context>
+<context>
     <name>Help</name>
     <message>
         <source>Mouse</source>
@@ -1737,6 +1744,25 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>LibraryExchange</name>
+    <message>
+        <source>Imported: {names}</source>
+        <translation>已导入：{names}</translation>
+    </message>
+    <message>
+        <source>Not imported. {reason}</source>
+        <translation>未导入。{reason}</translation>
+    </message>
+    <message>
+        <source>Not exported. {file}: {text}</source>
+        <translation>未导出。{file}：{text}</translation>
+    </message>
+    <message>
+        <source>Exported: {names}</source>
+        <translation>已导出：{names}</translation>
+    </message>
+</context>
+<context>
     <name>LibraryFiles</name>
     <message>
         <source>Trajectories</source>
@@ -1831,22 +1857,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Brought back: {names}</source>
         <translation>已恢复：{names}</translation>
-    </message>
-    <message>
-        <source>Imported: {names}</source>
-        <translation>已导入：{names}</translation>
-    </message>
-    <message>
-        <source>Not imported. {reason}</source>
-        <translation>未导入。{reason}</translation>
-    </message>
-    <message>
-        <source>Not exported. {file}: {text}</source>
-        <translation>未导出。{file}：{text}</translation>
-    </message>
-    <message>
-        <source>Exported: {names}</source>
-        <translation>已导出：{names}</translation>
     </message>
     <message>
         <source>Trajectory library</source>
@@ -3858,6 +3868,10 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>{parameter}：不能设为 {value}，请从 {choices} 中选择。</translation>
     </message>
     <message>
+        <source>This arm&apos;s protocol (generation {generation}) has no such settings; generation 2 has.</source>
+        <translation>本机械臂的协议（第 {generation} 代）没有这些参数，第 2 代才有。</translation>
+    </message>
+    <message>
         <source>{parameter} would have to be sent along unchanged and has not been read from the arm. Read it first.</source>
         <translation>{parameter}须随同原值一起发送，但尚未从机械臂读到，请先读取。</translation>
     </message>
@@ -4400,6 +4414,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Gripper control</source>
         <translation>夹爪控制</translation>
+    </message>
+    <message>
+        <source>Gripper settings</source>
+        <translation>夹爪设置</translation>
     </message>
     <message>
         <source>End load</source>

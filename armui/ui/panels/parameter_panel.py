@@ -111,6 +111,7 @@ class ParameterPanel(QWidget):
         for before, after in pairwise(cell.focus_widget for cell in self._cells.values()):
             self.setTabOrder(before, after)
         self._connect()
+        self._on_situation_changed(self._controller.situation)
         self.retranslate_ui()
 
     def _connect(self) -> None:
@@ -284,6 +285,10 @@ class ParameterPanel(QWidget):
         if self._ready and not self._draft.changed:
             self._settings.read(self._batches)
 
+    def _why_not_here(self) -> Refusal | None:
+        """Why nothing can be read or saved: no arm, or one that has no such parameters."""
+        return self._controller.situation.unreachable or self._settings.why_not_kept(self._batches)
+
     # -- appearance ---------------------------------------------------------------------------
 
     def _show_all(self) -> None:
@@ -324,7 +329,7 @@ class ParameterPanel(QWidget):
         """Enable what can be used now; say in the tooltips of the rest why not."""
         editing, buttons = self._draft.editing, self._buttons
         buttons.show_editing(editing=editing)
-        refusal = self._controller.situation.unreachable
+        refusal = self._why_not_here()
         if refusal is None and self._settings.busy:
             refusal = Refusal("busy", {"what": "settings"})
         no_way = "" if refusal is None else words.refusal(refusal)
@@ -345,7 +350,7 @@ class ParameterPanel(QWidget):
 
     def _show_message(self) -> None:
         said = parameter_message.message(
-            refusal=self._refusal or self._controller.situation.unreachable,
+            refusal=self._refusal or self._why_not_here(),
             draft=self._draft,
             state=self._controller.state,
             cell=self._settings.cell,

@@ -122,6 +122,7 @@ class PreviewBar(QFrame):
         self._slider.setAccessibleName(self.tr("Time of the preview"))
         self._slider.setToolTip(self.tr("Moves the ghost arm through the motion."))
         self._close.setText(self.tr("Close preview"))
+        self._close.setAccessibleName(self._close.text())
         self._name_play()
 
     def changeEvent(self, event: QEvent) -> None:

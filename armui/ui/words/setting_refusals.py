@@ -26,6 +26,10 @@ SETTING_REFUSALS: Final[Mapping[str, object]] = {
     "setting_no_choice": QT_TRANSLATE_NOOP(
         "Refusal", "{parameter}: {value} is not possible. Choose one of {choices}."
     ),
+    "setting_not_kept": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "This arm's protocol (generation {generation}) has no such settings; generation 2 has.",
+    ),
     "setting_unknown": QT_TRANSLATE_NOOP(
         "Refusal",
         "{parameter} would have to be sent along unchanged and has not been read from the arm. "
