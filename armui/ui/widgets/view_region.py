@@ -49,6 +49,7 @@ class ViewRegion(QWidget):
         layout.addLayout(row, 0, 0, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom)
         if bar is not None:
             layout.addWidget(bar, 1, 0)
+            layout.setRowStretch(0, 1)
         for button in self._buttons.values():
             button.raise_()
         self._help.setShortcut("F1")

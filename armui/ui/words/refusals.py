@@ -12,6 +12,7 @@ from armui.ui.words import status
 from armui.ui.words.backup_refusals import BACKUP_REFUSALS
 from armui.ui.words.gripper import gripper_figure
 from armui.ui.words.motor_refusals import MOTOR_REFUSALS
+from armui.ui.words.robot_refusals import ROBOT_REFUSALS
 from armui.ui.words.run_refusals import RUN_REFUSALS
 from armui.ui.words.setting_refusals import SETTING_REFUSALS, with_units
 from armui.ui.words.text import NOT_KNOWN, sentence
@@ -269,67 +270,13 @@ _REFUSALS: Final[Mapping[str, object]] = {
         "Refusal",
         "Jog step: “{value}” is not an angle. Enter degrees in figures, for example 0.5.",
     ),
-    "urdf_missing": QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Robot description: the file {path} is not there. Choose another file, or use the "
-        "built-in one.",
-    ),
-    "urdf_unreadable": QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Robot description: the file {path} cannot be read: {text}. Choose a file you may read.",
-    ),
-    "urdf_not_xml": QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Robot description: {path} is not well-formed XML ({text}). Repair or export it again.",
-    ),
-    "urdf_no_robot": QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Robot description: {path} describes no robot: its first element is “{element}”, not "
-        "“robot”. Choose a URDF file.",
-    ),
-    "urdf_malformed": QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Robot description: {path} is not written as URDF demands: {text}. Correct it.",
-    ),
-    "urdf_incomplete": QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Robot description: in {path} an element or attribute is missing that URDF demands. Check "
-        "that every link, joint and visual is complete.",
-    ),
-    "urdf_no_tree": QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Robot description: in {path} these links do not hang together as one tree: {links}. Every "
-        "link but the first needs exactly one joint that carries it.",
-    ),
-    "urdf_bad_joint": QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Robot description: joint “{joint}” in {path} is wrong. It needs a name of its own, a type "
-        "and an axis that URDF knows and, if it mimics, a joint to mimic.",
-    ),
-    "urdf_joint_count": QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Robot description: {path} has {found} revolute joints in a row instead of {wanted}. "
-        "Choose the description of a six-joint arm.",
-    ),
-    "mesh_missing": QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Robot description: the mesh “{mesh}” that {path} names is not there. Put it where the "
-        "file says, or correct its name in the file.",
-    ),
-    "mesh_unreadable": QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Robot description: the mesh {mesh} cannot be read: {text}. Export it again.",
-    ),
-    "mesh_empty": QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Robot description: the mesh {mesh} holds no surface. Export it again.",
-    ),
 }
 
 _ALL: Final[Mapping[str, object]] = {
     **_REFUSALS,
     **SETTING_REFUSALS,
     **BACKUP_REFUSALS,
+    **ROBOT_REFUSALS,
     **RUN_REFUSALS,
     **MOTOR_REFUSALS,
     **TRAJECTORY_REFUSALS,
