@@ -11,13 +11,14 @@ from pathlib import Path
 import can
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialog, QLineEdit, QWidget
+from PySide6.QtWidgets import QApplication, QComboBox, QDialog, QLineEdit, QWidget
 
 from armui.arm.device import Device
 from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS
 from armui.control.recovery_steps import Kind
 from armui.control.situation import LinkState, StopState
 from armui.sim.faults import fault
+from armui.trajectory.columns import Quantity
 from armui.trajectory.library import Library
 from armui.ui.dialogs.backup import BackupDialog
 from armui.ui.dialogs.confirm import ConfirmDialog
@@ -27,6 +28,7 @@ from armui.ui.dialogs.help import HelpDialog
 from armui.ui.dialogs.joint_status import JointStatusDialog
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.operation_area import OperationArea
+from armui.ui.trajectory.columns_dialog import ColumnsDialog
 from armui.ui.trajectory.editor_window import EditorWindow
 from armui.ui.trajectory.library_window import LibraryWindow
 from armui.ui.trajectory.recording_window import RecordingWindow
@@ -396,6 +398,33 @@ def _recording(desk: Desk) -> QDialog:
     return desk.dialog(RecordingWindow)
 
 
+def _columns(desk: Desk) -> QDialog:
+    """A table that names most of its columns, one of them twice."""
+    rows = "".join(
+        f"{20 * step},{step},{0.3 + step / 100:.3f},{-0.7 - step / 90:.3f},0.1,0.4,-0.2,{step},41\n"
+        for step in range(30)
+    )
+    window = _library(desk)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "welding seam.csv"
+        path.write_text(f"time_ms,j1,j2,j3,j4,j5,j6,counter,temperature\n{rows}")
+        desk.click(window.findChild(QWidget, "library_import"))
+        chooser = desk.dialog(FileDialog)
+        chooser.filesSelected.emit([str(path)])
+        chooser.close()
+        desk.click(window.findChild(QWidget, "library_by_columns"))
+    dialog = desk.dialog(ColumnsDialog)
+    box = dialog.findChild(QComboBox, "column_quantity_8")
+    box.setCurrentIndex(box.findData(Quantity.J1))
+    box.activated.emit(box.currentIndex())
+    return dialog
+
+
+def _columns_offered(desk: Desk) -> QDialog:
+    _columns(desk).reject()
+    return desk.dialog(LibraryWindow)
+
+
 def _confirm_disable(desk: Desk) -> QDialog:
     desk.click("enable_button")
     return desk.dialog(ConfirmDialog)
@@ -482,6 +511,8 @@ DIALOG_SCENES = (
     DialogScene("editor-find", "online", _editor_find),
     DialogScene("editor-check-failed", "online", _failed_check),
     DialogScene("recording", "online", _recording),
+    DialogScene("columns-offered", "online", _columns_offered),
+    DialogScene("columns", "online", _columns),
     DialogScene("confirm-disable", "refused", _confirm_disable),
     DialogScene("linkage", "linkage", _linkage_question),
     DialogScene("hold-zero", "motors", _hold_zero),

@@ -15,6 +15,7 @@ from armui.trajectory.columns.model import (
     Sheet,
 )
 from armui.trajectory.columns.sniff import sniff
+from armui.trajectory.columns.source import TableFile, look_closer, open_table
 
 __all__ = [
     "REFUSALS",
@@ -24,7 +25,10 @@ __all__ = [
     "Guess",
     "Quantity",
     "Sheet",
+    "TableFile",
     "apply",
     "check_mapping",
+    "look_closer",
+    "open_table",
     "sniff",
 ]

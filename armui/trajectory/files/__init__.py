@@ -18,6 +18,7 @@ __all__ = [
     "Content",
     "TrajectoryFileError",
     "import_files",
+    "is_ours",
     "load",
     "load_text",
     "read_bytes",
@@ -71,6 +72,11 @@ def load_text(path: Path) -> str:
     """
     with _named(path):
         return decode(_bytes_of(path))
+
+
+def is_ours(text: str) -> bool:
+    """Whether a text, sound or not, begins as a format that is no mere table of figures."""
+    return log_file.is_log(text) or json_file.is_json(text)
 
 
 def _bytes_of(path: Path) -> bytes:

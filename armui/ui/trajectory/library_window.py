@@ -111,6 +111,7 @@ class LibraryWindow(ArmDialog):
         bar.addWidget(self._search, 2)
         below = QHBoxLayout()
         below.addWidget(self._message, 1)
+        below.addWidget(self._exchange.by_columns)
         below.addWidget(self._undo_button)
         self.body.addLayout(bar)
         self.body.addWidget(self._table, 1)
@@ -351,6 +352,7 @@ class LibraryWindow(ArmDialog):
 
     def _say(self, text: str, level: Level = Level.INFO) -> None:
         self._undo_button.hide()
+        self._exchange.by_columns.offer(())
         self._message.show_message(text, level)
 
     def retranslate_ui(self) -> None:
