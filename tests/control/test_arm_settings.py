@@ -187,12 +187,28 @@ def test_a_link_lost_half_way(arm, qtbot):
         (MAX_J2, -1.0, "limits_crossed"),
         (LINEAR_SPEED, 0.0, "setting_out_of_range"),
         (Parameter("collision_level", 1), 9.0, "setting_out_of_range"),
-        (Parameter("stroke_limit_mm"), 50.0, "setting_no_choice"),
     ],
 )
 def test_what_cannot_be_is_not_sent(arm, parameter, value, code):
     assert arm.controller.settings.save({parameter: value}).code == code
     assert settings_heard(arm) == []
+
+
+def test_a_value_that_is_none_of_the_few_is_not_sent(arm2):
+    refusal = arm2.controller.settings.save({Parameter("stroke_limit_mm"): 50.0})
+    assert refusal.code == "setting_no_choice"
+    assert settings_heard(arm2) == []
+
+
+@pytest.mark.parametrize("generation", [Generation.ONE])
+def test_an_arm_without_a_teaching_handle_is_neither_asked_nor_told(any_bench):
+    any_bench.connect()
+    ear = HardOfHearing(any_bench.firmware)
+    settings = any_bench.controller.settings
+    assert settings.read([Batch(Group.TEACHING)]).code == "setting_not_kept"
+    assert settings.save({Parameter("stroke_limit_mm"): 70.0}).code == "setting_not_kept"
+    any_bench.run(0.2)
+    assert ear.heard == []
 
 
 def test_corrupt_limits_are_known_and_can_be_mended(arm):
