@@ -3,24 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
+from PySide6.QtWidgets import QWidget
 
-from armui.arm.parameters import Batch, Group
-from armui.ui.panels.parameter_panel import ParameterPanel
-from armui.ui.widgets.setting_cell import FigureCell, SettingCell
-from armui.ui.words.parameters import parameter_name
+from armui.arm.parameters import Group
+from armui.ui.panels.listed_parameters import ListedParameters
+from armui.ui.widgets.setting_cell import SettingCell
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
-_FIELD_PX: Final = 132
-_TALLEST_CARD_PX: Final = 260
 
-
-class GripperSettingsPanel(ParameterPanel):
+class GripperSettingsPanel(ListedParameters):
     """Three values; the arm has no factory reset for them."""
 
     def __init__(
@@ -29,30 +24,14 @@ class GripperSettingsPanel(ParameterPanel):
         open_backup: Callable[[], object],
         parent: QWidget | None = None,
     ) -> None:
-        cells = [
-            FigureCell(parameter, parameter.kind.unit)
-            for parameter in Batch(Group.TEACHING).parameters()
-        ]
         super().__init__(
-            controller, "gripper_settings", cells, open_backup, can_reset=False, parent=parent
+            controller,
+            "gripper_settings",
+            Group.TEACHING,
+            open_backup,
+            can_reset=False,
+            parent=parent,
         )
-        self._labels = {cell.parameter.name: QLabel() for cell in cells}
-        card = QFrame()
-        grid = QGridLayout(card)
-        grid.setContentsMargins(16, 14, 16, 10)
-        grid.setHorizontalSpacing(12)
-        grid.setVerticalSpacing(6)
-        for row, cell in enumerate(cells):
-            label = self._labels[cell.parameter.name]
-            label.setWordWrap(True)
-            label.setBuddy(cell.field)
-            label.setMinimumHeight(cell.field.height())
-            cell.setFixedWidth(_FIELD_PX)
-            grid.addWidget(label, row, 0, Qt.AlignmentFlag.AlignTop)
-            grid.addWidget(cell, row, 1)
-        grid.setColumnStretch(0, 1)
-        grid.setRowStretch(len(cells), 1)
-        self.finish(card, tallest_px=_TALLEST_CARD_PX)
 
     def title(self) -> str:
         """夹爪设置."""
@@ -62,9 +41,3 @@ class GripperSettingsPanel(ParameterPanel):
         """What can be chosen where there are few values."""
         choices = cell.parameter.kind.choices
         return " / ".join(f"{choice:g}" for choice in choices)
-
-    def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
-        for name, label in self._labels.items():
-            label.setText(parameter_name(name))
-        super().retranslate_ui()
