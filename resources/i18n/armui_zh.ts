@@ -417,6 +417,119 @@
     </message>
 </context>
 <context>
+    <name>ColumnPicker</name>
+    <message>
+        <source>Guessed: check it</source>
+        <translation>推测值，请核对</translation>
+    </message>
+    <message>
+        <source>Column {number}</source>
+        <translation>第 {number} 列</translation>
+    </message>
+    <message>
+        <source>Wait</source>
+        <translation>间隔时间</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>夹爪</translation>
+    </message>
+    <message>
+        <source>Ignored</source>
+        <translation>忽略</translation>
+    </message>
+    <message>
+        <source>{column}: quantity</source>
+        <translation>{column}：含义</translation>
+    </message>
+    <message>
+        <source>{column}: unit</source>
+        <translation>{column}：单位</translation>
+    </message>
+</context>
+<context>
+    <name>ColumnsDialog</name>
+    <message>
+        <source>Not imported. {reason}</source>
+        <translation>未导入。{reason}</translation>
+    </message>
+    <message>
+        <source>Import by columns</source>
+        <translation>按列导入</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Becomes</source>
+        <translation>导入为</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>录制轨迹</translation>
+    </message>
+    <message>
+        <source>Points, {move}</source>
+        <translation>轨迹点，{move}</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Of points for which no column says it</source>
+        <translation>用于未由列给出速度的轨迹点</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>导入</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>blanks</source>
+        <translation>空格</translation>
+    </message>
+    <message>
+        <source>tabs</source>
+        <translation>制表符</translation>
+    </message>
+    <message>
+        <source>commas</source>
+        <translation>逗号</translation>
+    </message>
+    <message>
+        <source>semicolons</source>
+        <translation>分号</translation>
+    </message>
+    <message>
+        <source>vertical bars</source>
+        <translation>竖线</translation>
+    </message>
+    <message>
+        <source>decimal point</source>
+        <translation>小数点为“.”</translation>
+    </message>
+    <message>
+        <source>decimal comma</source>
+        <translation>小数点为“,”</translation>
+    </message>
+    <message>
+        <source>{file}: {count} columns parted by {delimiter}, {decimal}, from line {line}</source>
+        <translation>{file}：共 {count} 列，以{delimiter}分隔，{decimal}，数据从第 {line} 行开始</translation>
+    </message>
+</context>
+<context>
+    <name>ColumnsOffer</name>
+    <message>
+        <source>Import by columns…</source>
+        <translation>按列导入…</translation>
+    </message>
+</context>
+<context>
     <name>CommunicationButton</name>
     <message>
         <source>Not connected</source>
@@ -1752,6 +1865,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Not imported. {reason}</source>
         <translation>未导入。{reason}</translation>
+    </message>
+    <message>
+        <source>Not imported yet: {names}</source>
+        <translation>尚未导入：{names}</translation>
     </message>
     <message>
         <source>Not exported. {file}: {text}</source>
