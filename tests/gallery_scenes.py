@@ -68,7 +68,15 @@ def _online(desk: Desk) -> None:
     desk.connect()
 
 
+def _preview(desk: Desk) -> None:
+    editor = _editor(desk)
+    desk.wait(editor.isActiveWindow)
+    QTest.keyClick(editor, Qt.Key.Key_E, Qt.KeyboardModifier.ControlModifier)
+    editor.table.select_row(4)
+
+
 def _lights(desk: Desk) -> None:
+    close_dialogs()
     desk.click("menu_light")
     desk.click("light_joint_3")
     for channel, value in (("red", 255), ("green", 140), ("blue", 26)):
@@ -266,6 +274,7 @@ def _until(desk: Desk, kind: Kind) -> None:
 WINDOW_SCENES = (
     Scene("no-device", _no_device),
     Scene("online", _online),
+    Scene("preview", _preview),
     Scene("lights", _lights),
     Scene("lights-refused", _lights_refused),
     Scene("motors", _motors),

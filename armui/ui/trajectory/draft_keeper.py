@@ -32,7 +32,8 @@ class DraftKeeper(QObject):
         self._library = library
         self._timer = QTimer(self, singleShot=True, interval=_AFTER_MS)
         self._timer.timeout.connect(self.write)
-        document.stack.indexChanged.connect(self._timer.start)
+        # the signal's number must not become the timer's milliseconds
+        document.stack.indexChanged.connect(lambda _index: self._timer.start())
 
     def write(self) -> None:
         """Bring the draft up to date, or do away with one that says no more than what is saved."""
