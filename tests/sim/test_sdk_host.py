@@ -353,6 +353,8 @@ def test_against_the_command_in_a_process_of_its_own(
         cwd=ROOT,
         text=True,
         stdout=subprocess.PIPE,
+        # a shell that runs the tests in the background has them, and their children, ignore Ctrl-C
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # noqa: PLW1509 - no lock in it
     ) as process:
         assert process.stdout is not None
         first = process.stdout.readline()
