@@ -1,0 +1,10 @@
+"""An editor open on three points."""
+
+import pytest
+
+from tests.operator_editor.hands import BACK, OUT, UP, Editor, to
+
+
+@pytest.fixture
+def editor(desk):
+    return Editor(desk, to(OUT, note="out"), to(BACK, note="back"), to(UP, note="up"))

@@ -1,0 +1,1 @@
+"""The library: what it lists, keeps, deletes and brings back, whatever others do to its files."""

@@ -1,0 +1,50 @@
+"""What is put into a library, and what it then shows."""
+
+from datetime import UTC, datetime
+
+import numpy as np
+import pytest
+
+from armui.protocol.codes import MoveMode
+from armui.trajectory.library import Library, LibraryError
+from armui.trajectory.program import Trajectory, Waypoint
+from armui.trajectory.recording import Recording
+
+NOW = datetime(2026, 3, 4, 5, 6, 7, tzinfo=UTC)
+POINT = Waypoint(MoveMode.MOVE_J, (0.0, 10.0, -20.0, 0.0, 0.0, 0.0))
+
+
+def trajectory(name="pick", count=2, note=""):
+    return Trajectory(name, note, (POINT,) * count)
+
+
+def recording(name="wave"):
+    samples = np.zeros((3, 8))
+    samples[:, 0] = 0.0, 0.5, 1.25
+    return Recording(name, samples=samples)
+
+
+def opened(folder):
+    return Library(folder, lambda: NOW)
+
+
+def names(shelf):
+    return [entry.name for entry in shelf.entries()]
+
+
+def shown(folder):
+    return sorted(path.name for path in folder.iterdir() if not path.name.startswith("."))
+
+
+def refused(call, *arguments, **options):
+    with pytest.raises(LibraryError) as caught:
+        call(*arguments, **options)
+    return caught.value.refusal
+
+
+def damage(folder, file="pick.log", row=7):
+    path = folder / file
+    lines = path.read_text().split("\n")
+    lines[row - 1] = "J 0 0 o 0 0 0"
+    path.write_text("\n".join(lines))
+    return path.read_bytes()

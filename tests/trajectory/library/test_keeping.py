@@ -1,0 +1,117 @@
+"""What is saved is listed, loaded and never replaced unasked; drafts beside it."""
+
+from dataclasses import replace
+
+import pytest
+
+from armui.trajectory.files import TrajectoryFileError
+from armui.trajectory.library import LibraryError
+from tests.trajectory.library.contents import (
+    NOW,
+    POINT,
+    damage,
+    names,
+    opened,
+    recording,
+    refused,
+    shown,
+    trajectory,
+)
+
+
+def test_a_library_not_yet_there_is_empty(shelf, folder):
+    assert shelf.entries() == []
+    assert shelf.drafts() == []
+    assert not folder.exists()
+
+
+def test_what_is_saved_is_listed_and_loaded(shelf, folder):
+    shelf.save(trajectory(note="for the tray"))
+    shelf.save(recording())
+
+    assert shown(folder) == ["pick.log", "wave.npz"]
+    for again in (shelf, opened(folder)):
+        pick, wave = again.entries()
+        assert (pick.name, pick.kind, pick.count, pick.length_s) == ("pick", "points", 2, None)
+        assert (pick.note, pick.modified, pick.check, pick.damage) == (
+            *("for the tray", NOW),
+            *(None, None),
+        )
+        assert (wave.name, wave.kind, wave.count, wave.length_s) == ("wave", "recording", 3, 1.25)
+        assert again.load("pick") == replace(trajectory(note="for the tray"), modified=NOW)
+        assert again.load("wave") == replace(recording(), modified=NOW)
+
+
+def test_nothing_is_replaced_unasked(shelf):
+    shelf.save(trajectory(count=1))
+
+    refusal = refused(shelf.save, trajectory(count=5))
+
+    assert (refusal.code, refusal.params) == ("name_taken", {"name": "pick"})
+    assert len(shelf.load("pick").points) == 1
+    shelf.save(trajectory(count=5), replacing="pick")
+    assert len(shelf.load("pick").points) == 5
+    assert names(shelf) == ["pick"]
+
+
+def test_what_replaces_another_may_bear_another_name_or_be_of_another_kind(shelf, folder):
+    shelf.save(trajectory())
+    shelf.save(trajectory("place"), replacing="pick")
+    assert shown(folder) == ["place.log"]
+    shelf.save(recording("place"), replacing="place")
+    assert shown(folder) == ["place.npz"]
+    shelf.save(recording(), replacing="gone by now")
+    assert names(shelf) == ["place", "wave"]
+
+
+def test_what_could_not_be_read_again_is_not_kept(shelf, folder):
+    bad = replace(trajectory(), points=(POINT, replace(POINT, speed_percent=0)))
+    with pytest.raises(LibraryError, match=r"row 2: point_out_of_range\(.*speed") as caught:
+        shelf.save(bad)
+    assert caught.value.row == 2
+    assert refused(shelf.save, trajectory(" ")).code == "name_empty"
+    assert refused(shelf.save_draft, "pick", bad).code == "point_out_of_range"
+    assert not folder.exists()
+
+
+def test_a_folder_that_takes_nothing_says_so(tmp_path):
+    (tmp_path / "file").write_text("in the way")
+    shelf = opened(tmp_path / "file")
+
+    refusal = refused(shelf.save, trajectory())
+
+    assert refusal.code == "library_not_saved"
+    assert refusal.params["name"] == "pick"
+    assert refusal.params["text"]
+    assert refused(shelf.save_draft, "pick", trajectory()).code == "library_not_saved"
+
+
+# Drafts -------------------------------------------------------------------------------------------
+
+
+def test_a_draft_outlives_the_program_until_the_trajectory_is_saved(shelf, folder):
+    shelf.save(trajectory(count=1))
+    shelf.save_draft("pick", trajectory(count=2))
+    shelf.save_draft("pick", trajectory(count=3))
+    shelf.save_draft("a/b \\ 新", trajectory(count=4))
+
+    again = opened(folder)
+
+    assert again.drafts() == ["a/b \\ 新", "pick"]
+    assert len(again.draft("pick").points) == 3
+    assert len(again.draft("a/b \\ 新").points) == 4
+    assert again.draft("pick").modified == NOW
+    assert len(again.load("pick").points) == 1
+    assert names(again) == ["pick"]
+    again.save(trajectory(count=3), replacing="pick")
+    again.drop_draft("a/b \\ 新")
+    assert again.drafts() == []
+    assert shown(folder) == ["pick.log"]
+
+
+def test_a_damaged_draft_says_where(shelf, folder):
+    shelf.save_draft("pick", trajectory(count=4))
+    damage(folder, "pick.draft")
+    assert shelf.drafts() == ["pick"]
+    with pytest.raises(TrajectoryFileError, match="line 7, column 7"):
+        shelf.draft("pick")
