@@ -28,8 +28,10 @@ from PySide6.QtGui import QFontDatabase, QPixmap
 from PySide6.QtWidgets import QApplication, QWidget
 
 from armui.protocol.generation import Generation
+from armui.ui.operation_area import OperationArea
 from tests.desk import Desk
-from tests.gallery_scenes import DIALOG_SCENES, WINDOW_SCENES, close_dialogs, panels
+from tests.gallery_scenes import DIALOG_SCENES, WINDOW_SCENES
+from tests.gallery_scenes.scene import close_dialogs
 
 LANGUAGES = ("zh", "en")
 THEMES = ("light", "dark")
@@ -99,7 +101,7 @@ class Gallery:
 
     def _take_panels(self, name: str) -> None:
         for look in self._looks():
-            for panel, widget in panels(self._desk.window).items():
+            for panel, widget in _panels(self._desk.window).items():
                 self._save(_at_rest(widget), f"panel-{panel}-{name}-{look}")
 
     def _save(self, picture: QPixmap, name: str) -> None:
@@ -126,6 +128,12 @@ def _at_rest(widget: QWidget) -> QPixmap:
         if now.toImage() != last.toImage():
             last, unchanged = now, QDeadlineTimer(_AT_REST_MS)
     return last
+
+
+def _panels(window: QWidget) -> dict[str, QWidget]:
+    """The panels of the operation area by their names."""
+    area = window.findChild(OperationArea, "operation_area")
+    return {type(panel).__name__.removesuffix("Panel").lower(): panel for panel in area.panels}
 
 
 def _pass_on(kind: QtMsgType, context: QMessageLogContext, message: str) -> None:

@@ -1,0 +1,62 @@
+"""What the pictures of ``tests.gallery`` show: states of the window, and every dialog."""
+
+from tests.gallery_scenes import arm, arm_settings, dialogs, panels, trajectories
+from tests.gallery_scenes.scene import DialogScene, Scene
+
+WINDOW_SCENES = (
+    Scene("no-device", arm.no_device),
+    Scene("online", arm.online),
+    Scene("preview", trajectories.preview),
+    Scene("lights", panels.lights),
+    Scene("lights-refused", panels.lights_refused),
+    Scene("motors", panels.motors),
+    Scene("linkage", panels.linkage),
+    Scene("gripper", panels.gripper),
+    Scene("end-load", panels.end_load),
+    Scene("joint-settings", arm_settings.joint_settings),
+    Scene("joint-settings-refused", arm_settings.joint_settings_refused),
+    Scene("joint-settings-corrupt", arm_settings.joint_settings_corrupt),
+    Scene("end-limits", arm_settings.end_limits),
+    Scene("collision-levels", arm_settings.levels),
+    Scene("moving", arm.moving),
+    Scene("refused", arm.refused),
+    Scene("tool", panels.tool),
+    Scene("tool-refused", panels.tool_refused),
+    Scene("joint-keys", panels.joint_keys),
+    Scene("offline", arm.offline),
+    Scene("lost", arm.lost),
+    Scene("stopped", arm.stopped),
+    Scene("collision", arm.collision),
+    Scene("teaching", arm.teaching),
+    Scene("way-out", arm.way_out),
+)
+"""In the order they follow one another."""
+
+DIALOG_SCENES = (
+    DialogScene("connect-searching", "no-device", dialogs.connect_searching),
+    DialogScene("connect-failed", "no-device", dialogs.connect_failed),
+    DialogScene("connect", "online", dialogs.connect),
+    DialogScene("settings", "no-device", dialogs.settings),
+    DialogScene("settings-refused", "no-device", dialogs.settings_refused),
+    DialogScene("help", "no-device", dialogs.help_window),
+    DialogScene("joint-status-unknown", "no-device", dialogs.joint_status),
+    DialogScene("joint-status", "online", dialogs.joint_status),
+    DialogScene("joint-status-faults", "refused", dialogs.joint_status_faults),
+    DialogScene("joint-status-stale", "offline", dialogs.joint_status),
+    DialogScene("file", "no-device", dialogs.file),
+    DialogScene("library", "online", trajectories.library),
+    DialogScene("editor", "online", trajectories.editor),
+    DialogScene("editor-find", "online", trajectories.editor_find),
+    DialogScene("editor-check-failed", "online", trajectories.failed_check),
+    DialogScene("recording", "online", trajectories.recording),
+    DialogScene("columns-offered", "online", trajectories.columns_offered),
+    DialogScene("columns", "online", trajectories.columns),
+    DialogScene("confirm-disable", "refused", dialogs.confirm_disable),
+    DialogScene("linkage", "linkage", panels.linkage_question),
+    DialogScene("hold-zero", "motors", panels.hold_zero),
+    DialogScene("hold-disable", "motors", panels.hold_disable),
+    DialogScene("backup", "joint-settings-corrupt", arm_settings.backup),
+    DialogScene("confirm-unsaved", "collision-levels", arm_settings.confirm_unsaved),
+    DialogScene("confirm-close", "moving", dialogs.confirm_close),
+    DialogScene("confirm-resume", "stopped", dialogs.confirm_resume),
+)

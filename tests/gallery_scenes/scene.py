@@ -1,0 +1,52 @@
+"""One state of the window or of a dialog, and what the scenes of several subjects need."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from PySide6.QtCore import QCoreApplication
+from PySide6.QtWidgets import QApplication, QDialog
+
+from tests.desk import Desk
+
+
+@dataclass(frozen=True)
+class Scene:
+    """One state of the main window.
+
+    Attributes:
+        name: For the file.
+        play: Brings the window from the scene before to this one.
+    """
+
+    name: str
+    play: Callable[[Desk], None]
+
+
+@dataclass(frozen=True)
+class DialogScene:
+    """One dialog in one state.
+
+    Attributes:
+        name: For the file.
+        during: The scene of the window in which it is opened.
+        open: Opens it.
+    """
+
+    name: str
+    during: str
+    open: Callable[[Desk], QDialog]
+
+
+def settled(desk: Desk) -> None:
+    """Until the settings of the arm are read or written."""
+    desk.run_until(lambda: not desk.controller.settings.busy)
+
+
+def close_dialogs() -> None:
+    """Leave no dialog open for the next picture."""
+    for widget in QApplication.topLevelWidgets():
+        if isinstance(widget, QDialog) and widget.isVisible():
+            widget.reject()
+    QCoreApplication.processEvents()
