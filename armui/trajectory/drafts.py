@@ -6,7 +6,9 @@ A draft is a trajectory in our text format; its header holds the name it belongs
 from __future__ import annotations
 
 import contextlib
+from collections.abc import Container
 from dataclasses import replace
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
 
@@ -14,12 +16,11 @@ from armui.trajectory import files
 from armui.trajectory.atomic import sync_folder, write_whole
 from armui.trajectory.file_names import folded, free_stem
 from armui.trajectory.files.errors import TrajectoryFileError
-from armui.trajectory.files.log_file import name_in
+from armui.trajectory.library_files import name_inside
+from armui.trajectory.library_index import Entry, Stamp
 from armui.trajectory.program import Trajectory
 
 _SUFFIX: Final = ".draft"
-_HEAD_BYTES: Final = 4096
-"""Enough for the first two lines with the longest name."""
 
 
 class Drafts:
@@ -31,22 +32,37 @@ class Drafts:
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
+        self._known: dict[Path, tuple[Stamp, Entry]] = {}
 
     def paths(self) -> dict[str, Path]:
         """All of them; only their beginnings are read."""
         found: dict[str, Path] = {}
         for path in sorted(self._folder.glob(f"[!.]*{_SUFFIX}")):
-            try:
-                with path.open("rb") as file:
-                    head = file.read(_HEAD_BYTES)
-            except OSError:  # another program has saved it meanwhile
-                continue
-            found.setdefault(name_in(head.decode(errors="ignore")) or path.stem, path)
+            if path.is_file():
+                found.setdefault(name_inside(path), path)
         return found
 
     def names(self) -> list[str]:
         """What they belong to."""
         return sorted(self.paths())
+
+    def entries(self, but: Container[str]) -> list[Entry]:
+        """What they hold; only those that are new or changed are opened.
+
+        Args:
+            but: The names of those that are not wanted.
+        """
+        known, self._known = self._known, {}
+        for name, path in self.paths().items():
+            if name in but:
+                continue
+            with contextlib.suppress(FileNotFoundError):  # another program has saved it meanwhile
+                stamp = Stamp.of(path.stat())
+                seen, entry = known.get(path, (None, None))
+                if entry is None or seen != stamp:
+                    entry = _entry(name, path, stamp)
+                self._known[path] = stamp, entry
+        return [entry for _, entry in self._known.values()]
 
     def save(self, content: Trajectory) -> None:
         """Write one in place of the last of that name.
@@ -93,3 +109,20 @@ class Drafts:
         if path is not None:
             path.unlink(missing_ok=True)
             sync_folder(self._folder)
+
+
+def is_draft(path: Path) -> bool:
+    """Whether a file holds a draft, by its name."""
+    return path.suffix == _SUFFIX
+
+
+def _entry(name: str, path: Path, stamp: Stamp) -> Entry:
+    changed = datetime.fromtimestamp(stamp.time_ns / 1e9, UTC)
+    entry = Entry(name, "draft", 0, None, changed)
+    try:
+        content = files.load(path)
+    except TrajectoryFileError as error:
+        return replace(entry, damage=error)
+    if isinstance(content, Trajectory):
+        entry = replace(entry, count=len(content.points), note=content.note)
+    return entry

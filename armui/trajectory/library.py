@@ -8,8 +8,8 @@ else has damaged is listed with what is wrong with it, and never written over.
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
@@ -17,63 +17,21 @@ from typing import Final
 from armui.arm.refusal import Refusal
 from armui.trajectory import files
 from armui.trajectory.atomic import remove_abandoned, write_whole
-from armui.trajectory.drafts import Drafts
+from armui.trajectory.drafts import Drafts, is_draft
 from armui.trajectory.file_names import file_stem, folded, free_stem
 from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.files.errors import broken
-from armui.trajectory.library_bin import Bin
-from armui.trajectory.library_files import Kept, Shelf, suffix_of
+from armui.trajectory.library_bin import Bin, Deleted
+from armui.trajectory.library_errors import REFUSALS, LibraryError, on_disk
+from armui.trajectory.library_files import Kept, Shelf, name_inside, suffix_of
 from armui.trajectory.library_index import Check, Entry, entry_of
 from armui.trajectory.program import LONGEST_NAME, Trajectory, check_name, check_trajectory
 from armui.trajectory.recording import Recording, check_recording
 
-__all__ = ["Check", "Deleted", "Entry", "Library", "LibraryError"]
+__all__ = ["REFUSALS", "Check", "Deleted", "Entry", "Library", "LibraryError"]
 
 _BIN: Final = ".deleted"
 _ROOM_FOR_NUMBER: Final = 8
-
-
-REFUSALS: Final = frozenset(
-    {
-        "name_taken",  # name
-        "library_damaged",  # name
-        "library_not_saved",  # name, text
-        "library_not_deleted",  # name, text
-        "library_not_restored",  # name, text
-        "library_unreadable",  # name, text
-    }
-)
-"""The reasons of a `LibraryError`, beside those against a trajectory itself."""
-
-
-class LibraryError(Exception):
-    """Something the library did not do; everything is as it was.
-
-    Attributes:
-        refusal: Why.
-        row: The point or sample to blame, from 1; 0 where none is.
-    """
-
-    def __init__(self, refusal: Refusal, row: int = 0) -> None:
-        super().__init__(refusal, row)
-        self.refusal = refusal
-        self.row = row
-
-    def __str__(self) -> str:
-        return f"row {self.row}: {self.refusal}" if self.row else str(self.refusal)
-
-
-@dataclass(frozen=True, slots=True)
-class Deleted:
-    """What was deleted together, to be brought back together.
-
-    Attributes:
-        names: Of the trajectories.
-        places: For every file, drafts included: its name in the library, and where it is now.
-    """
-
-    names: tuple[str, ...]
-    places: tuple[tuple[str, Path], ...]
 
 
 class Library:
@@ -98,10 +56,16 @@ class Library:
     def entries(self) -> list[Entry]:
         """Everything there is, by name; only files that are new or changed are opened.
 
+        Unsaved states whose trajectory was never saved, or is gone, are listed as `draft`.
+
         Raises:
             LibraryError: The folder cannot be read.
         """
-        return sorted((kept.entry for kept in self._scan().values()), key=lambda one: one.name)
+        found = self._scan()
+        entries = [kept.entry for kept in found.values()]
+        with on_disk("library_unreadable", str(self._folder)):
+            entries += self._drafts.entries(but=found)
+        return sorted(entries, key=lambda one: one.name)
 
     def load(self, name: str) -> Content:
         """A trajectory or recording.
@@ -162,14 +126,19 @@ class Library:
         """
         if new == name:
             return
-        content = replace(self.load(name), name=new)
-        _verify(content)
         found, drafts = self._scan(), self._drafts.names()
+        only_draft = self._drafts.load(name) if name not in found else None
+        content = replace(only_draft or self.load(name), name=new)
+        _verify(content)
         if new in found or new in drafts:
             raise LibraryError(Refusal("name_taken", {"name": new}))
+        if isinstance(only_draft, Trajectory):
+            self.save_draft(new, only_draft)
+            self.drop_draft(name)
+            return
         known = found[name].entry
         if name in drafts:
-            with _disk("library_not_saved", new):
+            with on_disk("library_not_saved", new):
                 self._drafts.copy(name, new)
         try:
             self._write(content, name)
@@ -196,7 +165,8 @@ class Library:
         """Move trajectories, their drafts with them, where `restore` finds them.
 
         Args:
-            names: Which; those that are gone already are left out.
+            names: Which; a draft without a trajectory is one, too. Those that are gone already are
+                left out.
 
         Returns:
             What to give to `restore`.
@@ -205,21 +175,73 @@ class Library:
             LibraryError: The disk refuses; nothing is deleted.
         """
         found, drafts = self._scan(), self._drafts.paths()
-        gone = [name for name in dict.fromkeys(names) if name in found]
-        paths = [found[name].path for name in gone]
+        gone = [name for name in dict.fromkeys(names) if name in found or name in drafts]
+        paths = [found[name].path for name in gone if name in found]
         paths += [drafts[name] for name in gone if name in drafts]
-        with _disk("library_not_deleted", ", ".join(gone)):
-            places = self._bin.take(paths)
-        return Deleted(tuple(gone), places)
+        with on_disk("library_not_deleted", ", ".join(gone)):
+            places, when = self._bin.take(paths)
+        entries = tuple(found[name].entry for name in gone if name in found)
+        return Deleted(tuple(gone), places, when, entries)
 
-    def restore(self, deleted: Deleted) -> None:
-        """Bring back what was deleted; where its name is taken by now, with a number.
+    def recently_deleted(self) -> list[Deleted]:
+        """What can still be restored, the last deleted first, each trajectory by itself.
 
         Raises:
             LibraryError: The disk refuses.
         """
-        with _disk("library_not_restored", ", ".join(deleted.names)):
-            self._bin.give_back(deleted.places, self._folder)
+        with on_disk("library_unreadable", str(self._folder)):
+            return self._bin.contents()
+
+    def restore(self, deleted: Deleted) -> tuple[str, ...]:
+        """Bring back what was deleted; where its name is taken by now, with a number.
+
+        Returns:
+            The names under which it is listed now.
+
+        Raises:
+            LibraryError: The disk refuses, or nothing of it is left.
+        """
+        places = [(file, place) for file, place in deleted.places if place.exists()]
+        if not places and deleted.places:
+            raise LibraryError(Refusal("deleted_gone", {"name": ", ".join(deleted.names)}))
+        names: dict[str, str] = {}
+        with on_disk("library_not_restored", ", ".join(deleted.names)):
+            self._folder.mkdir(parents=True, exist_ok=True)
+            for file, place in places:
+                if not is_draft(place):
+                    names[name_inside(place)] = self._put_back(file, place)
+            for _file, place in filter(lambda each: is_draft(each[1]), places):
+                name = name_inside(place)
+                names[name] = self._put_draft_back(place, names.get(name))
+        for entry in deleted.entries:
+            self.mark(names.get(entry.name, ""), check=entry.check, length_s=entry.length_s)
+        return tuple(names.values())
+
+    def _put_back(self, file: str, place: Path) -> str:
+        """Bring back a trajectory; no draft of another one of its name becomes its own."""
+        name = name_inside(place)
+        free = self.free_name(name)
+        if free != name:
+            with contextlib.suppress(TrajectoryFileError):  # a damaged one stays as it is
+                self._write(replace(files.load(place), name=free), None)
+                self._bin.remove(place)
+                return free
+        path = self._bin.give_back(file, place, self._folder)
+        return next(name for name, kept in self._scan().items() if kept.path == path)
+
+    def _put_draft_back(self, place: Path, owner: str | None) -> str:
+        """Bring back a draft, to the trajectory it was deleted with where it was."""
+        name = name_inside(place)
+        free = owner or self.free_name(name)
+        if free != name:
+            with contextlib.suppress(TrajectoryFileError):
+                content = files.load(place)
+                if isinstance(content, Trajectory):
+                    self._drafts.save(replace(content, name=free))
+                    self._bin.remove(place)
+                    return free
+        self._bin.give_back(place.name, place, self._folder)
+        return free
 
     def mark(self, name: str, *, check: Check | None, length_s: float | None) -> None:
         """Note how a trajectory was checked and how long it takes, until its file changes.
@@ -251,7 +273,7 @@ class Library:
         """
         content = replace(content, name=name, modified=self._now())
         _verify(content)
-        with _disk("library_not_saved", name):
+        with on_disk("library_not_saved", name):
             self._folder.mkdir(parents=True, exist_ok=True)
             self._drafts.save(content)
 
@@ -269,7 +291,7 @@ class Library:
         Raises:
             LibraryError: The disk refuses.
         """
-        with _disk("library_not_deleted", name):
+        with on_disk("library_not_deleted", name):
             self._drafts.drop(name)
 
     def drafts(self) -> list[str]:
@@ -280,7 +302,7 @@ class Library:
 
     def _scan(self) -> dict[str, Kept]:
         """All files by the name of what they hold."""
-        with _disk("library_unreadable", str(self._folder)):
+        with on_disk("library_unreadable", str(self._folder)):
             return self._shelf.scan()
 
     def _write(self, content: Content, replacing: str | None) -> None:
@@ -295,7 +317,7 @@ class Library:
         fitting = self._folder / (free_stem(content.name, stems) + suffix_of(content))
         in_place = old is not None and old.path.suffix == fitting.suffix
         path = old.path if old is not None and in_place else fitting
-        with _disk("library_not_saved", content.name):
+        with on_disk("library_not_saved", content.name):
             self._folder.mkdir(parents=True, exist_ok=True)
             write_whole(path, files.to_bytes(content, path.suffix))
             if old is not None and not in_place:
@@ -304,7 +326,7 @@ class Library:
             # the file's own name follows; where it cannot, the one within it counts
             with contextlib.suppress(OSError):
                 path = path.rename(fitting)
-        with _disk("library_unreadable", str(self._folder)):
+        with on_disk("library_unreadable", str(self._folder)):
             self._shelf.note(path, entry_of(content))
 
 
@@ -320,13 +342,3 @@ def _verify(content: Content) -> None:
     if found is not None:
         row, reason = found
         raise LibraryError(reason, row)
-
-
-@contextlib.contextmanager
-def _disk(code: str, name: str) -> Iterator[None]:
-    """Says what the disk refused as a `LibraryError`."""
-    try:
-        yield
-    except OSError as error:
-        text = error.strerror or str(error)
-        raise LibraryError(Refusal(code, {"name": name, "text": text})) from error

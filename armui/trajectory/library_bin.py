@@ -5,15 +5,42 @@ from __future__ import annotations
 import contextlib
 import secrets
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Final
 
 from armui.trajectory.atomic import sync_folder
+from armui.trajectory.drafts import is_draft
 from armui.trajectory.file_names import folded, free_stem
+from armui.trajectory.library_files import name_inside
+from armui.trajectory.library_index import Entry
 
-_KEPT_S: Final = 30 * 24 * 3600
+KEPT: Final = timedelta(days=30)
 """How long a deleted file is kept."""
+
+
+@dataclass(frozen=True, slots=True)
+class Deleted:
+    """What was deleted together, to be brought back together.
+
+    Attributes:
+        names: Of the trajectories.
+        places: For every file, drafts included: its name in the library, and where it is now.
+        when: It was deleted.
+        entries: What the library knew of them, where it still knows.
+    """
+
+    names: tuple[str, ...]
+    places: tuple[tuple[str, Path], ...]
+    when: datetime
+    entries: tuple[Entry, ...] = ()
+
+    @property
+    def only_draft(self) -> bool:
+        """Whether nothing of it was ever saved, or what was saved is gone."""
+        return all(is_draft(place) for _, place in self.places)
 
 
 class Bin:
@@ -26,18 +53,20 @@ class Bin:
     def __init__(self, folder: Path) -> None:
         self._folder = folder
 
-    def take(self, paths: Sequence[Path]) -> tuple[tuple[str, Path], ...]:
+    def take(self, paths: Sequence[Path]) -> tuple[tuple[tuple[str, Path], ...], datetime]:
         """Move files here, all or none.
 
         Returns:
-            For each its name and where it is now.
+            For each its name and where it is now; and the time they are kept from.
 
         Raises:
             OSError: One cannot be moved; the others are back in their places.
         """
+        seconds = int(time.time())
+        when = datetime.fromtimestamp(seconds, UTC)
         if not paths:
-            return ()
-        room = self._folder / f"{int(time.time())}-{secrets.token_hex(4)}"
+            return (), when
+        room = self._folder / f"{seconds}-{secrets.token_hex(4)}"
         room.mkdir(parents=True)
         moved: list[tuple[Path, Path]] = []
         try:
@@ -47,40 +76,77 @@ class Bin:
         except OSError:
             for path, place in moved:
                 place.replace(path)
+            with contextlib.suppress(OSError):
+                room.rmdir()
             raise
         sync_folder(room)
         sync_folder(paths[0].parent)
-        return tuple((path.name, place) for path, place in moved)
+        return tuple((path.name, place) for path, place in moved), when
 
-    def give_back(self, places: Sequence[tuple[str, Path]], folder: Path) -> None:
-        """Move files back, under a free name where theirs is taken by now.
-
-        Args:
-            places: As `take` has returned.
-            folder: Where to.
+    def contents(self) -> list[Deleted]:
+        """Everything here, the last deleted first: each trajectory by itself, with its draft.
 
         Raises:
-            OSError: One cannot be moved; what was moved stays moved.
+            OSError: The folder cannot be read.
         """
-        for file, place in places:
-            name = Path(file)
-            taken = {folded(path.stem) for path in folder.iterdir() if _same_sort(path, name)}
-            place.replace(folder / f"{free_stem(name.stem, taken)}{name.suffix}")
-            with contextlib.suppress(OSError):  # another file of the same deletion is still there
-                place.parent.rmdir()
+        found: list[Deleted] = []
+        for _seconds, when, room in sorted(self._rooms(), reverse=True):
+            by_name: dict[str, list[tuple[str, Path]]] = {}
+            # a trajectory goes before the draft of it, and a draft alone is one, too
+            for path in sorted(room.iterdir(), key=lambda path: (is_draft(path), path.name)):
+                places = by_name.setdefault(name_inside(path), [])
+                places.append((path.name, path))
+            found += [Deleted((name,), tuple(places), when) for name, places in by_name.items()]
+        return found
+
+    def give_back(self, file: str, place: Path, folder: Path) -> Path:
+        """Move a file back, under a free name where its own is taken by now.
+
+        Args:
+            file: What it was called.
+            place: Where it is here.
+            folder: Where to.
+
+        Returns:
+            Where it is now.
+
+        Raises:
+            OSError: It cannot be moved.
+        """
+        name = Path(file)
+        taken = {folded(path.stem) for path in folder.iterdir() if is_draft(path) == is_draft(name)}
+        path = place.replace(folder / f"{free_stem(name.stem, taken)}{name.suffix}")
+        self._tidy(place)
         sync_folder(folder)
+        return path
+
+    def remove(self, place: Path) -> None:
+        """Remove a file for good.
+
+        Raises:
+            OSError: It cannot be removed.
+        """
+        place.unlink(missing_ok=True)
+        self._tidy(place)
 
     def remove_outdated(self) -> None:
         """Remove for good what was deleted long ago."""
-        oldest = time.time() - _KEPT_S
-        for room in self._folder.glob("[0-9]*-*"):
-            with contextlib.suppress(OSError, ValueError):
-                if int(room.name.partition("-")[0]) < oldest:
+        oldest = datetime.now(UTC) - KEPT
+        with contextlib.suppress(OSError):
+            for _seconds, when, room in list(self._rooms()):
+                if when < oldest:
                     for path in room.iterdir():
                         path.unlink()
                     room.rmdir()
 
+    def _rooms(self) -> Iterator[tuple[tuple[int, int], datetime, Path]]:
+        """What every deletion has left here: its order in time, its time, and its folder."""
+        for room in self._folder.glob("[0-9]*-*"):
+            with contextlib.suppress(ValueError, OverflowError, FileNotFoundError):
+                seconds = int(room.name.partition("-")[0])
+                order = seconds, room.stat().st_mtime_ns
+                yield order, datetime.fromtimestamp(seconds, UTC), room
 
-def _same_sort(path: Path, other: Path) -> bool:
-    """Drafts beside drafts, trajectories beside trajectories."""
-    return (path.suffix == ".draft") == (other.suffix == ".draft")
+    def _tidy(self, place: Path) -> None:
+        with contextlib.suppress(OSError):  # another file of the same deletion is still there
+            place.parent.rmdir()

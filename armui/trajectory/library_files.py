@@ -45,7 +45,8 @@ class Shelf:
         Raises:
             OSError: The folder cannot be read.
         """
-        found = [self._look(path, stamp) for path, stamp in self._files()]
+        looks = (self._look(path, stamp) for path, stamp in self._files())
+        found = [kept for kept in looks if kept is not None]
         self._index.keep_only([kept.path.name for kept in found])
         self._index.save()
         return _by_name(found)
@@ -74,13 +75,15 @@ class Shelf:
                     with contextlib.suppress(FileNotFoundError):  # another program has deleted it
                         yield Path(item.path), Stamp.of(Path(item.path).stat())
 
-    def _look(self, path: Path, stamp: Stamp) -> Kept:
+    def _look(self, path: Path, stamp: Stamp) -> Kept | None:
         """What is known of a file; it is opened only where it is not the one known."""
         entry = self._index.entry(path.name, stamp)
         if entry is None:
             try:
                 entry = entry_of(files.load(path))
             except TrajectoryFileError as error:
+                if not path.exists():  # another program has deleted it meanwhile
+                    return None
                 kind: Final = "points" if path.suffix == ".log" else "recording"
                 name = self._index.last_name(path.name) or _name_of(path)
                 changed = datetime.fromtimestamp(stamp.time_ns / 1e9, UTC)
@@ -108,6 +111,18 @@ def _by_name(found: list[Kept]) -> dict[str, Kept]:
 def _name_of(path: Path) -> str:
     """What a file's name says, as far as it can be shown."""
     return path.stem.encode(errors="replace").decode()
+
+
+def name_inside(path: Path) -> str:
+    """The name a file of the library gives its content; else what its own name says.
+
+    Args:
+        path: Of a trajectory, recording or draft; only its beginning is read.
+    """
+    found = None
+    with contextlib.suppress(OSError):
+        found = files.name_in(path)
+    return found or _name_of(path)
 
 
 def suffix_of(content: Content) -> str:

@@ -21,7 +21,8 @@ from armui.trajectory.atomic import write_whole
 from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.recording import Recording
 
-Kind = Literal["points", "recording"]
+Kind = Literal["points", "recording", "draft"]
+"""A draft is the unsaved state of a trajectory that was never saved, or is gone."""
 Check = Literal["ok", "warnings", "errors"]
 """How the check before running ended."""
 
@@ -34,7 +35,7 @@ class Entry:
 
     Attributes:
         name: What the operator calls it; no two entries share one.
-        kind: Points to go to, or recorded samples.
+        kind: Points to go to, recorded samples, or points that nobody has saved.
         count: Of the points or samples; 0 where the file is damaged.
         length_s: How long it takes; ``None`` while nobody has worked it out.
         modified: When it was last changed.

@@ -21,6 +21,7 @@ __all__ = [
     "is_ours",
     "load",
     "load_text",
+    "name_in",
     "read_bytes",
     "read_text",
     "to_bytes",
@@ -34,6 +35,8 @@ _WRITERS: Final[dict[str, Callable[[Content], bytes]]] = {
 }
 SUFFIXES: Final = tuple(_WRITERS)
 """The formats for the operator, by the end of the file's name."""
+_HEAD_BYTES: Final = 4096
+"""Enough for the first two lines with the longest name."""
 
 
 def to_bytes(content: Content, suffix: str) -> bytes:
@@ -72,6 +75,19 @@ def load_text(path: Path) -> str:
     """
     with _named(path):
         return decode(_bytes_of(path))
+
+
+def name_in(path: Path) -> str | None:
+    """The name in a file as the library writes it; only its beginning is read.
+
+    Raises:
+        OSError: It cannot be read.
+    """
+    with path.open("rb") as file:
+        head = file.read(_HEAD_BYTES)
+        if head.startswith(npz_file.MAGIC):
+            return npz_file.name_in(file)
+    return log_file.name_in(head.decode(errors="ignore"))
 
 
 def is_ours(text: str) -> bool:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import io
 import json
 import zipfile
-from typing import Final
+from typing import BinaryIO, Final
 
 import numpy as np
 
@@ -63,6 +63,16 @@ def read(data: bytes) -> Content:
     if samples.ndim != 2 or samples.shape[1] != COLUMN_COUNT or samples.dtype.kind != "f":
         raise broken("file_damaged", text=f"samples {samples.dtype} {samples.shape}")
     return verified(Recording(name, note, samples.astype(np.float64), modified))
+
+
+def name_in(file: BinaryIO) -> str | None:
+    """The name of the recording in an archive, without its samples; ``None`` in a damaged one."""
+    try:
+        with zipfile.ZipFile(file) as archive:
+            header = json.loads(str(_array(_member(archive, _HEADER))))
+        return Fields(header, ()).text("name") or None
+    except Exception:  # noqa: BLE001 - as above: a dozen kinds
+        return None
 
 
 def _member(archive: zipfile.ZipFile, name: str) -> bytes:

@@ -103,6 +103,16 @@ _LIBRARY: Final[Mapping[str, object]] = {
         "Refusal", "The name has {value} characters; up to {maximum} are kept. Shorten it."
     ),
     "name_taken": QT_TRANSLATE_NOOP("Refusal", "There is a “{name}” already. Choose another name."),
+    "changed_since": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "“{name}” has been changed since it was made, and is kept. Delete it if you do not want "
+        "it.",
+    ),
+    "deleted_gone": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "“{name}” is no longer among what was deleted. It has been brought back already, or its "
+        "time was up.",
+    ),
     "library_damaged": QT_TRANSLATE_NOOP(
         "Refusal",
         "The file of “{name}” is damaged and is not written over. Save under another name.",

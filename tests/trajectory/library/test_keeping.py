@@ -102,7 +102,7 @@ def test_a_draft_outlives_the_program_until_the_trajectory_is_saved(shelf, folde
     assert len(again.draft("a/b \\ 新").points) == 4
     assert again.draft("pick").modified == NOW
     assert len(again.load("pick").points) == 1
-    assert names(again) == ["pick"]
+    assert [entry.kind for entry in again.entries()] == ["draft", "points"]
     again.save(trajectory(count=3), replacing="pick")
     again.drop_draft("a/b \\ 新")
     assert again.drafts() == []

@@ -30,7 +30,7 @@ def test_a_trajectory_is_renamed_with_its_mark_and_its_draft(shelf, folder):
     assert refused(shelf.rename, "pick", "new").code == "name_taken"
     assert refused(shelf.rename, "pick", "").code == "name_empty"
     shelf.rename("pick", "pick")
-    assert names(shelf) == ["Place", "pick"]
+    assert names(shelf) == ["Place", "new", "pick"]
 
 
 def test_a_duplicate_is_the_same_under_another_name(shelf):
