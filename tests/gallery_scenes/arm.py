@@ -13,7 +13,6 @@ from tests.desk import Desk
 
 _PUSH = fault("collision", 2)
 
-
 REACH_OUT_DEG = (35.0, 95.0, -70.0, 20.0, 45.0, -30.0)
 
 
