@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QShowEvent
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QButtonGroup,
     QFrame,
@@ -23,12 +22,13 @@ from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.end_reports import is_reporting
-from armui.control.situation import Level, LinkState, Notice, Situation
+from armui.control.situation import LinkState, Notice, Situation
 from armui.protocol.codes import EndLoad
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.freshness import is_stale
-from armui.ui.widgets.message_line import MessageLine
+from armui.ui.panels.panel import Panel
+from armui.ui.widgets.offer import offer
 from armui.ui.widgets.value_label import ValueLabel
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ _FIGURES: Final = (
 _OURS: Final = ("load_", "end_feedback_")
 
 
-class EndLoadPanel(QWidget):
+class EndLoadPanel(Panel):
     """Three loads to choose from, and a table that lives while 0x481–0x486 arrive.
 
     Args:
@@ -52,14 +52,9 @@ class EndLoadPanel(QWidget):
     """
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._controller = controller
-        self._situation = controller.situation
-        self._refusal: Refusal | None = None
+        super().__init__(controller, "end_load_message", parent)
         self._notice: Notice | None = None
         self._reporting: bool | None = None
-        self._title = QLabel()
-        self._title.setProperty("rank", "title")
         self._loads = QButtonGroup(self)
         self._note = QLabel()
         self._note.setProperty("rank", "muted")
@@ -76,8 +71,6 @@ class EndLoadPanel(QWidget):
         self._cells = {
             (joint, field): ValueLabel("-00.000") for joint in JOINTS for field, _unit in _FIGURES
         }
-        self._message = MessageLine()
-        self._message.setObjectName("end_load_message")
         self._lay_out()
         self._send.clicked.connect(self._on_send)
         self._switch.clicked.connect(self._on_switch)
@@ -122,14 +115,7 @@ class EndLoadPanel(QWidget):
                 cell = self._cells[joint, field]
                 cell.setObjectName(f"{field}_{joint}")
                 grid.addWidget(cell, joint + 2, place, right)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(16, 14, 16, 14)
-        layout.setSpacing(12)
-        layout.addWidget(self._title)
-        layout.addWidget(load_card)
-        layout.addWidget(motion_card)
-        layout.addWidget(self._message)
-        layout.addStretch(1)
+        self._stack(load_card, motion_card)
 
     # -- actions ------------------------------------------------------------------------------
 
@@ -143,10 +129,6 @@ class EndLoadPanel(QWidget):
     def _on_switch(self) -> None:
         on = not is_reporting(self._controller.state)
         self._took(self._controller.end_reports.switch(on=on))
-
-    def _took(self, refusal: Refusal | None) -> None:
-        self._refusal = refusal
-        self._show_message()
 
     # -- appearance ---------------------------------------------------------------------------
 
@@ -181,26 +163,17 @@ class EndLoadPanel(QWidget):
             self._switch.setAccessibleName(f"{self._motion_title.text()}: {self._switch.text()}")
 
     def _show_all(self) -> None:
-        unreachable = self._situation.unreachable
-        why_not = "" if unreachable is None else words.refusal(unreachable)
+        why_not = words.why_not(self._situation.unreachable)
         for button, tip in (
             (self._send, self.tr("Tells the arm what it carries: it holds against that weight.")),
             (self._switch, self.tr("Switches the periodic frames 0x481–0x486.")),
         ):
-            button.setEnabled(not why_not)
-            button.setToolTip(why_not or tip)
+            offer(button, why_not, tip)
         self._show_state(self._controller.state)
         self._show_message()
 
     def _show_message(self) -> None:
-        refusal = self._refusal or self._situation.unreachable
-        if refusal is not None:
-            level = {"not_connected": Level.INFO, "link_lost": Level.FAULT}.get(refusal.code)
-            self._message.show_message(words.refusal(refusal), level or Level.WARNING)
-        elif self._notice is not None:
-            self._message.show_message(words.notice(self._notice), self._notice.level)
-        else:
-            self._message.show_message("")
+        self._say(self._refusal or self._situation.unreachable, self._notice)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
@@ -226,15 +199,4 @@ class EndLoadPanel(QWidget):
             for joint in JOINTS:
                 self._cells[joint, field].setAccessibleName(f"J{joint} {name}")
         self._reporting = None
-        self._show_all()
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
-
-    def showEvent(self, event: QShowEvent) -> None:
-        """Catch up with what went by while the panel was hidden."""
-        super().showEvent(event)
         self._show_all()

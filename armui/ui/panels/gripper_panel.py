@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent
-from PySide6.QtGui import QKeySequence, QShowEvent
+from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
@@ -20,20 +19,18 @@ from armui.arm.gripper import Gripper
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Heard
 from armui.control.gripper_ranges import figures_of
-from armui.control.situation import Level, Notice, Situation
+from armui.control.situation import Notice, Situation
 from armui.protocol.generation import Generation
 from armui.ui import words
-from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
+from armui.ui.panels.panel import Panel
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.gripper_row import GripperRow
-from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.motor_row import PowerMark
+from armui.ui.widgets.offer import offer
 from armui.ui.widgets.state_mark import Mark
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from armui.control.arm_controller import ArmController
 
 _TALLEST_CARD_PX: Final = 330
@@ -41,7 +38,7 @@ _SEND_KEY: Final = "Ctrl+Return"
 _ACTS: Final = ("enable", "disable", "clear", "zero")
 
 
-class GripperPanel(QWidget):
+class GripperPanel(Panel):
     """Target and measured values of the gripper, the buttons for its power, its errors in words.
 
     Args:
@@ -49,15 +46,10 @@ class GripperPanel(QWidget):
     """
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._controller = controller
-        self._situation = controller.situation
-        self._refusal: Refusal | None = None
+        super().__init__(controller, "gripper_message", parent)
         self._notice: Notice | None = None
         self._generation = self._situation.generation or Generation.TWO
         self._hindrances: tuple[Refusal | None, Refusal | None] | None = None
-        self._title = QLabel()
-        self._title.setProperty("rank", "title")
         self._mark = PowerMark()
         self._power = QLabel()
         self._power.setObjectName("gripper_power")
@@ -77,8 +69,6 @@ class GripperPanel(QWidget):
         self._send.setProperty("primary", True)
         self._send.setMinimumHeight(38)
         self._acts = {act: QPushButton() for act in _ACTS}
-        self._message = MessageLine()
-        self._message.setObjectName("gripper_message")
         self._rows_of = {each: self._make_rows(each) for each in Generation}
         self._lay_out()
         self._connect()
@@ -126,15 +116,7 @@ class GripperPanel(QWidget):
         for place, (act, button) in enumerate(self._acts.items()):
             button.setObjectName(f"gripper_{act}_button")
             acts.addWidget(button, 0, place)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(16, 14, 16, 14)
-        layout.setSpacing(12)
-        layout.addWidget(self._title)
-        layout.addWidget(scrolled(card, _TALLEST_CARD_PX), 1)
-        layout.addWidget(self._send)
-        layout.addLayout(acts)
-        layout.addWidget(self._message)
-        layout.addStretch(0)
+        self._stack(scrolled(card, _TALLEST_CARD_PX), self._send, acts)
 
     def _connect(self) -> None:
         self._send.clicked.connect(self._on_send)
@@ -183,7 +165,7 @@ class GripperPanel(QWidget):
         self._took(self._controller.gripper.enable(effort))
 
     def _ask_to_disable(self) -> None:
-        self._ask(
+        self._ask_to_hold(
             self.tr("Disable the gripper"),
             self.tr("The gripper loses its power and drops what it holds. Hold the workpiece."),
             words.gripper_act("disable"),
@@ -191,7 +173,7 @@ class GripperPanel(QWidget):
         )
 
     def _ask_for_zero(self) -> None:
-        self._ask(
+        self._ask_to_hold(
             self.tr("Set the zero of the gripper"),
             self.tr(
                 "Where the gripper stands now becomes its 0 mm, and it loses its power: it drops "
@@ -201,22 +183,6 @@ class GripperPanel(QWidget):
             words.gripper_act("zero"),
             self._controller.gripper.set_zero,
         )
-
-    def _ask(self, title: str, text: str, label: str, act: Callable[[], Refusal | None]) -> None:
-        confirm(
-            self.window(),
-            self._controller,
-            title=title,
-            text=text,
-            action_label=label,
-            on_confirmed=lambda: self._took(act()),
-            hold=True,
-        )
-
-    def _took(self, refusal: Refusal | None) -> bool:
-        self._refusal = refusal
-        self._show_message()
-        return refusal is None
 
     # -- what the gripper says ----------------------------------------------------------------
 
@@ -292,35 +258,25 @@ class GripperPanel(QWidget):
         if (moving, still) == self._hindrances:
             return
         self._hindrances = (moving, still)
-        why_not_move = "" if moving is None else words.refusal(moving)
-        why_not = "" if still is None else words.refusal(still)
+        why_not_move, why_not = words.why_not(moving), words.why_not(still)
         self._travel.allow_steps(why_not_move)
-        shortcut = QKeySequence(_SEND_KEY).toString(QKeySequence.SequenceFormat.NativeText)
         use = self.tr("Moves the gripper to the target, and gives it power.")
-        self._send.setEnabled(not why_not_move)
-        self._send.setToolTip(why_not_move or f"{use} ({shortcut})")
+        offer(self._send, why_not_move, use, key=_SEND_KEY)
         for act, hindrance, use in (
             ("enable", why_not_move, self.tr("Gives the gripper power where it is.")),
             ("disable", why_not, self.tr("Takes its power: it drops what it holds. Asks first.")),
             ("clear", why_not, self.tr("Clears its error; it has no power until enabled again.")),
             ("zero", why_not, self.tr("Makes the present opening its zero. Asks first.")),
         ):
-            self._acts[act].setEnabled(not hindrance)
-            self._acts[act].setToolTip(hindrance or use)
+            offer(self._acts[act], hindrance, use)
 
     def _show_message(self) -> None:
         refusal = self._refusal or self._situation.cannot_enable
         if refusal is None and self._notice is None:
             refusal = self._travel.refusal() or self._effort.refusal()
-        if refusal is not None and (refusal.code != "busy" or self._refusal is not None):
-            fault = refusal.code in {"stopped", "stop_requested", "link_lost"}
-            level = Level.FAULT if fault else Level.WARNING
-            level = Level.INFO if refusal.code == "not_connected" else level
-            self._message.show_message(words.refusal(refusal), level)
-        elif self._notice is not None:
-            self._message.show_message(words.notice(self._notice), self._notice.level)
-        else:
-            self._message.show_message("")
+        if refusal is not None and refusal.code == "busy" and self._refusal is None:
+            refusal = None  # what is under way will say itself how it ends
+        self._say(refusal, self._notice)
 
     def _describe(self) -> None:
         for rows in self._rows_of.values():
@@ -343,15 +299,4 @@ class GripperPanel(QWidget):
             button.setAccessibleName(f"{self._title.text()}: {button.text()}")
         self._hindrances = None
         self._describe()
-        self._show_all()
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
-
-    def showEvent(self, event: QShowEvent) -> None:
-        """Catch up with what went by while the panel was hidden."""
-        super().showEvent(event)
         self._show_all()

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QSignalBlocker, Qt
-from PySide6.QtGui import QColor, QKeySequence, QShowEvent
+from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtGui import QColor, QKeySequence
 from PySide6.QtWidgets import (
     QButtonGroup,
     QCheckBox,
@@ -16,23 +16,23 @@ from PySide6.QtWidgets import (
     QPushButton,
     QSizePolicy,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.control.lights import RANGES, check_light
-from armui.control.situation import Level, Situation
+from armui.control.situation import Situation
 from armui.protocol.codes import ALL_LAMPS
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.panels.panel import Panel
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.channel_row import FULL, ChannelRow
 from armui.ui.widgets.color_strip import ColorStrip
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.hue_field import HueField
-from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.offer import offer
 from armui.ui.widgets.track_slider import TrackSlider
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ _FIELD_PX: Final = 74
 _CONFIRM_KEY: Final = "Ctrl+Return"
 
 
-class LightPanel(QWidget):
+class LightPanel(Panel):
     """What is to be sent to the lamps; it never claims to know what colour they have.
 
     Fields, sliders and picker are three ways to the same colour. Everything stays as it was left
@@ -55,12 +55,7 @@ class LightPanel(QWidget):
     """
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._controller = controller
-        self._situation = controller.situation
-        self._refusal: Refusal | None = None
-        self._title = QLabel()
-        self._title.setProperty("rank", "title")
+        super().__init__(controller, "light_message", parent)
         self._joint_label = QLabel()
         self._joints = QButtonGroup(self)
         self._lamp_label = QLabel()
@@ -92,8 +87,6 @@ class LightPanel(QWidget):
         self._note.setObjectName("light_note")
         self._note.setProperty("rank", "muted")
         self._note.setWordWrap(True)
-        self._message = MessageLine()
-        self._message.setObjectName("light_message")
         self._lay_out()
         self._connect()
         self._show_color(QColor(FULL, FULL, FULL))
@@ -129,16 +122,7 @@ class LightPanel(QWidget):
         effect.addWidget(self._effect_label)
         effect.addWidget(self._effect, 1)
 
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(16, 14, 16, 14)
-        layout.setSpacing(12)
-        layout.addWidget(self._title)
-        layout.addWidget(scrolled(card, _TALLEST_CARD_PX), 1)
-        layout.addLayout(effect)
-        layout.addWidget(self._confirm)
-        layout.addWidget(self._note)
-        layout.addWidget(self._message)
-        layout.addStretch(0)
+        self._stack(scrolled(card, _TALLEST_CARD_PX), effect, self._confirm, self._note)
 
     def _make_joint_buttons(self) -> QHBoxLayout:
         buttons = QHBoxLayout()
@@ -220,11 +204,10 @@ class LightPanel(QWidget):
             name: int(field.value) for name, field in fields.items() if field.value is not None
         }
         if len(values) < len(fields):
-            self._refusal = self._first_wrong()
+            self._took(self._first_wrong())
         else:
             values.setdefault("lamp", ALL_LAMPS)
-            self._refusal = self._controller.lights.set_light(self._joints.checkedId(), **values)
-        self._show_message()
+            self._took(self._controller.lights.set_light(self._joints.checkedId(), **values))
 
     def _first_wrong(self) -> Refusal | None:
         wrong = (_why_wrong(name, field) for name, field in self._figures().items())
@@ -260,21 +243,11 @@ class LightPanel(QWidget):
 
     def _show_possible(self) -> None:
         """Enable what can be used now; say in the tooltip why not."""
-        unreachable = self._situation.unreachable
-        self._confirm.setEnabled(unreachable is None)
-        shortcut = QKeySequence(_CONFIRM_KEY).toString(QKeySequence.SequenceFormat.NativeText)
         use = self.tr("Sends the colour to the lamps; nothing moves.")
-        self._confirm.setToolTip(
-            words.refusal(unreachable) if unreachable else f"{use} ({shortcut})"
-        )
+        offer(self._confirm, words.why_not(self._situation.unreachable), use, key=_CONFIRM_KEY)
 
     def _show_message(self) -> None:
-        refusal = self._refusal or self._situation.unreachable or self._first_wrong()
-        if refusal is None:
-            self._message.show_message("")
-            return
-        level = {"not_connected": Level.INFO, "link_lost": Level.FAULT}.get(refusal.code)
-        self._message.show_message(words.refusal(refusal), level or Level.WARNING)
+        self._say(self._refusal or self._situation.unreachable or self._first_wrong())
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
@@ -307,17 +280,6 @@ class LightPanel(QWidget):
                 "Lamps give no feedback: this is only what will be sent."
             )
         )
-        self._show_all()
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
-
-    def showEvent(self, event: QShowEvent) -> None:
-        """Catch up with what went by while the panel was hidden."""
-        super().showEvent(event)
         self._show_all()
 
 

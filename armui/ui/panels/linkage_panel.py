@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent
-from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QComboBox,
@@ -14,18 +12,18 @@ from PySide6.QtWidgets import (
     QLabel,
     QPushButton,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
 from armui.arm.refusal import Refusal
-from armui.control.situation import Level, LinkState, Notice, Situation
+from armui.control.situation import LinkState, Notice, Situation
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import LinkageRole
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
+from armui.ui.panels.panel import Panel
 from armui.ui.widgets.card import scrolled
-from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.offer import offer
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -34,7 +32,7 @@ _TALLEST_CARD_PX: Final = 400
 _BASES: Final = {"feedback": (0x2A1, 0x2A8), "control": (0x150, 0x15F), "target": (0x150, 0x15F)}
 
 
-class LinkagePanel(QWidget):
+class LinkagePanel(Panel):
     """What is to be set; which identifiers are in use; what a teaching input is, and the way back.
 
     Args:
@@ -42,13 +40,8 @@ class LinkagePanel(QWidget):
     """
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._controller = controller
-        self._situation = controller.situation
-        self._refusal: Refusal | None = None
+        super().__init__(controller, "linkage_message", parent)
         self._notice: Notice | None = None
-        self._title = QLabel()
-        self._title.setProperty("rank", "title")
         self._role_label = QLabel()
         self._roles = QButtonGroup(self)
         self._role_buttons = {
@@ -72,8 +65,6 @@ class LinkagePanel(QWidget):
         self._note = QLabel()
         self._note.setProperty("rank", "muted")
         self._note.setWordWrap(True)
-        self._message = MessageLine()
-        self._message.setObjectName("linkage_message")
         self._lay_out()
         self._confirm.clicked.connect(self._ask)
         self._back.clicked.connect(lambda: self._took(controller.linkage.release()))
@@ -111,17 +102,9 @@ class LinkagePanel(QWidget):
         grid.addWidget(self._in_use, 6, 0, 1, 2)
         grid.setColumnStretch(0, 1)
         grid.setRowStretch(7, 1)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(16, 14, 16, 14)
-        layout.setSpacing(12)
-        layout.addWidget(self._title)
-        layout.addWidget(self._teaching)
-        layout.addWidget(self._back)
-        layout.addWidget(scrolled(card, _TALLEST_CARD_PX), 1)
-        layout.addWidget(self._confirm)
-        layout.addWidget(self._note)
-        layout.addWidget(self._message)
-        layout.addStretch(0)
+        self._stack(
+            self._teaching, self._back, scrolled(card, _TALLEST_CARD_PX), self._confirm, self._note
+        )
 
     # -- actions ------------------------------------------------------------------------------
 
@@ -163,10 +146,6 @@ class LinkagePanel(QWidget):
             )
         )
 
-    def _took(self, refusal: Refusal | None) -> None:
-        self._refusal = refusal
-        self._show_message()
-
     # -- appearance ---------------------------------------------------------------------------
 
     def _on_noticed(self, notice: Notice) -> None:
@@ -188,10 +167,8 @@ class LinkagePanel(QWidget):
         self._back.setVisible(teaching)
         link = situation.link
         reachable = link in {LinkState.ONLINE, LinkState.OFFLINE}
-        unreachable = situation.unreachable
-        why_not = "" if reachable or unreachable is None else words.refusal(unreachable)
-        self._confirm.setEnabled(reachable)
-        self._confirm.setToolTip(why_not or self.tr("Says what will change, and asks first."))
+        why_not = "" if reachable else words.why_not(situation.unreachable)
+        offer(self._confirm, why_not, self.tr("Says what will change, and asks first."))
         self._show_in_use()
         self._show_message()
 
@@ -221,13 +198,7 @@ class LinkagePanel(QWidget):
             refusal = Refusal("control_offset_unknown")
         if refusal is None and not situation.teaching_input and self._notice is None:
             refusal = situation.unreachable
-        if refusal is not None:
-            level = {"not_connected": Level.INFO, "link_lost": Level.FAULT}.get(refusal.code)
-            self._message.show_message(words.refusal(refusal), level or Level.WARNING)
-        elif self._notice is not None:
-            self._message.show_message(words.notice(self._notice), self._notice.level)
-        else:
-            self._message.show_message("")
+        self._say(refusal, self._notice)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
@@ -265,15 +236,4 @@ class LinkagePanel(QWidget):
                 "heard."
             )
         )
-        self._show_all()
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
-
-    def showEvent(self, event: QShowEvent) -> None:
-        """Catch up with what went by while the panel was hidden."""
-        super().showEvent(event)
         self._show_all()

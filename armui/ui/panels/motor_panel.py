@@ -5,25 +5,21 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QShowEvent
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
-from armui.control.situation import Level, Notice, Situation
+from armui.control.situation import Notice, Situation
 from armui.protocol.codes import ALL_JOINTS
 from armui.ui import words
-from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
+from armui.ui.panels.panel import Panel
 from armui.ui.widgets.card import scrolled
-from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.motor_row import COLUMN_GAP_PX, FIGURE_PX, ActButtons, MotorAct, MotorRow
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from armui.control.arm_controller import ArmController
 
 _TALLEST_CARD_PX: Final = 520
@@ -36,7 +32,7 @@ _OURS: Final = (
 """How the codes of the notices that are told here begin."""
 
 
-class MotorPanel(QWidget):
+class MotorPanel(Panel):
     """Six rows of figures and buttons, and the buttons once more for all joints.
 
     Disabling lets the arm drop and a wrong zero makes it run into its stops: both say so and must
@@ -47,18 +43,12 @@ class MotorPanel(QWidget):
     """
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._controller = controller
-        self._situation = controller.situation
+        super().__init__(controller, "motor_message", parent)
         self._notice: Notice | None = None
-        self._title = QLabel()
-        self._title.setProperty("rank", "title")
         self._heads = [QLabel() for _ in range(4)]
         self._rows = [MotorRow(joint) for joint in JOINTS]
         self._all_label = QLabel()
         self._all = ActButtons(ALL_JOINTS)
-        self._message = MessageLine()
-        self._message.setObjectName("motor_message")
         self._lay_out()
         for acts in self._all_acts():
             acts.wanted.connect(self._on_wanted)
@@ -89,14 +79,7 @@ class MotorPanel(QWidget):
         every.setSpacing(4)
         every.addWidget(self._all_label)
         every.addWidget(self._all)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(16, 14, 16, 14)
-        layout.setSpacing(10)
-        layout.addWidget(self._title)
-        layout.addWidget(scrolled(card, _TALLEST_CARD_PX), 1)
-        layout.addLayout(every)
-        layout.addWidget(self._message)
-        layout.addStretch(0)
+        self._stack(scrolled(card, _TALLEST_CARD_PX), every, gap_px=10)
 
     def _all_acts(self) -> list[ActButtons]:
         return [*(row.acts for row in self._rows), self._all]
@@ -129,7 +112,7 @@ class MotorPanel(QWidget):
             text = self.tr("Joint {joint} and what hangs on it gives way.").format(joint=joint)
             text = f"{danger}\n{text}"
         act = partial(self._controller.motors.disable, joint)
-        self._ask(title, text, self.tr("Disable"), act)
+        self._ask_to_hold(title, text, self.tr("Disable"), act)
 
     def _ask_for_zero(self, joint: int) -> None:
         if joint == ALL_JOINTS:
@@ -144,23 +127,13 @@ class MotorPanel(QWidget):
             "arm standing still. The arm keeps it; there is no way back but to set it again."
         )
         act = partial(self._controller.zeroing.set_zero, joint)
-        self._ask(title, f"{text}\n{danger}", self.tr("Set zero"), act)
+        self._ask_to_hold(title, f"{text}\n{danger}", self.tr("Set zero"), act)
 
-    def _ask(self, title: str, text: str, label: str, act: Callable[[], Refusal | None]) -> None:
-        confirm(
-            self.window(),
-            self._controller,
-            title=title,
-            text=text,
-            action_label=label,
-            on_confirmed=lambda: self._took(act()),
-            hold=True,
-        )
-
-    def _took(self, refusal: Refusal | None) -> None:
+    def _took(self, refusal: Refusal | None) -> bool:
         """A no of the controller is a notice too; it stays until the next deed."""
         if refusal is not None:
-            self._message.show_message(words.refusal(refusal), Level.WARNING)
+            self._say(refusal)
+        return refusal is None
 
     # -- what the arm says --------------------------------------------------------------------
 
@@ -188,9 +161,8 @@ class MotorPanel(QWidget):
 
     def _show_all(self) -> None:
         self._show_state(self._controller.state)
-        blocked, unreachable = self._situation.cannot_enable, self._situation.unreachable
-        why_not = "" if blocked is None else words.refusal(blocked)
-        why_not_clear = "" if unreachable is None else words.refusal(unreachable)
+        why_not = words.why_not(self._situation.cannot_enable)
+        why_not_clear = words.why_not(self._situation.unreachable)
         for acts in self._all_acts():
             for act in MotorAct:
                 acts.allow(act, why_not_clear if act is MotorAct.CLEAR else why_not)
@@ -198,15 +170,9 @@ class MotorPanel(QWidget):
 
     def _show_message(self) -> None:
         blocked = self._situation.cannot_enable
-        if blocked is not None and blocked.code != "busy":
-            fault = blocked.code in {"stopped", "stop_requested", "link_lost"}
-            level = Level.FAULT if fault else Level.WARNING
-            level = Level.INFO if blocked.code == "not_connected" else level
-            self._message.show_message(words.refusal(blocked), level)
-        elif self._notice is not None:
-            self._message.show_message(words.notice(self._notice), self._notice.level)
-        else:
-            self._message.show_message("")
+        if blocked is not None and blocked.code == "busy":
+            blocked = None  # what is under way will say itself how it ends
+        self._say(blocked, self._notice)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
@@ -218,15 +184,4 @@ class MotorPanel(QWidget):
             strict=True,
         ):
             head.setText(text)
-        self._show_all()
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
-
-    def showEvent(self, event: QShowEvent) -> None:
-        """Catch up with what went by while the panel was hidden."""
-        super().showEvent(event)
         self._show_all()

@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Final, TypeVar
 
-from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QShowEvent
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
-from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.recovery_steps import Action, Step
 from armui.control.situation import Level, Notice, Situation
@@ -19,9 +17,10 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
+from armui.ui.panels.panel import Panel
 from armui.ui.panels.way_out import WayOut
 from armui.ui.widgets.card import scrolled
-from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.offer import offer
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -46,7 +45,7 @@ _MOVES: Final = frozenset(
 )
 
 
-class TeachingPanel(QWidget):
+class TeachingPanel(Panel):
     """Offers the commands that make sense now; the others say why they do not.
 
     Args:
@@ -54,12 +53,9 @@ class TeachingPanel(QWidget):
     """
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._controller = controller
-        self._refusal: Refusal | None = None
+        super().__init__(controller, "teaching_message", parent)
         self._unanswered: Notice | None = None
         self._shown: tuple[object, ...] | None = None
-        self._title = _label("title")
         self._state_label = QLabel()
         self._state = QLabel()
         self._state.setObjectName("teaching_state")
@@ -81,8 +77,6 @@ class TeachingPanel(QWidget):
             for row in _PLANS
             for command in row
         }
-        self._message = MessageLine()
-        self._message.setObjectName("teaching_message")
         self._lay_out()
         self._connect()
         self.retranslate_ui()
@@ -117,13 +111,7 @@ class TeachingPanel(QWidget):
         column.addWidget(self._plan_note)
         column.addStretch(1)
 
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(16, 14, 16, 14)
-        layout.setSpacing(12)
-        layout.addWidget(self._title)
-        layout.addWidget(scrolled(card, _TALLEST_CARD_PX), 1)
-        layout.addWidget(self._message)
-        layout.addStretch(0)
+        self._stack(scrolled(card, _TALLEST_CARD_PX))
 
     def _connect(self) -> None:
         for command, button in self._buttons.items():
@@ -166,7 +154,8 @@ class TeachingPanel(QWidget):
     def _on_state_changed(self, _state: ArmState) -> None:
         self._show_new()
 
-    def _on_situation_changed(self, _situation: Situation) -> None:
+    def _on_situation_changed(self, situation: Situation) -> None:
+        self._situation = situation
         self._refusal = None
         self._show_new()
 
@@ -194,7 +183,7 @@ class TeachingPanel(QWidget):
         return (
             self._phase_now(),
             None if controller.state.status is None else controller.state.status.value,
-            controller.situation,
+            self._situation,
             controller.recovery.step,
             controller.teaching.pending,
             controller.planned_motion.paused,
@@ -203,7 +192,7 @@ class TeachingPanel(QWidget):
     def _phase_now(self) -> Phase | None:
         """What drag teaching does, or ``None``: nobody knows."""
         state = self._controller.state
-        if state.status is None or is_stale(state.status, state, self._controller.situation):
+        if state.status is None or is_stale(state.status, state, self._situation):
             return None
         return phase_of(state.status.value)
 
@@ -218,9 +207,11 @@ class TeachingPanel(QWidget):
         )
         self._phase.setText(words.teaching_phase(phase) if phase is not None else fmt.NOTHING)
         for command, button in self._buttons.items():
-            _offer(button, self._controller.teaching.why_not(command), self._describe(command))
+            why_not = words.why_not(self._controller.teaching.why_not(command))
+            offer(button, why_not, self._describe(command))
         for plan, button in self._plan_buttons.items():
-            _offer(button, self._controller.planned_motion.why_not(plan), self._plan_note.text())
+            why_not = words.why_not(self._controller.planned_motion.why_not(plan))
+            offer(button, why_not, self._plan_note.text())
         self._way_out.show_step(phase, self._controller.recovery.step)
         self._show_message()
 
@@ -233,11 +224,9 @@ class TeachingPanel(QWidget):
 
     def _show_message(self) -> None:
         controller = self._controller
-        unreachable = controller.situation.unreachable
-        if self._refusal is not None or unreachable is not None:
-            refusal = self._refusal or unreachable
-            level = Level.INFO if controller.situation.device is None else Level.WARNING
-            self._message.show_message(words.refusal(refusal) if refusal else "", level)
+        refusal = self._refusal or self._situation.unreachable
+        if refusal is not None:
+            self._say(refusal)
         elif controller.teaching.pending is not None:
             text = self.tr("Waiting for the arm: {command}")
             command = words.teaching_command(controller.teaching.pending)
@@ -270,17 +259,6 @@ class TeachingPanel(QWidget):
         self._way_out.retranslate_ui()
         self._show_all()
 
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
-
-    def showEvent(self, event: QShowEvent) -> None:
-        """Catch up with what went by while the panel was hidden."""
-        super().showEvent(event)
-        self._show_all()
-
 
 def _label(rank: str) -> QLabel:
     label = QLabel()
@@ -300,9 +278,3 @@ def _grid(rows: Sequence[Sequence[_Key]], buttons: Mapping[_Key, QPushButton]) -
     for column in range(_COLUMNS):
         grid.setColumnStretch(column, 1)
     return grid
-
-
-def _offer(button: QPushButton, refusal: Refusal | None, use: str) -> None:
-    """Let a button be pressed, or say in its tooltip why not."""
-    button.setEnabled(refusal is None)
-    button.setToolTip(use if refusal is None else words.refusal(refusal))

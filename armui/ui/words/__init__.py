@@ -10,7 +10,7 @@ from armui.ui.words.findings import finding
 from armui.ui.words.gripper import end_load, gripper_act, gripper_fault, gripper_figure
 from armui.ui.words.joints import joint_item, joint_verdict, joint_word
 from armui.ui.words.notices import notice
-from armui.ui.words.refusals import light_figure, refusal
+from armui.ui.words.refusals import light_figure, refusal, why_not
 from armui.ui.words.status import (
     arm_status,
     control_mode,
@@ -51,4 +51,5 @@ __all__ = [
     "teaching_command",
     "teaching_phase",
     "trajectory_command",
+    "why_not",
 ]

@@ -338,6 +338,11 @@ def refusal(reason: Refusal) -> str:
     return sentence("Refusal", source, params)
 
 
+def why_not(reason: Refusal | None) -> str:
+    """The same, or nothing where nothing stands in the way."""
+    return "" if reason is None else refusal(reason)
+
+
 def under_way(what: str) -> str:
     """What the program is waiting for the arm to do."""
     return sentence("UnderWay", _UNDER_WAY.get(what, what), {})

@@ -1,0 +1,143 @@
+"""What every panel of the operation area has: a title, parts below one another, a message."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QEvent
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QLabel, QLayout, QScrollArea, QVBoxLayout, QWidget
+
+from armui.arm.refusal import Refusal
+from armui.control.situation import Level, Notice
+from armui.ui import words
+from armui.ui.dialogs.confirm import confirm
+from armui.ui.widgets.message_line import MessageLine
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_LEVELS: Final = {
+    "not_connected": Level.INFO,
+    "link_lost": Level.FAULT,
+    "stopped": Level.FAULT,
+    "stop_requested": Level.FAULT,
+    "arm_fault": Level.FAULT,
+}
+_GAP_PX: Final = 12
+
+
+def level_of(refusal: Refusal) -> Level:
+    """How much a reason against an action matters; most of them can be mended by the operator."""
+    return _LEVELS.get(refusal.code, Level.WARNING)
+
+
+class Panel(QWidget):
+    """Shows what is new while it is seen, and catches up when it is shown again.
+
+    A panel of its own makes its widgets, lays them out with :meth:`_stack`, and calls
+    :meth:`retranslate_ui` as the last step of being made.
+
+    Args:
+        controller: Whom to ask and to tell.
+        message_name: The object name of the message.
+    """
+
+    def __init__(
+        self, controller: ArmController, message_name: str, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._controller = controller
+        self._situation = controller.situation
+        self._refusal: Refusal | None = None
+        self._title = QLabel()
+        self._title.setProperty("rank", "title")
+        self._message = MessageLine()
+        self._message.setObjectName(message_name)
+
+    # -- what a panel of its own adds ---------------------------------------------------------
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        raise NotImplementedError
+
+    def _show_all(self) -> None:
+        """Show everything as it is now."""
+        raise NotImplementedError
+
+    def _show_message(self) -> None:
+        """Say the one thing that matters most now."""
+        raise NotImplementedError
+
+    # -- what it finds here -------------------------------------------------------------------
+
+    def _stack(
+        self, *parts: QWidget | QLayout, head: QLayout | None = None, gap_px: int = _GAP_PX
+    ) -> None:
+        """Lay the panel out: its title, the parts below one another, the message.
+
+        What scrolls takes the room that is left; if nothing does, the room stays empty below.
+
+        Args:
+            parts: From top to bottom.
+            head: Holds the title and what stands beside it; the title alone where there is none.
+            gap_px: Between the parts.
+        """
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(16, 14, 16, 14)
+        layout.setSpacing(gap_px)
+        for part in (head or self._title, *parts, self._message):
+            if isinstance(part, QLayout):
+                layout.addLayout(part)
+            else:
+                layout.addWidget(part, 1 if isinstance(part, QScrollArea) else 0)
+        scrolls = any(isinstance(part, QScrollArea) for part in parts)
+        layout.addStretch(0 if scrolls else 1)
+
+    def _took(self, refusal: Refusal | None) -> bool:
+        """Show the controller's answer; whether it was a yes."""
+        self._refusal = refusal
+        self._show_message()
+        return refusal is None
+
+    def _say(self, refusal: Refusal | None, notice: Notice | None = None) -> None:
+        """Say what stands in the way; if nothing does, what was told last; or nothing."""
+        if refusal is not None:
+            self._message.show_message(words.refusal(refusal), level_of(refusal))
+        elif notice is not None:
+            self._message.show_message(words.notice(notice), notice.level)
+        else:
+            self._message.show_message("")
+
+    def _ask_to_hold(
+        self, title: str, text: str, label: str, act: Callable[[], Refusal | None]
+    ) -> None:
+        """Ask before what a double click must not do: the answer is a button that is held.
+
+        Args:
+            title: The question in a few words.
+            text: What will physically happen, and what to do before.
+            label: What the button does, in a word.
+            act: The deed; its refusal is shown.
+        """
+        confirm(
+            self.window(),
+            self._controller,
+            title=title,
+            text=text,
+            action_label=label,
+            on_confirmed=lambda: self._took(act()),
+            hold=True,
+        )
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with what went by while the panel was hidden."""
+        super().showEvent(event)
+        self._show_all()
