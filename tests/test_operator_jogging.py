@@ -176,7 +176,7 @@ def test_a_step_is_still_a_step(ready):
 @pytest.fixture
 def pad(ready):
     ready.click("jog_keys_button")
-    pad = ready.find("key_pad")
+    pad = ready.find("jog_key_pad")
     assert pad.hasFocus()
     return pad
 
@@ -191,7 +191,7 @@ def key_up(pad, key):
 
 def test_no_key_moves_anything_before_it_is_switched_on(ready):
     ready.window.setFocus()
-    assert not ready.find("key_pad").isVisible()
+    assert not ready.find("jog_key_pad").isVisible()
     QTest.keyPress(ready.window, Qt.Key.Key_Space)
     QTest.keyPress(ready.window, Qt.Key.Key_Q)
     hold(ready, 0.1)
@@ -272,4 +272,4 @@ def test_with_a_step_chosen_a_key_is_one_step(ready, pad):
 def test_an_arm_that_cannot_move_says_so_on_the_pad(ready, pad):
     ready.controller.emergency_stop()
     ready.run_until(lambda: "stop_confirmed" in ready.codes())
-    assert "emergency stop" in ready.read("key_pad_hint")
+    assert "emergency stop" in ready.read("jog_key_pad_hint")

@@ -4,14 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QFrame,
-    QHBoxLayout,
-    QLabel,
     QPushButton,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -19,25 +14,20 @@ from PySide6.QtWidgets import (
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.jog_ways import ToolJog
-from armui.control.situation import Level, Notice, Situation
 from armui.protocol.codes import ArmStatusCode, MoveMode
 from armui.ui import words
 from armui.ui.freshness import is_stale
+from armui.ui.panels.jog_panel import JogPanel
 from armui.ui.widgets.arc_box import ArcBox
-from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.frame_choice import FrameChoice
-from armui.ui.widgets.key_pad import KeyPad
-from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.offer import offer
 from armui.ui.widgets.pose_rows import PoseRows
-from armui.ui.widgets.step_box import StepBox
 from armui.ui.widgets.tool_box import ToolBox
 
 if TYPE_CHECKING:
-    from armui.arm.device import Device
     from armui.control.arm_controller import ArmController
     from armui.settings import SettingsStore
 
-_FAULTS: Final = frozenset({"stopped", "stop_requested", "arm_fault", "link_lost"})
 _OWN_REFUSALS: Final = frozenset(
     {
         ArmStatusCode.NO_SOLUTION,
@@ -57,7 +47,7 @@ _KEYS: Final = (
 _TALLEST_CARD_PX: Final = 640
 
 
-class CartesianPanel(QWidget):
+class CartesianPanel(JogPanel):
     """Targets and measured pose of one point: the tool centre point, or the flange without a tool.
 
     Args:
@@ -71,38 +61,28 @@ class CartesianPanel(QWidget):
         preferences: SettingsStore,
         parent: QWidget | None = None,
     ) -> None:
-        super().__init__(parent)
-        self._controller = controller
+        super().__init__(
+            controller,
+            "tool",
+            message_name="pose_message",
+            keys=_KEYS,
+            numbers=range(len(_KEYS)),
+            write_step=lambda step: f"{step:g} mm / {step:g}°",
+            parent=parent,
+        )
         self._preferences = preferences
-        self._situation = controller.situation
-        self._refusal: Refusal | None = None
-        self._filled_for: Device | None = None
         self._jogged = False
-        self._title = QLabel()
-        self._title.setProperty("rank", "title")
-        self._step_label = QLabel()
-        self._step_box = StepBox(lambda step: f"{step:g} mm / {step:g}°")
-        self._step_box.setObjectName("tool_step")
-        self._keys = QToolButton()
-        self._keys.setObjectName("tool_keys_button")
-        self._keys.setCheckable(True)
-        self._keys.setProperty("choice", True)
         self._frame = FrameChoice()
         self._rows = PoseRows()
         self._tool = ToolBox()
         self._arc = ArcBox()
-        self._key_pad = KeyPad(_KEYS, "tool_key_pad")
-        self._key_pad.hide()
         self._load, self._move_p, self._move_l = QPushButton(), QPushButton(), QPushButton()
-        self._message = MessageLine()
-        self._message.setObjectName("pose_message")
         for button, name in (
             (self._load, "load_pose_button"),
             (self._move_p, "move_p_button"),
             (self._move_l, "move_l_button"),
         ):
             button.setObjectName(name)
-            button.setMinimumHeight(38)
         self._move_p.setProperty("primary", True)
         self._move_l.setProperty("primary", True)
         self._lay_out()
@@ -112,13 +92,6 @@ class CartesianPanel(QWidget):
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
-        head = QHBoxLayout()
-        head.addWidget(self._title)
-        head.addStretch(1)
-        head.addWidget(self._keys)
-        head.addWidget(self._step_label)
-        head.addWidget(self._step_box)
-
         card = QFrame()
         rows = QVBoxLayout(card)
         rows.setContentsMargins(16, 10, 16, 12)
@@ -127,33 +100,19 @@ class CartesianPanel(QWidget):
         rows.addWidget(self._tool)
         rows.addWidget(self._arc)
         rows.addStretch(1)
-
-        buttons = QHBoxLayout()
-        buttons.setSpacing(10)
-        for action in (self._load, self._move_p, self._move_l):
-            buttons.addWidget(action, 1)
-
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(16, 14, 16, 14)
-        layout.setSpacing(12)
-        layout.addLayout(head)
-        layout.addWidget(self._frame)
-        layout.addWidget(scrolled(card, _TALLEST_CARD_PX), 1)
-        layout.addWidget(self._key_pad)
-        layout.addLayout(buttons)
-        layout.addWidget(self._message)
-        layout.addStretch(0)
+        self._finish(
+            card,
+            (self._load, self._move_p, self._move_l),
+            tallest_px=_TALLEST_CARD_PX,
+            above=(self._frame,),
+        )
 
     def _connect(self) -> None:
         self._rows.stepped.connect(self._on_stepped)
         self._rows.repeated.connect(self._on_repeated)
         self._rows.held.connect(self._on_held)
-        self._rows.let_go.connect(self._controller.jogging.stop)
+        self._rows.let_go.connect(self._on_let_go)
         self._rows.edited.connect(self._on_edited)
-        self._step_box.chosen.connect(self._on_step_chosen)
-        self._keys.toggled.connect(self._on_keys_toggled)
-        self._key_pad.pressed.connect(self._on_key_pressed)
-        self._key_pad.let_go.connect(self._controller.jogging.stop)
         self._tool.changed.connect(self._on_tool_changed)
         self._arc.capture_wanted.connect(self._on_capture)
         self._arc.start_wanted.connect(self._on_go_to_start)
@@ -162,8 +121,6 @@ class CartesianPanel(QWidget):
         self._move_p.clicked.connect(lambda: self._send(MoveMode.MOVE_P))
         self._move_l.clicked.connect(lambda: self._send(MoveMode.MOVE_L))
         self._controller.state_changed.connect(self._on_state_changed)
-        self._controller.situation_changed.connect(self._on_situation_changed)
-        self._controller.noticed.connect(self._on_noticed)
 
     # -- the tool -----------------------------------------------------------------------------
 
@@ -192,10 +149,8 @@ class CartesianPanel(QWidget):
 
     # -- jogging ------------------------------------------------------------------------------
 
-    def _on_step_chosen(self) -> None:
-        self._rows.set_step(self._step_box.step, continuous=self._step_box.continuous)
-        self._key_pad.set_continuous(self._step_box.continuous)
-        self._show_possible()
+    def _take_step(self, step: float, *, continuous: bool) -> None:
+        self._rows.set_step(step, continuous=continuous)
 
     def _on_stepped(self, place: int, direction: int) -> None:
         amount = direction * self._step_box.step
@@ -213,17 +168,6 @@ class CartesianPanel(QWidget):
         refusal = self._controller.jogging.start(jog)
         self._jogged = refusal is None
         self._took(refusal)
-
-    def _on_key_pressed(self, place: int, direction: int) -> None:
-        if self._step_box.continuous:
-            self._on_held(place, direction)
-        else:
-            self._on_stepped(place, direction)
-
-    def _on_keys_toggled(self, wanted: bool) -> None:
-        self._key_pad.setVisible(wanted)
-        if wanted:
-            self._key_pad.setFocus(Qt.FocusReason.OtherFocusReason)
 
     # -- targets ------------------------------------------------------------------------------
 
@@ -268,20 +212,9 @@ class CartesianPanel(QWidget):
         if self._jogged:
             self._rows.fill(self._pose())
 
-    def _took(self, refusal: Refusal | None) -> None:
-        """Show the answer."""
-        self._refusal = refusal
-        self._show_message()
-
     def _on_edited(self) -> None:
         self._jogged = False
         self._took(None)
-
-    def _on_noticed(self, notice: Notice) -> None:
-        """What ended a jog is said where the operator looks."""
-        reason = notice.params.get("reason")
-        if notice.code == "jog_ended" and isinstance(reason, Refusal) and self.isVisible():
-            self._took(reason)
 
     # -- what the arm says --------------------------------------------------------------------
 
@@ -308,16 +241,9 @@ class CartesianPanel(QWidget):
         stale = any(is_stale(heard, state, self._situation) for heard in state.pose)
         self._rows.show_measured(self._pose(), stale=stale)
 
-    def _on_situation_changed(self, situation: Situation) -> None:
-        old, self._situation = self._situation, situation
-        if old.device != situation.device:
-            self._filled_for = None
-            self._rows.fill(None)
-            self._arc.clear()
-        if old.cannot_move != situation.cannot_move:
-            self._refusal = None
-        if self.isVisible():
-            self._show_all()
+    def _forget_targets(self) -> None:
+        self._rows.fill(None)
+        self._arc.clear()
 
     # -- appearance ---------------------------------------------------------------------------
 
@@ -328,9 +254,7 @@ class CartesianPanel(QWidget):
         self._show_measured()
 
     def _show_possible(self) -> None:
-        """Enable what can be used now; say in the tooltips of the rest why not."""
-        blocked = self._situation.cannot_move
-        why_not = "" if blocked is None else words.refusal(blocked)
+        why_not = self._why_not_move()
         self._rows.allow_jog(why_not)
         self._key_pad.allow(why_not)
         unknown = self._controller.state.end_pose() is None
@@ -345,18 +269,7 @@ class CartesianPanel(QWidget):
             (self._move_p, why_not, self.tr("Moves to the pose, each joint on its own way.")),
             (self._move_l, why_not, self.tr("Moves to the pose on a straight line.")),
         ):
-            button.setEnabled(not hindrance)
-            button.setToolTip(hindrance or use)
-
-    def _show_message(self) -> None:
-        refusal = self._refusal or self._situation.cannot_move or self._first_wrong()
-        if refusal is None:
-            self._message.show_message("")
-            return
-        level = Level.FAULT if refusal.code in _FAULTS else Level.WARNING
-        if refusal.code == "not_connected":
-            level = Level.INFO
-        self._message.show_message(words.refusal(refusal), level)
+            offer(button, hindrance, use)
 
     def _first_wrong(self) -> Refusal | None:
         """A figure that is none, or what the arm itself says against its last target."""
@@ -371,11 +284,6 @@ class CartesianPanel(QWidget):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self._title.setText(self.tr("Tool control"))
-        self._step_label.setText(self.tr("Step"))
-        self._step_box.setAccessibleName(self.tr("Step of − and +"))
-        self._keys.setText(self.tr("Keys"))
-        self._keys.setAccessibleName(self.tr("Keyboard jogging"))
-        self._keys.setToolTip(self.tr("Jog by keys, with the space bar held as dead-man key"))
         for button, text in (
             (self._load, self.tr("Load")),
             (self._move_p, "MOVE P"),
@@ -383,16 +291,4 @@ class CartesianPanel(QWidget):
         ):
             button.setText(text)
             button.setAccessibleName(text)
-        self._show_possible()
-        self._show_message()
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
-
-    def showEvent(self, event: QShowEvent) -> None:
-        """Catch up with what went by while the panel was hidden."""
-        super().showEvent(event)
-        self._show_all()
+        super().retranslate_ui()

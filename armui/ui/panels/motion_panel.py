@@ -4,37 +4,32 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QKeySequence, QShowEvent
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QLabel,
     QPushButton,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
-from armui.arm.device import Device
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.jog_ways import JointJog
-from armui.control.situation import Level, Notice, Situation
+from armui.control.situation import Notice
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.freshness import is_stale
-from armui.ui.widgets.card import scrolled
+from armui.ui.panels.jog_panel import JogPanel
 from armui.ui.widgets.joint_row import JointRow
-from armui.ui.widgets.key_pad import KeyPad
-from armui.ui.widgets.message_line import MessageLine
-from armui.ui.widgets.step_box import StepBox
+from armui.ui.widgets.offer import offer
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
-_FAULTS: Final = frozenset({"stopped", "stop_requested", "arm_fault", "link_lost"})
 _FIELD_INDENT_PX: Final = 80
 _TALLEST_CARD_PX: Final = 600
 _KEYS: Final = tuple(
@@ -44,7 +39,7 @@ _KEYS: Final = tuple(
 _HOME_KEY, _LOAD_KEY, _SEND_KEY = "Ctrl+Shift+H", "Ctrl+L", "Ctrl+Return"
 
 
-class MotionPanel(QWidget):
+class MotionPanel(JogPanel):
     """Targets on the left, measured angles on the right; says why if the arm can't move.
 
     The fields hold what the arm measured until the operator types something else, so that
@@ -58,31 +53,22 @@ class MotionPanel(QWidget):
     def __init__(
         self, controller: ArmController, jog_step_deg: float, parent: QWidget | None = None
     ) -> None:
-        super().__init__(parent)
-        self._controller = controller
-        self._situation = controller.situation
-        self._refusal: Refusal | None = None
-        self._filled_for: Device | None = None
+        super().__init__(
+            controller,
+            "jog",
+            message_name="motion_message",
+            keys=_KEYS,
+            numbers=JOINTS,
+            write_step=fmt.short_angle,
+            parent=parent,
+        )
         self._jogged: int | None = None
-        self._title = QLabel()
-        self._title.setProperty("rank", "title")
-        self._step_label = QLabel()
-        self._step_box = StepBox(fmt.short_angle)
-        self._keys = QToolButton()
-        self._keys.setObjectName("jog_keys_button")
-        self._keys.setCheckable(True)
-        self._keys.setProperty("choice", True)
-        self._key_pad = KeyPad(_KEYS, "key_pad")
-        self._key_pad.hide()
-        self._step_label.setBuddy(self._step_box)
         self._target_head = QLabel()
         self._measured_head = QLabel()
         self._rows = [JointRow(j, self._situation.limits[j - 1]) for j in JOINTS]
         self._home = QPushButton()
         self._load = QPushButton()
         self._send = QPushButton()
-        self._message = MessageLine()
-        self._message.setObjectName("motion_message")
         self._name_buttons()
         self._lay_out()
         self._connect()
@@ -97,17 +83,9 @@ class MotionPanel(QWidget):
         ):
             button.setObjectName(name)
             button.setShortcut(QKeySequence(key))
-            button.setMinimumHeight(38)
         self._send.setProperty("primary", True)
 
     def _lay_out(self) -> None:
-        head = QHBoxLayout()
-        head.addWidget(self._title)
-        head.addStretch(1)
-        head.addWidget(self._keys)
-        head.addWidget(self._step_label)
-        head.addWidget(self._step_box)
-
         card = QFrame()
         rows = QVBoxLayout(card)
         rows.setContentsMargins(16, 10, 16, 12)
@@ -122,21 +100,8 @@ class MotionPanel(QWidget):
         rows.addLayout(columns)
         for row in self._rows:
             rows.addWidget(row, 1)
-
-        buttons = QHBoxLayout()
-        buttons.setSpacing(10)
-        for button in (self._home, self._load, self._send):
-            buttons.addWidget(button, 1)
-
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(16, 14, 16, 14)
-        layout.setSpacing(12)
-        layout.addLayout(head)
-        layout.addWidget(scrolled(card, _TALLEST_CARD_PX), 1)
-        layout.addWidget(self._key_pad)
-        layout.addLayout(buttons)
-        layout.addWidget(self._message)
-        layout.addStretch(0)
+        buttons = (self._home, self._load, self._send)
+        self._finish(card, buttons, tallest_px=_TALLEST_CARD_PX)
 
     def _connect(self) -> None:
         for row in self._rows:
@@ -145,16 +110,10 @@ class MotionPanel(QWidget):
             row.held.connect(self._on_held)
             row.let_go.connect(self._on_let_go)
             row.edited.connect(self._on_edited)
-        self._step_box.chosen.connect(self._on_step_chosen)
-        self._keys.toggled.connect(self._on_keys_toggled)
-        self._key_pad.pressed.connect(self._on_key_pressed)
-        self._key_pad.let_go.connect(self._on_let_go)
         self._home.clicked.connect(self._on_home)
         self._load.clicked.connect(self._on_load)
         self._send.clicked.connect(self._on_send)
         self._controller.state_changed.connect(self._on_state_changed)
-        self._controller.situation_changed.connect(self._on_situation_changed)
-        self._controller.noticed.connect(self._on_noticed)
 
     # -- step ---------------------------------------------------------------------------------
 
@@ -174,11 +133,9 @@ class MotionPanel(QWidget):
         field.setFocus(Qt.FocusReason.OtherFocusReason)
         field.selectAll()
 
-    def _on_step_chosen(self) -> None:
+    def _take_step(self, step: float, *, continuous: bool) -> None:
         for row in self._rows:
-            row.set_step(self.jog_step_deg, continuous=self._step_box.continuous)
-        self._key_pad.set_continuous(self._step_box.continuous)
-        self._show_possible()
+            row.set_step(step, continuous=continuous)
 
     # -- actions ------------------------------------------------------------------------------
 
@@ -199,26 +156,12 @@ class MotionPanel(QWidget):
         self._took(self._controller.jogging.start(JointJog(joint, direction)))
 
     def _on_let_go(self) -> None:
-        self._controller.jogging.stop()
+        super()._on_let_go()
         self._show_jogged()
 
-    def _on_key_pressed(self, place: int, direction: int) -> None:
-        joint = JOINTS[place]
-        if self._step_box.continuous:
-            self._on_held(joint, direction)
-        else:
-            self._on_stepped(joint, direction)
-
-    def _on_keys_toggled(self, wanted: bool) -> None:
-        self._key_pad.setVisible(wanted)
-        if wanted:
-            self._key_pad.setFocus(Qt.FocusReason.OtherFocusReason)
-
     def _on_noticed(self, notice: Notice) -> None:
-        """What ended a jog is said where the operator looks."""
-        reason = notice.params.get("reason")
-        if notice.code == "jog_ended" and isinstance(reason, Refusal) and self.isVisible():
-            self._took(reason)
+        super()._on_noticed(notice)
+        if notice.code == "jog_ended" and self.isVisible():
             self._show_jogged()
 
     def _show_jogged(self) -> None:
@@ -253,12 +196,6 @@ class MotionPanel(QWidget):
             return Refusal("joint_not_a_number", {"joint": row.joint, "value": row.field.text()})
         return Refusal("joints_unknown")
 
-    def _took(self, refusal: Refusal | None) -> bool:
-        """Show the controller's answer; whether it was a yes."""
-        self._refusal = refusal
-        self._show_message()
-        return refusal is None
-
     def _on_edited(self) -> None:
         self._refusal = None
         self._show_message()
@@ -266,7 +203,7 @@ class MotionPanel(QWidget):
     # -- what the arm says --------------------------------------------------------------------
 
     def _on_state_changed(self, state: ArmState) -> None:
-        self._fill_once(state)
+        self._fill_once()
         if self.isVisible():
             self._show_measured(state)
             if self._controller.jogging.active:
@@ -277,12 +214,12 @@ class MotionPanel(QWidget):
             angle_deg = None if heard is None else heard.value
             row.show_measured(angle_deg, stale=is_stale(heard, state, self._situation))
 
-    def _fill_once(self, state: ArmState) -> None:
+    def _fill_once(self) -> None:
         """Load the first angles heard from a device, where the operator has not typed one."""
         device = self._situation.device
         if device is None or device == self._filled_for:
             return
-        angles_deg = state.angles_deg()
+        angles_deg = self._controller.state.angles_deg()
         if angles_deg is not None:
             self._filled_for = device
             for row, angle_deg in zip(self._rows, angles_deg, strict=True):
@@ -294,19 +231,10 @@ class MotionPanel(QWidget):
         for row, angle_deg in zip(self._rows, angles_deg or (None,) * len(JOINTS), strict=True):
             row.show_target(angle_deg)
 
-    def _on_situation_changed(self, situation: Situation) -> None:
-        old, self._situation = self._situation, situation
-        if old.device != situation.device:
-            # another arm: targets made for the last one would be a trap
-            self._filled_for = None
-            self._fill(None)
-        if old.cannot_move != situation.cannot_move:
-            self._refusal = None
-        self._fill_once(self._controller.state)
-        if self.isVisible():
-            self._show_situation()
+    def _forget_targets(self) -> None:
+        self._fill(None)
 
-    def _show_situation(self) -> None:
+    def _show_all(self) -> None:
         for row, limits, read in zip(
             self._rows, self._situation.limits, self._situation.limits_read, strict=True
         ):
@@ -318,9 +246,7 @@ class MotionPanel(QWidget):
     # -- appearance ---------------------------------------------------------------------------
 
     def _show_possible(self) -> None:
-        """Enable what can be used now; say in the tooltips of the rest why not."""
-        blocked = self._situation.cannot_move
-        why_not = "" if blocked is None else words.refusal(blocked)
+        why_not = self._why_not_move()
         for row in self._rows:
             row.allow_jog(why_not)
         self._key_pad.allow(why_not)
@@ -336,21 +262,9 @@ class MotionPanel(QWidget):
             ),
             (self._send, why_not, self.tr("Moves the arm to the angles in the fields."), _SEND_KEY),
         ):
-            button.setEnabled(not hindrance)
-            shortcut = QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
-            button.setToolTip(hindrance or f"{use} ({shortcut})")
+            offer(button, hindrance, use, key=key)
 
-    def _show_message(self) -> None:
-        refusal = self._refusal or self._situation.cannot_move or self._first_out_of_limits()
-        if refusal is None:
-            self._message.show_message("")
-            return
-        level = Level.FAULT if refusal.code in _FAULTS else Level.WARNING
-        if refusal.code == "not_connected":
-            level = Level.INFO
-        self._message.show_message(words.refusal(refusal), level)
-
-    def _first_out_of_limits(self) -> Refusal | None:
+    def _first_wrong(self) -> Refusal | None:
         for row in self._rows:
             if row.field.is_nonsense():
                 return self._why_no_figure(row)
@@ -362,12 +276,7 @@ class MotionPanel(QWidget):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self._title.setText(self.tr("Motion control"))
-        self._step_label.setText(self.tr("Step"))
-        self._step_box.setAccessibleName(self.tr("Step of − and +"))
         self._step_box.setToolTip(self.tr("How far one press of − or + moves a joint"))
-        self._keys.setText(self.tr("Keys"))
-        self._keys.setAccessibleName(self.tr("Keyboard jogging"))
-        self._keys.setToolTip(self.tr("Jog by keys, with the space bar held as dead-man key"))
         self._target_head.setText(self.tr("Target"))
         self._measured_head.setText(self.tr("Measured"))
         for button, text in (
@@ -379,16 +288,4 @@ class MotionPanel(QWidget):
             button.setText(text)
             button.setShortcut(shortcut)
             button.setAccessibleName(text)
-        self._show_possible()
-        self._show_message()
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
-
-    def showEvent(self, event: QShowEvent) -> None:
-        """Catch up with what went by while the panel was hidden."""
-        super().showEvent(event)
-        self._show_situation()
+        super().retranslate_ui()

@@ -26,7 +26,6 @@ class StepBox(QComboBox):
         super().__init__(parent)
         self._write = write
         self._step = 1.0
-        self.setObjectName("jog_step")
         self._fill(STEPS)
         self.set_step(self._step)
         self.currentIndexChanged.connect(self._on_index_changed)
