@@ -2,25 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject
 
 from armui.arm.refusal import Refusal
 from armui.control.arrival import Arrival, ArrivalWatch
 from armui.control.context import Context
+from armui.control.execution import Execution
 from armui.control.point_frames import action_frames, point_frames, why_not_possible
-from armui.control.run import ENDLESS, OVER, Phase, Progress, Run, Schedule
-from armui.control.stillness import Stillness
+from armui.control.run import ENDLESS, Phase, Progress, Run, Schedule
 from armui.protocol import commands
 from armui.protocol.codes import TrajectoryCommand
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from armui.protocol.codec import Codec
-    from armui.protocol.frame import Frame
 
 _REST_WITHIN_S: Final = 2.0
 """An arm told to end its motion stands within this time, or the operator is warned."""
@@ -31,18 +28,13 @@ _PASSING: Final = frozenset({"enabled_unknown", "joints_unknown"})
 """Reasons that may be gone with the next frame."""
 
 
-class Player(QObject):
+class Player(Execution):
     """One run at a time; everything it does follows from what the arm says.
 
     Args:
         context: What the parts of the controller share.
         before_moving: Called when the run sends the arm somewhere: setpoints are void.
-
-    Signals:
-        progressed: A :class:`Progress`, when it differs.
     """
-
-    progressed = Signal(object)
 
     def __init__(
         self,
@@ -50,30 +42,15 @@ class Player(QObject):
         before_moving: Callable[[], None],
         parent: QObject | None = None,
     ) -> None:
-        super().__init__(parent)
-        self._context = context
-        self._before_moving = before_moving
+        super().__init__(context, before_moving, parent)
         self._run: Run | None = None
         self._schedule: Schedule | None = None
-        self._progress = Progress()
-        self._phase = Phase.IDLE
         self._paused_phase = Phase.IDLE
         self._paused_s = 0.0
-        self._since_s = self._known_s = 0.0
+        self._known_s = 0.0
         self._index = 0
         self._lap = 1
         self._watch: ArrivalWatch | None = None
-        self._stillness = Stillness()
-
-    @property
-    def progress(self) -> Progress:
-        """How far the run has come."""
-        return self._progress
-
-    @property
-    def running(self) -> bool:
-        """Whether a run moves the arm, or will."""
-        return self._phase not in OVER
 
     # What the operator wants ------------------------------------------------------------------
 
@@ -127,10 +104,7 @@ class Player(QObject):
         """End the run: the arm ends its motion where it is and stays powered (0x150 byte 1 = 6)."""
         if not self.running or self._phase is Phase.STOPPING:
             return
-        self._send(commands.trajectory_command(self._codec, TrajectoryCommand.ABORT))
-        self._since_s = self._context.clock()
-        self._stillness = Stillness()
-        self._phase = Phase.STOPPING
+        self._abort_motion()
         self._publish()
 
     # What time and the arm bring --------------------------------------------------------------
@@ -149,18 +123,6 @@ class Player(QObject):
         elif self._phase is Phase.STOPPING:
             self._follow_stopping()
         self._publish()
-
-    def halt(self) -> None:
-        """An emergency stop ends the run."""
-        if self.running:
-            self._fail(Refusal("run_stopped"))
-            self._publish()
-
-    def forget(self) -> None:
-        """So does the loss of the arm."""
-        if self.running:
-            self._fail(Refusal("link_lost"))
-            self._publish()
 
     def _hindrance(self) -> Refusal | None:
         """Why the run cannot go on; what is not known for a moment is waited for."""
@@ -246,27 +208,10 @@ class Player(QObject):
         elif now_s - self._since_s > _REST_WITHIN_S:
             self._fail(Refusal("run_not_ended"))
 
-    def _fail(self, reason: Refusal) -> None:
-        self._phase = Phase.FAILED
-        row = self._index + 1
-        self._context.tell("run_failed", row=row, reason=reason)
-        self._progress = self._snapshot(reason)
-        self.progressed.emit(self._progress)
+    def _tell_failed(self, reason: Refusal) -> None:
+        self._context.tell("run_failed", row=self._index + 1, reason=reason)
 
-    # Small things -----------------------------------------------------------------------------
-
-    @property
-    def _codec(self) -> Codec:
-        return self._context.connection.codec
-
-    def _send(self, frames: Sequence[Frame]) -> bool:
-        return not frames or self._context.connection.send(frames)
-
-    def _publish(self) -> None:
-        progress = self._snapshot(self._progress.reason if self._phase is Phase.FAILED else None)
-        if progress != self._progress:
-            self._progress = progress
-            self.progressed.emit(progress)
+    # How far it has come ----------------------------------------------------------------------
 
     def _snapshot(self, reason: Refusal | None) -> Progress:
         run, schedule = self._run, self._schedule

@@ -194,6 +194,11 @@ def _motors_mixed(view: _View) -> list[bool]:
     return [on is False and any(enabled) for on in enabled]
 
 
+def _latched(kind: Kind, applies: _Applies) -> _Rule:
+    """A fault that stays until it is cleared, even when its cause is gone."""
+    return _Rule(kind, Level.FAULT, Action.CLEAR_ERRORS, applies, escalation=Action.RESET)
+
+
 _overspeed = _code(ArmStatusCode.OVERSPEED_WHILE_TEACHING)
 
 
@@ -245,41 +250,14 @@ _RULES: Final = (
             ArmStatusCode.JOINT_COMMUNICATION_FAULT,
         ),
     ),
-    _Rule(
+    _latched(
         Kind.COLLISION,
-        Level.FAULT,
-        Action.CLEAR_ERRORS,
         _joints(_drivers(lambda each: each.collision_protection), ArmStatusCode.COLLISION),
-        escalation=Action.RESET,
     ),
-    _Rule(
-        Kind.DRIVER_FAULT,
-        Level.FAULT,
-        Action.CLEAR_ERRORS,
-        _joints(_drivers(lambda each: each.driver_fault)),
-        escalation=Action.RESET,
-    ),
-    _Rule(
-        Kind.OVERCURRENT,
-        Level.FAULT,
-        Action.CLEAR_ERRORS,
-        _joints(_drivers(lambda each: each.overcurrent)),
-        escalation=Action.RESET,
-    ),
-    _Rule(
-        Kind.STALL,
-        Level.FAULT,
-        Action.CLEAR_ERRORS,
-        _joints(_drivers(lambda each: each.stall_protection)),
-        escalation=Action.RESET,
-    ),
-    _Rule(
-        Kind.SENSOR,
-        Level.FAULT,
-        Action.CLEAR_ERRORS,
-        _joints(_drivers(lambda each: each.sensor_fault)),
-        escalation=Action.RESET,
-    ),
+    _latched(Kind.DRIVER_FAULT, _joints(_drivers(lambda each: each.driver_fault))),
+    _latched(Kind.OVERCURRENT, _joints(_drivers(lambda each: each.overcurrent))),
+    _latched(Kind.STALL, _joints(_drivers(lambda each: each.stall_protection))),
+    _latched(Kind.SENSOR, _joints(_drivers(lambda each: each.sensor_fault))),
     # these two tell the moment: they go by themselves with their cause
     _Rule(Kind.UNDERVOLTAGE, Level.FAULT, None, _joints(_drivers(lambda each: each.undervoltage))),
     _Rule(
@@ -288,13 +266,7 @@ _RULES: Final = (
         None,
         _joints(_drivers(lambda each: each.motor_overtemperature or each.driver_overtemperature)),
     ),
-    _Rule(
-        Kind.JOINT_STATUS,
-        Level.FAULT,
-        Action.CLEAR_ERRORS,
-        _code(ArmStatusCode.JOINT_STATUS_ABNORMAL),
-        escalation=Action.RESET,
-    ),
+    _latched(Kind.JOINT_STATUS, _code(ArmStatusCode.JOINT_STATUS_ABNORMAL)),
     _Rule(Kind.BRAKE_CLOSED, Level.FAULT, Action.RESET, _code(ArmStatusCode.JOINT_BRAKE_CLOSED)),
     _Rule(
         Kind.CONTROLLER_HOT,

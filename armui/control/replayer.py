@@ -4,23 +4,21 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtCore import QObject, Qt, QTimer
 
 from armui.arm.refusal import Refusal
 from armui.control.arrival import Arrival, ArrivalWatch
 from armui.control.context import Context
-from armui.control.run import ENDLESS, OVER, Phase, Progress
-from armui.control.stillness import Stillness
+from armui.control.execution import Execution
+from armui.control.run import ENDLESS, Phase, Progress
 from armui.protocol import commands
-from armui.protocol.codes import ControlMode, MoveMode, TrajectoryCommand
+from armui.protocol.codes import ControlMode, MoveMode
 from armui.trajectory.program import Waypoint
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
 
     from armui.control.replay import Replay
-    from armui.protocol.codec import Codec
-    from armui.protocol.frame import Frame
 
 PERIOD_MS: Final = 20
 """50 targets a second; the arm plans anew at each."""
@@ -32,7 +30,7 @@ _GRIPPER_STEP_MM: Final = 0.5
 _GRIPPER_TORQUE_NM: Final = 1.0
 
 
-class Replayer(QObject):
+class Replayer(Execution):
     """One replay at a time.
 
     If the program stops sending, for whatever reason, the arm ends in the target sent last, which
@@ -41,26 +39,15 @@ class Replayer(QObject):
     Args:
         context: What the parts of the controller share.
         before_moving: Called when it sends the arm somewhere: setpoints are void.
-
-    Signals:
-        progressed: A :class:`Progress`, when it differs.
     """
-
-    progressed = Signal(object)
 
     def __init__(
         self, context: Context, before_moving: Callable[[], None], parent: QObject | None = None
     ) -> None:
-        super().__init__(parent)
-        self._context = context
-        self._before_moving = before_moving
+        super().__init__(context, before_moving, parent)
         self._replay: Replay | None = None
-        self._phase = Phase.IDLE
         self._ending = Phase.DONE
-        self._progress = Progress()
         self._watch: ArrivalWatch | None = None
-        self._stillness = Stillness()
-        self._since_s = 0.0
         self._at_s = 0.0
         self._lap = 1
         self._gripper_mm: float | None = None
@@ -68,16 +55,6 @@ class Replayer(QObject):
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.setInterval(PERIOD_MS)
         self._timer.timeout.connect(self.advance)
-
-    @property
-    def progress(self) -> Progress:
-        """How far the replay has come."""
-        return self._progress
-
-    @property
-    def running(self) -> bool:
-        """Whether a replay moves the arm, or will."""
-        return self._phase not in OVER
 
     # What the operator wants ------------------------------------------------------------------
 
@@ -124,8 +101,8 @@ class Replayer(QObject):
         """End the replay: the arm comes to rest and stays powered."""
         if not self.running or self._phase is Phase.STOPPING:
             return
-        self._send(commands.trajectory_command(self._codec, TrajectoryCommand.ABORT))
-        self._rest(Phase.STOPPED)
+        self._ending = Phase.STOPPED
+        self._abort_motion()
         self._publish()
 
     # What time and the arm bring --------------------------------------------------------------
@@ -145,18 +122,6 @@ class Replayer(QObject):
         elif self._phase is Phase.MOVING:
             self._stream(replay)
         self._publish()
-
-    def halt(self) -> None:
-        """An emergency stop ends the replay."""
-        if self.running:
-            self._fail(Refusal("run_stopped"))
-            self._publish()
-
-    def forget(self) -> None:
-        """So does the loss of the arm."""
-        if self.running:
-            self._fail(Refusal("link_lost"))
-            self._publish()
 
     def _approach(self, replay: Replay) -> None:
         """Set out for the first sample, slowly: the arm may stand anywhere."""
@@ -224,17 +189,12 @@ class Replayer(QObject):
 
     def _end_lap(self, replay: Replay) -> None:
         if replay.laps != ENDLESS and self._lap >= replay.laps:
-            self._rest(Phase.DONE)
+            self._ending = Phase.DONE
+            self._await_rest()
             return
         self._lap += 1
         self._at_s = 0.0
         self._approach(replay)
-
-    def _rest(self, ending: Phase) -> None:
-        """Wait until the arm stands, then end so."""
-        self._phase, self._ending = Phase.STOPPING, ending
-        self._since_s = self._context.clock()
-        self._stillness = Stillness()
 
     def _follow_rest(self, replay: Replay) -> None:
         now_s = self._context.clock()
@@ -245,30 +205,12 @@ class Replayer(QObject):
         elif now_s - self._since_s > _REST_WITHIN_S:
             self._fail(Refusal("run_not_ended"))
 
-    def _fail(self, reason: Refusal) -> None:
-        self._end(Phase.FAILED)
-        self._progress = self._snapshot(reason)
+    def _tell_failed(self, reason: Refusal) -> None:
         self._context.tell("replay_failed", reason=reason)
-        self.progressed.emit(self._progress)
 
     def _end(self, phase: Phase) -> None:
-        self._phase = phase
+        super()._end(phase)
         self._timer.stop()
-
-    # Small things -----------------------------------------------------------------------------
-
-    @property
-    def _codec(self) -> Codec:
-        return self._context.connection.codec
-
-    def _send(self, frames: Sequence[Frame]) -> None:
-        self._context.connection.send(frames)
-
-    def _publish(self) -> None:
-        progress = self._snapshot(self._progress.reason if self._phase is Phase.FAILED else None)
-        if progress != self._progress:
-            self._progress = progress
-            self.progressed.emit(progress)
 
     def _snapshot(self, reason: Refusal | None) -> Progress:
         replay = self._replay

@@ -34,8 +34,8 @@ _BUTTON_PX: Final = 38
 class JogPanel(Panel):
     """A card of targets, and two ways to jog: − and + beside them, and keys.
 
-    Targets are void when another arm is connected. What is jogged goes by numbers: those of the joints, or the places in a pose. A key of the pad
-    does what the button of the same number does.
+    Targets are void when another arm is connected. What is jogged goes by numbers: those of the
+    joints, or the places in a pose. A key of the pad does what the button of the same number does.
 
     Args:
         controller: Whom to ask for motion.

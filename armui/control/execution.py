@@ -1,0 +1,120 @@
+"""What a run of points and a replay of a recording share: one at a time, followed to its end."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from armui.arm.refusal import Refusal
+from armui.control.context import Context
+from armui.control.run import OVER, Phase, Progress
+from armui.control.stillness import Stillness
+from armui.protocol import commands
+from armui.protocol.codes import TrajectoryCommand
+
+if TYPE_CHECKING:
+    from armui.protocol.codec import Codec
+    from armui.protocol.frame import Frame
+
+
+class Execution(QObject):
+    """Moves the arm for longer than one command; what it does next follows from what the arm says.
+
+    Args:
+        context: What the parts of the controller share.
+        before_moving: Called when it sends the arm somewhere: setpoints are void.
+
+    Signals:
+        progressed: A :class:`Progress`, when it differs.
+    """
+
+    progressed = Signal(object)
+
+    def __init__(
+        self,
+        context: Context,
+        before_moving: Callable[[], None],
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._context = context
+        self._before_moving = before_moving
+        self._phase = Phase.IDLE
+        self._progress = Progress()
+        self._stillness = Stillness()
+        self._since_s = 0.0
+
+    @property
+    def progress(self) -> Progress:
+        """How far it has come."""
+        return self._progress
+
+    @property
+    def running(self) -> bool:
+        """Whether it moves the arm, or will."""
+        return self._phase not in OVER
+
+    def halt(self) -> None:
+        """An emergency stop ends it."""
+        self._give_up(Refusal("run_stopped"))
+
+    def forget(self) -> None:
+        """So does the loss of the arm."""
+        self._give_up(Refusal("link_lost"))
+
+    # What each of the two does its own way ----------------------------------------------------
+
+    def _snapshot(self, reason: Refusal | None) -> Progress:
+        """How far it has come by now.
+
+        Args:
+            reason: Why it failed, if it has.
+        """
+        raise NotImplementedError
+
+    def _tell_failed(self, reason: Refusal) -> None:
+        """Tell the operator why it has ended early."""
+        raise NotImplementedError
+
+    def _end(self, phase: Phase) -> None:
+        """Nothing more is sent."""
+        self._phase = phase
+
+    # What both do the same way ----------------------------------------------------------------
+
+    def _give_up(self, reason: Refusal) -> None:
+        if self.running:
+            self._fail(reason)
+            self._publish()
+
+    def _fail(self, reason: Refusal) -> None:
+        self._end(Phase.FAILED)
+        self._progress = self._snapshot(reason)
+        self._tell_failed(reason)
+        self.progressed.emit(self._progress)
+
+    def _abort_motion(self) -> None:
+        """Have the arm end its motion and stay powered (0x150 byte 1 = 6); wait until it rests."""
+        self._send(commands.trajectory_command(self._codec, TrajectoryCommand.ABORT))
+        self._await_rest()
+
+    def _await_rest(self) -> None:
+        self._since_s = self._context.clock()
+        self._stillness = Stillness()
+        self._phase = Phase.STOPPING
+
+    def _publish(self) -> None:
+        progress = self._snapshot(self._progress.reason if self._phase is Phase.FAILED else None)
+        if progress != self._progress:
+            self._progress = progress
+            self.progressed.emit(progress)
+
+    @property
+    def _codec(self) -> Codec:
+        return self._context.connection.codec
+
+    def _send(self, frames: Sequence[Frame]) -> bool:
+        """Send them; whether they are under way, or there was nothing to send."""
+        return not frames or self._context.connection.send(frames)
