@@ -1,4 +1,7 @@
-"""Paints the cells of the table of points and opens the right editor in each."""
+"""Opens the right editor in each cell of the table of points.
+
+It paints nothing: a delegate's painting in Python is called for every cell, time and again.
+"""
 
 from __future__ import annotations
 
@@ -14,18 +17,10 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QColor, QKeyEvent, QPainter, QPen
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QLineEdit,
-    QStyle,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
-    QWidget,
-)
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QLineEdit, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 from armui.trajectory.cells import VALUES, Column
-from armui.ui.theme import colors_of
 from armui.ui.trajectory.cell_editors import (
     CellEditor,
     GripperEditor,
@@ -33,14 +28,13 @@ from armui.ui.trajectory.cell_editors import (
     MoveEditor,
     TextEditor,
 )
-from armui.ui.trajectory.points_model import CURRENT_ROLE, FAULT_ROLE, PointsModel
+from armui.ui.trajectory.points_model import PointsModel
 
 _Index = QModelIndex | QPersistentModelIndex
 
 _LEAVING: Final = frozenset(
     {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Tab, Qt.Key.Key_Backtab}
 )
-_BAR_PX: Final = 3
 
 
 class PointDelegate(QStyledItemDelegate):
@@ -132,29 +126,3 @@ class PointDelegate(QStyledItemDelegate):
             editor.style().unpolish(editor)
             editor.style().polish(editor)
         return True
-
-    # Painting ---------------------------------------------------------------------------------
-
-    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: _Index) -> None:
-        """A cell; its row is lit while the arm is on its way there, or marked by the check."""
-        view = cast("QAbstractItemView", self.parent())
-        colors = colors_of(view)
-        cell: QRect = option.rect
-        fault = index.data(FAULT_ROLE)
-        if index.data(CURRENT_ROLE):
-            painter.fillRect(cell, QColor(colors.accent_pale))
-        elif fault is not None:
-            painter.fillRect(cell, QColor(colors.stop_pale if fault else colors.warn_pale))
-        super().paint(painter, option, index)
-        if index.data(CURRENT_ROLE) and index.column() == 0:
-            painter.fillRect(cell.adjusted(0, 0, _BAR_PX - cell.width(), 0), QColor(colors.accent))
-        if view.hasFocus() and index == view.currentIndex():
-            painter.save()
-            painter.setPen(QPen(QColor(colors.accent), 1))
-            painter.drawRect(cell.adjusted(0, 0, -1, -1))
-            painter.restore()
-
-    def initStyleOption(self, option: QStyleOptionViewItem, index: _Index) -> None:  # noqa: N802 - Qt
-        """Without the style's own focus mark."""
-        super().initStyleOption(option, index)
-        option.state &= ~QStyle.StateFlag.State_HasFocus

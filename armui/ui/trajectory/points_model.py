@@ -27,11 +27,6 @@ from armui.ui.trajectory.document import Document
 
 _Index = QModelIndex | QPersistentModelIndex
 
-CURRENT_ROLE: Final = Qt.ItemDataRole.UserRole
-"""Whether the arm is on its way to the row."""
-FAULT_ROLE: Final = Qt.ItemDataRole.UserRole + 1
-"""Whether the check has found an error in the row; ``None`` if nothing, ``False`` a warning."""
-
 ROWS_MIME: Final = "application/x-armui-rows"
 
 ToMove = Callable[[int, MoveMode], Waypoint | Refusal]
@@ -40,6 +35,20 @@ ToMove = Callable[[int, MoveMode], Waypoint | Refusal]
 _RIGHT: Final = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _LEFT: Final = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 _FIGURES: Final = frozenset({*VALUES, Column.SPEED, Column.DWELL})
+_COLUMNS: Final = tuple(Column)
+
+_FIXED: Final = (
+    Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsDragEnabled
+)
+_EDITABLE: Final = _FIXED | Qt.ItemFlag.ItemIsEditable
+
+_SHOWN: Final = int(Qt.ItemDataRole.DisplayRole)
+_EXACT: Final = int(Qt.ItemDataRole.EditRole)
+_ALIGNED: Final = int(Qt.ItemDataRole.TextAlignmentRole)
+_EXPLAINED: Final = int(Qt.ItemDataRole.ToolTipRole)
+_READ_OUT: Final = int(Qt.ItemDataRole.AccessibleTextRole)
+_ANSWERED: Final = frozenset({_SHOWN, _EXACT, _ALIGNED, _EXPLAINED, _READ_OUT})
+"""Qt asks each cell it paints for ten things; most of them are nothing to this table."""
 
 
 class PointsModel(QAbstractTableModel):
@@ -82,21 +91,15 @@ class PointsModel(QAbstractTableModel):
 
     def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """What a cell shows; exact under ``EditRole``."""
-        if not index.isValid():
+        if role not in _ANSWERED or not index.isValid():
             return None
-        row, column = index.row(), Column(index.column())
-        point = self._points[row]
-        if role in {Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole}:
-            return shown(point, column)
-        if role == Qt.ItemDataRole.EditRole:
-            return text_of(point, column)
-        if role == Qt.ItemDataRole.TextAlignmentRole:
+        column = _COLUMNS[index.column()]
+        if role == _ALIGNED:
             return _RIGHT if column in _FIGURES else _LEFT
-        if role == Qt.ItemDataRole.ToolTipRole:
-            return self._tip(point, column)
-        if role == CURRENT_ROLE:
-            return row == self._current
-        return self._faults.get(row) if role == FAULT_ROLE else None
+        point = self._points[index.row()]
+        if role == _EXACT:
+            return text_of(point, column)
+        return self._tip(point, column) if role == _EXPLAINED else shown(point, column)
 
     def _tip(self, point: Waypoint, column: Column) -> str:
         if column in VALUES:
@@ -138,12 +141,8 @@ class PointsModel(QAbstractTableModel):
         """What can be done with a cell."""
         if not index.isValid():
             return Qt.ItemFlag.ItemIsDropEnabled
-        flags = (
-            Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsDragEnabled
-        )
-        if editable(self._points[index.row()], Column(index.column())):
-            flags |= Qt.ItemFlag.ItemIsEditable
-        return flags
+        can_edit = editable(self._points[index.row()], _COLUMNS[index.column()])
+        return _EDITABLE if can_edit else _FIXED
 
     def setData(  # noqa: N802 - Qt's name
         self, index: _Index, value: Any, role: int = Qt.ItemDataRole.EditRole
@@ -230,6 +229,15 @@ class PointsModel(QAbstractTableModel):
             self.beginInsertRows(QModelIndex(), first, change.first + len(change.added) - 1)
             self._points = points
             self.endInsertRows()
+
+    @property
+    def current(self) -> int:
+        """The row the arm is on its way to; −1: none."""
+        return self._current
+
+    def fault(self, row: int) -> bool | None:
+        """Whether an error was found in a row; ``False``: a warning, ``None``: nothing."""
+        return self._faults.get(row)
 
     def show_current(self, row: int) -> None:
         """Light up the row the arm is on its way to; −1: none."""

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtCore import QItemSelection, QItemSelectionModel, QModelIndex, Qt, Signal
+from PySide6.QtCore import QItemSelection, QItemSelectionModel, QModelIndex, QRect, Qt, Signal
+from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QTableView, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.trajectory.cells import VALUES, Column
 from armui.ui import words
+from armui.ui.theme import colors_of
 from armui.ui.trajectory.point_delegate import PointDelegate
 from armui.ui.trajectory.points_model import PointsModel
 
 _ROW_PX: Final = 32
 _NOTE_PX: Final = 360
+_BAR_PX: Final = 3
 _WIDTHS_PX: Final = {
     Column.MOVE: 84,
     **dict.fromkeys((Column(place) for place in VALUES), 78),
@@ -109,6 +112,43 @@ class PointsTable(QTableView):
 
     def _on_current(self, current: QModelIndex, _previous: QModelIndex) -> None:
         self.row_chosen.emit(current.row())
+
+    # Painting ---------------------------------------------------------------------------------
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """The cells, over the colours of their rows, under the marks of the current ones."""
+        colors = colors_of(self)
+        lit = self._model.current
+        painter = QPainter(self.viewport())
+        for row in self._rows_within(event.rect().top(), event.rect().bottom()):
+            fault = self._model.fault(row)
+            if row == lit:
+                painter.fillRect(self._band(row), QColor(colors.accent_pale))
+            elif fault is not None:
+                pale = colors.stop_pale if fault else colors.warn_pale
+                painter.fillRect(self._band(row), QColor(pale))
+        painter.end()
+        super().paintEvent(event)
+        painter.begin(self.viewport())
+        if lit >= 0:
+            bar = self._band(lit)
+            bar.setWidth(_BAR_PX)
+            painter.fillRect(bar, QColor(colors.accent))
+        if self.hasFocus() and self.currentIndex().isValid():
+            painter.setPen(QColor(colors.accent))
+            painter.drawRect(self.visualRect(self.currentIndex()).adjusted(0, 0, -1, -1))
+        painter.end()
+
+    def _rows_within(self, top_px: int, bottom_px: int) -> range:
+        first, last = self.rowAt(top_px), self.rowAt(bottom_px)
+        if first < 0:
+            return range(0)
+        return range(first, self._model.rowCount() if last < 0 else last + 1)
+
+    def _band(self, row: int) -> QRect:
+        """Where a row is seen, from edge to edge."""
+        top, height = self.rowViewportPosition(row), self.rowHeight(row)
+        return QRect(0, top, self.viewport().width(), height)
 
     # What is wrong with a cell ----------------------------------------------------------------
 
