@@ -6,7 +6,7 @@ A draft is a trajectory in our text format; its header holds the name it belongs
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Container
+from collections.abc import Callable, Container
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -15,12 +15,15 @@ from typing import Final
 from armui.trajectory import files
 from armui.trajectory.atomic import sync_folder, write_whole
 from armui.trajectory.file_names import folded, free_stem
+from armui.trajectory.files import log_file
 from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.library_files import name_inside
 from armui.trajectory.library_index import Entry, Stamp
 from armui.trajectory.program import Trajectory
 
 _SUFFIX: Final = ".draft"
+_AT_A_STRETCH: Final = 100
+"""Lines, a millisecond's work."""
 
 
 class Drafts:
@@ -64,19 +67,30 @@ class Drafts:
                 self._known[path] = stamp, entry
         return [entry for _, entry in self._known.values()]
 
-    def save(self, content: Trajectory) -> None:
+    def save(self, content: Trajectory, rest: Callable[[], object] = lambda: None) -> None:
         """Write one in place of the last of that name.
+
+        Args:
+            content: What to write.
+            rest: Called every millisecond or so of the work, which lasts a tenth of a second for
+                10,000 points: whoever does it in the background leaves others room there.
 
         Raises:
             OSError: It was not written; the last one is as it was.
-            ValueError: It is not possible.
+            UnwritableError: It is not possible.
         """
+        lines = []
+        for count, line in enumerate(log_file.lines(content), start=1):
+            lines.append(line)
+            if count % _AT_A_STRETCH == 0:
+                rest()
+        self._folder.mkdir(parents=True, exist_ok=True)
         paths = self.paths()
         path = paths.get(content.name)
         if path is None:
             taken = {folded(other.stem) for other in paths.values()}
             path = self._folder / (free_stem(content.name, taken) + _SUFFIX)
-        write_whole(path, files.to_bytes(content, ".log"))
+        write_whole(path, "".join(lines).encode())
 
     def load(self, name: str) -> Trajectory | None:
         """One, if there is one.

@@ -19,7 +19,7 @@ from armui.trajectory import files
 from armui.trajectory.atomic import remove_abandoned, write_whole
 from armui.trajectory.drafts import Drafts, is_draft
 from armui.trajectory.file_names import file_stem, folded, free_stem
-from armui.trajectory.files import Content, TrajectoryFileError
+from armui.trajectory.files import Content, TrajectoryFileError, UnwritableError
 from armui.trajectory.files.errors import broken
 from armui.trajectory.library_bin import Bin, Deleted
 from armui.trajectory.library_errors import REFUSALS, LibraryError, on_disk
@@ -261,21 +261,25 @@ class Library:
 
     # Drafts ---------------------------------------------------------------------------------------
 
-    def save_draft(self, name: str, content: Trajectory) -> None:
-        """Keep the unsaved state of a trajectory through a crash.
+    def save_draft(
+        self, name: str, content: Trajectory, rest: Callable[[], object] = lambda: None
+    ) -> None:
+        """Keep the unsaved state of a trajectory through a crash; any thread may do so.
 
         Args:
             name: What it is called in the library, or will be.
             content: Its present state.
+            rest: Called every millisecond or so of the work.
 
         Raises:
             LibraryError: It is not possible, or the disk refuses.
         """
         content = replace(content, name=name, modified=self._now())
-        _verify(content)
         with on_disk("library_not_saved", name):
-            self._folder.mkdir(parents=True, exist_ok=True)
-            self._drafts.save(content)
+            try:
+                self._drafts.save(content, rest)
+            except UnwritableError as error:
+                raise LibraryError(error.reason, error.row) from error
 
     def draft(self, name: str) -> Trajectory | None:
         """The unsaved state of a trajectory, if there is one.

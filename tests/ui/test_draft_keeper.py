@@ -23,3 +23,38 @@ def test_a_draft_waits_for_a_pause_in_the_edits(qtbot, tmp_path):
         assert keeper._timer.remainingTime() > 500
     assert library.drafts() == []
     qtbot.waitUntil(lambda: library.drafts() == ["Test"])
+    keeper.write()
+
+
+def test_what_is_edited_while_a_draft_is_written_follows(qtbot, tmp_path):
+    library = Library(tmp_path)
+    document = Document(Trajectory("Test", points=(POINT,) * 2000))
+    keeper = DraftKeeper(document, library)
+    document.edit(document.points[1:], "edit")
+    keeper._write_behind()
+    document.edit(document.points[1:], "edit")
+    keeper._write_behind()
+    assert keeper._timer.isActive()
+    qtbot.waitUntil(lambda: len((library.draft("Test") or document).points) == 1998)
+    keeper.write()
+
+
+def test_no_draft_comes_after_it_was_given_up(tmp_path):
+    library = Library(tmp_path)
+    document = Document(Trajectory("Test", points=(POINT,) * 2000))
+    keeper = DraftKeeper(document, library)
+    document.edit(document.points[1:], "edit")
+    keeper._write_behind()
+    keeper.forget()
+    assert library.drafts() == []
+    assert not keeper._thread.is_alive()
+
+
+def test_the_disk_s_refusal_is_told(qtbot, tmp_path):
+    (tmp_path / "file").touch()
+    document = Document(Trajectory("Test", points=(POINT,)))
+    keeper = DraftKeeper(document, Library(tmp_path / "file"))
+    document.edit((), "edit")
+    with qtbot.waitSignal(keeper.failed) as failed:
+        keeper._write_behind()
+    assert failed.args[0].refusal.code == "library_not_saved"

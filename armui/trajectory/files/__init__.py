@@ -9,7 +9,7 @@ from typing import Final
 
 from armui.trajectory.files import csv_file, json_file, log_file, maker_csv, npz_file
 from armui.trajectory.files.errors import TrajectoryFileError, broken
-from armui.trajectory.files.model import LARGEST_BYTES, Content
+from armui.trajectory.files.model import LARGEST_BYTES, Content, UnwritableError
 from armui.trajectory.files.text import decode
 from armui.trajectory.recording import Recording
 
@@ -17,6 +17,7 @@ __all__ = [
     "SUFFIXES",
     "Content",
     "TrajectoryFileError",
+    "UnwritableError",
     "import_files",
     "is_ours",
     "load",
@@ -47,7 +48,8 @@ def to_bytes(content: Content, suffix: str) -> bytes:
         suffix: One of :data:`SUFFIXES`; for a recording also ``.npz``.
 
     Raises:
-        ValueError: It is not possible, or the format is none.
+        UnwritableError: It is not possible.
+        ValueError: There is no such format for it.
     """
     if suffix == ".npz" and isinstance(content, Recording):
         return npz_file.write(content)

@@ -42,7 +42,7 @@ def write(content: Content) -> str:
     """A trajectory or recording as text.
 
     Raises:
-        ValueError: It is not possible; see `program.check_trajectory`.
+        UnwritableError: It is not possible.
     """
     verify(content)
     stream = io.StringIO(newline="")

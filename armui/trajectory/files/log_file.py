@@ -8,13 +8,22 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any, Final
 
 from armui.trajectory.files.errors import TrajectoryFileError, broken
 from armui.trajectory.files.log_points import read_point, read_text, write_point
 from armui.trajectory.files.log_samples import read_samples, write_samples
-from armui.trajectory.files.model import VERSION, Content, parse_time, verified, verify
-from armui.trajectory.program import Trajectory, Waypoint
+from armui.trajectory.files.model import (
+    VERSION,
+    Content,
+    UnwritableError,
+    parse_time,
+    verified,
+    verify,
+)
+from armui.trajectory.program import Trajectory, Waypoint, check_point
 
 _FIRST: Final = re.compile(r"armui (trajectory|recording) (\d{1,9})\s*")
 _ENTRY: Final = re.compile(r"([A-Za-z]\w*):[ \t]*(.*?)[ \t]*")
@@ -45,21 +54,41 @@ def write(content: Content) -> str:
     """A trajectory or recording as text.
 
     Raises:
-        ValueError: It is not possible; see `program.check_trajectory`.
+        UnwritableError: It is not possible.
     """
-    verify(content)
-    kind = "trajectory" if isinstance(content, Trajectory) else "recording"
-    lines = [f"armui {kind} {VERSION}", f"name: {_text(content.name)}"]
-    if content.note:
-        lines.append(f"note: {_text(content.note)}")
-    lines += [f"modified: {content.modified.isoformat()}", ""]
     if isinstance(content, Trajectory):
-        for point in content.points:
-            lines += [f"#{comment}" for comment in point.comments]
-            lines.append(write_point(point))
-        lines += [f"#{comment}" for comment in content.closing]
-        return "\n".join(lines) + "\n"
-    return "\n".join(lines) + "\n" + write_samples(content.samples)
+        return "".join(lines(content))
+    verify(content)
+    return "".join(_header(content)) + write_samples(content.samples)
+
+
+def lines(trajectory: Trajectory) -> Iterator[str]:
+    """A trajectory as text, point by point: its writer may rest between them.
+
+    Yields:
+        Lines, their ends included; several at once where they belong together.
+
+    Raises:
+        UnwritableError: It is not possible; what was yielded before is of no use then.
+    """
+    verify(replace(trajectory, points=()))
+    yield from _header(trajectory)
+    for row, point in enumerate(trajectory.points, start=1):
+        reason = check_point(point)
+        if reason is not None:
+            raise UnwritableError(trajectory.name, row, reason)
+        yield "".join(f"#{comment}\n" for comment in point.comments) + write_point(point) + "\n"
+    for comment in trajectory.closing:
+        yield f"#{comment}\n"
+
+
+def _header(content: Content) -> Iterator[str]:
+    kind = "trajectory" if isinstance(content, Trajectory) else "recording"
+    yield f"armui {kind} {VERSION}\n"
+    yield f"name: {_text(content.name)}\n"
+    if content.note:
+        yield f"note: {_text(content.note)}\n"
+    yield f"modified: {content.modified.isoformat()}\n\n"
 
 
 def read(text: str, name: str) -> Content:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from datetime import UTC, datetime
 from typing import Final
 
+from armui.arm.refusal import Refusal
 from armui.trajectory.files.errors import TrajectoryFileError, broken
 from armui.trajectory.program import Trajectory, Waypoint, check_point, check_trajectory
 from armui.trajectory.recording import Recording, check_recording
@@ -19,18 +20,31 @@ VERSION: Final = 1
 LARGEST_BYTES: Final = 256 * 1024 * 1024
 
 
+class UnwritableError(ValueError):
+    """No file can hold it.
+
+    Attributes:
+        row: The point or sample to blame, from 1; 0 where it is the whole.
+        reason: Why.
+    """
+
+    def __init__(self, name: str, row: int, reason: Refusal) -> None:
+        super().__init__(f"{name!r} cannot be kept: row {row}, {reason}")
+        self.row = row
+        self.reason = reason
+
+
 def verify(content: Content) -> None:
     """Makes sure before writing that what is written can be read again.
 
     Raises:
-        ValueError: It could not, with the row and the reason.
+        UnwritableError: It could not.
     """
     found = (
         check_trajectory(content) if isinstance(content, Trajectory) else check_recording(content)
     )
     if found is not None:
-        row, reason = found
-        raise ValueError(f"{content.name!r} cannot be kept: row {row}, {reason}")
+        raise UnwritableError(content.name, *found)
 
 
 def verified(content: Content, lines: Sequence[int] = ()) -> Content:

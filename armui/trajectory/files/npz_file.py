@@ -26,7 +26,7 @@ def write(recording: Recording) -> bytes:
     """A recording as the bytes of an archive, uncompressed.
 
     Raises:
-        ValueError: It is not possible; see `recording.check_recording`.
+        UnwritableError: It is not possible.
     """
     verify(recording)
     header = json.dumps(
