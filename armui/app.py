@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QApplication
 
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.control.arm_controller import ArmController
+from armui.helper_process import HelperProcess
 from armui.protocol.generation import Generation
 from armui.settings import Choices, Settings, SettingsStore, default_path
 from armui.start import StartOptions
@@ -25,6 +26,8 @@ from armui.ui.widgets.stop_shortcut import StopShortcut
 from armui.viewport.view import ArmView
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     import can
 
 _SWITCH_INTERVAL_S: Final = 0.0005
@@ -42,6 +45,7 @@ class Program:
         app: Qt's application.
         store: The operator's settings.
         controller: Who speaks to the arm.
+        workers: Who does what takes long; ended with the program.
         trajectories: The folder of the library; the user's own by default.
 
     Attributes:
@@ -53,6 +57,7 @@ class Program:
         app: QApplication,
         store: SettingsStore,
         controller: ArmController,
+        workers: Executor,
         trajectories: Path | None = None,
     ) -> None:
         self._app = app
@@ -61,8 +66,9 @@ class Program:
         self._translator.set_language(settings.language)
         apply_theme(app, Theme(settings.theme))
         self.controller = controller
+        self._workers = workers
         self.view = ArmView(Path(settings.urdf_path) if settings.urdf_path else None)
-        self.window = MainWindow(self.controller, self.view, store, trajectories)
+        self.window = MainWindow(self.controller, self.view, store, workers, trajectories)
         self._stop_shortcut = StopShortcut(app, self.controller)
         self._unsubscribe = store.subscribe(self._on_settings_changed)
 
@@ -71,6 +77,7 @@ class Program:
         self._unsubscribe()
         self._app.removeEventFilter(self._stop_shortcut)
         self.controller.shutdown()
+        self._workers.shutdown()
         self.view.shutdown()
 
     def connect_when_drawn(self, device: Device) -> None:
@@ -106,7 +113,7 @@ def run(options: StartOptions) -> int:
     app = QApplication(sys.argv[:1])
     chosen: Choices = {} if options.language is None else {"language": options.language}
     store = SettingsStore(default_path(), for_this_run=chosen)
-    program = Program(app, store, ArmController(open_device, SIMULATED))
+    program = Program(app, store, ArmController(open_device, SIMULATED), HelperProcess())
     app.aboutToQuit.connect(program.shutdown)
     # What the program was built from is no garbage: searching it over and over would stop every
     # thread, the stop's too, for tens of milliseconds at a time.

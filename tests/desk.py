@@ -1,5 +1,6 @@
 """The whole program on the bench, in the hands of an operator who clicks and reads."""
 
+from concurrent.futures import Executor, Future
 from pathlib import Path
 
 from PySide6.QtCore import QEventLoop, QPoint, Qt, QTimer
@@ -14,8 +15,27 @@ from armui.ui.dialogs.connect import ConnectDialog
 from tests.bench import TIMEOUT_MS, Bench
 
 
+class AtOnce(Executor):
+    """Does everything while it is being asked: nothing to wait for."""
+
+    def submit(self, fn, /, *args, **kwargs):
+        done = Future()
+        try:
+            done.set_result(fn(*args, **kwargs))
+        except Exception as error:  # noqa: BLE001 - whatever it is, it is in the answer
+            done.set_exception(error)
+        return done
+
+
 class Desk(Bench):
     """A bench with the main window on it.
+
+    Args:
+        app: Qt's application.
+        channel: Of the virtual bus, this desk's alone.
+        settings: The file of the operator's settings; the library lies beside it.
+        generation: Of the simulated arm's protocol.
+        workers: Who does what takes long; whoever asks does it by default.
 
     Attributes:
         program: The program, wired as it is for the operator.
@@ -24,12 +44,19 @@ class Desk(Bench):
     """
 
     def __init__(
-        self, app: QApplication, channel: str, settings: Path, generation: Generation
+        self,
+        app: QApplication,
+        channel: str,
+        settings: Path,
+        generation: Generation,
+        workers: Executor | None = None,
     ) -> None:
         super().__init__(channel, generation)
         self.store = SettingsStore(settings, for_this_run={"language": "en"})
         self.library_folder = settings.parent / "trajectories"
-        self.program = Program(app, self.store, self.controller, self.library_folder)
+        self.program = Program(
+            app, self.store, self.controller, workers or AtOnce(), self.library_folder
+        )
         self.window = self.program.window
         self.window.resize(1280, 800)
         self.window.show()

@@ -126,6 +126,10 @@ class Kinematics:
             degrees=True,
         )
 
+    def __reduce__(self) -> tuple[type[Kinematics], tuple[Geometry]]:
+        """To another process goes what it is made from: the library's part cannot."""
+        return Kinematics, (self.geometry,)
+
     def matrix(self, joints_deg: Sequence[float]) -> Matrix:
         """The flange's 4×4 transform in the base frame, lengths in mm."""
         return np.array((*self._flange(joints_deg), 0.0, 0.0, 0.0, 1.0)).reshape(4, 4)

@@ -156,6 +156,9 @@ REFUSALS: Final = frozenset(
         "generation_unknown",
         "no_rows_chosen",
         "findings_against",  # count
+        "check_failed",  # text
+        "moved_since_check",  # value
+        "limits_changed_since_check",
         "not_running",
         "not_paused",
         "run_empty",  # name

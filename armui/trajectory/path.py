@@ -59,6 +59,11 @@ class Path:
         one, other = self.joints_deg[after - 1], self.joints_deg[after]
         return tuple((one + share * (other - one)).tolist())
 
+    def ends(self) -> dict[int, int]:
+        """The index of the last sample of each row."""
+        lasts = np.flatnonzero(np.diff(self.rows, append=-1))
+        return dict(zip(self.rows[lasts].tolist(), lasts.tolist(), strict=True))
+
     def row_at(self, t_s: float) -> int:
         """The index of the point under way so long after the start."""
         index = int(np.searchsorted(self.times_s, t_s, side="left"))

@@ -38,6 +38,8 @@ from armui.ui.widgets.view_region import ViewRegion
 from armui.viewport import palette as scene_palette
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     from PySide6.QtWidgets import QDialog
 
     from armui.control.arm_controller import ArmController
@@ -55,6 +57,7 @@ class MainWindow(QMainWindow):
         controller: Whom the regions tell, and who tells them.
         view: The 3D picture.
         preferences: What the operator chose; changes reach the window at once.
+        workers: Who does what takes long.
         trajectories: The folder of the library; the user's own by default.
     """
 
@@ -63,12 +66,14 @@ class MainWindow(QMainWindow):
         controller: ArmController,
         view: ArmView,
         preferences: SettingsStore,
+        workers: Executor,
         trajectories: Path | None = None,
     ) -> None:
         super().__init__()
         self._controller = controller
         self._view = view
         self._preferences = preferences
+        self._workers = workers
         self._trajectories = trajectories
         self._settings = preferences.settings
         self._dialogs: dict[str, QDialog] = {}
@@ -222,10 +227,13 @@ class MainWindow(QMainWindow):
             from armui import paths  # noqa: PLC0415 - faster start
             from armui.trajectory.library import Library  # noqa: PLC0415 - numpy, faster start
             from armui.ui.trajectory.library_window import LibraryWindow  # noqa: PLC0415 - as above
+            from armui.ui.trajectory.preflight import Checks  # noqa: PLC0415 - as above
             from armui.ui.trajectory.preview_link import PreviewLink  # noqa: PLC0415 - as above
 
             library = Library(self._trajectories or paths.trajectories())
-            window = LibraryWindow(self._controller, library, self)
+            checks = Checks(self._controller, self._workers, self)
+            checks.get_ready()
+            window = LibraryWindow(self._controller, checks, library, self)
             link = PreviewLink(window, self._preview)
             self._view.mark_picked.connect(link.on_mark_picked)
             return window

@@ -29,9 +29,11 @@ from pathlib import Path
 from PySide6.QtWidgets import QApplication
 from armui.app import Program, SIMULATED, open_device
 from armui.control.arm_controller import ArmController
+from armui.helper_process import HelperProcess
 from armui.settings import SettingsStore
 app = QApplication([])
-program = Program(app, SettingsStore(Path(sys.argv[1])), ArmController(open_device, SIMULATED))
+controller = ArmController(open_device, SIMULATED)
+program = Program(app, SettingsStore(Path(sys.argv[1])), controller, HelperProcess())
 program.window.resize(1280, 800)
 program.window.show()
 app.processEvents()

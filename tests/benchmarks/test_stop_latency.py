@@ -23,6 +23,7 @@ from PySide6.QtWidgets import QApplication, QPushButton
 from armui.app import _SWITCH_INTERVAL_S, Program
 from armui.arm.device import Device
 from armui.control.arm_controller import ArmController
+from armui.helper_process import HelperProcess
 from armui.protocol import commands
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
@@ -115,7 +116,7 @@ def test_stop_latency(qapp, tmp_path, capsys, benchmark):
     firmware = DeafToStops(Generation.TWO)
     sent_s, handled_s = [], []
     controller = ArmController(lambda _device: TimedBus(sent_s.append))
-    program = Program(qapp, SettingsStore(tmp_path / "settings.json"), controller)
+    program = Program(qapp, SettingsStore(tmp_path / "settings.json"), controller, HelperProcess())
     program.view.first_frame_shown.connect(gc.freeze)  # as the program itself does
     program.window.resize(1520, 800)  # leaves 900×700 and a little more to the picture
     program.window.show()

@@ -7,6 +7,8 @@ from PySide6.QtWidgets import QComboBox, QWidget
 from armui.trajectory.cells import Column
 from armui.ui.trajectory.editor_window import EditorWindow
 from armui.ui.trajectory.leave_question import LeaveQuestion
+from armui.ui.trajectory.preflight import Checks
+from tests.desk import AtOnce
 from tests.operator_editor.hands import CTRL, notes
 
 # Find and replace ---------------------------------------------------------------------------------
@@ -76,9 +78,10 @@ def test_changes_survive_a_crash(editor):
     # the program is gone without a word: another one opens the same folder
     again = EditorWindow(
         editor.desk.controller,
+        Checks(editor.desk.controller, AtOnce()),
         editor.library,
         editor.library.load("Test"),
-        editor.library.draft("Test"),
+        draft=editor.library.draft("Test"),
     )
     assert again.document.points[0].dwell_s == 2.0
     assert "were not saved" in again.findChild(QWidget, "editor_message").text()

@@ -27,6 +27,7 @@ from armui.ui.panels.motion_panel import MotionPanel
 from armui.ui.theme import LIGHT, Theme, apply_theme
 from armui.ui.translation import Translator
 from armui.viewport import palette
+from tests.desk import AtOnce
 from tests.ui.conftest import FakeView, arm_state, situation
 from tests.ui.dialog_reading import message
 
@@ -103,7 +104,7 @@ def view():
 
 @pytest.fixture
 def window(qtbot, controller, view, store):
-    window = MainWindow(controller, view, store)
+    window = MainWindow(controller, view, store, AtOnce())
     qtbot.addWidget(window, before_close_func=lambda window: setattr(window, "_may_close", True))
     window.resize(1280, 800)
     window.show()

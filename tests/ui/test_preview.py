@@ -5,23 +5,22 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QPushButton
 
+from armui.trajectory.path import Path
 from armui.ui.trajectory.path_preview import PathPreview
 from armui.ui.trajectory.preview_bar import PreviewBar
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.viewport.path_picture import NOTHING
 
 
-class Plan:
+def plan():
     """Joint 1 turns by 10° in each of two seconds; a point after each."""
-
-    times_s = np.linspace(0.0, 2.0, 21)
-    places_mm = np.column_stack([np.linspace(0.0, 200.0, 21), np.zeros(21), np.zeros(21)])
-    speeds_mm_s = np.full(21, 100.0)
-    rows = np.repeat([0, 1], [11, 10])
-    duration_s = 2.0
-
-    def at(self, t_s):
-        return (10.0 * t_s, 0.0, 0.0, 0.0, 0.0, 0.0)
+    return Path(
+        times_s=np.linspace(0.0, 2.0, 21),
+        joints_deg=np.outer(np.linspace(0.0, 20.0, 21), (1.0, 0.0, 0.0, 0.0, 0.0, 0.0)),
+        places_mm=np.outer(np.linspace(0.0, 200.0, 21), (1.0, 0.0, 0.0)),
+        speeds_mm_s=np.full(21, 100.0),
+        rows=np.repeat([0, 1], [11, 10]),
+    )
 
 
 class View:
@@ -51,7 +50,7 @@ def preview(view, bar):
 
 def test_a_path_is_shown_with_its_points_and_a_ghost_at_the_beginning(preview, view, bar):
     assert not bar.isVisible()
-    preview.show(Plan(), frozenset({1}))
+    preview.show(plan(), frozenset({1}))
     assert bar.isVisible()
     assert view.shown.ghost_deg == (0.0,) * 6
     path = view.shown.path
@@ -60,7 +59,7 @@ def test_a_path_is_shown_with_its_points_and_a_ghost_at_the_beginning(preview, v
 
 
 def test_the_slider_moves_the_ghost(preview, view, bar, qtbot):
-    preview.show(Plan())
+    preview.show(plan())
     slider = bar.findChild(TrackSlider, "preview_slider")
     for _ in range(5):
         qtbot.keyClick(slider, Qt.Key.Key_Right)
@@ -69,7 +68,7 @@ def test_the_slider_moves_the_ghost(preview, view, bar, qtbot):
 
 
 def test_a_selected_row_brings_the_ghost_to_its_point(preview, view, bar):
-    preview.show(Plan())
+    preview.show(plan())
     preview.select_row(0)
     assert view.shown.selected_row == 0
     assert bar.time_s == pytest.approx(1.0)
@@ -77,7 +76,7 @@ def test_a_selected_row_brings_the_ghost_to_its_point(preview, view, bar):
 
 
 def test_play_runs_to_the_end_and_stops_there(preview, view, bar, qtbot):
-    preview.show(Plan())
+    preview.show(plan())
     bar.go_to(1.9)
     play = bar.findChild(QPushButton, "preview_play")
     qtbot.mouseClick(play, Qt.MouseButton.LeftButton)
@@ -88,11 +87,11 @@ def test_play_runs_to_the_end_and_stops_there(preview, view, bar, qtbot):
 
 
 def test_closing_takes_all_of_it_away(preview, view, bar, qtbot):
-    preview.show(Plan())
+    preview.show(plan())
     with qtbot.waitSignal(preview.closed):
         qtbot.mouseClick(bar.findChild(QPushButton, "preview_close"), Qt.MouseButton.LeftButton)
     assert view.shown == NOTHING
     assert not bar.isVisible()
-    preview.show(Plan())
+    preview.show(plan())
     preview.show(None)
     assert view.shown == NOTHING

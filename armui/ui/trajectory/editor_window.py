@@ -29,7 +29,7 @@ from armui.ui.trajectory.leave_question import LeaveQuestion
 from armui.ui.trajectory.point_edits import Outcome, PointEdits
 from armui.ui.trajectory.points_model import PointsModel
 from armui.ui.trajectory.points_table import PointsTable
-from armui.ui.trajectory.preflight import Preflight
+from armui.ui.trajectory.preflight import Checks, Preflight
 from armui.ui.trajectory.run_strip import RunStrip
 from armui.ui.widgets.message_line import MessageLine
 
@@ -46,6 +46,7 @@ class EditorWindow(ArmDialog):
 
     Args:
         controller: Knows where the arm is, moves it and runs what is edited.
+        checks: Checks what is edited.
         library: Where the trajectory is kept.
         trajectory: As it is kept.
         draft: Changes of it that an earlier run of the program could not save.
@@ -66,8 +67,10 @@ class EditorWindow(ArmDialog):
     def __init__(
         self,
         controller: ArmController,
+        checks: Checks,
         library: Library,
         trajectory: Trajectory,
+        *,
         draft: Trajectory | None = None,
         parent: QWidget | None = None,
     ) -> None:
@@ -85,7 +88,7 @@ class EditorWindow(ArmDialog):
         self._message = MessageLine()
         self._message.setObjectName("editor_message")
         self._findings = FindingsPane()
-        self._strip = RunStrip(controller, self.document.trajectory)
+        self._strip = RunStrip(controller, checks, self.document.trajectory)
         self._actions = EditorActions(self, self.table, self._handlers())
         self._lay_out()
         self._connect()
@@ -222,6 +225,7 @@ class EditorWindow(ArmDialog):
     def _on_points(self, _change: Change) -> None:
         """What was found and planned was of other points."""
         self._findings.clear()
+        self._strip.drop_check()
         self._strip.show_content(len(self.document.points))
         self.preview_wanted.emit(None)
 
@@ -234,7 +238,7 @@ class EditorWindow(ArmDialog):
                 faults[finding.row] = faults.get(finding.row, False) or error
         self.model.show_faults(faults)
         if self.document.saved:
-            length_s = sum(checked.expected_s)
+            length_s = sum(checked.outcome.expected_s)
             self._library.mark(self.document.name, check=checked.mark, length_s=length_s)
             self.saved.emit()
         self._say("")

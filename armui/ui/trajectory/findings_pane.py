@@ -71,8 +71,7 @@ class FindingsPane(QWidget):
 
         Args:
             checked: How it ended.
-            accept: What is waiting for the operator to accept the warnings; with errors nothing
-                can.
+            accept: What is waiting for the operator to agree; with errors nothing can.
         """
         self._checked = checked
         self._accept = accept if not checked.errors else None
@@ -104,6 +103,9 @@ class FindingsPane(QWidget):
         self._list.setFixedHeight(max(0, min(_TALLEST_PX, lines)))
         self._list.setVisible(bool(checked.findings))
         self.accept_button.setVisible(self._accept is not None)
+        self.accept_button.setText(
+            self.tr("Accept the warnings and run") if checked.findings else self.tr("Run now")
+        )
 
     def _item(self, finding: Finding) -> QListWidgetItem:
         error = finding.severity is Severity.ERROR
@@ -130,7 +132,6 @@ class FindingsPane(QWidget):
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
-        self.accept_button.setText(self.tr("Accept the warnings and run"))
         self._close_button.setText(self.tr("Close"))
         self._fill()
 

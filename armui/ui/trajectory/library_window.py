@@ -34,7 +34,7 @@ from armui.ui.trajectory.library_model import (
     LibraryModel,
 )
 from armui.ui.trajectory.library_table import LibraryTable
-from armui.ui.trajectory.preflight import Preflight
+from armui.ui.trajectory.preflight import Checks, Preflight
 from armui.ui.trajectory.recording_window import RecordingWindow
 from armui.ui.trajectory.run_strip import RunStrip
 from armui.ui.widgets.message_line import MessageLine
@@ -51,6 +51,7 @@ class LibraryWindow(ArmDialog):
 
     Args:
         controller: Runs trajectories, and knows where the arm is.
+        checks: Checks what is to be run.
         library: What is listed.
         parent: The main window.
 
@@ -64,10 +65,15 @@ class LibraryWindow(ArmDialog):
     preview_wanted = Signal(object)
 
     def __init__(
-        self, controller: ArmController, library: Library, parent: QWidget | None = None
+        self,
+        controller: ArmController,
+        checks: Checks,
+        library: Library,
+        parent: QWidget | None = None,
     ) -> None:
         super().__init__(controller, parent)
         self._controller = controller
+        self._checks = checks
         self._library = library
         self._editors: dict[str, EditorWindow] = {}
         self._recorder: RecordingWindow | None = None
@@ -90,7 +96,7 @@ class LibraryWindow(ArmDialog):
         self._exchange = LibraryExchange(controller, library, self)
         self._export_menu = QMenu(self)
         self._findings = FindingsPane()
-        self._strip = RunStrip(controller, self._to_run)
+        self._strip = RunStrip(controller, checks, self._to_run)
         self._lay_out()
         self._connect()
         self.retranslate_ui()
@@ -168,6 +174,8 @@ class LibraryWindow(ArmDialog):
             self._say(words.refusal(error.refusal), Level.FAULT)
             return
         self._table.choose(names)
+        if not self.chosen():
+            self._strip.drop_check()
 
     def chosen(self) -> list[Entry]:
         """The chosen entries, from top to bottom."""
@@ -182,6 +190,8 @@ class LibraryWindow(ArmDialog):
         one = self.chosen()[0] if count == 1 else None
         recording = one is not None and one.kind == "recording"
         self._strip.show_content(0 if one is None else one.count, recording=recording)
+        if count:  # while the list is made anew, nothing is chosen for a moment
+            self._strip.drop_check(but="" if one is None else one.name)
         self._findings.clear()
         missing = self.tr("Choose a trajectory in the list first")
         for name in ("delete", "export", "duplicate", "rename"):
@@ -233,7 +243,12 @@ class LibraryWindow(ArmDialog):
             draft = None
             self._say(words.file_error(error), Level.WARNING)
         editor = EditorWindow(
-            self._controller, self._library, trajectory, draft, self.parentWidget()
+            self._controller,
+            self._checks,
+            self._library,
+            trajectory,
+            draft=draft,
+            parent=self.parentWidget(),
         )
         self._editors[trajectory.name] = editor
         self.editor_opened.emit(editor)
@@ -258,7 +273,7 @@ class LibraryWindow(ArmDialog):
 
     def _show_check(self, checked: Preflight, accept: Callable[[], object] | None) -> None:
         name = checked.content.name
-        length_s = checked.path.duration_s if checked.speed_factor == 1.0 else None
+        length_s = checked.path.duration_s if checked.order.speed_factor == 1.0 else None
         if not self._attempt(
             lambda: self._library.mark(name, check=checked.mark, length_s=length_s)
         ):
@@ -266,7 +281,7 @@ class LibraryWindow(ArmDialog):
         self.refresh()
         self._say("")
         self._findings.show_check(checked, accept)
-        self._findings.setVisible(bool(checked.findings))
+        self._findings.setVisible(bool(checked.findings) or accept is not None)
         self.preview_wanted.emit(checked)
 
     def _on_progress(self, progress: Progress) -> None:

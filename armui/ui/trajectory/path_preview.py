@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Protocol
 
@@ -39,6 +38,7 @@ class PathPreview(QObject):
         self._view = view
         self._bar = bar
         self._path: Path | None = None
+        self._ends: dict[int, int] = {}
         self._shown = NOTHING
         bar.time_changed.connect(self._on_time)
         bar.closed.connect(self._on_closed)
@@ -46,16 +46,16 @@ class PathPreview(QObject):
     def show(self, path: Path | None, bad_rows: frozenset[int] = frozenset()) -> None:
         """Show a path; ``None`` takes the preview away."""
         self._path = path
+        self._ends = {} if path is None else path.ends()
         if path is None or path.duration_s <= 0.0:
             self._bar.shut()
             self._set(NOTHING)
             return
-        ends = _last_of_each(path.rows)
         picture = PathPicture(
             path.places_mm,
             path.speeds_mm_s,
-            path.places_mm[list(ends.values())],
-            tuple(ends),
+            path.places_mm[list(self._ends.values())],
+            tuple(self._ends),
             bad_rows,
         )
         self._shown = Preview(picture, self._shown.selected_row, tuple(path.at(0.0)))
@@ -67,9 +67,8 @@ class PathPreview(QObject):
         if self._path is None:
             return
         self._set(replace(self._shown, selected_row=row))
-        ends = _last_of_each(self._path.rows)
-        if row in ends:
-            self._bar.go_to(float(self._path.times_s[ends[row]]))
+        if row in self._ends:
+            self._bar.go_to(float(self._path.times_s[self._ends[row]]))
 
     def _on_time(self, time_s: float) -> None:
         if self._path is not None:
@@ -82,8 +81,3 @@ class PathPreview(QObject):
     def _set(self, preview: Preview) -> None:
         self._shown = preview
         self._view.set_preview(preview)
-
-
-def _last_of_each(rows: Iterable[int]) -> dict[int, int]:
-    """The index of the last sample of each row."""
-    return {int(row): index for index, row in enumerate(rows)}

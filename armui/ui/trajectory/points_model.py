@@ -252,10 +252,12 @@ class PointsModel(QAbstractTableModel):
             self._redraw(rows)
 
     def _redraw(self, rows: Iterable[int]) -> None:
-        for row in rows:
-            if 0 <= row < len(self._points):
-                self.dataChanged.emit(self.index(row, 0), self.index(row, len(Column) - 1))
-                self.headerDataChanged.emit(Qt.Orientation.Vertical, row, row)
+        """Rows look otherwise; told as one stretch, since there may be ten thousand of them."""
+        there = [row for row in rows if 0 <= row < len(self._points)]
+        if there:
+            first, last = min(there), max(there)
+            self.dataChanged.emit(self.index(first, 0), self.index(last, len(Column) - 1))
+            self.headerDataChanged.emit(Qt.Orientation.Vertical, first, last)
 
     def retranslate(self) -> None:
         """Titles in another language."""

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QShowEvent
+from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -22,10 +23,11 @@ from PySide6.QtWidgets import (
 
 from armui.arm.refusal import Refusal
 from armui.control.run import ENDLESS, Phase, Progress
+from armui.control.situation import StopState
 from armui.trajectory.files import Content
 from armui.trajectory.recording import Recording
 from armui.ui import words
-from armui.ui.trajectory.preflight import Preflight, preflight
+from armui.ui.trajectory.preflight import CheckJob, Checks, Preflight
 from armui.ui.trajectory.runner import Runner, RunOptions, can_go_on, can_pause, ended_early
 from armui.ui.trajectory.text import duration
 
@@ -39,6 +41,8 @@ _FASTEST_PERCENT: Final = 200
 _SPIN_PX: Final = 34
 _STEPS: Final = 1000
 """Of the progress bar."""
+_SURPRISING_S: Final = 2.0
+"""Nobody expects the arm to move so long after the button was pressed."""
 
 
 class RunStrip(QWidget):
@@ -46,11 +50,12 @@ class RunStrip(QWidget):
 
     Args:
         controller: Runs it.
+        checks: Checks it before.
         content: What would be run now; ``None`` if nothing is chosen.
 
     Signals:
-        checked: A :class:`Preflight` and, if it found nothing but warnings, what runs it all the
-            same; else ``None``.
+        checked: A :class:`Preflight` and, if the operator has to agree to the run, what begins it;
+            else ``None``.
         refused: A :class:`Refusal`.
         progressed: A :class:`Progress`.
     """
@@ -62,19 +67,23 @@ class RunStrip(QWidget):
     def __init__(
         self,
         controller: ArmController,
+        checks: Checks,
         content: Callable[[], Content | None],
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
         self._controller = controller
+        self._checks = checks
         self._content = content
+        self._job: CheckJob | None = None
+        self._about_to_run = False
         self._runner = Runner(controller, self)
         self._again: RunOptions | None = None
         self._make_widgets()
         self._lay_out()
         self._send.clicked.connect(self._on_send)
         self._pause.clicked.connect(self._on_pause)
-        self._stop.clicked.connect(self._runner.stop)
+        self._stop.clicked.connect(self._on_stop)
         self._resume.clicked.connect(self._on_resume)
         self._laps.currentIndexChanged.connect(self._show_usable)
         self._runner.progressed.connect(self._on_progress)
@@ -143,15 +152,42 @@ class RunStrip(QWidget):
         """Let the next run begin with a row."""
         self._first.setValue(row + 1)
 
-    def check(self, options: RunOptions | None = None) -> Preflight | None:
-        """Check what would be run, as the operator wants it or with other options."""
+    def check(self) -> None:
+        """Check what would be run; :attr:`checked` tells how it ended."""
+        self._check(self._options(), lambda checked: self.checked.emit(checked, None))
+
+    def drop_check(self, but: str = "") -> None:
+        """What is being checked is so no more, or not wanted: nothing comes of it, no run either.
+
+        Args:
+            but: The name of what may go on being checked.
+        """
+        if self._job is not None and self._job.order.content.name != but:
+            self._job.wanted = False
+            self._job = None
+            self._about_to_run = False
+            self._show_progress(self._runner.progress)
+
+    def _check(self, options: RunOptions, then: Callable[[Preflight], object]) -> None:
+        self.drop_check()
         content = self._content()
         if content is None:
             self.refused.emit(Refusal("no_rows_chosen"))
-            return None
-        checked = preflight(self._controller, content, options or self._options())
-        self.checked.emit(checked, None)
-        return checked
+            return
+        self._job = self._checks.job(content, options, partial(self._on_checked, then))
+        self._checks.start(self._job)
+        self._show_progress(self._runner.progress)
+
+    def _on_checked(
+        self, then: Callable[[Preflight], object], checked: Preflight | Refusal
+    ) -> None:
+        self._job = None
+        self._about_to_run = False
+        self._show_progress(self._runner.progress)
+        if isinstance(checked, Refusal):
+            self.refused.emit(checked)
+        else:
+            then(checked)
 
     def _options(self) -> RunOptions:
         recording = isinstance(self._content(), Recording)
@@ -176,21 +212,30 @@ class RunStrip(QWidget):
         if refusal is not None:
             self.refused.emit(refusal)
             return
-        checked = self.check(options)
-        if checked is None:
-            return
+        self._check(options, partial(self._run_checked, options))
+        self._about_to_run = self._job is not None
+
+    def _run_checked(self, options: RunOptions, checked: Preflight) -> None:
         if checked.errors:
+            self.checked.emit(checked, None)
             self.refused.emit(Refusal("findings_against", {"count": checked.errors}))
-        elif checked.findings:
+        elif checked.findings or checked.took_s > _SURPRISING_S:
             self.checked.emit(checked, lambda: self._start(checked, options))
         else:
+            self.checked.emit(checked, None)
             self._start(checked, options)
 
     def _start(self, checked: Preflight, options: RunOptions) -> None:
-        self._again = options
-        refusal = self._runner.start(checked, options)
+        refusal = checked.why_outdated(self._controller)
+        if refusal is None:
+            self._again = options
+            refusal = self._runner.start(checked, options)
         if refusal is not None:
             self.refused.emit(refusal)
+
+    def _on_stop(self) -> None:
+        self.drop_check()
+        self._runner.stop()
 
     def _on_pause(self) -> None:
         go_on = can_go_on(self._runner.progress)
@@ -214,6 +259,8 @@ class RunStrip(QWidget):
         self._show_usable()
 
     def _describe(self, progress: Progress) -> str:
+        if self._job is not None:
+            return self.tr("Checking…")
         if progress.phase is Phase.IDLE:
             return ""
         row = self.tr("{name}: point {row} of {count}").format(
@@ -242,7 +289,9 @@ class RunStrip(QWidget):
             Phase.FAILED: self.tr("ended by a fault"),
         }[phase]
 
-    def _on_situation(self, _situation: Situation) -> None:
+    def _on_situation(self, situation: Situation) -> None:
+        if self._about_to_run and situation.stop is not StopState.RUNNING:
+            self.drop_check()  # the stop was meant for what was about to begin, too
         if self.isVisible():
             self._show_usable()
 
@@ -250,11 +299,12 @@ class RunStrip(QWidget):
         progress, running = self._runner.progress, self._runner.running
         reason = self._controller.situation.cannot_run
         self._times.setVisible(self._laps.currentIndex() == _TIMES)
-        self._send.setEnabled(not running and reason is None)
+        checking = self._job is not None
+        self._send.setEnabled(not running and not checking and reason is None)
         self._send.setToolTip("" if reason is None else words.refusal(reason))
         self._pause.setEnabled(can_pause(progress) or can_go_on(progress))
-        self._stop.setEnabled(running)
-        again = not running and self._again is not None and ended_early(progress)
+        self._stop.setEnabled(running or checking)
+        again = not (running or checking) and self._again is not None and ended_early(progress)
         self._resume.setVisible(again)
         self._resume.setEnabled(again and reason is None)
         self._resume.setToolTip("" if reason is None else words.refusal(reason))
@@ -286,6 +336,11 @@ class RunStrip(QWidget):
         """Catch up with what went by while the window was hidden."""
         self._show_progress(self._runner.progress)
         super().showEvent(event)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Nothing begins from a window that was closed."""
+        self.drop_check()
+        super().hideEvent(event)
 
     def changeEvent(self, event: QEvent) -> None:
         """Follow the language."""

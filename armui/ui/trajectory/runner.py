@@ -75,7 +75,7 @@ class Runner(QObject):
             Run(
                 content.name,
                 content.points,
-                checked.expected_s,
+                checked.outcome.expected_s,
                 options.laps,
                 options.first,
                 options.speed_factor,

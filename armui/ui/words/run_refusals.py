@@ -15,6 +15,17 @@ RUN_REFUSALS: Final[Mapping[str, object]] = {
         "Refusal",
         "Not run: the check has found errors ({count}). Correct the rows listed, then send again.",
     ),
+    "check_failed": QT_TRANSLATE_NOOP(
+        "Refusal", "The check did not come to its end: {text}. Try again."
+    ),
+    "moved_since_check": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Not run: the arm has moved by {value}° since it was checked. Send again.",
+    ),
+    "limits_changed_since_check": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Not run: the arm's joint limits are others than those of the check. Send again.",
+    ),
     "not_running": QT_TRANSLATE_NOOP("Refusal", "No trajectory is running: nothing to pause."),
     "not_paused": QT_TRANSLATE_NOOP("Refusal", "No trajectory is paused: nothing to go on with."),
     "run_empty": QT_TRANSLATE_NOOP(

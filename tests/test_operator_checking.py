@@ -1,0 +1,201 @@
+"""A check takes its time; nothing comes of one that the operator no longer wants."""
+
+import math
+from concurrent.futures import Executor, Future
+
+import pytest
+from PySide6.QtWidgets import QPushButton, QWidget
+
+from armui.helper_process import HelperProcess
+from armui.protocol.codes import MoveMode
+from armui.protocol.generation import Generation
+from armui.trajectory.cells import Column
+from armui.trajectory.library import Library
+from armui.trajectory.program import Trajectory, Waypoint
+from armui.ui.trajectory.editor_window import EditorWindow
+from armui.ui.trajectory.library_window import LibraryWindow
+from tests.desk import Desk
+
+HERE = (0.0, 20.0, -30.0, 0.0, 10.0, 0.0)
+NEAR = (5.0, 25.0, -35.0, 0.0, 15.0, 5.0)
+
+
+class Slow(Executor):
+    """Does nothing before it is told to; a check may have taken any time."""
+
+    def __init__(self):
+        self.waiting = []
+
+    def submit(self, fn, /, *args, **kwargs):
+        future = Future()
+        self.waiting.append((future, fn, args, kwargs))
+        return future
+
+    def work(self):
+        while self.waiting:
+            future, fn, args, kwargs = self.waiting.pop(0)
+            future.set_result(fn(*args, **kwargs))
+
+    def break_down(self, text):
+        while self.waiting:
+            self.waiting.pop(0)[0].set_exception(RuntimeError(text))
+
+
+class Operator:
+    """Before an editor of two points, near to where the arm is, which may move."""
+
+    def __init__(self, desk, workers):
+        self.desk, self.workers = desk, workers
+        desk.ready()
+        self.lead_to(HERE)
+        Library(desk.library_folder).save(
+            Trajectory("Test", points=(Waypoint(MoveMode.MOVE_J, NEAR), to_here()))
+        )
+        desk.click("library_button")
+        self.list = desk.dialog(LibraryWindow)
+        self.list.open_trajectory("Test")
+        self.window = desk.dialog(EditorWindow)
+        workers.work()
+
+    def lead_to(self, joints_deg):
+        """By somebody else's hand, for all the editor knows."""
+        assert self.desk.controller.motion.send_joints(joints_deg) is None
+        self.desk.run_until(
+            lambda: math.dist(self.desk.controller.state.angles_deg(), joints_deg) < 0.01
+        )
+
+    def child(self, name, window=None):
+        return (window or self.window).findChild(QWidget, name)
+
+    def click(self, name):
+        self.desk.click(self.child(name))
+
+    def text(self, name):
+        return self.child(name).text()
+
+    @property
+    def running(self):
+        return self.desk.controller.player.running
+
+
+def to_here():
+    return Waypoint(MoveMode.MOVE_J, HERE)
+
+
+@pytest.fixture
+def operator(qapp, request, tmp_path):
+    workers = Slow()
+    settings = tmp_path / "settings.json"
+    desk = Desk(qapp, request.node.nodeid, settings, Generation.TWO, workers)
+    yield Operator(desk, workers)
+    desk.close()
+
+
+def test_the_run_begins_when_the_check_has_ended(operator):
+    operator.click("run_send")
+    assert operator.text("run_text") == "Checking…"
+    assert not operator.child("run_send").isEnabled()
+    assert operator.child("run_stop").isEnabled()
+    assert not operator.running
+    operator.workers.work()
+    assert operator.running
+
+
+def test_a_check_can_be_called_off(operator):
+    operator.click("run_send")
+    operator.click("run_stop")
+    assert operator.text("run_text") == ""
+    assert operator.child("run_send").isEnabled()
+    operator.workers.work()
+    assert not operator.running
+
+
+def test_the_emergency_stop_is_meant_for_what_is_about_to_begin(operator):
+    operator.click("run_send")
+    operator.desk.click("stop_button")
+    operator.workers.work()
+    operator.desk.run(1.0)
+    assert not operator.running
+    assert not operator.child("findings_title").isVisible()
+
+
+def test_a_stopped_arm_hinders_no_check(operator):
+    operator.desk.click("stop_button")
+    operator.desk.run(1.0)
+    operator.click("editor_check")
+    operator.desk.run(0.5)
+    operator.workers.work()
+    assert operator.text("findings_title") == "Check: nothing found."
+
+
+def test_an_edit_makes_the_check_worthless(operator):
+    operator.click("run_send")
+    model = operator.window.model
+    model.setData(model.index(0, Column.VALUE_1), "7")
+    operator.workers.work()
+    assert not operator.running
+    assert not operator.child("findings_title").isVisible()
+
+
+def test_nothing_begins_from_a_window_that_was_closed(operator):
+    operator.click("run_send")
+    operator.window.close()
+    operator.workers.work()
+    assert not operator.running
+
+
+def test_nothing_begins_for_another_row_of_the_list(operator):
+    Library(operator.desk.library_folder).save(Trajectory("Other"))
+    window = operator.list
+    window.refresh(["Test"])
+    operator.desk.click(operator.child("run_send", window))
+    window.refresh(["Test"])
+    assert operator.child("run_text", window).text() == "Checking…"
+    window.refresh(["Other"])
+    assert operator.child("run_text", window).text() == ""
+    operator.workers.work()
+    assert not operator.running
+
+
+def test_an_arm_that_was_moved_meanwhile_is_checked_anew(operator):
+    operator.click("run_send")
+    operator.lead_to((0.0, 20.0, -31.0, 0.0, 10.0, 0.0))
+    operator.workers.work()
+    assert not operator.running
+    assert "has moved by 1.0° since" in operator.text("editor_message")
+    operator.click("run_send")
+    operator.workers.work()
+    assert operator.running
+
+
+def test_after_a_long_check_the_operator_is_asked(operator, monkeypatch):
+    monkeypatch.setattr("armui.ui.trajectory.run_strip._SURPRISING_S", -1.0)
+    operator.click("run_send")
+    operator.workers.work()
+    assert not operator.running
+    accept = operator.window.findChild(QPushButton, "accept_warnings")
+    assert accept.isVisible()
+    assert accept.text() == "Run now"
+    operator.desk.click(accept)
+    assert operator.running
+
+
+def test_a_check_that_fails_says_so(operator):
+    operator.click("run_send")
+    operator.workers.break_down("out of memory")
+    assert "out of memory" in operator.text("editor_message")
+    assert not operator.running
+    assert operator.child("run_send").isEnabled()
+
+
+def test_a_check_in_a_process_of_its_own(qapp, request, tmp_path):
+    settings = tmp_path / "settings.json"
+    desk = Desk(qapp, request.node.nodeid, settings, Generation.TWO, HelperProcess())
+    Library(desk.library_folder).save(Trajectory("Test", points=(to_here(),) * 3))
+    desk.click("library_button")
+    desk.dialog(LibraryWindow).open_trajectory("Test")
+    window = desk.dialog(EditorWindow)
+    desk.click(window.findChild(QWidget, "editor_check"))
+    desk.wait(window.findChild(QWidget, "findings_title").isVisible)
+    assert window.findChild(QWidget, "run_text").text() == ""
+    desk.close()
