@@ -51,6 +51,11 @@ class Library:
         remove_abandoned(folder)
         self._bin.remove_outdated()
 
+    @property
+    def folder(self) -> Path:
+        """Where the trajectories are kept."""
+        return self._folder
+
     # What there is --------------------------------------------------------------------------------
 
     def entries(self) -> list[Entry]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
@@ -17,9 +17,15 @@ from armui.trajectory.library import Library, LibraryError
 from armui.ui import words
 from armui.ui.trajectory import library_files
 from armui.ui.trajectory.columns_offer import ColumnsOffer
+from armui.ui.trajectory.import_report import ReportButton, Result
+from armui.ui.trajectory.text import name_list
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
+
+
+_MOST_PROBLEMS: Final = 3
+"""That are told in the message itself."""
 
 
 class LibraryExchange(QObject):
@@ -32,6 +38,7 @@ class LibraryExchange(QObject):
 
     Attributes:
         by_columns: The button for files that are not in a format of ours.
+        report: The button that shows what became of each of several files.
 
     Signals:
         said: A text and its :class:`Level`.
@@ -47,8 +54,14 @@ class LibraryExchange(QObject):
         self._library = library
         self._window = window
         self.by_columns = ColumnsOffer(controller, library, window)
+        self.report = ReportButton(controller, window)
         self.by_columns.imported.connect(self._on_by_columns)
         self.by_columns.refused.connect(lambda text: self.said.emit(text, Level.FAULT))
+
+    def withdraw_offers(self) -> None:
+        """Something else is said by now."""
+        self.by_columns.offer(())
+        self.report.offer(())
 
     def choose_imports(self) -> None:
         """Let the operator choose files to import."""
@@ -59,33 +72,50 @@ class LibraryExchange(QObject):
 
         Tables of another build are offered by columns.
         """
-        taken: list[str] = []
-        problems: list[str] = []
+        results: list[Result] = []
         tables: list[Path] = []
         for path in paths:
             contents, errors = files.import_files([path])
-            for content in contents:
-                self._take_over(content, taken, problems)
+            results += [self._take_over(path, content) for content in contents]
             for error in errors:
                 told, is_table = columns.look_closer(path, error)
-                problems.append(words.file_error(told))
+                results.append(Result(path.name, problem=words.file_error(told)))
                 tables += [path] if is_table else []
-        self.imported.emit(taken)
-        texts = []
-        if taken:
-            texts.append(self.tr("Imported: {names}").format(names=", ".join(taken)))
-        texts += [self.tr("Not imported. {reason}").format(reason=text) for text in problems]
-        self.said.emit("\n".join(texts), Level.WARNING if problems else Level.DONE)
+        self.imported.emit([result.name for result in results if not result.problem])
+        failed = any(result.problem for result in results)
+        self.said.emit(self._tell(results), Level.WARNING if failed else Level.DONE)
         self.by_columns.offer(tables)
+        self.report.offer(results if len(results) > 1 else ())
 
-    def _take_over(self, content: Content, taken: list[str], problems: list[str]) -> None:
-        name = self._library.free_name(content.name)
+    def _take_over(self, path: Path, content: Content) -> Result:
         try:
+            name = self._library.free_name(content.name)
             self._library.save(replace(content, name=name))
         except LibraryError as error:
-            problems.append(f"{content.name}: {words.refusal(error.refusal)}")
-        else:
-            taken.append(name)
+            return Result(path.name, problem=f"{path.name}: {words.refusal(error.refusal)}")
+        return Result(path.name, name, content.name)
+
+    def _tell(self, results: Sequence[Result]) -> str:
+        """What became of some files, in as few lines as an operator reads."""
+        taken = [result.name for result in results if not result.problem]
+        moved = [
+            f"{result.wished} → {result.name}" for result in results if result.name != result.wished
+        ]
+        lines = []
+        if taken:
+            lines.append(self.tr("Imported: {names}").format(names=name_list(taken)))
+        if moved:
+            text = self.tr("Their names were taken, so they got others: {names}")
+            lines.append(text.format(names=name_list(moved)))
+        problems = [result.problem for result in results if result.problem]
+        lines += [
+            self.tr("Not imported. {reason}").format(reason=problem)
+            for problem in problems[:_MOST_PROBLEMS]
+        ]
+        if len(problems) > _MOST_PROBLEMS:
+            text = self.tr("{count} more files were not imported: see the results.")
+            lines.append(text.format(count=len(problems) - _MOST_PROBLEMS))
+        return "\n".join(lines)
 
     def _on_by_columns(self, name: str) -> None:
         """One is done; the others are still offered."""
@@ -118,21 +148,32 @@ class LibraryExchange(QObject):
             )
 
     def _write(self, names: Sequence[str], path_of: Callable[[str], Path]) -> None:
+        """Write each; one that cannot be written keeps none of the others back."""
         written: list[str] = []
+        problems: list[str] = []
         for name in names:
             try:
                 content = self._library.load(name)
             except TrajectoryFileError as error:
-                self.said.emit(words.file_error(error), Level.FAULT)
-                return
+                problems.append(words.file_error(error))
+                continue
             except LibraryError as error:
-                self.said.emit(words.refusal(error.refusal), Level.FAULT)
-                return
+                problems.append(words.refusal(error.refusal))
+                continue
             path = path_of(name)
             problem = library_files.write_one(content, path)
-            if problem is not None:
-                text = self.tr("Not exported. {file}: {text}")
-                self.said.emit(text.format(file=problem[0], text=problem[1]), Level.FAULT)
-                return
-            written.append(path.name)
-        self.said.emit(self.tr("Exported: {names}").format(names=", ".join(written)), Level.DONE)
+            if problem is None:
+                written.append(path.name)
+            else:
+                problems.append(f"{problem[0]}: {problem[1]}")
+        lines = []
+        if written:
+            lines.append(self.tr("Exported: {names}").format(names=name_list(written)))
+        lines += [
+            self.tr("Not exported. {reason}").format(reason=text)
+            for text in problems[:_MOST_PROBLEMS]
+        ]
+        if len(problems) > _MOST_PROBLEMS:
+            text = self.tr("{count} more were not exported.")
+            lines.append(text.format(count=len(problems) - _MOST_PROBLEMS))
+        self.said.emit("\n".join(lines), Level.FAULT if problems else Level.DONE)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import enum
+import re
 from collections.abc import Sequence
 from typing import Any, Final
 
@@ -25,7 +26,10 @@ _Index = QModelIndex | QPersistentModelIndex
 
 ENTRY_ROLE: Final = Qt.ItemDataRole.UserRole
 """The :class:`Entry` of a row."""
-SORT_ROLE: Final = Qt.ItemDataRole.UserRole + 1
+
+_DIGITS: Final = re.compile(r"([0-9]{1,18})")
+_URGENCY: Final = ("damaged", "errors", "draft", "warnings", None, "ok")
+"""In the order of the column of check marks."""
 
 _RIGHT: Final = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
@@ -54,12 +58,32 @@ class LibraryModel(QAbstractTableModel):
         super().__init__(parent)
         self._entries: Sequence[Entry] = ()
         self._drafts: frozenset[str] = frozenset()
+        self._sort_keys: dict[tuple[int, int], tuple[Any, ...]] = {}
 
-    def show(self, entries: Sequence[Entry], drafts: Sequence[str]) -> None:
-        """Show other entries; ``drafts`` are those with changes that are not saved."""
+    def is_unsaved(self, name: str) -> bool:
+        """Whether nothing is known of a trajectory but changes that are not saved."""
+        return any(entry.name == name and entry.kind == "draft" for entry in self._entries)
+
+    def show(self, entries: Sequence[Entry], drafts: Sequence[str]) -> bool:
+        """Show other entries; ``drafts`` are those with changes that are not saved.
+
+        Returns:
+            Whether they are others: what stands there already is left alone.
+        """
+        wanted = tuple(entries), frozenset(drafts)
+        if wanted == (self._entries, self._drafts):
+            return False
         self.beginResetModel()
-        self._entries, self._drafts = tuple(entries), frozenset(drafts)
+        self._entries, self._drafts = wanted
+        self._sort_keys.clear()
         self.endResetModel()
+        return True
+
+    def sort_key(self, row: int, column: int) -> tuple[Any, ...]:
+        """What a cell is sorted by, among those of its column."""
+        if (row, column) not in self._sort_keys:
+            self._sort_keys[row, column] = _sort_key(self._entries[row], LibraryColumn(column))
+        return self._sort_keys[row, column]
 
     def rowCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008, N802 - Qt's signature
         """How many there are."""
@@ -80,10 +104,8 @@ class LibraryModel(QAbstractTableModel):
             return entry.name
         if role == ENTRY_ROLE:
             return entry
-        if role == SORT_ROLE:
-            return _sort_key(entry, column)
         if role == Qt.ItemDataRole.ToolTipRole:
-            return words.file_error(entry.damage) if entry.damage is not None else entry.note
+            return self._tip(entry)
         if role == Qt.ItemDataRole.TextAlignmentRole and column in {
             LibraryColumn.POINTS,
             LibraryColumn.LENGTH,
@@ -106,6 +128,16 @@ class LibraryModel(QAbstractTableModel):
             return f"{entry.modified.astimezone():%Y-%m-%d %H:%M}"
         return self._check(entry) if column is LibraryColumn.CHECK else " ".join(entry.note.split())
 
+    def _tip(self, entry: Entry) -> str:
+        if entry.damage is not None:
+            return words.file_error(entry.damage)
+        if entry.kind == "draft":
+            return self.tr(
+                "Unsaved changes of a trajectory that was never saved, or whose file is gone. Open "
+                "it to save it, or delete it."
+            )
+        return entry.note
+
     def _check(self, entry: Entry) -> str:
         """A sign and a word: a state is never told by one of them alone."""
         words_of = {
@@ -115,6 +147,8 @@ class LibraryModel(QAbstractTableModel):
         }
         if entry.damage is not None:
             return self.tr("✕ damaged")
+        if entry.kind == "draft":
+            return self.tr("! not saved")
         return fmt.NOTHING if entry.check is None else words_of[entry.check]
 
     def headerData(  # noqa: N802 - Qt's name
@@ -165,10 +199,9 @@ class LibraryFilter(QSortFilterProxyModel):
 
     def __init__(self, source: LibraryModel, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        self._entries = source
         self.setSourceModel(source)
-        self.setSortRole(SORT_ROLE)
         self.setFilterCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
-        self.setSortCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
 
     def filterAcceptsRow(self, row: int, parent: _Index) -> bool:  # noqa: N802 - Qt's name
         """Whether the text is in the name or the note."""
@@ -176,14 +209,28 @@ class LibraryFilter(QSortFilterProxyModel):
         wanted = self.filterRegularExpression()
         return any(wanted.match(text).hasMatch() for text in (entry.name, entry.note))
 
+    def lessThan(self, left: _Index, right: _Index) -> bool:  # noqa: N802 - Qt's name
+        """By the figures of a column; what is equal there, by name."""
+        key = self._entries.sort_key
+        return key(left.row(), left.column()) < key(right.row(), right.column())
 
-def _sort_key(entry: Entry, column: LibraryColumn) -> str | float:
+
+def _sort_key(entry: Entry, column: LibraryColumn) -> tuple[Any, ...]:
+    """Comparable within a column; what is equal there goes by its name."""
+    name = _natural(entry.name)
     if column is LibraryColumn.POINTS:
-        return entry.count
+        return entry.count, name
     if column is LibraryColumn.LENGTH:
-        return -1.0 if entry.length_s is None else entry.length_s
+        return -1.0 if entry.length_s is None else entry.length_s, name
     if column is LibraryColumn.MODIFIED:
-        return entry.modified.timestamp()
+        return entry.modified.timestamp(), name
     if column is LibraryColumn.CHECK:
-        return "damaged" if entry.damage is not None else entry.check or ""
-    return entry.note if column is LibraryColumn.NOTE else entry.name
+        state = "draft" if entry.kind == "draft" else entry.check
+        return _URGENCY.index("damaged" if entry.damage is not None else state), name
+    return (entry.note.casefold(), name) if column is LibraryColumn.NOTE else (name, entry.name)
+
+
+def _natural(name: str) -> list[tuple[int, str]]:
+    """A name so that 9 comes before 10; case counts nothing."""
+    parts = _DIGITS.split(name.casefold())
+    return [(int(part) if place % 2 else -1, part) for place, part in enumerate(parts)]

@@ -34,7 +34,7 @@ class LibraryTable(QTableView):
         self.setModel(shown)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
-        self.setEditTriggers(QAbstractItemView.EditTrigger.EditKeyPressed)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSortingEnabled(True)
         self.sortByColumn(LibraryColumn.NAME, Qt.SortOrder.AscendingOrder)
         self.setShowGrid(False)
@@ -54,15 +54,32 @@ class LibraryTable(QTableView):
         rows = self.selectionModel().selectedRows()
         return [index.data(ENTRY_ROLE) for index in sorted(rows, key=QModelIndex.row)]
 
-    def choose(self, names: Collection[str]) -> None:
-        """Choose the entries of these names as well, and show the last of them."""
+    def choose(self, names: Collection[str], *, show: bool = True) -> None:
+        """Choose the entries of these names and no others, and show the last of them.
+
+        Args:
+            names: Which; those that are not listed are left out.
+            show: Whether the list is moved for that.
+        """
         flag = QItemSelectionModel.SelectionFlag
+        self.clearSelection()
         for row in range(self.model().rowCount()):
             index = self.model().index(row, 0)
             if index.data(ENTRY_ROLE).name in names:
                 self.selectionModel().select(index, flag.Select | flag.Rows)
                 self.selectionModel().setCurrentIndex(index, flag.NoUpdate)
-                self.scrollTo(index)
+                if show:
+                    self.scrollTo(index)
+
+    def names(self) -> list[str]:
+        """Of all that are listed, from top to bottom."""
+        model = self.model()
+        return [model.index(row, 0).data(ENTRY_ROLE).name for row in range(model.rowCount())]
+
+    @property
+    def is_editing(self) -> bool:
+        """Whether a name is being typed."""
+        return self.state() == QAbstractItemView.State.EditingState
 
     def edit_name(self) -> None:
         """Open the field for another name in the chosen row."""

@@ -3,47 +3,42 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from datetime import datetime
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QModelIndex, QSize, Qt, Signal
-from PySide6.QtGui import QAction, QKeySequence, QShowEvent
-from PySide6.QtWidgets import (
-    QHBoxLayout,
-    QLineEdit,
-    QMenu,
-    QPushButton,
-    QWidget,
-)
+from PySide6.QtCore import QEvent, QModelIndex, QSize, Signal
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from armui.control.run import Progress
 from armui.control.situation import Level
-from armui.trajectory.files import SUFFIXES, Content, TrajectoryFileError
-from armui.trajectory.library import Deleted, Entry, Library, LibraryError
+from armui.trajectory.files import Content, TrajectoryFileError
+from armui.trajectory.library import Entry, Library, LibraryError
 from armui.trajectory.program import Trajectory
 from armui.trajectory.recording import Recording
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
+from armui.ui.trajectory.bin_button import BinButton
 from armui.ui.trajectory.editor_window import EditorWindow
+from armui.ui.trajectory.file_drop import FileDrop
 from armui.ui.trajectory.findings_pane import FindingsPane
+from armui.ui.trajectory.library_bar import LibraryBar
+from armui.ui.trajectory.library_deeds import LibraryDeeds
 from armui.ui.trajectory.library_exchange import LibraryExchange
-from armui.ui.trajectory.library_model import (
-    ENTRY_ROLE,
-    LibraryFilter,
-    LibraryModel,
-)
+from armui.ui.trajectory.library_hint import LibraryHint
+from armui.ui.trajectory.library_model import ENTRY_ROLE, LibraryFilter, LibraryModel
 from armui.ui.trajectory.library_table import LibraryTable
+from armui.ui.trajectory.library_watch import LibraryWatch
 from armui.ui.trajectory.preflight import Checks, Preflight
 from armui.ui.trajectory.recording_window import RecordingWindow
 from armui.ui.trajectory.run_strip import RunStrip
+from armui.ui.trajectory.undo_button import UndoButton
 from armui.ui.widgets.message_line import MessageLine
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
 _SIZE: Final = QSize(1040, 640)
-_BUTTONS: Final = ("import", "create", "record", "delete", "duplicate", "rename", "export")
 
 
 class LibraryWindow(ArmDialog):
@@ -77,24 +72,18 @@ class LibraryWindow(ArmDialog):
         self._library = library
         self._editors: dict[str, EditorWindow] = {}
         self._recorder: RecordingWindow | None = None
-        self._deleted: Deleted | None = None
         self._model = LibraryModel(self)
         self._shown = LibraryFilter(self._model, self)
-        self._search = QLineEdit()
-        self._search.setObjectName("library_search")
-        self._search.setClearButtonEnabled(True)
-        self._search.textChanged.connect(self._shown.setFilterFixedString)
-        self._buttons = {name: QPushButton() for name in _BUTTONS}
+        self._bar = LibraryBar()
         self._table = LibraryTable(self._shown)
         self._message = MessageLine()
         self._message.setObjectName("library_message")
-        self._undo_button = QPushButton()
-        self._undo_button.setObjectName("library_undo")
-        self._undo_button.setAutoDefault(False)
-        self._undo_button.hide()
-        self._undo_button.clicked.connect(self._restore)
+        self._deeds = LibraryDeeds(library, self._editors.__contains__, self)
+        self._undo_button = UndoButton(self._deeds, self)
+        self._bin_button = BinButton(controller, library, self._deeds, self)
+        self._hint = LibraryHint(self._table)
+        self._watch = LibraryWatch(library.folder, self)
         self._exchange = LibraryExchange(controller, library, self)
-        self._export_menu = QMenu(self)
         self._findings = FindingsPane()
         self._strip = RunStrip(controller, checks, self._to_run)
         self._lay_out()
@@ -106,20 +95,13 @@ class LibraryWindow(ArmDialog):
     # Layout -----------------------------------------------------------------------------------
 
     def _lay_out(self) -> None:
-        bar = QHBoxLayout()
-        bar.setSpacing(6)
-        for name, button in self._buttons.items():
-            button.setObjectName(f"library_{name}")
-            button.setAutoDefault(False)
-            bar.addWidget(button)
-        self._buttons["export"].setMenu(self._export_menu)
-        bar.addStretch(1)
-        bar.addWidget(self._search, 2)
         below = QHBoxLayout()
         below.addWidget(self._message, 1)
+        below.addWidget(self._exchange.report)
         below.addWidget(self._exchange.by_columns)
         below.addWidget(self._undo_button)
-        self.body.addLayout(bar)
+        below.addWidget(self._bin_button)
+        self.body.addWidget(self._bar)
         self.body.addWidget(self._table, 1)
         self.body.addWidget(self._findings)
         self.body.addWidget(self._strip)
@@ -130,26 +112,26 @@ class LibraryWindow(ArmDialog):
             "import": self._exchange.choose_imports,
             "create": self._create,
             "record": self.open_recorder,
-            "delete": self._delete,
-            "duplicate": self._duplicate,
-            "rename": self._edit_name,
+            "delete": lambda: self._deeds.delete(self._chosen_names()),
+            "duplicate": lambda: self._deeds.duplicate(self._chosen_names()[0]),
+            "rename": self._table.edit_name,
         }
-        for name, do in handlers.items():
-            self._buttons[name].clicked.connect(lambda _checked=False, do=do: do())
-        for suffix in SUFFIXES:
-            action = self._export_menu.addAction(suffix)
-            action.triggered.connect(partial(self._export, suffix))
-        delete = QAction(self._table)
-        delete.setShortcut(QKeySequence.StandardKey.Delete)
-        delete.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
-        delete.triggered.connect(self._delete)
-        self._table.addAction(delete)
+        self._bar.wanted.connect(lambda name: handlers[name]())
+        self._bar.export_wanted.connect(self._export)
+        self._bar.open_wanted.connect(self._open_chosen)
+        self._bar.listen(self, self._table)
+        self._bar.search.textChanged.connect(self._on_search)
+        self._hint.clear_wanted.connect(self._bar.search.clear)
         self._table.doubleClicked.connect(self._on_double_click)
         self._table.selectionModel().selectionChanged.connect(self._show_usable)
         self._model.modelReset.connect(self._show_usable)
-        self._model.rename_wanted.connect(self._rename)
+        self._model.rename_wanted.connect(self._deeds.rename)
+        self._deeds.said.connect(self._say)
+        self._deeds.changed.connect(self.refresh)
+        self._watch.changed.connect(self._on_folder)
+        FileDrop(self).dropped.connect(self._exchange.import_files)
         self._exchange.said.connect(self._say)
-        self._exchange.imported.connect(self.refresh)
+        self._exchange.imported.connect(self._on_imported)
         self._strip.checked.connect(self._show_check)
         self._strip.refused.connect(lambda reason: self._say(words.refusal(reason), Level.WARNING))
         self._strip.progressed.connect(self._on_progress)
@@ -161,58 +143,105 @@ class LibraryWindow(ArmDialog):
         self.refresh()
         super().showEvent(event)
 
+    def changeEvent(self, event: QEvent) -> None:
+        """Look anew when the operator comes back from another program, too."""
+        if event.type() == QEvent.Type.ActivationChange and self.isActiveWindow():
+            self._on_folder()
+        super().changeEvent(event)
+
     def refresh(self, choose: Sequence[str] | None = None) -> None:
         """List the library as it is now.
 
         Args:
             choose: The names to be chosen; those chosen before by default.
         """
-        names = list(choose) if choose is not None else [one.name for one in self.chosen()]
+        names = self._chosen_names() if choose is None else list(choose)
         try:
-            self._model.show(self._library.entries(), self._library.drafts())
+            changed = self._model.show(self._library.entries(), self._library.drafts())
         except LibraryError as error:
             self._say(words.refusal(error.refusal), Level.FAULT)
             return
-        self._table.choose(names)
+        self._watch.follow()
+        self._bin_button.refresh()
+        if choose:
+            self._uncover(names)
+        if changed or choose is not None:
+            self._table.choose(names, show=choose is not None)
         if not self.chosen():
             self._strip.drop_check()
+        self._show_hint()
+
+    def _uncover(self, names: Sequence[str]) -> None:
+        """What is new is seen, even if it is not what was searched for."""
+        if not set(self._table.names()).issuperset(names):
+            self._bar.search.clear()
+
+    def _on_folder(self) -> None:
+        """Somebody may have changed the folder; a name that is being typed is not disturbed."""
+        if self._table.is_editing:
+            self._watch.later()
+        elif self.isVisible():
+            self.refresh()
+
+    def _on_search(self, text: str) -> None:
+        self._shown.setFilterFixedString(text)
+        self._show_hint()
+
+    def _show_hint(self) -> None:
+        searched = self._bar.search.text() if self._model.rowCount() else ""
+        self._hint.show_state(self._shown.rowCount(), searched)
+
+    def _on_imported(self, names: Sequence[str]) -> None:
+        self._deeds.note_made(names)
+        self.refresh(names)
 
     def chosen(self) -> list[Entry]:
         """The chosen entries, from top to bottom."""
         return self._table.chosen()
 
     def _show_usable(self, *_: object) -> None:
-        count = len(self.chosen())
-        self._buttons["delete"].setEnabled(count > 0)
-        self._buttons["export"].setEnabled(count > 0)
-        self._buttons["duplicate"].setEnabled(count == 1)
-        self._buttons["rename"].setEnabled(count == 1)
-        one = self.chosen()[0] if count == 1 else None
+        chosen = self.chosen()
+        self._bar.show_chosen(chosen)
+        one = chosen[0] if len(chosen) == 1 else None
         recording = one is not None and one.kind == "recording"
         self._strip.show_content(0 if one is None else one.count, recording=recording)
-        if count:  # while the list is made anew, nothing is chosen for a moment
+        if chosen:  # while the list is made anew, nothing is chosen for a moment
             self._strip.drop_check(but="" if one is None else one.name)
         self._findings.clear()
-        missing = self.tr("Choose a trajectory in the list first")
-        for name in ("delete", "export", "duplicate", "rename"):
-            button = self._buttons[name]
-            button.setToolTip("" if button.isEnabled() else missing)
 
     # Opening ----------------------------------------------------------------------------------
 
     def _on_double_click(self, index: QModelIndex) -> None:
         self.open_trajectory(index.data(ENTRY_ROLE).name)
 
+    def _open_chosen(self) -> None:
+        chosen = self._chosen_names()
+        if len(chosen) == 1:
+            self.open_trajectory(chosen[0])
+
     def open_trajectory(self, name: str) -> None:
         """Open the second level of a trajectory, with what was not saved of it."""
         if name in self._editors:
             self._editors[name].open()
+            return
+        if self._model.is_unsaved(name):
+            self._open_draft(name)
             return
         content = self._load(name)
         if isinstance(content, Trajectory):
             self._open_editor(content)
         elif content is not None:
             self.open_recorder(content)
+
+    def _open_draft(self, name: str) -> None:
+        """What was never saved begins with nothing, and its unsaved changes."""
+        drafts: list[Trajectory | None] = []
+        if not self._attempt(lambda: drafts.append(self._library.draft(name))):
+            return
+        if drafts[0] is None:  # another program has saved or discarded it meanwhile
+            self.refresh()
+            return
+        self._open_editor(Trajectory(name, modified=drafts[0].modified))
 
     def open_recorder(self, recording: Recording | None = None) -> None:
         """Open the window that records, or one that trims and thins what was recorded."""
@@ -228,12 +257,13 @@ class LibraryWindow(ArmDialog):
         self._recorder.open()
 
     def _load(self, name: str) -> Content | None:
-        try:
-            return self._library.load(name)
-        except TrajectoryFileError as error:
-            self._say(words.file_error(error), Level.FAULT)
-        except LibraryError as error:
-            self._say(words.refusal(error.refusal), Level.FAULT)
+        if self._model.is_unsaved(name):
+            text = self.tr("“{name}” is not saved yet. Open it and save it first.")
+            self._say(text.format(name=name), Level.WARNING)
+            return None
+        contents: list[Content] = []
+        if self._attempt(lambda: contents.append(self._library.load(name))):
+            return contents[0]
         return None
 
     def _open_editor(self, trajectory: Trajectory) -> None:
@@ -296,96 +326,40 @@ class LibraryWindow(ArmDialog):
     # What the buttons do ----------------------------------------------------------------------
 
     def _create(self) -> None:
-        name = self._library.free_name(self.tr("Trajectory"))
-        trajectory = Trajectory(name, modified=datetime.now().astimezone())
-        if self._attempt(lambda: self._library.save(trajectory)):
-            self.refresh([name])
+        trajectory = self._deeds.create()
+        if trajectory is not None:
             self._open_editor(trajectory)
 
-    def _delete(self) -> None:
-        names = [entry.name for entry in self.chosen()]
-        busy = [name for name in names if name in self._editors]
-        if busy:
-            self._say(
-                self.tr("“{name}” is open. Close its window first.").format(name=busy[0]),
-                Level.WARNING,
-            )
-            return
-        if names and self._attempt(lambda: self._take_away(names)):
-            self.refresh([])
-            text = self.tr("Deleted: {names}").format(names=", ".join(names))
-            self._say(text, Level.DONE)
-            self._undo_button.show()
-
-    def _take_away(self, names: Sequence[str]) -> None:
-        self._deleted = self._library.delete(names)
-
-    def _restore(self) -> None:
-        deleted = self._deleted
-        if deleted is not None and self._attempt(lambda: self._library.restore(deleted)):
-            self._deleted = None
-            self.refresh(deleted.names)
-            text = self.tr("Brought back: {names}").format(names=", ".join(deleted.names))
-            self._say(text, Level.DONE)
-
-    def _duplicate(self) -> None:
-        name = self.chosen()[0].name
-        new = self._library.free_name(name)
-        if self._attempt(lambda: self._library.duplicate(name, new)):
-            self.refresh([new])
-            self._say("")
-
-    def _edit_name(self) -> None:
-        self._table.edit_name()
-
-    def _rename(self, name: str, new: str) -> None:
-        if name in self._editors:
-            self._say(
-                self.tr("“{name}” is open. Close its window first.").format(name=name),
-                Level.WARNING,
-            )
-        elif self._attempt(lambda: self._library.rename(name, new)):
-            self.refresh([new])
-            self._say("")
+    def _chosen_names(self) -> list[str]:
+        return [entry.name for entry in self.chosen()]
 
     def _export(self, suffix: str) -> None:
-        self._exchange.export([entry.name for entry in self.chosen()], suffix)
+        self._exchange.export(self._chosen_names(), suffix)
 
     def _attempt(self, action: Callable[[], object]) -> bool:
         """Do something with the library; what it refuses is said."""
         try:
             action()
         except LibraryError as error:
-            self._say(words.refusal(error.refusal), Level.FAULT)
+            text = words.refusal(error.refusal)
         except TrajectoryFileError as error:
-            self._say(words.file_error(error), Level.FAULT)
+            text = words.file_error(error)
         else:
             return True
+        self.refresh()  # it may be refused because somebody else has changed the library
+        self._say(text, Level.FAULT)
         return False
 
     # Words ------------------------------------------------------------------------------------
 
     def _say(self, text: str, level: Level = Level.INFO) -> None:
-        self._undo_button.hide()
-        self._exchange.by_columns.offer(())
+        self._exchange.withdraw_offers()
         self._message.show_message(text, level)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self.set_title(self.tr("Trajectory library"))
-        texts = {
-            "import": self.tr("Import files"),
-            "create": self.tr("Create"),
-            "record": self.tr("Record"),
-            "delete": self.tr("Delete"),
-            "duplicate": self.tr("Duplicate"),
-            "rename": self.tr("Rename"),
-            "export": self.tr("Export files"),
-        }
-        for name, text in texts.items():
-            self._buttons[name].setText(text)
-        self._undo_button.setText(self.tr("Undo"))
-        self._search.setPlaceholderText(self.tr("Search"))
+        self._bar.retranslate()
         self._table.setAccessibleName(self.tr("Trajectory library"))
         self._model.retranslate()
         self._show_usable()

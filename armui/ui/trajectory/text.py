@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Final
 
 from armui.ui import format as fmt
 
 _HOUR_S: Final = 3600
 _MINUTE_S: Final = 60
+_MOST_NAMES: Final = 5
 
 
 def duration(seconds: float | None) -> str:
@@ -20,3 +22,10 @@ def duration(seconds: float | None) -> str:
     hours, rest = divmod(whole, _HOUR_S)
     minutes, left = divmod(rest, _MINUTE_S)
     return f"{hours}:{minutes:02}:{left:02}" if hours else f"{minutes}:{left:02}"
+
+
+def name_list(names: Sequence[str]) -> str:
+    """Names in a row; of many only the first, and how many more there are."""
+    shown = ", ".join(names[:_MOST_NAMES])
+    more = len(names) - _MOST_NAMES
+    return f"{shown} … (+{more})" if more > 0 else shown

@@ -1,0 +1,165 @@
+"""What the operator does to the list of the library, and how it is undone."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from datetime import datetime
+
+from PySide6.QtCore import QObject, Signal
+
+from armui.control.situation import Level
+from armui.trajectory.files import TrajectoryFileError
+from armui.trajectory.library import Deleted, Library, LibraryError
+from armui.trajectory.library_history import Deletion, History, Renaming, Step
+from armui.trajectory.program import Trajectory
+from armui.ui import words
+from armui.ui.trajectory.text import name_list
+
+
+class LibraryDeeds(QObject):
+    """Creates, copies, renames, deletes; the last of it can be undone, then the one before it.
+
+    Args:
+        library: What is changed.
+        is_open: Whether the window of a trajectory is open: then it is left alone.
+        parent: Its owner.
+
+    Signals:
+        said: A text and its :class:`Level`.
+        changed: The library is another; with the names to be chosen.
+        undo_changed: What can be undone is another.
+    """
+
+    said = Signal(str, object)
+    changed = Signal(object)
+    undo_changed = Signal()
+
+    def __init__(self, library: Library, is_open: Callable[[str], bool], parent: QObject) -> None:
+        super().__init__(parent)
+        self._library = library
+        self._is_open = is_open
+        self._history = History(library)
+
+    @property
+    def last(self) -> Step | None:
+        """What would be undone next."""
+        return self._history.last
+
+    def create(self) -> Trajectory | None:
+        """Put an empty trajectory into the library; returns it."""
+        made: list[Trajectory] = []
+
+        def make() -> None:
+            name = self._library.free_name(self.tr("Trajectory"))
+            trajectory = Trajectory(name, modified=datetime.now().astimezone())
+            self._library.save(trajectory)
+            self._history.note_made([name])
+            made.append(trajectory)
+
+        if not self._attempt(make):
+            return None
+        self._done([made[0].name])
+        return made[0]
+
+    def duplicate(self, name: str) -> None:
+        """Keep a trajectory once more, under a name of its own."""
+        made: list[str] = []
+
+        def make() -> None:
+            new = self._library.free_name(name)
+            self._library.duplicate(name, new)
+            self._history.note_made([new])
+            made.append(new)
+
+        if self._attempt(make):
+            self._done(made)
+
+    def rename(self, name: str, new: str) -> None:
+        """Give a trajectory another name."""
+        if not self._bars([name]) and self._attempt(lambda: self._history.rename(name, new)):
+            self._done([new])
+
+    def delete(self, names: Sequence[str]) -> None:
+        """Put trajectories where they can be brought back from."""
+        if not names or self._bars(names):
+            return
+        deleted: list[Deleted] = []
+        if self._attempt(lambda: deleted.append(self._history.delete(names))):
+            gone = deleted[0].names
+            text = self.tr("Deleted: {names}").format(names=name_list(gone)) if gone else ""
+            self._done([], text)
+
+    def note_made(self, names: Sequence[str]) -> None:
+        """Others have put these into the library: that can be undone, too."""
+        if names and self._attempt(lambda: self._history.note_made(names)):
+            self.undo_changed.emit()
+
+    def undo(self) -> None:
+        """Undo what was done last."""
+        step = self._history.last
+        if step is None or self._bars(step.touched):
+            return
+        back: list[str] = []
+        if self._attempt(lambda: back.extend(self._history.undo())):
+            self._done(back, self._undone(step, back))
+
+    def bring_back(self, deleted: Sequence[Deleted]) -> None:
+        """Bring back some of what was deleted recently."""
+        back: list[str] = []
+        if self._attempt(lambda: back.extend(self._history.bring_back(deleted))):
+            self._done(back, self._brought_back(back))
+
+    def _bars(self, names: Sequence[str]) -> bool:
+        """Whether one of these is open; then that is said."""
+        name = next(filter(self._is_open, names), None)
+        if name is None:
+            return False
+        text = self.tr("“{name}” is open. Close its window first.").format(name=name)
+        self.said.emit(text, Level.WARNING)
+        return True
+
+    def _attempt(self, action: Callable[[], object]) -> bool:
+        """Do something with the library; what it refuses is said."""
+        try:
+            action()
+        except LibraryError as error:
+            text = words.refusal(error.refusal)
+        except TrajectoryFileError as error:
+            text = words.file_error(error)
+        else:
+            return True
+        # it may be refused because the library is another than the operator sees
+        self.changed.emit(None)
+        self.undo_changed.emit()
+        self.said.emit(text, Level.FAULT)
+        return False
+
+    def _done(self, names: Sequence[str], text: str = "") -> None:
+        self.changed.emit(names)
+        self.undo_changed.emit()
+        self.said.emit(text, Level.DONE)
+
+    # Words ------------------------------------------------------------------------------------
+
+    def _undone(self, step: Step, back: Sequence[str]) -> str:
+        if isinstance(step, Deletion):
+            return self._brought_back(back)
+        if isinstance(step, Renaming):
+            return self.tr("“{new}” is called “{old}” again.").format(new=step.new, old=step.old)
+        return self.tr("Deleted: {names}").format(names=name_list(step.names))
+
+    def _brought_back(self, names: Sequence[str]) -> str:
+        return self.tr("Brought back: {names}").format(names=name_list(names))
+
+    def undo_text(self) -> str:
+        """What undoing would do now; "" if there is nothing to undo."""
+        step = self._history.last
+        if step is None:
+            return ""
+        if isinstance(step, Deletion):
+            text = self.tr("Undo: bring back {names}")
+        elif isinstance(step, Renaming):
+            text = self.tr("Undo: call it {names} again")
+        else:
+            text = self.tr("Undo: delete {names}")
+        return text.format(names=name_list(step.names))
