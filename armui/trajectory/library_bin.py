@@ -62,11 +62,11 @@ class Bin:
         Raises:
             OSError: One cannot be moved; the others are back in their places.
         """
-        seconds = int(time.time())
+        seconds, rest_ns = divmod(time.time_ns(), 1_000_000_000)
         when = datetime.fromtimestamp(seconds, UTC)
         if not paths:
             return (), when
-        room = self._folder / f"{seconds}-{secrets.token_hex(4)}"
+        room = self._folder / f"{seconds}-{rest_ns:09}-{secrets.token_hex(4)}"
         room.mkdir(parents=True)
         moved: list[tuple[Path, Path]] = []
         try:
@@ -90,10 +90,10 @@ class Bin:
             OSError: The folder cannot be read.
         """
         found: list[Deleted] = []
-        for _seconds, when, room in sorted(self._rooms(), reverse=True):
+        for when, room in sorted(self._rooms(), reverse=True):
             by_name: dict[str, list[tuple[str, Path]]] = {}
             # a trajectory goes before the draft of it, and a draft alone is one, too
-            for path in sorted(room.iterdir(), key=lambda path: (is_draft(path), path.name)):
+            for path in sorted(_files(room), key=lambda path: (is_draft(path), path.name)):
                 places = by_name.setdefault(name_inside(path), [])
                 places.append((path.name, path))
             found += [Deleted((name,), tuple(places), when) for name, places in by_name.items()]
@@ -133,20 +133,26 @@ class Bin:
         """Remove for good what was deleted long ago."""
         oldest = datetime.now(UTC) - KEPT
         with contextlib.suppress(OSError):
-            for _seconds, when, room in list(self._rooms()):
+            for when, room in list(self._rooms()):
                 if when < oldest:
                     for path in room.iterdir():
                         path.unlink()
                     room.rmdir()
 
-    def _rooms(self) -> Iterator[tuple[tuple[int, int], datetime, Path]]:
-        """What every deletion has left here: its order in time, its time, and its folder."""
+    def _rooms(self) -> Iterator[tuple[datetime, Path]]:
+        """What every deletion has left here: its time, and its folder; their order is theirs."""
         for room in self._folder.glob("[0-9]*-*"):
-            with contextlib.suppress(ValueError, OverflowError, FileNotFoundError):
-                seconds = int(room.name.partition("-")[0])
-                order = seconds, room.stat().st_mtime_ns
-                yield order, datetime.fromtimestamp(seconds, UTC), room
+            with contextlib.suppress(ValueError, OverflowError):
+                yield datetime.fromtimestamp(int(room.name.partition("-")[0]), UTC), room
 
     def _tidy(self, place: Path) -> None:
         with contextlib.suppress(OSError):  # another file of the same deletion is still there
             place.parent.rmdir()
+
+
+def _files(room: Path) -> list[Path]:
+    """What is in a folder; nothing if another program has emptied and removed it meanwhile."""
+    try:
+        return [path for path in room.iterdir() if path.is_file()]
+    except FileNotFoundError:
+        return []

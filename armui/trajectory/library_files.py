@@ -45,6 +45,7 @@ class Shelf:
         Raises:
             OSError: The folder cannot be read.
         """
+        self._index.follow()
         looks = (self._look(path, stamp) for path, stamp in self._files())
         found = [kept for kept in looks if kept is not None]
         self._index.keep_only([kept.path.name for kept in found])

@@ -87,8 +87,24 @@ class Index:
         self._path = path
         self._changed = False
         self._entries: dict[str, tuple[Stamp, Entry]] = {}
+        self._seen: Stamp | None = None
+        self.follow()
+
+    def follow(self) -> None:
+        """Take over what another program has found out or marked since this one last looked."""
+        seen = self._stamp()
+        if seen is None or seen == self._seen:
+            return
+        self._seen = seen
         with contextlib.suppress(OSError, ValueError, TypeError, KeyError, AttributeError):
-            self._entries = _unpack(json.loads(path.read_bytes()))
+            theirs = _unpack(json.loads(self._path.read_bytes()))
+            ours = self._entries if self._changed else {}  # what could not be written as yet
+            self._entries = {**self._entries, **theirs, **ours}
+
+    def _stamp(self) -> Stamp | None:
+        with contextlib.suppress(OSError):
+            return Stamp.of(self._path.stat())
+        return None
 
     def entry(self, file: str, stamp: Stamp) -> Entry | None:
         """The entry of a file, unless it is another one by now."""
@@ -121,6 +137,7 @@ class Index:
         with contextlib.suppress(OSError):
             write_whole(self._path, text.encode(), to_disk=False)
             self._changed = False
+            self._seen = self._stamp()
 
 
 def _pack(entry: Entry) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAction, QKeyEvent, QKeySequence, QShortcut
-from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QMenu, QPushButton, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QMenu, QPushButton, QTableView, QWidget
 
 from armui.trajectory.files import SUFFIXES
 from armui.trajectory.library import Entry
@@ -57,6 +57,7 @@ class LibraryBar(QWidget):
         for name, button in self._buttons.items():
             button.setObjectName(f"library_{name}")
             button.setAutoDefault(False)
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the list
             if name != "export":
                 button.clicked.connect(partial(self._on_clicked, name))
             layout.addWidget(button)
@@ -68,7 +69,7 @@ class LibraryBar(QWidget):
         layout.addWidget(self.search, 2)
         self.show_chosen(())
 
-    def listen(self, window: QWidget, table: QWidget) -> None:
+    def listen(self, window: QWidget, table: QTableView) -> None:
         """Have keys press the buttons.
 
         Args:
@@ -107,7 +108,7 @@ class LibraryBar(QWidget):
                 self.search.clear()
                 return True
             if pressed and event.key() in {Qt.Key.Key_Down, Qt.Key.Key_Return, Qt.Key.Key_Enter}:
-                self._table.setFocus()
+                self._to_list()
                 return True
         return super().eventFilter(watched, event)
 
@@ -116,6 +117,12 @@ class LibraryBar(QWidget):
 
     def _on_export(self, suffix: str, _checked: bool = False) -> None:
         self.export_wanted.emit(suffix)
+
+    def _to_list(self) -> None:
+        """From the search to what it has found."""
+        self._table.setFocus()
+        if not self._count and self._table.model().rowCount():
+            self._table.selectRow(0)
 
     def _on_find(self) -> None:
         self.search.setFocus()

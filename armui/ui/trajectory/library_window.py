@@ -127,7 +127,7 @@ class LibraryWindow(ArmDialog):
         self._model.modelReset.connect(self._show_usable)
         self._model.rename_wanted.connect(self._deeds.rename)
         self._deeds.said.connect(self._say)
-        self._deeds.changed.connect(self.refresh)
+        self._deeds.changed.connect(self._on_deed)
         self._watch.changed.connect(self._on_folder)
         FileDrop(self).dropped.connect(self._exchange.import_files)
         self._exchange.said.connect(self._say)
@@ -190,6 +190,11 @@ class LibraryWindow(ArmDialog):
     def _show_hint(self) -> None:
         searched = self._bar.search.text() if self._model.rowCount() else ""
         self._hint.show_state(self._shown.rowCount(), searched)
+
+    def _on_deed(self, names: Sequence[str] | None) -> None:
+        """The keys go on in the list: the button that was pressed may be disabled by now."""
+        self.refresh(names)
+        self._table.setFocus()
 
     def _on_imported(self, names: Sequence[str]) -> None:
         self._deeds.note_made(names)
