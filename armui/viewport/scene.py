@@ -119,8 +119,10 @@ class Scene:
     def set_preview(self, preview: Preview) -> None:
         """Show a path and a ghost beside the robot."""
         before, self._preview = self._preview, preview
-        if (preview.path, preview.selected_row) != (before.path, before.selected_row):
+        if preview.path is not before.path:
             self._preview_actors.show(preview, self._palette, self._pixel_ratio)
+        elif preview.selected_row != before.selected_row:
+            self._preview_actors.select(preview.selected_row)
         if preview.ghost_deg != before.ghost_deg:
             self._show_ghost(preview.ghost_deg)
 
