@@ -27,6 +27,29 @@ class AtOnce(Executor):
         return done
 
 
+class Slow(Executor):
+    """Does nothing before it is told to: work may take any time, and fail."""
+
+    def __init__(self):
+        self.waiting = []
+
+    def submit(self, fn, /, *args, **kwargs):
+        future = Future()
+        self.waiting.append((future, fn, args, kwargs))
+        return future
+
+    def work(self):
+        """Do everything that was asked for."""
+        while self.waiting:
+            future, fn, args, kwargs = self.waiting.pop(0)
+            future.set_result(fn(*args, **kwargs))
+
+    def break_down(self, text):
+        """Fail at everything that was asked for."""
+        while self.waiting:
+            self.waiting.pop(0)[0].set_exception(RuntimeError(text))
+
+
 class Desk(Bench):
     """A bench with the main window on it.
 

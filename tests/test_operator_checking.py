@@ -1,7 +1,6 @@
 """A check takes its time; nothing comes of one that the operator no longer wants."""
 
 import math
-from concurrent.futures import Executor, Future
 
 import pytest
 from PySide6.QtWidgets import QPushButton, QWidget
@@ -14,31 +13,10 @@ from armui.trajectory.library import Library
 from armui.trajectory.program import Trajectory, Waypoint
 from armui.ui.trajectory.editor_window import EditorWindow
 from armui.ui.trajectory.library_window import LibraryWindow
-from tests.desk import Desk
+from tests.desk import Desk, Slow
 
 HERE = (0.0, 20.0, -30.0, 0.0, 10.0, 0.0)
 NEAR = (5.0, 25.0, -35.0, 0.0, 15.0, 5.0)
-
-
-class Slow(Executor):
-    """Does nothing before it is told to; a check may have taken any time."""
-
-    def __init__(self):
-        self.waiting = []
-
-    def submit(self, fn, /, *args, **kwargs):
-        future = Future()
-        self.waiting.append((future, fn, args, kwargs))
-        return future
-
-    def work(self):
-        while self.waiting:
-            future, fn, args, kwargs = self.waiting.pop(0)
-            future.set_result(fn(*args, **kwargs))
-
-    def break_down(self, text):
-        while self.waiting:
-            self.waiting.pop(0)[0].set_exception(RuntimeError(text))
 
 
 class Operator:

@@ -156,7 +156,7 @@ REFUSALS: Final = frozenset(
         "generation_unknown",
         "no_rows_chosen",
         "findings_against",  # count
-        "check_failed",  # text
+        "work_failed",  # text
         "moved_since_check",  # value
         "limits_changed_since_check",
         "not_running",

@@ -99,6 +99,12 @@ def _off_lines(
     return worst
 
 
+def cut(recording: Recording, from_s: float, to_s: float, tolerance_deg: float) -> Recording | None:
+    """Trimmed, then thinned; ``None`` if no sample is left. Half a second for half an hour."""
+    trimmed = trim(recording, from_s, to_s)
+    return thin(trimmed, tolerance_deg) if len(trimmed.samples) else None
+
+
 def trim(recording: Recording, from_s: float, to_s: float) -> Recording:
     """The stretch between two times, both included, counted from 0 anew."""
     times_s = recording.times_s

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from armui.arm.state import ArmState
 from armui.control.joint_monitor import JointMonitor
 from armui.control.situation import Situation
+from armui.ui.background import Background
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
 from armui.ui.operation_area import OperationArea
@@ -227,13 +228,11 @@ class MainWindow(QMainWindow):
             from armui import paths  # noqa: PLC0415 - faster start
             from armui.trajectory.library import Library  # noqa: PLC0415 - numpy, faster start
             from armui.ui.trajectory.library_window import LibraryWindow  # noqa: PLC0415 - as above
-            from armui.ui.trajectory.preflight import Checks  # noqa: PLC0415 - as above
             from armui.ui.trajectory.preview_link import PreviewLink  # noqa: PLC0415 - as above
 
             library = Library(self._trajectories or paths.trajectories())
-            checks = Checks(self._controller, self._workers, self)
-            checks.get_ready()
-            window = LibraryWindow(self._controller, checks, library, self)
+            background = Background(self._workers, self)
+            window = LibraryWindow(self._controller, background, library, self)
             link = PreviewLink(window, self._preview)
             self._view.mark_picked.connect(link.on_mark_picked)
             return window

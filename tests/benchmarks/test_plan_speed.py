@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -37,8 +38,7 @@ def joints_only() -> Trajectory:
     return run(*(joint(*row, speed=50) for row in rows.tolist()))
 
 
-@pytest.fixture(scope="module")
-def mixed() -> Trajectory:
+def mixed_program() -> Trajectory:
     """MOVE J and MOVE L by turns, the lines some 40 mm long."""
     draw = np.random.default_rng(4)
     points: list[Waypoint] = []
@@ -46,7 +46,12 @@ def mixed() -> Trajectory:
         here = draw.uniform((-60, 40, -100, -30, 15, -30), (60, 90, -50, 30, 50, 30)).tolist()
         points.append(joint(*here, speed=50))
         points.append(line(pose_near(here, draw.uniform(-30, 30, 3)), speed=50))
-    return run(*points)
+    return replace(run(*points), name="mixed")
+
+
+@pytest.fixture(scope="module")
+def mixed() -> Trajectory:
+    return mixed_program()
 
 
 def best_s(work: Callable[[], object]) -> float:

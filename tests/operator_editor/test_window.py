@@ -5,6 +5,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QWidget
 
 from armui.trajectory.cells import Column
+from armui.ui.background import Background
 from armui.ui.trajectory.editor_window import EditorWindow
 from armui.ui.trajectory.leave_question import LeaveQuestion
 from armui.ui.trajectory.preflight import Checks
@@ -78,7 +79,7 @@ def test_changes_survive_a_crash(editor):
     # the program is gone without a word: another one opens the same folder
     again = EditorWindow(
         editor.desk.controller,
-        Checks(editor.desk.controller, AtOnce()),
+        Checks(editor.desk.controller, Background(AtOnce())),
         editor.library,
         editor.library.load("Test"),
         draft=editor.library.draft("Test"),

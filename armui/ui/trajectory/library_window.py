@@ -37,6 +37,7 @@ from armui.ui.widgets.message_line import MessageLine
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
+    from armui.ui.background import Background
 
 _SIZE: Final = QSize(1040, 640)
 
@@ -46,7 +47,7 @@ class LibraryWindow(ArmDialog):
 
     Args:
         controller: Runs trajectories, and knows where the arm is.
-        checks: Checks what is to be run.
+        background: Where what takes long is done.
         library: What is listed.
         parent: The main window.
 
@@ -62,13 +63,15 @@ class LibraryWindow(ArmDialog):
     def __init__(
         self,
         controller: ArmController,
-        checks: Checks,
+        background: Background,
         library: Library,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(controller, parent)
         self._controller = controller
-        self._checks = checks
+        self._background = background
+        self._checks = Checks(controller, background)
+        self._checks.get_ready()
         self._library = library
         self._editors: dict[str, EditorWindow] = {}
         self._recorder: RecordingWindow | None = None
@@ -85,7 +88,7 @@ class LibraryWindow(ArmDialog):
         self._watch = LibraryWatch(library.folder, self)
         self._exchange = LibraryExchange(controller, library, self)
         self._findings = FindingsPane()
-        self._strip = RunStrip(controller, checks, self._to_run)
+        self._strip = RunStrip(controller, self._checks, self._to_run)
         self._lay_out()
         self._connect()
         self.retranslate_ui()
@@ -256,7 +259,7 @@ class LibraryWindow(ArmDialog):
         if self._recorder is not None:
             self._recorder.deleteLater()
         self._recorder = RecordingWindow(
-            self._controller, self._library, recording, self.parentWidget()
+            self._controller, self._background, self._library, recording, self.parentWidget()
         )
         self._recorder.saved.connect(lambda name: self.refresh([name]))
         self._recorder.open()

@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QElapsedTimer, QObject, Signal
+from PySide6.QtCore import QElapsedTimer
 
 from armui.arm.refusal import Refusal
 from armui.control.arm_model import arm_model, start_deg
 from armui.trajectory.findings import Finding, Severity
 from armui.trajectory.preflight import Order, Outcome, preflight, warm_up
+from armui.ui.background import Job
 
 if TYPE_CHECKING:
-    from concurrent.futures import Executor, Future
-
     from armui.control.arm_controller import ArmController
     from armui.trajectory.files import Content
     from armui.trajectory.library import Check
     from armui.trajectory.path import Path
+    from armui.ui.background import Background
     from armui.ui.trajectory.runner import RunOptions
 
 _SAME_PLACE_DEG: Final = 0.5
@@ -82,46 +82,46 @@ class CheckJob:
 
     Attributes:
         order: What is checked.
-        then: Gets the :class:`Preflight`, or the :class:`Refusal` that says why there is none.
-        wanted: Whether anybody waits for it still.
-        clock: Tells how long.
+        job: The work.
     """
 
     order: Order
-    then: Callable[[Preflight | Refusal], object]
-    wanted: bool = True
-    clock: QElapsedTimer = field(default_factory=QElapsedTimer)
+    job: Job[Outcome]
+
+    def drop(self) -> None:
+        """Nobody waits for it any more."""
+        self.job.wanted = False
 
 
-class Checks(QObject):
+class Checks:
     """Has checks done one after another, out of the window's way.
 
     Args:
         controller: Knows the arm.
-        workers: Who does them.
+        background: Where they are done.
     """
 
-    _arrived = Signal(object, object)
-
-    def __init__(
-        self, controller: ArmController, workers: Executor, parent: QObject | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController, background: Background) -> None:
         self._controller = controller
-        self._workers = workers
-        self._arrived.connect(self._on_arrived)
+        self._background = background
 
     def get_ready(self) -> None:
         """Begin to load what checks need: one will be asked for soon."""
-        self._workers.submit(warm_up)
+        self._background.warm_up(warm_up)
 
-    def job(
+    def prepare(
         self,
         content: Content,
         options: RunOptions,
         then: Callable[[Preflight | Refusal], object],
     ) -> CheckJob:
-        """A check of something that shall be run from where the arm is now."""
+        """A check of something that shall be run from where the arm is now.
+
+        Args:
+            content: What shall be run.
+            options: How.
+            then: Gets the :class:`Preflight`, or why there is none.
+        """
         order = Order(
             content,
             arm_model(self._controller),
@@ -130,20 +130,17 @@ class Checks(QObject):
             options.first,
             options.laps != 1,
         )
-        return CheckJob(order, then)
+        clock = QElapsedTimer()
+        clock.start()
 
-    def start(self, job: CheckJob) -> None:
-        """Begin a check; its :attr:`CheckJob.then` is called in this thread."""
-        job.clock.start()
-        future = self._workers.submit(preflight, job.order)
-        # the signal brings it here from whichever thread
-        future.add_done_callback(lambda done: self._arrived.emit(job, done))
+        def take(outcome: Outcome | Refusal) -> None:
+            if isinstance(outcome, Refusal):
+                then(outcome)
+            else:
+                then(Preflight(order, outcome, clock.elapsed() / 1e3))
 
-    def _on_arrived(self, job: CheckJob, done: Future[Outcome]) -> None:
-        if not job.wanted or done.cancelled():
-            return
-        error = done.exception()
-        if error is None:
-            job.then(Preflight(job.order, done.result(), job.clock.elapsed() / 1e3))
-        else:
-            job.then(Refusal("check_failed", {"text": str(error) or type(error).__name__}))
+        return CheckJob(order, Job(take))
+
+    def begin(self, check: CheckJob) -> None:
+        """Begin a check; what it was prepared for is called in this thread."""
+        self._background.begin(check.job, preflight, check.order)

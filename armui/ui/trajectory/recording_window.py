@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
 
+from armui.arm.refusal import Refusal
 from armui.control.situation import Level, Situation
 from armui.trajectory import thin
 from armui.trajectory.library import Library, LibraryError
 from armui.trajectory.recording import Recording
 from armui.ui import words
+from armui.ui.background import Job
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.trajectory.leave_question import LeaveQuestion
 from armui.ui.trajectory.text import duration
@@ -22,6 +26,7 @@ from armui.ui.widgets.message_line import MessageLine
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.trajectory.files import Content
+    from armui.ui.background import Background
 
 _TOLERANCE_DEG: Final = 0.1
 _WIDTH_PX: Final = 620
@@ -35,6 +40,7 @@ class RecordingWindow(ArmDialog):
 
     Args:
         controller: Records, and knows whether there is an arm.
+        background: Where recordings are thinned.
         library: Where the recording is kept.
         recording: One of the library, to be trimmed and thinned; without one a new one is made.
         parent: The window it belongs to.
@@ -48,12 +54,15 @@ class RecordingWindow(ArmDialog):
     def __init__(
         self,
         controller: ArmController,
+        background: Background,
         library: Library,
         recording: Recording | None = None,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(controller, parent)
         self._controller = controller
+        self._background = background
+        self._job: Job[Recording | None] | None = None
         self._library = library
         self._recording = recording
         self._result = recording
@@ -134,6 +143,7 @@ class RecordingWindow(ArmDialog):
         if refusal is not None:
             self._say(words.refusal(refusal), Level.WARNING)
         else:
+            self._drop_work()
             self._recording = self._result = None
             self._say("")
         self._show_state()
@@ -157,9 +167,13 @@ class RecordingWindow(ArmDialog):
         self._work_out()
         self._show_state()
 
-    def _work_out(self) -> None:
-        """Cut and thin what was recorded as the fields say."""
-        self._timer.stop()
+    def _work_out(self, then: Callable[[Recording], object] | None = None) -> None:
+        """Cut and thin what was recorded as the fields say.
+
+        Args:
+            then: Gets what is left of it.
+        """
+        self._drop_work()
         whole = self._recording
         if whole is None:
             return
@@ -169,15 +183,37 @@ class RecordingWindow(ArmDialog):
         from_s, to_s, tolerance_deg = (-1.0 if value is None else value for value in figures)
         self._result = None
         if min(from_s, to_s, tolerance_deg) >= 0.0:
+            self._job = Job(partial(self._take_result, then))
             # the field shows milliseconds: the last sample may lie a bit behind it
-            cut = thin.trim(whole, from_s, to_s + 0.0005)
-            self._result = thin.thin(cut, tolerance_deg) if len(cut.samples) else None
+            self._background.begin(self._job, thin.cut, whole, from_s, to_s + 0.0005, tolerance_deg)
         self._show_kept()
+
+    def _drop_work(self) -> None:
+        self._timer.stop()
+        if self._job is not None:
+            self._job.wanted = False
+            self._job = None
+
+    def _take_result(
+        self,
+        then: Callable[[Recording], object] | None,
+        result: Recording | Refusal | None,
+    ) -> None:
+        self._job = None
+        if isinstance(result, Refusal):
+            self._say(words.refusal(result), Level.FAULT)
+            result = None
+        self._result = result
+        self._show_kept()
+        if result is not None and then is not None:
+            then(result)
 
     def _show_kept(self) -> None:
         whole, result = self._recording, self._result
         if whole is None:
             self._kept.clear()
+        elif self._job is not None:
+            self._kept.setText(self.tr("Working…"))
         elif result is None:
             self._kept.setText(self.tr("Nothing is left: correct the marked fields."))
         else:
@@ -189,21 +225,20 @@ class RecordingWindow(ArmDialog):
                 )
             )
         for button in (self._as_samples, self._as_points):
-            button.setEnabled(result is not None)
+            button.setEnabled(result is not None or self._job is not None)
 
     # Keeping ----------------------------------------------------------------------------------
 
     def save_samples(self) -> None:
         """Keep it as a recording, to be replayed in its own time."""
-        self._work_out()
-        if self._result is not None:
-            self._save(self._result)
+        self._work_out(self._save)
 
     def save_points(self) -> None:
         """Keep it as points of MOVE J, to be edited; the arm will come to rest in each."""
-        self._work_out()
-        if self._result is not None:
-            self._save(thin.to_points(self._result, self._controller.situation.limits))
+        self._work_out(self._save_as_points)
+
+    def _save_as_points(self, recording: Recording) -> None:
+        self._save(thin.to_points(recording, self._controller.situation.limits))
 
     def _save(self, content: Content) -> None:
         wish = self._name.text().strip() or content.name

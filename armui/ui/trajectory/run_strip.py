@@ -163,7 +163,7 @@ class RunStrip(QWidget):
             but: The name of what may go on being checked.
         """
         if self._job is not None and self._job.order.content.name != but:
-            self._job.wanted = False
+            self._job.drop()
             self._job = None
             self._about_to_run = False
             self._show_progress(self._runner.progress)
@@ -174,8 +174,8 @@ class RunStrip(QWidget):
         if content is None:
             self.refused.emit(Refusal("no_rows_chosen"))
             return
-        self._job = self._checks.job(content, options, partial(self._on_checked, then))
-        self._checks.start(self._job)
+        self._job = self._checks.prepare(content, options, partial(self._on_checked, then))
+        self._checks.begin(self._job)
         self._show_progress(self._runner.progress)
 
     def _on_checked(

@@ -15,8 +15,8 @@ RUN_REFUSALS: Final[Mapping[str, object]] = {
         "Refusal",
         "Not run: the check has found errors ({count}). Correct the rows listed, then send again.",
     ),
-    "check_failed": QT_TRANSLATE_NOOP(
-        "Refusal", "The check did not come to its end: {text}. Try again."
+    "work_failed": QT_TRANSLATE_NOOP(
+        "Refusal", "The program did not come to the end of its work: {text}. Try again."
     ),
     "moved_since_check": QT_TRANSLATE_NOOP(
         "Refusal",

@@ -1,0 +1,64 @@
+"""Work that takes long, out of the window's way; what comes of it arrives in the same thread."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Generic, TypeVar
+
+from PySide6.QtCore import QObject, Signal
+
+from armui.arm.refusal import Refusal
+
+if TYPE_CHECKING:
+    from concurrent.futures import Executor, Future
+
+Result = TypeVar("Result")
+
+
+@dataclass(slots=True, eq=False)
+class Job(Generic[Result]):
+    """Work that somebody waits for.
+
+    Attributes:
+        then: Gets what came of it, or the :class:`Refusal` that says why nothing did.
+        wanted: Whether anybody waits for it still; else nothing is told of it.
+    """
+
+    then: Callable[[Result | Refusal], object]
+    wanted: bool = True
+
+
+class Background(QObject):
+    """Has work done, one piece after another.
+
+    Args:
+        workers: Who does it.
+    """
+
+    _arrived = Signal(object, object)
+
+    def __init__(self, workers: Executor, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._workers = workers
+        self._arrived.connect(self._on_arrived)
+
+    def begin(self, job: Job[Result], work: Callable[..., Result], *args: object) -> None:
+        """Have a function of a module called; :attr:`Job.then` is called in this thread."""
+        # the signal brings it here from whichever thread
+        self._workers.submit(work, *args).add_done_callback(
+            lambda done: self._arrived.emit(job, done)
+        )
+
+    def warm_up(self, work: Callable[[], object]) -> None:
+        """Have something done that nobody waits for."""
+        self._workers.submit(work)
+
+    def _on_arrived(self, job: Job[Result], done: Future[Result]) -> None:
+        if not job.wanted or done.cancelled():
+            return
+        error = done.exception()
+        if error is None:
+            job.then(done.result())
+        else:
+            job.then(Refusal("work_failed", {"text": str(error) or type(error).__name__}))
