@@ -1,14 +1,14 @@
-"""Asking before something that was entered and not saved is lost."""
+"""Asking before something that was entered and not saved is lost: save it, discard it, or stay."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
-from PySide6.QtCore import QCoreApplication
+from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import QWidget
 
-from armui.ui.dialogs.confirm import confirm
+from armui.ui.dialogs.save_question import SaveQuestion
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -23,6 +23,12 @@ class KeepsDraft(Protocol):
 
     def discard_changes(self) -> None:
         """Forget what was entered."""
+
+    def why_no_saving(self) -> str:
+        """Why what was entered cannot be saved now; empty: it can."""
+
+    def save_changes(self, then: Callable[[], object]) -> None:
+        """Save what was entered; go on once it has proved to be saved, and never otherwise."""
 
 
 @runtime_checkable
@@ -40,13 +46,47 @@ def unsaved(panels: Iterable[object]) -> list[KeepsDraft]:
     ]
 
 
+class UnsavedQuestion(SaveQuestion):
+    """Save to the arm, discard, or stay; withdrawn once there is nothing left to lose.
+
+    Args:
+        controller: Whom the emergency stop tells.
+        parent: The window that asks.
+        panels: Those in which something is not saved.
+    """
+
+    def __init__(
+        self, controller: ArmController, parent: QWidget, panels: Sequence[KeepsDraft]
+    ) -> None:
+        super().__init__(
+            controller,
+            parent,
+            QCoreApplication.translate(
+                "UnsavedQuestion",
+                "What you entered has not been saved to the arm. If you discard it, the arm keeps "
+                "what it holds now.",
+            ),
+        )
+        self._panels = panels
+        controller.situation_changed.connect(self._follow)
+        controller.settings.changed.connect(self._follow)
+        self._follow()
+
+    def _follow(self) -> None:
+        left = unsaved(self._panels)
+        hindrances = (panel.why_no_saving() for panel in left)
+        self.allow_saving(next((each for each in hindrances if each), ""))
+        if not left and self.isVisible():
+            self.reject()
+
+
 def leave_then(
     parent: QWidget,
     controller: ArmController,
     panels: Iterable[object],
     proceed: Callable[[], object],
 ) -> None:
-    """Go on at once, or after the operator has agreed to lose what is not saved.
+    """Go on at once, or after what was entered has been saved, or the operator has given it up.
 
     Args:
         parent: The window that asks.
@@ -64,15 +104,19 @@ def leave_then(
             panel.discard_changes()
         proceed()
 
-    confirm(
-        parent,
-        controller,
-        title=QCoreApplication.translate("Unsaved", "Changes are not saved"),
-        text=QCoreApplication.translate(
-            "Unsaved",
-            "What you entered has not been saved to the arm. If you go on it is lost; the arm "
-            "keeps what it holds now.",
-        ),
-        action_label=QCoreApplication.translate("Unsaved", "Discard changes"),
-        on_confirmed=discard,
-    )
+    for older in parent.findChildren(UnsavedQuestion):
+        older.reject()
+    question = UnsavedQuestion(controller, parent, left)
+    question.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    question.accepted.connect(discard)
+    question.save_wanted.connect(lambda: save_then(left, proceed))
+    question.open()
+
+
+def save_then(panels: Sequence[KeepsDraft], proceed: Callable[[], object]) -> None:
+    """Save one panel after the other, and go on when the last has proved to be saved."""
+    if not panels:
+        proceed()
+        return
+    first, *rest = panels
+    first.save_changes(lambda: save_then(rest, proceed))

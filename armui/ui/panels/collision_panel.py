@@ -101,7 +101,7 @@ class CollisionPanel(ParameterPanel):
 
     def _show_possible(self) -> None:
         super()._show_possible()
-        locked = not self._draft.editing or self._saving
+        locked = not self._draft.editing or self._saving.running
         self._all.set_locked(locked=locked)
 
     def retranslate_ui(self) -> None:

@@ -7,7 +7,8 @@ from typing import Final
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
-_SAVE_KEY: Final = "Ctrl+Return"
+SAVE_KEY: Final = "Ctrl+Return"
+"""Of 【保存】, to be said in its tooltip."""
 _HEIGHT_PX: Final = 38
 _GAP_PX: Final = 10
 
@@ -51,17 +52,6 @@ class ParameterButtons(QWidget):
         leaving.hide()
         coming.show()
 
-    @staticmethod
-    def allow(button: QPushButton, hindrance: str, use: str) -> None:
-        """Switch a button on, or off with the reason in its tooltip."""
-        button.setEnabled(not hindrance)
-        button.setToolTip(hindrance or use)
-
-    def allow_saving(self, hindrance: str, use: str) -> None:
-        """The same for 【保存】, whose key is said too."""
-        shortcut = QKeySequence(_SAVE_KEY).toString(QKeySequence.SequenceFormat.NativeText)
-        self.allow(self.save, hindrance, f"{use} ({shortcut})")
-
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         for button, text in (
@@ -73,4 +63,4 @@ class ParameterButtons(QWidget):
         ):
             button.setText(text)
             button.setAccessibleName(text)
-        self.save.setShortcut(QKeySequence(_SAVE_KEY))  # a new text takes it away
+        self.save.setShortcut(QKeySequence(SAVE_KEY))  # a new text takes it away

@@ -14,11 +14,10 @@ from armui.control.setting_cell import Cell, CellState
 from armui.control.setting_draft import Look, SettingDraft, shown_as
 from armui.control.situation import Level
 from armui.ui import words
+from armui.ui.panels.panel import level_of
 from armui.ui.words.parameters import full_name, look_explained, value_text
 
 _LEVELS: Final = {
-    "not_connected": Level.INFO,
-    "link_lost": Level.FAULT,
     "setting_not_taken": Level.FAULT,
     "setting_unanswered": Level.FAULT,
     "setting_not_read_back": Level.FAULT,
@@ -58,7 +57,7 @@ def message(
         or next((reason for reason in reasons if reason is not None), None)
     )
     if first is not None:
-        return Said(words.refusal(first), _LEVELS.get(first.code, Level.WARNING))
+        return Said(words.refusal(first), _LEVELS.get(first.code, level_of(first)))
     corrupt = [
         parameter
         for parameter in draft.parameters

@@ -6,14 +6,12 @@ from collections.abc import Callable, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
-    QLabel,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -21,17 +19,18 @@ from armui.arm.device import Device
 from armui.arm.parameters import heard
 from armui.arm.refusal import Refusal
 from armui.arm.state import Heard
-from armui.control.setting_cell import CellState
 from armui.control.setting_checks import batches_of
 from armui.control.setting_draft import Look, SettingDraft
+from armui.control.setting_saving import SettingSaving
 from armui.control.situation import Situation
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.panels import parameter_message
-from armui.ui.panels.parameter_buttons import ParameterButtons
+from armui.ui.panels.panel import Panel
+from armui.ui.panels.parameter_buttons import SAVE_KEY, ParameterButtons
 from armui.ui.widgets.card import scrolled
-from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.offer import offer
 from armui.ui.widgets.setting_cell import SettingCell
 from armui.ui.words.parameters import (
     full_name,
@@ -45,7 +44,7 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
 
-class ParameterPanel(QWidget):
+class ParameterPanel(Panel):
     """Shows parameters as the arm holds them, and lets the operator enter others and save them.
 
     They are read whenever the panel is shown, and when the arm comes online meanwhile. Fields are
@@ -69,26 +68,19 @@ class ParameterPanel(QWidget):
         can_reset: bool,
         parent: QWidget | None = None,
     ) -> None:
-        super().__init__(parent)
-        self._controller = controller
+        super().__init__(controller, f"{name}_message", parent)
         self._settings = controller.settings
-        self._name = name
         self._cells = {cell.parameter: cell for cell in cells}
         self._draft = SettingDraft(list(self._cells))
+        self._saving = SettingSaving(self._settings, self._draft)
+        self._then: Callable[[], object] | None = None
         self._batches = batches_of(self._cells)
-        self._refusal: Refusal | None = None
-        self._asked: dict[SettingCell, float] = {}
-        self._saving = False
         self._ready = False
         self._device: Device | None = None
-        self._title = QLabel()
-        self._title.setProperty("rank", "title")
         self._backup = QToolButton()
         self._backup.setObjectName(f"{name}_backup_button")
         self._backup.clicked.connect(open_backup)
         self._buttons = ParameterButtons(name, can_reset=can_reset)
-        self._message = MessageLine()
-        self._message.setObjectName(f"{name}_message")
 
     def finish(self, card: QFrame, *, tallest_px: int) -> None:
         """Lay the panel out around its card; the last step of making one.
@@ -100,14 +92,7 @@ class ParameterPanel(QWidget):
         head = QHBoxLayout()
         head.addWidget(self._title, 1)
         head.addWidget(self._backup)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(16, 14, 16, 14)
-        layout.setSpacing(12)
-        layout.addLayout(head)
-        layout.addWidget(scrolled(card, tallest_px), 1)
-        layout.addWidget(self._buttons)
-        layout.addWidget(self._message)
-        layout.addStretch(0)
+        self._stack(scrolled(card, tallest_px), self._buttons, head=head)
         for before, after in pairwise(cell.focus_widget for cell in self._cells.values()):
             self.setTabOrder(before, after)
         self._connect()
@@ -160,10 +145,24 @@ class ParameterPanel(QWidget):
     def discard_changes(self) -> None:
         """Forget what was entered."""
         self._draft.end()
-        self._asked.clear()
+        self._saving.forget()
+        self._then = None
         self._refusal = None
         self._settings.settle(self._cells)
         self._show_all()
+
+    def why_no_saving(self) -> str:
+        """Why what was entered cannot be saved now; empty: it can."""
+        wrong = self._draft.first_wrong(self._controller.state)
+        return self._no_way() or words.why_not(wrong)
+
+    def save_changes(self, then: Callable[[], object]) -> None:
+        """Save what was entered as 【保存】 does, and go on once all of it has been read back.
+
+        What the arm does not take stays entered, with the reason below it, and ``then`` is not
+        called.
+        """
+        self._save(then)
 
     def focus_joint(self, joint: int) -> None:
         """Bring the operator to the first value of a joint."""
@@ -175,13 +174,13 @@ class ParameterPanel(QWidget):
     # -- actions ------------------------------------------------------------------------------
 
     def _on_read(self) -> None:
-        self._asked.clear()
+        self._saving.forget()
         self._settings.settle(self._cells)
         self._refusal = self._settings.read(self._batches)
         self._show_all()
 
     def _on_edit(self) -> None:
-        self._asked.clear()
+        self._saving.forget()
         self._refusal = None
         self._settings.settle(self._cells)
         self._draft.begin()
@@ -199,6 +198,10 @@ class ParameterPanel(QWidget):
         self._show_all()
 
     def _on_save(self) -> None:
+        self._save()
+
+    def _save(self, then: Callable[[], object] | None = None) -> None:
+        """Save, after a question where it makes something dangerous; then go on."""
         danger = self.danger_of_saving()
         if danger:
             confirm(
@@ -207,22 +210,34 @@ class ParameterPanel(QWidget):
                 title=self.title(),
                 text=danger,
                 action_label=self._buttons.save.text(),
-                on_confirmed=self._save_now,
+                on_confirmed=lambda: self._save_now(then),
             )
         else:
-            self._save_now()
+            self._save_now(then)
 
-    def _save_now(self) -> None:
-        changes = self._draft.changes()
-        self._refusal = self._draft.first_wrong(self._controller.state)
-        if self._refusal is None and changes:
-            self._asked = {self._cells[parameter]: value for parameter, value in changes.items()}
-            self._saving = True
-            self._refusal = self._settings.save(changes)
+    def _save_now(self, then: Callable[[], object] | None) -> None:
+        self._then = then
+        self._refusal = self._saving.begin(self._controller.state)
         if self._refusal is not None:
-            self._saving = False
-            self._asked.clear()
+            self._stay()
         self._show_all()
+
+    def _go_on(self) -> None:
+        """Go where the operator wanted to, if the arm now holds all that was entered."""
+        then = self._then
+        if self._draft.changed:
+            self._stay()
+        elif then is not None:
+            self._then = None
+            # not from within a signal of what it may end
+            QTimer.singleShot(0, self, then)
+
+    def _stay(self) -> None:
+        """Have the operator see why nothing was left."""
+        if self._then is not None:
+            self._then = None
+            self.window().raise_()
+            self.window().activateWindow()
 
     def _on_reset(self) -> None:
         title, text = self.reset_question()
@@ -236,7 +251,7 @@ class ParameterPanel(QWidget):
         )
 
     def _reset_now(self) -> None:
-        self._asked.clear()
+        self._saving.forget()
         self._refusal = self.reset_to_factory()
         self._show_all()
 
@@ -250,26 +265,13 @@ class ParameterPanel(QWidget):
     # -- what the arm says --------------------------------------------------------------------
 
     def _on_settings_changed(self) -> None:
-        if self._saving and not any(
-            self._settings.cell(cell.parameter).state is CellState.SAVING for cell in self._asked
-        ):
-            self._saving = False
-            self._after_saving()
+        if self._saving.ended():
+            self._go_on()
         if self.isVisible():
             self._show_all()
 
-    def _after_saving(self) -> None:
-        """What the arm has taken is no entry any more; the rest can be tried again."""
-        taken = [
-            cell.parameter
-            for cell in self._asked
-            if self._settings.cell(cell.parameter).state is CellState.SAVED
-        ]
-        self._draft.forget(taken)
-        if len(taken) == len(self._asked) and not self._draft.changed:
-            self._draft.end()
-
     def _on_situation_changed(self, situation: Situation) -> None:
+        self._situation = situation
         if situation.device is not None and situation.device != self._device:
             # another arm: what was entered for the last one would be a trap
             self._device = situation.device
@@ -287,7 +289,14 @@ class ParameterPanel(QWidget):
 
     def _why_not_here(self) -> Refusal | None:
         """Why nothing can be read or saved: no arm, or one that has no such parameters."""
-        return self._controller.situation.unreachable or self._settings.why_not_kept(self._batches)
+        return self._situation.unreachable or self._settings.why_not_kept(self._batches)
+
+    def _no_way(self) -> str:
+        """The same in words, or that the arm is still at the last request; empty: nothing."""
+        refusal = self._why_not_here()
+        if refusal is None and self._settings.busy:
+            refusal = Refusal("busy", {"what": "settings"})
+        return words.why_not(refusal)
 
     # -- appearance ---------------------------------------------------------------------------
 
@@ -303,8 +312,8 @@ class ParameterPanel(QWidget):
         known = heard(state, parameter)
         if self._draft.entry(parameter) is None:
             cell.show_value(None if known is None else known.value)
-        cell.set_locked(locked=not self._draft.editing or self._saving)
-        cell.setEnabled(self._controller.situation.unreachable is None or self._draft.editing)
+        cell.set_locked(locked=not self._draft.editing or self._saving.running)
+        cell.setEnabled(self._situation.unreachable is None or self._draft.editing)
         look = self._draft.look(state, parameter, stands)
         held = fmt.NOTHING if known is None else value_text(parameter.name, known.value)
         cell.show_look(look, self._word(cell, look, known))
@@ -329,24 +338,19 @@ class ParameterPanel(QWidget):
         """Enable what can be used now; say in the tooltips of the rest why not."""
         editing, buttons = self._draft.editing, self._buttons
         buttons.show_editing(editing=editing)
-        refusal = self._why_not_here()
-        if refusal is None and self._settings.busy:
-            refusal = Refusal("busy", {"what": "settings"})
-        no_way = "" if refusal is None else words.refusal(refusal)
-        wrong = self._draft.first_wrong(self._controller.state)
-        not_so = "" if wrong is None else words.refusal(wrong)
+        no_way = self._no_way()
         unwanted = "" if self._draft.changed else self.tr("Nothing has been changed.")
         first = self.tr("Save or cancel your changes first.") if editing else ""
-        saving = self.tr("The arm is being asked; wait for its answer.") if self._saving else ""
+        answer = self.tr("The arm is being asked; wait for its answer.")
         reset_title, _text = self.reset_question()
-        buttons.allow(buttons.read, no_way, self.tr("Reads the values from the arm."))
-        buttons.allow(buttons.reset, no_way or self.why_no_reset() or first, reset_title)
+        offer(buttons.read, no_way, self.tr("Reads the values from the arm."))
+        offer(buttons.reset, no_way or self.why_no_reset() or first, reset_title)
         change = self.tr("Lets you change the values; nothing is sent.")
-        buttons.allow(buttons.edit, no_way, change)
+        offer(buttons.edit, no_way, change)
         give_up = self.tr("Shows what the arm holds again.")
-        buttons.allow(buttons.cancel, saving, f"{give_up} (Esc)")
+        offer(buttons.cancel, answer if self._saving.running else "", give_up, key="Esc")
         send = self.tr("Sends what was changed, reads it back and compares.")
-        buttons.allow_saving(no_way or unwanted or not_so, send)
+        offer(buttons.save, no_way or unwanted or self.why_no_saving(), send, key=SAVE_KEY)
 
     def _show_message(self) -> None:
         said = parameter_message.message(
@@ -354,7 +358,7 @@ class ParameterPanel(QWidget):
             draft=self._draft,
             state=self._controller.state,
             cell=self._settings.cell,
-            asked={cell.parameter: value for cell, value in self._asked.items()},
+            asked=self._saving.asked,
             danger=self.danger(),
         )
         self._message.show_message(said.text, said.level)
@@ -370,17 +374,10 @@ class ParameterPanel(QWidget):
         self._buttons.retranslate_ui()
         self._show_all()
 
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
-
     def showEvent(self, event: QShowEvent) -> None:
         """Read what the arm holds now."""
-        super().showEvent(event)
         self._read_anew()
-        self._show_all()
+        super().showEvent(event)
 
     def hideEvent(self, event: QHideEvent) -> None:
         """How the last saving ended was seen."""

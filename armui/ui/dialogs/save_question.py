@@ -1,0 +1,51 @@
+"""The question before something is left with changes that are not saved."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QCoreApplication, Signal
+from PySide6.QtWidgets import QPushButton, QWidget
+
+from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.widgets.offer import offer
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+
+class SaveQuestion(ConfirmDialog):
+    """Save, discard, or stay.
+
+    Args:
+        controller: Whom the emergency stop tells.
+        parent: The window that asks.
+        text: What has not been saved.
+
+    Signals:
+        save_wanted: The changes shall be saved; accepted alone, they shall be discarded.
+    """
+
+    save_wanted = Signal()
+
+    def __init__(self, controller: ArmController, parent: QWidget, text: str) -> None:
+        super().__init__(
+            controller,
+            parent,
+            title=QCoreApplication.translate("SaveQuestion", "Changes are not saved"),
+            text=text,
+            action_label=QCoreApplication.translate("SaveQuestion", "Discard changes"),
+        )
+        self.save_button = QPushButton(self.tr("Save"))
+        self.save_button.setProperty("primary", True)
+        self.save_button.setAutoDefault(False)
+        self.save_button.clicked.connect(self._on_save)
+        self.footer.insertWidget(self.footer.count() - 1, self.save_button)
+
+    def allow_saving(self, hindrance: str) -> None:
+        """Offer to save, or say in the button's tooltip why that cannot be done now."""
+        offer(self.save_button, hindrance)
+
+    def _on_save(self) -> None:
+        self.reject()
+        self.save_wanted.emit()
