@@ -122,7 +122,7 @@ class Outbox:
             try:
                 if not _sent(bus, self._urgent[0]):
                     return False
-            except (can.CanError, OSError):
+            except Exception:  # noqa: BLE001 - drivers of others raise anything; who stops goes on
                 # The bus thread finds out for itself that the bus is gone and reports it.
                 return False
             self._urgent.popleft()

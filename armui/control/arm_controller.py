@@ -14,11 +14,12 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from armui.arm.device import Device
+from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.bus.link import BusReport
 from armui.control import reports
 from armui.control.arm_settings import ArmSettings
-from armui.control.assessment import Circumstances, assess
+from armui.control.assessment import Activity, Circumstances, assess
 from armui.control.cartesian import Cartesian
 from armui.control.connection import Connection
 from armui.control.context import Context, Part
@@ -33,16 +34,20 @@ from armui.control.motion import Motion
 from armui.control.motors import Motors
 from armui.control.notices import CODES
 from armui.control.orders import OrderLine
+from armui.control.parts import Parts
 from armui.control.planned_motion import PlannedMotion
 from armui.control.player import Player
 from armui.control.recorder import Recorder
 from armui.control.recovery import Recovery
 from armui.control.replayer import Replayer
+from armui.control.run_end import cut_short
 from armui.control.situation import Busy, LinkState, Notice, Situation
+from armui.control.stillness import Stillness
 from armui.control.stop import StopKeeper, is_stopped
 from armui.control.teaching import Teaching
 from armui.control.zeroing import Zeroing
 from armui.protocol import commands
+from armui.protocol.codes import TrajectoryCommand
 from armui.protocol.frame import Frame
 
 if TYPE_CHECKING:
@@ -116,10 +121,13 @@ class ArmController(QObject):
         self._connection.changed.connect(self._on_connection)
         self._stop = StopKeeper(self._connection.send_urgent)
         context = Context(self._connection, self._notice, clock, lambda: self._state, self._refresh)
+        self._context = context
         self.motion = Motion(context)
         self.cartesian = Cartesian(context, self.motion)
         self.jogging = Jogging(context, self.motion, self.cartesian)
-        self.motors = Motors(context, before_switching=self.motion.halt)
+        self.motors = Motors(
+            context, before_switching=self.motion.halt, end_run=self._end_run_because
+        )
         self.lights = Lights(context)
         self.player = Player(context, self.motion.halt, self)
         self.replayer = Replayer(context, self.motion.halt, self)
@@ -128,7 +136,7 @@ class ArmController(QObject):
         self.settings = ArmSettings(context, self.orders, self)
         self.joint_errors = JointErrors(context, self.orders)
         self.teaching = Teaching(context)
-        self.planned_motion = PlannedMotion(context)
+        self.planned_motion = PlannedMotion(context, end_all=self._end_driven)
         self.recovery = Recovery(
             context,
             motors=self.motors,
@@ -139,9 +147,9 @@ class ArmController(QObject):
         )
         self.end_reports = EndReports(context, self.orders)
         self.linkage = Linkage(context, self.orders)
-        self.gripper = Gripper(context, self.settings)
-        self.zeroing = Zeroing(context, self.orders, before_zeroing=self.motion.halt)
-        self._parts: tuple[Part, ...] = (
+        self.gripper = Gripper(context, self.settings, end_run=self._end_run_because)
+        self.zeroing = Zeroing(context, self.orders, before_zeroing=self._forget_places)
+        parts: tuple[Part, ...] = (
             self.motors,
             self.motion,
             self.player,
@@ -157,6 +165,9 @@ class ArmController(QObject):
             self.planned_motion,
             self.recovery,  # the last: it looks at what the others are doing
         )
+        self._parts = Parts(parts, self._notice)
+        self._stillness = Stillness()
+        self._still = False
         self._was_online = False
         self._was_stopped = False
         self._was_unconfirmed = False
@@ -201,10 +212,17 @@ class ArmController(QObject):
         self.recovery.advance()
 
     def disconnect_device(self) -> None:
-        """Close the device. The arm goes on with what it was told last."""
+        """Close the device. What this program drives ends before; the arm keeps its power.
+
+        A run, a replay, a jog and a motion paused from here end where the arm is. A single motion
+        the arm has been sent on goes to its target.
+        """
         device = self._connection.device
         if device is None:
             return
+        self._end_run_because(Refusal("run_left"))
+        if self.planned_motion.paused:
+            cut_short(self._context)
         self._forget_arm()
         self._connection.close()
         self._timer.stop()
@@ -215,7 +233,7 @@ class ArmController(QObject):
         self.recovery.advance()
 
     def shutdown(self) -> None:
-        """Close the device and end every thread; nothing is sent."""
+        """Close the device as :meth:`disconnect_device` does, and end every thread."""
         self._finder.wait()
         self.disconnect_device()
 
@@ -237,7 +255,7 @@ class ArmController(QObject):
         on_the_bus = self._stop.request(
             everywhere if doubtful else frames, self._clock(), everywhere
         )
-        self._halt()
+        self._parts.halt()
         self._notice("stop_sent" if on_the_bus else "stop_not_sent")
         self._refresh()
 
@@ -249,16 +267,17 @@ class ArmController(QObject):
     def tick(self) -> None:
         """Take in what was heard and move on what is under way; the controller's timer calls it."""
         now_s = self._clock()
-        heard = self._connection.advance(now_s)
-        changed = heard is not self._state
-        self._state = heard
-        self._follow_online()
-        self._follow_stop(now_s)
-        for part in self._parts:
-            part.advance()
+        before = self._state
+        try:
+            heard = self._state = self._connection.advance(now_s)
+            self._follow_online()
+        finally:
+            self._follow_stop(now_s)  # a stop is repeated whatever else fails
+        self._still = self._stillness.still(heard, now_s)
+        self._parts.advance()
         self._follow_handshake()
         self._refresh()
-        if changed:
+        if heard is not before:
             self.state_changed.emit(heard)
 
     def _follow_online(self) -> None:
@@ -281,7 +300,7 @@ class ArmController(QObject):
         self._was_unconfirmed = unconfirmed
         stopped = is_stopped(self._state)
         if stopped and not self._was_stopped:
-            self._halt()
+            self._parts.halt()
         self._was_stopped = stopped
 
     def _follow_handshake(self) -> None:
@@ -294,7 +313,7 @@ class ArmController(QObject):
 
     def _on_connection(self, report: BusReport, code: str) -> None:
         if code == "link_lost":
-            self._forget_answers()
+            self._parts.forget()
         elif code == "connect_failed":
             self._timer.stop()
             self._forget_arm()
@@ -304,16 +323,34 @@ class ArmController(QObject):
 
     def _forget_arm(self) -> None:
         self._stop.forget()
-        self._forget_answers()
+        self._parts.forget()
         self._was_online = self._was_stopped = False
 
-    def _forget_answers(self) -> None:
-        for part in self._parts:
-            part.forget()
+    # What ends what is under way ----------------------------------------------------------------
 
-    def _halt(self) -> None:
-        for part in self._parts:
-            part.halt()
+    def end_motion(self) -> None:
+        """End what this program drives in good order: the arm comes to rest and stays powered.
+
+        That is a run, a replay, a jog or a motion paused from here.
+        """
+        self._end_driven()
+        if self.planned_motion.paused:
+            self.planned_motion.command(TrajectoryCommand.ABORT)
+        self._refresh()
+
+    def _end_driven(self) -> None:
+        self.player.stop()
+        self.replayer.stop()
+        self.jogging.stop()
+
+    def _end_run_because(self, reason: Refusal) -> None:
+        self.player.end(reason)
+        self.replayer.end(reason)
+
+    def _forget_places(self) -> None:
+        """The angles are counted anew: no place that was asked for before means the same."""
+        self.motion.halt()
+        self.player.drop()
 
     def _refresh(self) -> Situation:
         situation = self._assess(self._clock())
@@ -336,8 +373,16 @@ class ArmController(QObject):
             stop_unconfirmed=self._stop.unconfirmed(now_s),
             busy=busy,
             speed_percent=self.motion.speed_percent,
-            running=self.player.running or self.replayer.running,
             generation=self._connection.generation,
             offsets=self._connection.offsets,
+            activity=Activity(
+                running=self.player.running or self.replayer.running,
+                jogging=self.jogging.active,
+                recording=self.recorder.recording,
+                plan_paused=self.planned_motion.paused,
+                altering=self.orders.altering,
+                run_sets_lamps=self.player.sets_lamps,
+            ),
+            still=self._still,
         )
         return assess(self._state, around, now_s)

@@ -13,6 +13,7 @@ from armui.arm.parameters import Batch, Group, Parameter, all_batches, heard
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.context import Context
+from armui.control.joint_speeds import why_moving
 from armui.control.orders import Order, OrderLine, ReadBack
 from armui.control.setting_cell import Cell, CellState
 from armui.control.setting_checks import Changes, batches_of, frame_values, not_taken, why_not
@@ -168,10 +169,12 @@ class ArmSettings(QObject):
     # How it is carried out --------------------------------------------------------------------
 
     def _codec(self) -> Codec | Refusal:
-        """What to speak, or why nothing can be said now."""
-        refusal = self._why_unknown()
+        """What to speak, or why nothing can be set now."""
+        refusal = self._why_unknown() or self._context.situation().occupied
         if refusal is None and self.busy:
             refusal = Refusal("busy", {"what": "settings"})
+        if refusal is None:
+            refusal = why_moving(self._context.state())
         return self._context.connection.codec if refusal is None else self._context.refuse(refusal)
 
     def _why_unknown(self) -> Refusal | None:
@@ -196,6 +199,7 @@ class ArmSettings(QObject):
                 partial(self._after_saving, wanted),
                 INDEX[batch.group],
                 read_back=self._back(batch, wanted),
+                alters="settings",
             )
         )
 
@@ -223,7 +227,10 @@ class ArmSettings(QObject):
         self._context.tell("settings_reset_sent")
         self._submit(
             Order(
-                command(codec), partial(self._after_reset, batches), SettingIndex.PARAMETER_COMMAND
+                command(codec),
+                partial(self._after_reset, batches),
+                SettingIndex.PARAMETER_COMMAND,
+                alters="settings",
             )
         )
         self.changed.emit()

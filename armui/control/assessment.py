@@ -16,8 +16,25 @@ from armui.protocol.generation import Generation
 
 
 @dataclass(frozen=True, slots=True)
+class Activity:
+    """What the program itself is doing to the arm; see :class:`Situation` for the fields."""
+
+    running: bool = False
+    jogging: bool = False
+    recording: bool = False
+    plan_paused: bool = False
+    altering: str | None = None
+    run_sets_lamps: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class Circumstances:
-    """What the program knows beside the arm's own words; see :class:`Situation` for the fields."""
+    """What the program knows beside the arm's own words; see :class:`Situation` for the fields.
+
+    Attributes:
+        activity: What it is doing to the arm.
+        still: The measured angles stand still.
+    """
 
     link: LinkState
     device: Device | None
@@ -26,18 +43,22 @@ class Circumstances:
     stop_unconfirmed: bool
     busy: Busy | None
     speed_percent: int
-    running: bool
     generation: Generation | None
+    activity: Activity = Activity()
+    still: bool = False
     offsets: OffsetFollower = field(default_factory=OffsetFollower)
 
 
 def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
     """What the operator can do at monotonic time ``now_s``."""
     enabled = _fresh_enabled(state, now_s)
+    activity = around.activity
     no_command = gate.why_no_command(around.link, around.stop, around.busy)
     cannot_run = _first(
         lambda: no_command,
         lambda: None if around.offsets.certain else Refusal("control_offset_unknown"),
+        lambda: Refusal("busy", {"what": activity.altering}) if activity.altering else None,
+        lambda: Refusal("plan_paused") if activity.plan_paused else None,
         lambda: gate.why_not_enabled(enabled),
         lambda: gate.why_not_ready(state),
     )
@@ -56,20 +77,25 @@ def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
         busy=around.busy,
         cannot_move=_first(
             lambda: cannot_run,
-            lambda: Refusal("busy", {"what": "running"}) if around.running else None,
+            lambda: Refusal("run_under_way") if activity.running else None,
             lambda: Refusal("speed_zero") if around.speed_percent == 0 else None,
         ),
         cannot_run=cannot_run,
-        running=around.running,
+        running=activity.running,
+        jogging=activity.jogging,
+        recording=activity.recording,
+        plan_paused=activity.plan_paused,
+        altering=activity.altering,
+        run_sets_lamps=activity.run_sets_lamps,
         cannot_enable=no_command,
         limits=tuple(
             limits or factory for limits, factory in zip(read, FACTORY_LIMITS, strict=True)
         ),
         limits_read=(r1, r2, r3, r4, r5, r6),
         speed_percent=around.speed_percent,
-        # a motion that a stop cut short stays «not reached» for good
         moving=around.link is LinkState.ONLINE
         and around.stop is StopState.RUNNING
+        and not around.still
         and state.status is not None
         and not state.status.value.reached,
         generation=around.generation,

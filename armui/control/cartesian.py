@@ -52,6 +52,7 @@ class Cartesian:
         self._model: Kinematics | None = None
         self._stepped_to: Matrix | None = None
         self._stepped_s = 0.0
+        self._stepped_revision = 0
         self.tool: tuple[float, ...] = _NO_TOOL
 
     # What is known --------------------------------------------------------------------------
@@ -167,6 +168,7 @@ class Cartesian:
         refusal = self._move(matrix_to_pose(target), MoveMode.MOVE_L, "stepped_tool", figures)
         if refusal is None:
             self._stepped_to, self._stepped_s = target, self._context.clock()
+            self._stepped_revision = self._motion.setpoint.revision
         return refusal
 
     def move_arc(self, *points: Sequence[float]) -> Refusal | None:
@@ -244,8 +246,13 @@ class Cartesian:
         return None
 
     def _stepping(self) -> bool:
-        """Whether the last step is under way; the arm's own word on it takes a moment."""
+        """Whether the last step is under way; the arm's own word on it takes a moment.
+
+        Whoever has sent the arm elsewhere since, or has had its angles counted anew, has ended it.
+        """
         context = self._context
+        if self._stepped_revision != self._motion.setpoint.revision:
+            return False
         recent = context.clock() - self._stepped_s < _UNDER_WAY_S
         return recent or context.situation().moving
 

@@ -39,9 +39,7 @@ class EndReports:
         The arm answers and cannot be asked for it: the answer is all there is to know.
         """
         context = self._context
-        refusal = self._why_not()
-        if refusal is None and context.situation().moving:
-            refusal = Refusal("load_while_moving")
+        refusal = self._why_not() or self.why_no_load()
         if refusal is not None:
             return context.refuse(refusal)
         self._busy = True
@@ -52,9 +50,17 @@ class EndReports:
                 partial(self._after_load, load),
                 SettingIndex.PARAMETER_COMMAND,
                 ends_with_stop=True,
+                alters="end_reports",
             )
         )
         return None
+
+    def why_no_load(self) -> Refusal | None:
+        """The reason that lies in what the arm is doing against telling it a load."""
+        situation = self._context.situation()
+        if situation.occupied is not None:
+            return situation.occupied
+        return Refusal("load_while_moving") if situation.moving else None
 
     def switch(self, *, on: bool) -> Refusal | None:
         """Switch the feedback of the end's speed and acceleration; the frames decide."""

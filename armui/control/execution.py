@@ -10,9 +10,8 @@ from PySide6.QtCore import QObject, Signal
 from armui.arm.refusal import Refusal
 from armui.control.context import Context
 from armui.control.run import OVER, Phase, Progress
+from armui.control.run_end import cut_short, cut_short_for
 from armui.control.stillness import Stillness
-from armui.protocol import commands
-from armui.protocol.codes import TrajectoryCommand
 
 if TYPE_CHECKING:
     from armui.protocol.codec import Codec
@@ -56,13 +55,19 @@ class Execution(QObject):
         """Whether it moves the arm, or will."""
         return self._phase not in OVER
 
+    def end(self, reason: Refusal) -> None:
+        """End it at once, because something else happens that it cannot go on beside."""
+        if self.running:
+            self._fail(reason)
+            self._publish()
+
     def halt(self) -> None:
         """An emergency stop ends it."""
-        self._give_up(Refusal("run_stopped"))
+        self.end(Refusal("run_stopped"))
 
     def forget(self) -> None:
         """So does the loss of the arm."""
-        self._give_up(Refusal("link_lost"))
+        self.end(Refusal("link_lost"))
 
     # What each of the two does its own way ----------------------------------------------------
 
@@ -84,20 +89,16 @@ class Execution(QObject):
 
     # What both do the same way ----------------------------------------------------------------
 
-    def _give_up(self, reason: Refusal) -> None:
-        if self.running:
-            self._fail(reason)
-            self._publish()
-
     def _fail(self, reason: Refusal) -> None:
+        cut_short_for(self._context, reason)
         self._end(Phase.FAILED)
         self._progress = self._snapshot(reason)
         self._tell_failed(reason)
         self.progressed.emit(self._progress)
 
     def _abort_motion(self) -> None:
-        """Have the arm end its motion and stay powered (0x150 byte 1 = 6); wait until it rests."""
-        self._send(commands.trajectory_command(self._codec, TrajectoryCommand.ABORT))
+        """Have the arm end its motion and stay powered; wait until it rests."""
+        cut_short(self._context)
         self._await_rest()
 
     def _await_rest(self) -> None:

@@ -57,10 +57,14 @@ class Gripper:
     Args:
         context: What the parts of the controller share.
         settings: Reads the stroke that the arm allows.
+        end_run: Called with the reason when the gripper is about to be disabled under a run.
     """
 
-    def __init__(self, context: Context, settings: ArmSettings) -> None:
+    def __init__(
+        self, context: Context, settings: ArmSettings, end_run: Callable[[Refusal], None]
+    ) -> None:
         self._context = context
+        self._end_run = end_run
         self._settings = settings
         self._deed: str | None = None
         self._request: Request | None = None
@@ -71,11 +75,13 @@ class Gripper:
         """What it can be asked for now."""
         return figures_of(self._context.connection.generation, self._context.state())
 
-    def why_not(self, *, moving: bool) -> Refusal | None:
+    def why_not(self, *, moving: bool, letting_go: bool = False) -> Refusal | None:
         """The reason against a command now, or ``None``.
 
         Args:
             moving: Whether the command moves it or lets it hold.
+            letting_go: Whether it takes its power: it may hold a finger, so a run is no reason
+                against it; the run ends.
         """
         context = self._context
         situation, state = context.situation(), context.state()
@@ -87,10 +93,10 @@ class Gripper:
             return Refusal("gripper_silent")
         if not situation.control_certain:
             return Refusal("control_offset_unknown")
+        if situation.running and not letting_go:
+            return Refusal("run_under_way")
         if not moving:
             return None
-        if situation.running:
-            return Refusal("busy", {"what": "running"})
         mode = None if state.status is None else state.status.value.control_mode
         return None if mode is None or mode in _OBEYS else Refusal("other_control", {"mode": mode})
 
@@ -140,10 +146,11 @@ class Gripper:
         return None
 
     def disable(self) -> Refusal | None:
-        """Take its power: it lets go of what it holds."""
-        refusal = self.why_not(moving=False)
+        """Take its power: it lets go of what it holds. A run under way ends."""
+        refusal = self.why_not(moving=False, letting_go=True)
         if refusal is not None:
             return self._context.refuse(refusal)
+        self._end_run(Refusal("run_let_go"))
         frames = commands.disable_gripper(self._context.connection.codec)
         self._start("disable", frames, lambda gripper: not gripper.enabled)
         return None

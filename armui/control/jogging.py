@@ -104,6 +104,7 @@ class Jogging:
         self._hold = _Hold(jog, now_s, now_s)
         self._speed_due_s = None
         self._timer.start()
+        context.situation()
         if isinstance(jog, JointJog):
             context.tell("jogging_joint", joint=jog.joint, sign=_sign(jog.direction))
         else:
@@ -112,6 +113,11 @@ class Jogging:
 
     def stop(self) -> None:
         """Send no more setpoints: the arm rests at the last one, within 100 ms."""
+        if self._hold is not None:
+            self._let_go()
+            self._context.situation()
+
+    def _let_go(self) -> None:
         if self._hold is None:
             return
         if self._hold.arm_percent is not None:
@@ -215,7 +221,7 @@ class Jogging:
 
     def halt(self) -> None:
         """The arm is to stop, or has stopped."""
-        self.stop()
+        self._let_go()
         self._speed_due_s = None
 
     def forget(self) -> None:

@@ -15,8 +15,9 @@ from armui.protocol.codes import SettingIndex
 class JointErrors:
     """Clears errors one order after the other: the arm's answer does not name the joint.
 
-    It moves nothing, so it may be done whenever the arm is online, stopped or not. The answer says
-    that the arm has heard; whether the fault has gone is what the drivers' feedback says.
+    It moves nothing, so it may be done whenever the arm is online, stopped or not; only a run that
+    is under way is not given back drivers that it was not started with. The answer says that the
+    arm has heard; whether the fault has gone is what the drivers' feedback says.
 
     Args:
         context: What the parts of the controller share.
@@ -33,10 +34,15 @@ class JointErrors:
         """Whether an answer is awaited."""
         return self._joint is not None
 
+    def why_not(self) -> Refusal | None:
+        """The reason against clearing an error now, or ``None``; one after the other may be."""
+        context = self._context
+        return why_unreachable(context.connection.link) or context.situation().occupied
+
     def clear(self, joint: int) -> Refusal | None:
         """Ask a joint (1–6, 7 all) to clear its error: ``None`` if it is on its way, or why not."""
         context = self._context
-        refusal = why_unreachable(context.connection.link)
+        refusal = self.why_not()
         if refusal is None and self._joint is not None:
             refusal = Refusal("busy", {"what": "clearing_error"})
         if refusal is not None:
@@ -48,6 +54,7 @@ class JointErrors:
                 commands.clear_joint_error(context.connection.codec, joint),
                 partial(self._on_finished, joint),
                 SettingIndex.JOINT_SETTING,
+                alters="clearing_error",
             )
         )
         return None

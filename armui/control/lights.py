@@ -8,7 +8,6 @@ from typing import Final
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.control.context import Context
-from armui.control.situation import why_unreachable
 from armui.protocol import commands
 from armui.protocol.codes import ALL_LAMPS
 
@@ -28,7 +27,8 @@ class Lights:
     """Sends colours to the lamps and counts the frames.
 
     The arm neither answers nor reports its lamps: what was sent is all that is known. A lamp moves
-    nothing, so it may be set whenever the arm is online, enabled or not, stopped or not.
+    nothing, so it may be set whenever the arm is online, enabled or not, stopped or not; but a run
+    that sets lamps itself tells something by them, and no one else does meanwhile.
 
     Args:
         context: What the parts of the controller share.
@@ -51,7 +51,7 @@ class Lights:
         Returns:
             ``None`` if it is on its way, or why nothing was sent.
         """
-        refusal = why_unreachable(self._context.connection.link) or check_light(
+        refusal = self._context.situation().cannot_set_lamps or check_light(
             joint=joint, lamp=lamp, red=red, green=green, blue=blue
         )
         if refusal is None:

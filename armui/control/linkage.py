@@ -56,7 +56,7 @@ class Linkage:
             ``None`` if it is on its way, or why nothing was sent.
         """
         context = self._context
-        refusal = self._why_not()
+        refusal = self.why_not()
         for name, offset in (
             ("feedback_offset", feedback_offset),
             ("control_offset", control_offset),
@@ -80,7 +80,12 @@ class Linkage:
         )
         context.tell("linkage_sent")
         self._orders.submit(
-            Order(frames, partial(self._on_finished, role), SettingIndex.LINKAGE_SETTING)
+            Order(
+                frames,
+                partial(self._on_finished, role),
+                SettingIndex.LINKAGE_SETTING,
+                alters="linkage",
+            )
         )
         return None
 
@@ -88,7 +93,8 @@ class Linkage:
         """The way back: a motion output arm without offsets (0xFC)."""
         return self.set(LinkageRole.MOTION_OUTPUT)
 
-    def _why_not(self) -> Refusal | None:
+    def why_not(self) -> Refusal | None:
+        """The reason against a setting now, or ``None``: it may be made."""
         context = self._context
         situation = context.situation()
         link = context.connection.link
@@ -96,8 +102,8 @@ class Linkage:
             return refusal
         if self._busy:
             return Refusal("busy", {"what": "linkage"})
-        if situation.running:
-            return Refusal("busy", {"what": "running"})
+        if situation.occupied is not None:
+            return situation.occupied
         return Refusal("linkage_while_moving") if situation.moving else None
 
     def _on_finished(self, role: LinkageRole, refusal: Refusal | None) -> None:

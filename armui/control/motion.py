@@ -38,14 +38,18 @@ class Motion:
     def set_speed_percent(self, percent: float) -> Refusal | None:
         """Set the speed of motions, 0–100 % of the arm's maximum (0x151 byte 2).
 
-        The arm is told at once, in the mode it is in; it keeps that mode.
+        The arm is told at once, in the mode it is in; it keeps that mode. While a jog goes on, and
+        while it is not known where the arm listens, the next motion brings it to the arm.
         """
         context = self._context
         if not 0 <= percent <= 100:
             return context.refuse(Refusal("speed_out_of_range", {"value": percent}))
+        if context.situation().running:
+            return context.refuse(Refusal("run_under_way"))
         self.speed_percent = round(percent)
         situation = context.situation()
-        if gate.why_no_command(situation.link, situation.stop, None) is None:
+        tellable = situation.control_certain and not situation.jogging
+        if tellable and gate.why_no_command(situation.link, situation.stop, None) is None:
             frames = speed_frames(context.connection.codec, context.state(), self.speed_percent)
             if frames and context.connection.send(frames):
                 context.tell("sent_speed", percent=self.speed_percent)

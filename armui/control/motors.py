@@ -28,11 +28,18 @@ class Motors:
     Args:
         context: What the parts of the controller share.
         before_switching: Called when motors are about to be switched: setpoints are void.
+        end_run: Called with the reason when motors are about to be disabled under a run.
     """
 
-    def __init__(self, context: Context, before_switching: Callable[[], None]) -> None:
+    def __init__(
+        self,
+        context: Context,
+        before_switching: Callable[[], None],
+        end_run: Callable[[Refusal], None],
+    ) -> None:
         self._context = context
         self._before_switching = before_switching
+        self._end_run = end_run
         self._busy: Busy | None = None
         self._joints: Sequence[int] = ()
         self._request: Request | None = None
@@ -47,14 +54,25 @@ class Motors:
         return self._switch(joint, on=True)
 
     def disable(self, joint: int = ALL_JOINTS) -> Refusal | None:
-        """Disable a motor, or all six with 7 (0x471): the arm DROPS."""
+        """Disable a motor, or all six with 7 (0x471): the arm DROPS.
+
+        It is never refused for what is under way: that ends.
+        """
         return self._switch(joint, on=False)
+
+    def why_not_resume(self) -> Refusal | None:
+        """The reason against ending the stop: there is none, or another arm might drop (0x150)."""
+        situation = self._context.situation()
+        if situation.stop is not StopState.STOPPED:
+            return Refusal("not_stopped")
+        return None if situation.control_certain else Refusal("control_offset_unknown")
 
     def resume(self) -> Refusal | None:
         """End the emergency stop: power is cut at once, the arm DROPS; then it must be enabled."""
         context = self._context
-        if context.situation().stop is not StopState.STOPPED:
-            return context.refuse(Refusal("not_stopped"))
+        refusal = self.why_not_resume()
+        if refusal is not None:
+            return context.refuse(refusal)
         context.tell("resume_sent")
         self._start(
             Busy.RESUMING,
@@ -89,9 +107,12 @@ class Motors:
 
     def _switch(self, joint: int, *, on: bool) -> Refusal | None:
         context = self._context
-        refusal = context.situation().cannot_enable
+        situation = context.situation()
+        refusal = situation.cannot_switch_on if on else situation.cannot_enable
         if refusal is not None:
             return context.refuse(refusal)
+        if not on:
+            self._end_run(Refusal("run_disabled"))
         self._before_switching()
         joints = JOINTS if joint == ALL_JOINTS else (joint,)
         command = commands.enable_motors if on else commands.disable_motors

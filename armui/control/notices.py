@@ -104,6 +104,7 @@ CODES: Final[Mapping[str, Level]] = {
     "limits_read": Level.INFO,
     "limits_missing": Level.WARNING,  # joints
     "limits_corrupt": Level.WARNING,  # joint
+    "part_failed": Level.FAULT,  # part
     "refused": Level.WARNING,  # reason
 }
 """Notice code to its level."""
@@ -164,6 +165,13 @@ REFUSALS: Final = frozenset(
         "run_empty",  # name
         "run_no_such_row",  # row, maximum
         "run_stopped",
+        "run_under_way",
+        "run_disabled",
+        "run_let_go",
+        "run_left",
+        "run_sets_lamps",
+        "jog_under_way",
+        "plan_paused",
         "run_too_slow",  # seconds
         "run_elsewhere",  # away
         "run_not_ended",

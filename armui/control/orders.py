@@ -52,6 +52,8 @@ class Order:
         against: What speaks against it by the answer itself.
         read_back: How it is checked, where that can be.
         ends_with_stop: It must not be given again to an arm that is being stopped.
+        alters: What it sets that a motion counts on, as a key of the words for what is under way;
+            ``None``: nothing moves differently for it.
     """
 
     frames: Sequence[Frame]
@@ -60,6 +62,7 @@ class Order:
     against: Callable[[Message], Refusal | None] = lambda _answer: None
     read_back: ReadBack | None = None
     ends_with_stop: bool = False
+    alters: str | None = None
 
 
 class _Phase(enum.Enum):
@@ -84,6 +87,13 @@ class OrderLine:
     def busy(self) -> bool:
         """Whether an order is under way or waits."""
         return self._order is not None
+
+    @property
+    def altering(self) -> str | None:
+        """What of the arm is being set, or waits to be, that a motion counts on."""
+        under_way = [] if self._order is None else [self._order]
+        altered = (order.alters for order in (*under_way, *self._waiting))
+        return next((what for what in altered if what is not None), None)
 
     def submit(self, order: Order) -> None:
         """Take an order on; it begins when those before it have ended."""

@@ -2,11 +2,21 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING, Final
+
 from armui.arm.refusal import Refusal
 from armui.control import gate
 from armui.control.context import Context
 from armui.protocol import commands
 from armui.protocol.codes import TrajectoryCommand
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+_ENDS: Final = frozenset(
+    {TrajectoryCommand.CLEAR_CURRENT, TrajectoryCommand.CLEAR_ALL, TrajectoryCommand.ABORT}
+)
+"""What only ends motions is never refused for what is under way: that ends."""
 
 
 class PlannedMotion:
@@ -14,23 +24,32 @@ class PlannedMotion:
 
     Args:
         context: What the parts of the controller share.
+        end_all: Ends whatever run, replay or jog is under way.
 
     Attributes:
         paused: This program has paused the arm's motion and not continued or cleared it since. The
-            arm holds back new targets as long.
+            arm holds back new targets as long, so the program refuses them.
     """
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, context: Context, end_all: Callable[[], None]) -> None:
         self._context = context
+        self._end_all = end_all
         self.paused = False
 
     def why_not(self, command: TrajectoryCommand) -> Refusal | None:
         """The reason against a command now, or ``None``: it may be given."""
         situation = self._context.situation()
         refusal = gate.why_no_command(situation.link, situation.stop, situation.busy)
-        if refusal is None and command is TrajectoryCommand.PAUSE and not situation.moving:
+        if refusal is None and not situation.control_certain:
+            refusal = Refusal("control_offset_unknown")
+        if refusal is not None or command in _ENDS:
+            return refusal
+        if situation.running or situation.jogging:
+            # a run has a pause of its own; setpoints of a jog held back would come to life later
+            return situation.occupied
+        if command is TrajectoryCommand.PAUSE and not situation.moving:
             return Refusal("not_moving")
-        return refusal
+        return None
 
     def command(self, command: TrajectoryCommand) -> Refusal | None:
         """Give a command of 0x150 byte 1: ``None`` if it is on its way, or why it is not.
@@ -42,6 +61,8 @@ class PlannedMotion:
         refusal = self.why_not(command)
         if refusal is None:
             frames = commands.trajectory_command(context.connection.codec, command)
+            if command in _ENDS:
+                self._end_all()
             if not context.connection.send(frames):
                 refusal = Refusal("link_lost")
         if refusal is not None:

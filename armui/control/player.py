@@ -52,14 +52,19 @@ class Player(Execution):
         self._lap = 1
         self._watch: ArrivalWatch | None = None
 
+    @property
+    def sets_lamps(self) -> bool:
+        """Whether the run under way tells something by the lamps."""
+        run = self._run
+        return self.running and run is not None and any(point.light for point in run.points)
+
     # What the operator wants ------------------------------------------------------------------
 
     def start(self, run: Run) -> Refusal | None:
         """Begin a run: ``None`` if the arm is on its way, or why not."""
         context = self._context
         situation = context.situation()
-        refusal = Refusal("busy", {"what": "running"}) if situation.running else None
-        refusal = refusal or situation.cannot_run or _why_empty(run)
+        refusal = situation.occupied or situation.cannot_run or _why_empty(run)
         if refusal is None:
             refusal = why_not_possible(context.connection.generation, run.points)
         if refusal is not None:
@@ -106,6 +111,13 @@ class Player(Execution):
             return
         self._abort_motion()
         self._publish()
+
+    def drop(self) -> None:
+        """Forget how the last run ended: it is not to be gone on with."""
+        if not self.running:
+            self._run = self._schedule = None
+            self._phase = Phase.IDLE
+            self._publish()
 
     # What time and the arm bring --------------------------------------------------------------
 

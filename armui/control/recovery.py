@@ -11,7 +11,7 @@ from armui.control.context import Context
 from armui.control.recovery_rules import next_step
 from armui.control.recovery_steps import Action, Kind, Step
 from armui.control.request import Outcome, Request
-from armui.control.situation import Level, why_unreachable
+from armui.control.situation import Level
 from armui.protocol import commands
 from armui.protocol.addressing import Addressing
 from armui.protocol.codes import ALL_JOINTS, ControlMode, LinkageRole, MoveMode, TeachingState
@@ -33,6 +33,17 @@ _MAY_BE_BRIEF: Final = frozenset(
 )
 """Drivers and controller report one after the other: what lasts shorter than ``_SETTLE_S`` is no
 step, and a line that flickers leads to wrong clicks."""
+
+_NEEDS_IDENTIFIERS: Final = frozenset(
+    {
+        Action.RESUME,
+        Action.STOP_RECORDING,
+        Action.ABORT_REPLAY,
+        Action.LEAD_BY_HAND,
+        Action.STANDBY,
+    }
+)
+"""What is said on 0x150 and 0x151, which another arm may listen to (0x470)."""
 
 _Deed = Callable[[Step], Refusal | None]
 
@@ -114,12 +125,24 @@ class Recovery:
             return self._context.refuse(Refusal("step_gone"))
         if self._attempt is not None:
             return self._context.refuse(Refusal("busy", {"what": "recovery"}))
+        refusal = self.why_not(now)
+        if refusal is not None:
+            return self._context.refuse(refusal)
         self._give_up()
         refusal = self._deeds[now.action](now)
         if refusal is None and now.action is not Action.RESET:
             self._attempt = _Attempt(now)
         self.advance()
         return refusal
+
+    def why_not(self, step: Step) -> Refusal | None:
+        """The reason against taking a step now that does not lie in the step, or ``None``."""
+        if step.action is Action.CLEAR_ERRORS:
+            return self._joint_errors.why_not()
+        uncertain = not self._context.situation().control_certain
+        if uncertain and step.action in _NEEDS_IDENTIFIERS:
+            return Refusal("control_offset_unknown")
+        return None
 
     def advance(self) -> None:
         """Look at what was heard; called regularly while a device is open."""
@@ -208,9 +231,6 @@ class Recovery:
         return None
 
     def _clear_errors(self, step: Step) -> Refusal | None:
-        refusal = why_unreachable(self._context.connection.link)
-        if refusal is not None:
-            return self._context.refuse(refusal)
         self._to_clear = list(step.joints) or [ALL_JOINTS]
         return None
 

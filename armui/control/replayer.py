@@ -64,8 +64,7 @@ class Replayer(Execution):
 
         context = self._context
         situation = context.situation()
-        refusal = Refusal("busy", {"what": "running"}) if situation.running else None
-        refusal = refusal or situation.cannot_run or why_not(replay, situation)
+        refusal = situation.occupied or situation.cannot_run or why_not(replay, situation)
         if refusal is not None:
             return context.refuse(refusal)
         self._replay, self._lap, self._at_s = replay, 1, 0.0

@@ -66,10 +66,16 @@ class Situation:
         enabled: Each motor by the arm's word; ``None`` where it has not been heard of late.
         cannot_move, cannot_enable: Why not, or ``None``: it may.
         cannot_run: Why a trajectory cannot be run, or the one that runs cannot go on.
-        running: A trajectory moves the arm.
+        running: A run or a replay is under way, be it that it dwells, waits or is paused.
+        jogging: Something is held that moves the arm.
+        recording: The program records where the arm goes.
+        plan_paused: This program has paused the arm's motion: it holds back new targets.
+        altering: What of the arm is being set that a motion counts on; ``None``: nothing.
+        run_sets_lamps: The run under way tells something by the lamps.
         limits: Of each joint, as read from the arm where ``limits_read``, else the factory's.
         speed_percent: What motions are sent with.
-        moving: The arm says that it has not reached its target, and is not stopped.
+        moving: The arm says that it has not reached its target, is not stopped, and is not
+            measured to stand still: a motion cut short stays «not reached» for good.
         generation: The protocol the arm speaks, once that is known.
         addressing: The identifier offsets in use (0x470).
         control_certain: Whether the arm is known to take commands under them.
@@ -91,6 +97,11 @@ class Situation:
     speed_percent: int = 0
     moving: bool = False
     running: bool = False
+    jogging: bool = False
+    recording: bool = False
+    plan_paused: bool = False
+    altering: str | None = None
+    run_sets_lamps: bool = False
     generation: Generation | None = None
     teaching_input: bool = False
     addressing: Addressing = field(default_factory=Addressing)
@@ -100,6 +111,31 @@ class Situation:
     def unreachable(self) -> Refusal | None:
         """Why nothing can be sent to the arm, or ``None``: it is online."""
         return why_unreachable(self.link)
+
+    @property
+    def occupied(self) -> Refusal | None:
+        """Why the arm must be left as it is: its limits, zeros, identifiers, load and drivers.
+
+        What is under way was checked against them. A run that dwells, waits or is paused counts:
+        the arm stands still then, and goes on.
+        """
+        if self.running:
+            return Refusal("run_under_way")
+        if self.jogging:
+            return Refusal("jog_under_way")
+        return Refusal("plan_paused") if self.plan_paused else None
+
+    @property
+    def cannot_set_lamps(self) -> Refusal | None:
+        """Why no lamp may be set, or ``None``: lamps move nothing, but a run may speak by them."""
+        if self.unreachable is None and self.run_sets_lamps:
+            return Refusal("run_sets_lamps")
+        return self.unreachable
+
+    @property
+    def cannot_switch_on(self) -> Refusal | None:
+        """Why motors must not be enabled, or ``None``: they may. To disable is always possible."""
+        return self.cannot_enable or self.occupied
 
 
 class Level(enum.Enum):

@@ -103,6 +103,11 @@ def phase_of(status: Status) -> Phase:
     return Phase.IDLE
 
 
+def why_under_way(phase: Phase) -> Refusal | None:
+    """What drag teaching is in the middle of, as a reason against what would spoil it."""
+    return None if phase in {Phase.OFF, Phase.IDLE} else Refusal(_UNSUITED[phase])
+
+
 def farthest_from_rest(state: ArmState) -> tuple[int, float] | None:
     """The joint (1–6) farthest from its zero and its angle in degrees; ``None``: not all heard."""
     angles_deg = state.angles_deg()
@@ -115,6 +120,8 @@ def farthest_from_rest(state: ArmState) -> tuple[int, float] | None:
 def why_not(command: TeachingState, state: ArmState, situation: Situation) -> Refusal | None:
     """The reason against a command of 0x150 byte 2 now, or ``None``: it makes sense."""
     refusal = gate.why_no_command(situation.link, situation.stop, situation.busy)
+    if refusal is None and not situation.control_certain:
+        refusal = Refusal("control_offset_unknown")
     if refusal is not None:
         return refusal
     if state.status is None:
@@ -125,8 +132,8 @@ def why_not(command: TeachingState, state: ArmState, situation: Situation) -> Re
         return Refusal(_UNSUITED[phase])
     if command not in _ASKS_MUCH:
         return None
-    if situation.running:
-        return Refusal("busy", {"what": "running"})
+    if situation.occupied is not None:
+        return situation.occupied
     if phase is Phase.OFF and status.control_mode not in gate.MOVABLE_MODES:
         return Refusal("other_control", {"mode": status.control_mode})
     if status.arm_status not in _SOUND:

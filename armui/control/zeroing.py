@@ -13,7 +13,9 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
+from armui.control import teaching_phase
 from armui.control.gate import joint_list
+from armui.control.joint_speeds import why_not_still
 from armui.control.orders import Order, OrderLine, ReadBack
 from armui.protocol import commands
 from armui.protocol.codes import ALL_JOINTS, SettingIndex
@@ -24,8 +26,8 @@ if TYPE_CHECKING:
     from armui.control.context import Context
     from armui.protocol.codec import Message
 
-STILL_DEG_S: Final = 1.0
-"""Slower than this a joint stands still: drivers report a little noise at rest."""
+ENDED: Final = frozenset({"zero_set", "zero_set_joint", "zero_failed"})
+"""Notices after which the angles may be counted anew: places entered before are other places."""
 
 _AT_ZERO_DEG: Final = 0.5
 _LONGEST_S: Final = 0.3
@@ -54,6 +56,19 @@ class Zeroing:
         """Whether a zero has been sent and its end is not known."""
         return self._busy
 
+    def why_not(self) -> Refusal | None:
+        """The reason against a new zero that lies in what is under way, or ``None``.
+
+        What was planned, recorded or paused with the old zero would be gone on with under the new.
+        """
+        situation, state = self._context.situation(), self._context.state()
+        refusal = situation.cannot_enable or situation.occupied
+        if refusal is None and situation.recording:
+            refusal = Refusal("busy", {"what": "recording"})
+        if refusal is not None or state.status is None:
+            return refusal
+        return teaching_phase.why_under_way(teaching_phase.phase_of(state.status.value))
+
     def set_zero(self, joint: int = ALL_JOINTS) -> Refusal | None:
         """Make the present position of a joint (1–6, 7 all) its zero.
 
@@ -61,7 +76,7 @@ class Zeroing:
             ``None`` if it is on its way, or why nothing was sent.
         """
         context = self._context
-        refusal = context.situation().cannot_enable or why_not_still(context.state())
+        refusal = self.why_not() or why_not_still(context.state())
         if refusal is not None:
             return context.refuse(refusal)
         self._before_zeroing()
@@ -76,6 +91,7 @@ class Zeroing:
                 against=partial(_against_answer, joint_list(list(joints))),
                 read_back=ReadBack((), partial(_shown, joints), partial(_not_at_zero, joints)),
                 ends_with_stop=True,
+                alters="zeroing",
             )
         )
         context.situation()
@@ -89,27 +105,6 @@ class Zeroing:
             self._context.tell("zero_set")
         else:
             self._context.tell("zero_set_joint", joint=joint)
-
-
-def why_not_still(state: ArmState) -> Refusal | None:
-    """The reason against a new zero that lies in the arm: it moves, or nobody knows."""
-    speeds = [
-        heard.value.speed_deg_s
-        if heard is not None
-        and state.last_feedback_s is not None
-        and heard.fresh(state.last_feedback_s)
-        else None
-        for heard in state.drivers_fast
-    ]
-    unknown = [joint for joint, speed in zip(JOINTS, speeds, strict=True) if speed is None]
-    if unknown:
-        return Refusal("speed_unknown", {"joints": joint_list(unknown)})
-    moving = [
-        joint
-        for joint, speed in zip(JOINTS, speeds, strict=True)
-        if speed is not None and abs(speed) >= STILL_DEG_S
-    ]
-    return Refusal("joints_moving", {"joints": joint_list(moving)}) if moving else None
 
 
 def _against_answer(joints: str, answer: Message) -> Refusal | None:

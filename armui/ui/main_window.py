@@ -18,10 +18,11 @@ from PySide6.QtWidgets import (
 
 from armui.arm.state import ArmState
 from armui.control.joint_monitor import JointMonitor
-from armui.control.situation import Situation
+from armui.control.situation import Situation, StopState
 from armui.ui.background import Background
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
+from armui.ui.leaving import end_motion_then
 from armui.ui.operation_area import OperationArea
 from armui.ui.panel_menu import PanelMaker
 from armui.ui.panels.motion_panel import MotionPanel
@@ -156,8 +157,13 @@ class MainWindow(QMainWindow):
         self._panels.show_panel(place)
 
     def _leave_arm_then(self, asking: QWidget, proceed: Callable[[], object]) -> None:
-        """Leave the arm, or the program; what is not saved in any panel asks first."""
-        leave_then(asking, self._controller, self._panels.panels, proceed)
+        """Leave the arm, or the program; what is not saved, and what is under way, asks first."""
+        leave_then(
+            asking,
+            self._controller,
+            self._panels.panels,
+            lambda: end_motion_then(asking, self._controller, proceed),
+        )
 
     # -- the arm in 3D ------------------------------------------------------------------------
 
@@ -288,8 +294,11 @@ class MainWindow(QMainWindow):
         self._show_in_view(self._controller.state)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Ask first while something is not saved, or the arm moves: closing doesn't stop it."""
-        at_stake = self._controller.situation.moving or unsaved(self._panels.panels)
+        """Ask first while something is not saved, is under way, or the arm moves by itself."""
+        situation = self._controller.situation
+        stopping = situation.stop is StopState.REQUESTED
+        under_way = situation.moving or stopping or situation.occupied is not None
+        at_stake = under_way or unsaved(self._panels.panels)
         if at_stake and not self._may_close:
             event.ignore()
             self._leave_arm_then(self, self._close_unless_moving)

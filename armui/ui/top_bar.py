@@ -59,11 +59,12 @@ class TopBar(QWidget):
         self._describe_enable(situation)
 
     def _describe_enable(self, situation: Situation) -> None:
-        blocked = situation.cannot_enable
+        off = self._enable.turns_off
+        blocked = situation.cannot_enable if off else situation.cannot_switch_on
         self._enable.setEnabled(blocked is None)
         if blocked is not None:
             tip = words.refusal(blocked)
-        elif self._enable.turns_off:
+        elif off:
             tip = self.tr("Disables all six motors: the arm will drop, so hold it first.")
         else:
             tip = self.tr("Enables all six motors.")

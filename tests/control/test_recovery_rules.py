@@ -106,7 +106,6 @@ def situation(state: ArmState, link=LinkState.ONLINE, **changes) -> Situation:
         stop=StopState.STOPPED if stopped and link is LinkState.ONLINE else StopState.RUNNING,
         stop_unconfirmed=False,
         busy=None,
-        running=False,
         speed_percent=30,
         generation=Generation.TWO,
     )

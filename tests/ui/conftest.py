@@ -133,6 +133,9 @@ class FakeController(QObject):
     def disconnect_device(self) -> None:
         self.calls.append(("disconnect_device",))
 
+    def end_motion(self) -> None:
+        self.calls.append(("end_motion",))
+
     def emergency_stop(self) -> None:
         self.calls.append(("emergency_stop",))
 
@@ -301,6 +304,9 @@ class FakeRecovery:
         self.step = step
         self._controller.step_changed.emit(step)
 
+    def why_not(self, _step: Step) -> Refusal | None:
+        return self._controller.situation.occupied
+
     def act(self, step: Step) -> Refusal | None:
         return self._controller._asked("act", step)
 
@@ -310,6 +316,9 @@ class FakeZeroing:
 
     def __init__(self, controller: FakeController) -> None:
         self._controller = controller
+
+    def why_not(self) -> Refusal | None:
+        return self._controller.situation.cannot_enable or self._controller.situation.occupied
 
     def set_zero(self, joint: int = ALL_JOINTS) -> Refusal | None:
         return self._controller._asked("set_zero", joint)
@@ -338,7 +347,7 @@ class FakeGripper:
     def figures(self) -> Figures:
         return figures_of(self._controller.situation.generation, self._controller.state)
 
-    def why_not(self, *, moving: bool) -> Refusal | None:
+    def why_not(self, *, moving: bool, letting_go: bool = False) -> Refusal | None:
         return self._controller.situation.cannot_enable
 
     def learn_stroke(self) -> None:

@@ -368,6 +368,8 @@ class BackupDialog(ArmDialog):
         self.read_button.setText(self.tr("Stop reading") if reading else self.tr("Read"))
         unreachable = self._controller.situation.unreachable
         no_way = "" if unreachable is None else words.refusal(unreachable)
+        occupied = self._controller.situation.occupied
+        not_now = words.why_not(occupied)
         busy = words.refusal(Refusal("busy", {"what": "settings"}))
         wait = busy if self._settings.busy or reading else ""
         no_file = "" if self._backup is not None else self.tr("Open a file first.")
@@ -376,7 +378,7 @@ class BackupDialog(ArmDialog):
             (self.read_button, no_way or ("" if reading else wait)),
             (self.save_button, no_way or wait),
             (self.open_button, ""),
-            (self.restore_button, no_file or no_way or wait or nothing),
+            (self.restore_button, no_file or no_way or not_now or wait or nothing),
             (self.all_button, no_file),
             (self.none_button, no_file),
         ):

@@ -174,7 +174,7 @@ class JointStatusDialog(ArmDialog):
             self._show_usable(situation)
 
     def _show_usable(self, situation: Situation) -> None:
-        reason = situation.unreachable
+        reason = situation.unreachable or situation.occupied
         for joint, button in zip(JOINTS, self.clear_buttons, strict=True):
             button.setEnabled(reason is None)
             button.setToolTip(

@@ -163,12 +163,12 @@ class EndLoadPanel(Panel):
             self._switch.setAccessibleName(f"{self._motion_title.text()}: {self._switch.text()}")
 
     def _show_all(self) -> None:
-        why_not = words.why_not(self._situation.unreachable)
-        for button, tip in (
-            (self._send, self.tr("Tells the arm what it carries: it holds against that weight.")),
-            (self._switch, self.tr("Switches the periodic frames 0x481–0x486.")),
-        ):
-            offer(button, why_not, tip)
+        unreachable = self._situation.unreachable
+        why_not = words.why_not(unreachable or self._situation.occupied)
+        use = self.tr("Tells the arm what it carries: it holds against that weight.")
+        offer(self._send, why_not, use)
+        use = self.tr("Switches the periodic frames 0x481–0x486.")
+        offer(self._switch, words.why_not(unreachable), use)
         self._show_state(self._controller.state)
         self._show_message()
 

@@ -49,7 +49,7 @@ class GripperPanel(Panel):
         super().__init__(controller, "gripper_message", parent)
         self._notice: Notice | None = None
         self._generation = self._situation.generation or Generation.TWO
-        self._hindrances: tuple[Refusal | None, Refusal | None] | None = None
+        self._hindrances: tuple[Refusal | None, ...] | None = None
         self._mark = PowerMark()
         self._power = QLabel()
         self._power.setObjectName("gripper_power")
@@ -254,17 +254,25 @@ class GripperPanel(Panel):
 
     def _show_possible(self) -> None:
         gripper = self._controller.gripper
-        moving, still = (gripper.why_not(moving=each) for each in (True, False))
-        if (moving, still) == self._hindrances:
+        hindrances = (
+            gripper.why_not(moving=True),
+            gripper.why_not(moving=False),
+            gripper.why_not(moving=False, letting_go=True),
+        )
+        if hindrances == self._hindrances:
             return
-        self._hindrances = (moving, still)
-        why_not_move, why_not = words.why_not(moving), words.why_not(still)
+        self._hindrances = hindrances
+        why_not_move, why_not, why_not_let_go = map(words.why_not, hindrances)
         self._travel.allow_steps(why_not_move)
         use = self.tr("Moves the gripper to the target, and gives it power.")
         offer(self._send, why_not_move, use, key=_SEND_KEY)
         for act, hindrance, use in (
             ("enable", why_not_move, self.tr("Gives the gripper power where it is.")),
-            ("disable", why_not, self.tr("Takes its power: it drops what it holds. Asks first.")),
+            (
+                "disable",
+                why_not_let_go,
+                self.tr("Takes its power: it drops what it holds. Asks first."),
+            ),
             ("clear", why_not, self.tr("Clears its error; it has no power until enabled again.")),
             ("zero", why_not, self.tr("Makes the present opening its zero. Asks first.")),
         ):

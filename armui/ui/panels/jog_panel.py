@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from armui.arm.refusal import Refusal
 from armui.control.situation import Notice, Situation
+from armui.control.zeroing import ENDED
 from armui.ui import words
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.card import scrolled
@@ -129,7 +130,7 @@ class JogPanel(Panel):
         raise NotImplementedError
 
     def _forget_targets(self) -> None:
-        """The arm is another one."""
+        """The arm is another one, or counts its angles anew."""
         raise NotImplementedError
 
     def _show_possible(self) -> None:
@@ -156,10 +157,14 @@ class JogPanel(Panel):
         self._controller.jogging.stop()
 
     def _on_noticed(self, notice: Notice) -> None:
-        """What ended a jog is said where the operator looks."""
+        """What ended a jog is said where the operator looks; a new zero makes targets void."""
         reason = notice.params.get("reason")
         if notice.code == "jog_ended" and isinstance(reason, Refusal) and self.isVisible():
             self._took(reason)
+        elif notice.code in ENDED:
+            # the same figures are another place by the new zero
+            self._forget_targets()
+            self._show_message()
 
     # -- what the arm says --------------------------------------------------------------------
 

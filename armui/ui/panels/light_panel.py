@@ -221,7 +221,7 @@ class LightPanel(Panel):
 
     def _on_situation_changed(self, situation: Situation) -> None:
         old, self._situation = self._situation, situation
-        if old.unreachable != situation.unreachable:
+        if old.cannot_set_lamps != situation.cannot_set_lamps:
             self._refusal = None
             self._show_possible()
             self._show_message()
@@ -244,10 +244,10 @@ class LightPanel(Panel):
     def _show_possible(self) -> None:
         """Enable what can be used now; say in the tooltip why not."""
         use = self.tr("Sends the colour to the lamps; nothing moves.")
-        offer(self._confirm, words.why_not(self._situation.unreachable), use, key=_CONFIRM_KEY)
+        offer(self._confirm, words.why_not(self._situation.cannot_set_lamps), use, key=_CONFIRM_KEY)
 
     def _show_message(self) -> None:
-        self._say(self._refusal or self._situation.unreachable or self._first_wrong())
+        self._say(self._refusal or self._situation.cannot_set_lamps or self._first_wrong())
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

@@ -167,7 +167,7 @@ class LinkagePanel(Panel):
         self._back.setVisible(teaching)
         link = situation.link
         reachable = link in {LinkState.ONLINE, LinkState.OFFLINE}
-        why_not = "" if reachable else words.why_not(situation.unreachable)
+        why_not = words.why_not(situation.occupied if reachable else situation.unreachable)
         offer(self._confirm, why_not, self.tr("Says what will change, and asks first."))
         self._show_in_use()
         self._show_message()

@@ -161,15 +161,19 @@ class MotorPanel(Panel):
 
     def _show_all(self) -> None:
         self._show_state(self._controller.state)
-        why_not = words.why_not(self._situation.cannot_enable)
-        why_not_clear = words.why_not(self._situation.unreachable)
-        for acts in self._all_acts():
-            for act in MotorAct:
-                acts.allow(act, why_not_clear if act is MotorAct.CLEAR else why_not)
+        situation = self._situation
+        for act, blocked in (
+            (MotorAct.ENABLE, situation.cannot_switch_on),
+            (MotorAct.DISABLE, situation.cannot_enable),
+            (MotorAct.ZERO, self._controller.zeroing.why_not()),
+            (MotorAct.CLEAR, situation.unreachable or situation.occupied),
+        ):
+            for acts in self._all_acts():
+                acts.allow(act, words.why_not(blocked))
         self._show_message()
 
     def _show_message(self) -> None:
-        blocked = self._situation.cannot_enable
+        blocked = self._situation.cannot_switch_on
         if blocked is not None and blocked.code == "busy":
             blocked = None  # what is under way will say itself how it ends
         self._say(blocked, self._notice)

@@ -154,7 +154,7 @@ class ParameterPanel(Panel):
     def why_no_saving(self) -> str:
         """Why what was entered cannot be saved now; empty: it can."""
         wrong = self._draft.first_wrong(self._controller.state)
-        return self._no_way() or words.why_not(wrong)
+        return self._no_way() or words.why_not(self._controller.situation.occupied or wrong)
 
     def save_changes(self, then: Callable[[], object]) -> None:
         """Save what was entered as 【保存】 does, and go on once all of it has been read back.
@@ -344,7 +344,8 @@ class ParameterPanel(Panel):
         answer = self.tr("The arm is being asked; wait for its answer.")
         reset_title, _text = self.reset_question()
         offer(buttons.read, no_way, self.tr("Reads the values from the arm."))
-        offer(buttons.reset, no_way or self.why_no_reset() or first, reset_title)
+        not_now = words.why_not(self._controller.situation.occupied)
+        offer(buttons.reset, no_way or not_now or self.why_no_reset() or first, reset_title)
         change = self.tr("Lets you change the values; nothing is sent.")
         offer(buttons.edit, no_way, change)
         give_up = self.tr("Shows what the arm holds again.")
@@ -353,8 +354,9 @@ class ParameterPanel(Panel):
         offer(buttons.save, no_way or unwanted or self.why_no_saving(), send, key=SAVE_KEY)
 
     def _show_message(self) -> None:
+        occupied = self._controller.situation.occupied if self._draft.editing else None
         said = parameter_message.message(
-            refusal=self._refusal or self._why_not_here(),
+            refusal=self._refusal or self._why_not_here() or occupied,
             draft=self._draft,
             state=self._controller.state,
             cell=self._settings.cell,

@@ -10,7 +10,7 @@ from PySide6.QtGui import QMouseEvent, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
 from armui.control.recovery_steps import Action, Kind, Step
-from armui.control.situation import Level
+from armui.control.situation import Level, Situation
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.theme import Colors, colors_of
@@ -86,6 +86,7 @@ class RecoveryLine(QWidget):
         self._button.pressed.connect(self._on_pressed)
         self._button.clicked.connect(self._on_clicked)
         controller.step_changed.connect(self._on_step_changed)
+        controller.situation_changed.connect(self._on_situation_changed)
         self._show_step()
 
     # -- behaviour ----------------------------------------------------------------------------
@@ -116,6 +117,10 @@ class RecoveryLine(QWidget):
         self._step = step
         self._show_step()
 
+    def _on_situation_changed(self, _situation: Situation) -> None:
+        if self._button.isVisible():
+            self._show_button()
+
     def _show_step(self) -> None:
         step = self._step
         calm = step.kind in _CALM
@@ -125,18 +130,24 @@ class RecoveryLine(QWidget):
         self._text.style().unpolish(self._text)
         self._text.style().polish(self._text)
         self.setAccessibleName(text)
-        action = None if calm else step.action
+        self._show_button()
+        self._draw_icon()
+        self.update()
+
+    def _show_button(self) -> None:
+        step = self._step
+        action = None if step.kind in _CALM else step.action
+        blocked = self._controller.recovery.why_not(step)
         self._button.setVisible(action is not None)
-        self._button.setEnabled(not step.waiting)
+        self._button.setEnabled(not step.waiting and blocked is None)
         self._button.setAccessibleName(self.tr("Next step"))
         if action is not None:
             label = self.tr("Waiting…") if step.waiting else words.step_action(action)
             self._button.setText(label)
             self._button.setAccessibleName(label)
-            danger = words.step_danger(action) if step.dangerous else text
-            self._button.setToolTip(self.tr("Waiting for the arm") if step.waiting else danger)
-        self._draw_icon()
-        self.update()
+            use = words.step_danger(action) if step.dangerous else words.step(step)
+            use = use if blocked is None else words.refusal(blocked)
+            self._button.setToolTip(self.tr("Waiting for the arm") if step.waiting else use)
 
     def _draw_icon(self) -> None:
         colors = colors_of(self)

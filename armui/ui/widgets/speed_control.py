@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox, QWidget
 
+from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.situation import Situation
 from armui.protocol.generation import Generation
 from armui.ui import format as fmt
+from armui.ui import words
 from armui.ui.freshness import is_stale
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.value_label import ValueLabel
@@ -80,8 +82,17 @@ class SpeedControl(QWidget):
     def _on_situation_changed(self, situation: Situation) -> None:
         if not self._slider.isSliderDown():
             self._show_setpoint()
+        self._allow(situation)
         self._explain(situation.generation)
         self._on_state_changed(self._controller.state)
+
+    def _allow(self, situation: Situation) -> None:
+        """A run sends each point with its own speed: another one would change it in silence."""
+        hindrance = words.refusal(Refusal("run_under_way")) if situation.running else ""
+        use = self.tr("Speed of motions, 0–100 % of the arm's highest; 0 % means no motion.")
+        for widget in (self._slider, self._field):
+            widget.setEnabled(not hindrance)
+            widget.setToolTip(hindrance or use)
 
     def _show_setpoint(self) -> None:
         percent = self._controller.situation.speed_percent
@@ -107,12 +118,11 @@ class SpeedControl(QWidget):
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
-        tip = self.tr("Speed of motions, 0–100 % of the arm's highest; 0 % means no motion.")
         self._label.setText(self.tr("Speed"))
         self._arm_label.setText(self.tr("Arm"))
         for widget in (self._slider, self._field):
             widget.setAccessibleName(self.tr("Speed percentage"))
-            widget.setToolTip(tip)
+        self._allow(self._controller.situation)
         self._arm_value.setAccessibleName(self.tr("Speed percentage reported by the arm"))
         self._explain(self._controller.situation.generation)
 

@@ -217,6 +217,11 @@ _NOTICES: Final[Mapping[str, object]] = {
         "Joint {joint}: the limits stored in the arm cannot be true. The factory limits hold; set "
         "the joint's limits anew.",
     ),
+    "part_failed": QT_TRANSLATE_NOOP(
+        "Notice",
+        "A part of the program has failed ({part}). The emergency stop still works; end what is "
+        "under way and start the program again.",
+    ),
     "refused": QT_TRANSLATE_NOOP("Notice", "Not sent. {reason}"),
 }
 

@@ -286,7 +286,6 @@ _UNDER_WAY: Final[Mapping[str, object]] = {
     "enabling": QT_TRANSLATE_NOOP("UnderWay", "enabling the motors"),
     "disabling": QT_TRANSLATE_NOOP("UnderWay", "disabling the motors"),
     "resuming": QT_TRANSLATE_NOOP("UnderWay", "resuming after the emergency stop"),
-    "running": QT_TRANSLATE_NOOP("UnderWay", "running a trajectory"),
     "recording": QT_TRANSLATE_NOOP("UnderWay", "recording"),
     "settings": QT_TRANSLATE_NOOP("UnderWay", "reading or saving the arm's settings"),
     "end_reports": QT_TRANSLATE_NOOP("UnderWay", "the setting before"),

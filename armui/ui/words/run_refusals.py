@@ -39,6 +39,37 @@ RUN_REFUSALS: Final[Mapping[str, object]] = {
         "The arm is in emergency stop. Hold the arm, press Resume, enable the motors; then the "
         "run can go on from this row.",
     ),
+    "run_under_way": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "A trajectory or recording is under way, be it paused or dwelling. Wait until it is done, "
+        "or end the run first.",
+    ),
+    "run_disabled": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Motors were disabled while it ran: the arm was told to end its motion. Enable the motors; "
+        "then the run can go on from this row.",
+    ),
+    "run_let_go": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The gripper was disabled while it ran: the arm was told to end its motion. See what it "
+        "held; then the run can go on from this row.",
+    ),
+    "run_left": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The device was disconnected while it ran: the arm was told before to end its motion.",
+    ),
+    "run_sets_lamps": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The run under way sets the lamps itself. Wait until it is done, or end the run first.",
+    ),
+    "jog_under_way": QT_TRANSLATE_NOOP(
+        "Refusal", "The arm is being jogged. Let go first, then press again."
+    ),
+    "plan_paused": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "A motion of the arm is paused: it holds back every new target. Press Continue or a Clear "
+        "button under Drag teaching, Planned trajectory.",
+    ),
     "run_too_slow": QT_TRANSLATE_NOOP(
         "Refusal",
         "The point was not reached within {seconds} s. See what keeps the arm, then go on from "

@@ -1,0 +1,52 @@
+"""The parts of the controller, each having its turn; one that fails takes no other with it."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable, Sequence
+
+from armui.control.context import Part, Tell
+
+_LOG = logging.getLogger(__name__)
+
+
+class Parts:
+    """Has every part act, whatever becomes of the others: a stop must reach all of them.
+
+    A part that fails is tried again the next time, for what it was doing may have been the reason.
+    Its first failure is told to the operator, every one is logged.
+
+    Args:
+        parts: In the order in which they act.
+        tell: Takes the notices.
+    """
+
+    def __init__(self, parts: Sequence[Part], tell: Tell) -> None:
+        self._parts = parts
+        self._tell = tell
+        self._failed: set[str] = set()
+
+    def advance(self) -> None:
+        """Have each look at what was heard; see :meth:`Part.advance`."""
+        for part in self._parts:
+            self._have(part, part.advance)
+
+    def halt(self) -> None:
+        """Have each give up what would move the arm; see :meth:`Part.halt`."""
+        for part in self._parts:
+            self._have(part, part.halt)
+
+    def forget(self) -> None:
+        """Tell each that the arm is gone; see :meth:`Part.forget`."""
+        for part in self._parts:
+            self._have(part, part.forget)
+
+    def _have(self, part: Part, act: Callable[[], None]) -> None:
+        name = type(part).__name__
+        try:
+            act()
+        except Exception:  # noqa: BLE001 - whatever it was, a stop must reach the other parts
+            _LOG.exception("%s has failed", name)
+            if name not in self._failed:
+                self._failed.add(name)
+                self._tell("part_failed", part=name)

@@ -1,0 +1,49 @@
+"""What is sent when a run ends before its end: the arm must not go on with it unnoticed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from armui.protocol import commands
+from armui.protocol.codes import TrajectoryCommand
+
+if TYPE_CHECKING:
+    from armui.arm.refusal import Refusal
+    from armui.control.context import Context
+
+_LEFT_ALONE: Final = frozenset(
+    {
+        # the stop has gone out, and says more
+        "stopped",
+        "stop_requested",
+        "run_stopped",
+        # nothing reaches the arm, or nobody knows which arm it would reach
+        "not_connected",
+        "link_lost",
+        "control_offset_unknown",
+        # the arm serves another master: its motion is not this program's to end
+        "other_control",
+    }
+)
+"""Reasons for a run to end after which the arm is told nothing more."""
+
+
+def cut_short(context: Context) -> bool:
+    """Have the arm end its motion where it is, powered, and drop its target (0x150 byte 1 = 6).
+
+    It goes past everything that waits to be sent: half a target must not follow it. Returns
+    whether it is on the bus.
+    """
+    connection = context.connection
+    frames = commands.trajectory_command(connection.codec, TrajectoryCommand.ABORT)
+    return connection.send_urgent(frames)
+
+
+def cut_short_for(context: Context, reason: Refusal) -> None:
+    """The same for a run that cannot go on, unless the reason says that it is no use.
+
+    An arm that is blocked, or whose run took too long, would otherwise set out for the point of a
+    run long over as soon as it can.
+    """
+    if reason.code not in _LEFT_ALONE:
+        cut_short(context)
