@@ -7,10 +7,12 @@ An arc of MOVE C begins where the point before it ends and goes over a middle po
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, fields
 from datetime import UTC, datetime
-from typing import Final, NamedTuple
+from itertools import starmap
+from operator import attrgetter
+from typing import Any, Final, NamedTuple
 
 from armui.arm.refusal import Refusal
 from armui.protocol.codes import ALL_LAMPS, MoveMode
@@ -167,6 +169,25 @@ class Trajectory:
     points: tuple[Waypoint, ...] = ()
     modified: datetime = datetime(1970, 1, 1, tzinfo=UTC)
     closing: tuple[str, ...] = ()
+
+    def __reduce__(self) -> tuple[object, ...]:
+        """To another process its points go as bare figures, in a fraction of the time."""
+        rest = (self.name, self.note, self.modified, self.closing)
+        return _unpacked, (list(map(_FIELDS_OF, self.points)), *rest)
+
+
+_FIELDS_OF: Final = attrgetter(*(field.name for field in fields(Waypoint)))
+
+
+def _unpacked(
+    points: Iterable[tuple[Any, ...]],
+    name: str,
+    note: str,
+    modified: datetime,
+    closing: tuple[str, ...],
+) -> Trajectory:
+    """The other way round than :meth:`Trajectory.__reduce__`."""
+    return Trajectory(name, note, tuple(starmap(Waypoint, points)), modified, closing)
 
 
 def check_figure(field: str, value: float) -> Refusal | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import subprocess
 import sys
 from dataclasses import replace
@@ -31,6 +32,11 @@ HERE = (10.0, 70.0, -60.0, 10.0, 25.0, -20.0)
 POINT = Waypoint(MoveMode.MOVE_J, HERE, note="over the tray")
 POSE = (300.0, 0.0, 250.0, 0.0, 85.0, 0.0)
 KINEMATICS = Kinematics()
+
+
+@given(TRAJECTORIES)
+def test_another_process_gets_it_whole(trajectory):
+    assert pickle.loads(pickle.dumps(trajectory)) == trajectory
 
 
 @given(TRAJECTORIES)
