@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QCoreApplication, QEvent, QPointF, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QWidget
 
 from armui.arm.limits import JOINTS
 from armui.paths import URDF
 from armui.viewport.camera import HOME_CAMERA
+from armui.viewport.camera_hand import Drag, press_key, turn_wheel
 from armui.viewport.errors import NO_OPENGL
 from armui.viewport.frame_painter import PickRequest, RobotChoice, ViewState
 from armui.viewport.hud import HudValues, hud_frame, paint_hud
@@ -21,7 +22,7 @@ from armui.viewport.palette import LIGHT, ScenePalette
 from armui.viewport.render_thread import RenderThread
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
     from pathlib import Path
 
     from PySide6.QtGui import (
@@ -42,8 +43,6 @@ if TYPE_CHECKING:
 
 _BUILT_IN_ROBOT = URDF / "piper.urdf"
 _START_MS = 20
-_KEY_TURN_PX = 20.0
-_WHEEL_STEP = 120.0
 
 
 class ArmView(QWidget):
@@ -85,8 +84,7 @@ class ArmView(QWidget):
         self._image: QImage | None = None
         self._is_frame_new = False
         self._failure: Refusal | None = None
-        self._drag_from: QPointF | None = None
-        self._pressed_at: QPointF | None = None
+        self._drag = Drag()
         self._pick_serial = 0
         self._is_started = False
         self._is_shut_down = False
@@ -242,7 +240,7 @@ class ArmView(QWidget):
     def hideEvent(self, event: QHideEvent) -> None:
         """Forget a drag that was under way."""
         super().hideEvent(event)
-        self._drag_from = None
+        self._drag.forget()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """End drawing: as a window of its own the view is closed for good."""
@@ -312,31 +310,18 @@ class ArmView(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """A drag begins."""
-        if event.button() in {Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton}:
-            self._drag_from = self._pressed_at = event.position()
+        self._drag.press(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Turn, or with the middle button or shift move."""
-        if self._drag_from is None:
-            return
-        delta = event.position() - self._drag_from
-        self._drag_from = event.position()
-        shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
-        if shift or event.buttons() & Qt.MouseButton.MiddleButton:
-            camera = self._state.camera.pan(
-                delta.x(), delta.y(), float(min(self.width(), self.height()))
-            )
-        else:
-            camera = self._state.camera.orbit(delta.x(), delta.y())
-        self._show(replace(self._state, camera=camera))
+        shorter_side_px = float(min(self.width(), self.height()))
+        self._look_through(self._drag.move(event, self._state.camera, shorter_side_px))
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """The drag is over; a click without one asks for the mark that is there."""
-        pressed_at, self._drag_from, self._pressed_at = self._pressed_at, None, None
-        if pressed_at is None or self._state.preview.path is None:
-            return
-        if (event.position() - pressed_at).manhattanLength() < QApplication.startDragDistance():
-            self._show(replace(self._state, mark_pick=self._question(event.position())))
+        clicked = self._drag.release(event)
+        if clicked is not None and self._state.preview.path is not None:
+            self._show(replace(self._state, mark_pick=self._question(clicked)))
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Ask which link is there."""
@@ -351,25 +336,16 @@ class ArmView(QWidget):
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Zoom."""
-        steps = event.angleDelta().y() / _WHEEL_STEP
-        self._show(replace(self._state, camera=self._state.camera.zoom(steps)))
+        self._look_through(turn_wheel(event, self._state.camera))
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Arrow keys turn, + and − zoom, Home resets."""
-        camera = self._state.camera
-        moves: dict[int, Callable[[], OrbitCamera]] = {
-            Qt.Key.Key_Left: lambda: camera.orbit(-_KEY_TURN_PX, 0.0),
-            Qt.Key.Key_Right: lambda: camera.orbit(_KEY_TURN_PX, 0.0),
-            Qt.Key.Key_Up: lambda: camera.orbit(0.0, -_KEY_TURN_PX),
-            Qt.Key.Key_Down: lambda: camera.orbit(0.0, _KEY_TURN_PX),
-            Qt.Key.Key_Plus: lambda: camera.zoom(1.0),
-            Qt.Key.Key_Equal: lambda: camera.zoom(1.0),
-            Qt.Key.Key_Minus: lambda: camera.zoom(-1.0),
-            Qt.Key.Key_Home: lambda: HOME_CAMERA,
-        }
-        move = moves.get(event.key())
-        if move is None:
+        camera = press_key(event.key(), self._state.camera)
+        if camera is None:
             super().keyPressEvent(event)
-        else:
-            self._show(replace(self._state, camera=move()))
+        self._look_through(camera)
+
+    def _look_through(self, camera: OrbitCamera | None) -> None:
+        if camera is not None:
+            self._show(replace(self._state, camera=camera))

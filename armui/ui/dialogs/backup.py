@@ -29,11 +29,13 @@ from armui.control.parameter_reader import ParameterReader
 from armui.control.setting_cell import CellState
 from armui.control.situation import Level, Situation
 from armui.ui import words
+from armui.ui.dialogs import backup_text
 from armui.ui.dialogs.backup_model import BackupModel, DifferencesOnly
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.files import choose_file
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.offer import offer
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -201,13 +203,7 @@ class BackupDialog(ArmDialog):
             return
         self._path = path
         missing = len(self._known()) - len(backup.values)
-        text = self.tr("Saved {count} parameters to {path}.")
-        if missing > 0:
-            text += " " + self.tr(
-                "{missing} could not be read from the arm and are not in the file."
-            )
-        text = text.format(count=len(backup.values), path=path, missing=missing)
-        self._say(text, Level.WARNING if missing > 0 else Level.DONE)
+        self._say(*backup_text.saved(path, len(backup.values), missing))
 
     def _on_open(self) -> None:
         choose_file(
@@ -230,25 +226,9 @@ class BackupDialog(ArmDialog):
         self._model.follow([])
         self._compare()
         self._model.choose(lambda row: row.verdict is Verdict.DIFFERS)
-        self._say(self._warning(backup), Level.WARNING)
-
-    def _warning(self, backup: Backup) -> str:
-        """What sets the arm of the file apart from this one."""
         generation = self._controller.situation.generation
         firmware = self._controller.state.firmware
-        if generation is None:
-            return ""
-        if int(generation) != backup.generation:
-            return self.tr(
-                "The file is from an arm of protocol generation {filed}, this one speaks "
-                "generation {here}. What both have can be restored; the steps of the values differ."
-            ).format(filed=backup.generation, here=int(generation))
-        if firmware != backup.firmware:
-            return self.tr(
-                "The file is from firmware {filed}, this arm has {here}. Check the values before "
-                "you restore them."
-            ).format(filed=backup.firmware or "—", here=firmware or "—")
-        return ""
+        self._say(backup_text.difference(backup, generation, firmware), Level.WARNING)
 
     def _on_restore(self) -> None:
         confirm(
@@ -292,21 +272,10 @@ class BackupDialog(ArmDialog):
         self._show_all()
 
     def _tell_restored(self) -> None:
-        count = len(self._restoring)
-        failed = [
-            parameter
-            for parameter in self._restoring
-            if self._settings.cell(parameter).state is not CellState.SAVED
-        ]
+        cells = [self._settings.cell(parameter) for parameter in self._restoring]
         self._restoring = {}
-        if not failed:
-            text = self.tr("Restored {count} parameters: read back from the arm, and the same.")
-            self._say(text.format(count=count), Level.DONE)
-            return
-        reason = self._settings.cell(failed[0]).reason
-        text = self.tr("{failed} of {count} parameters were not restored.")
-        said = text.format(failed=len(failed), count=count)
-        self._say(f"{said} {words.refusal(reason) if reason else ''}".rstrip(), Level.FAULT)
+        failed = [cell.reason for cell in cells if cell.state is not CellState.SAVED]
+        self._say(*backup_text.restored(len(cells), failed))
 
     def _on_situation_changed(self, _situation: Situation) -> None:
         if self.isVisible():
@@ -337,7 +306,7 @@ class BackupDialog(ArmDialog):
 
     def _show_all(self) -> None:
         self._compare()
-        self._show_origin()
+        self._origin.setText(backup_text.origin(self._backup, self._path))
         self._show_possible()
         unreachable = self._controller.situation.unreachable
         text, level = self._said
@@ -345,29 +314,13 @@ class BackupDialog(ArmDialog):
             text, level = words.refusal(unreachable), Level.WARNING
         self._message.show_message(text, level)
 
-    def _show_origin(self) -> None:
-        if self._backup is None or self._path is None:
-            self._origin.setText(self.tr("No file is open; the arm's own values are shown."))
-            return
-        backup = self._backup
-        saved = f"{backup.saved_at.astimezone():%Y-%m-%d %H:%M}"
-        self._origin.setText(
-            self.tr("{name}: saved {time}, {device}, generation {generation}, {firmware}").format(
-                name=self._path.name,
-                time=saved,
-                device=backup.device,
-                generation=backup.generation,
-                firmware=backup.firmware or "—",
-            )
-        )
-
     def _show_possible(self) -> None:
         """Enable what can be used now; say in the tooltips of the rest why not."""
         reading = self._reader.running
         self.progress.setVisible(reading)
         self.read_button.setText(self.tr("Stop reading") if reading else self.tr("Read"))
         unreachable = self._controller.situation.unreachable
-        no_way = "" if unreachable is None else words.refusal(unreachable)
+        no_way = words.why_not(unreachable)
         occupied = self._controller.situation.occupied
         not_now = words.why_not(occupied)
         busy = words.refusal(Refusal("busy", {"what": "settings"}))
@@ -382,8 +335,7 @@ class BackupDialog(ArmDialog):
             (self.all_button, no_file),
             (self.none_button, no_file),
         ):
-            button.setEnabled(not hindrance)
-            button.setToolTip(hindrance)
+            offer(button, hindrance)
 
     def _refuse(self, refusal: Refusal) -> None:
         self._say(words.refusal(refusal), Level.WARNING)

@@ -29,6 +29,7 @@ from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.device_model import CHANNEL, STATE, DeviceModel, bitrate_text, same_device
 from armui.ui.dialogs.manual_entry import ManualEntry
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.offer import offer
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -268,10 +269,10 @@ class ConnectDialog(ArmDialog):
             reason = self.tr("This device is connected.")
         else:
             reason = ""
-        _allow(self.connect_button, reason)
+        offer(self.connect_button, reason)
         nothing = self._situation.device is None
-        _allow(self.disconnect_button, self.tr("No device is connected.") if nothing else "")
-        _allow(self.refresh_button, self.tr("The search is under way.") if self._searching else "")
+        offer(self.disconnect_button, self.tr("No device is connected.") if nothing else "")
+        offer(self.refresh_button, self.tr("The search is under way.") if self._searching else "")
 
     def _refresh_message(self) -> None:
         situation = self._situation
@@ -305,12 +306,6 @@ class ConnectDialog(ArmDialog):
         self.bitrate_box.setEnabled(device is not None and not reason)
         self.bitrate_box.setToolTip(reason)
         self._bitrate_hint.setText(reason)
-
-
-def _allow(button: QPushButton, reason_against: str) -> None:
-    """Switch a button on, or off with the reason in its tooltip."""
-    button.setEnabled(not reason_against)
-    button.setToolTip(reason_against)
 
 
 def _keep_room(widget: QWidget) -> None:

@@ -1,0 +1,63 @@
+"""What 参数备份 says of a file, whatever stands in it."""
+
+from datetime import UTC, datetime
+from pathlib import Path
+
+import pytest
+
+from armui.arm.backup import Backup
+from armui.arm.refusal import Refusal
+from armui.control.situation import Level
+from armui.protocol.generation import Generation
+from armui.ui.dialogs import backup_text
+
+PATH = Path("arm.json")
+
+
+def backup(generation=2, firmware="S-V1.8-5"):
+    return Backup(
+        saved_at=datetime(2026, 3, 4, 5, 6, tzinfo=UTC),
+        program="armui 0.1.0",
+        device="can0",
+        generation=generation,
+        firmware=firmware,
+        values={},
+    )
+
+
+def test_a_file_says_where_it_is_from(qapp):
+    assert "arm.json: saved" in backup_text.origin(backup(), PATH)
+    assert backup_text.origin(backup(1, None), PATH).endswith("can0, generation 1, —")
+    assert "No file is open" in backup_text.origin(None, None)
+
+
+@pytest.mark.parametrize(
+    ("generation", "firmware", "said"),
+    [
+        (Generation.TWO, "S-V1.8-5", ""),
+        (None, None, ""),
+        (Generation.ONE, None, "generation 2, this one speaks generation 1"),
+        (Generation.TWO, "S-V1.5-2", "firmware S-V1.8-5, this arm has S-V1.5-2"),
+        (Generation.TWO, None, "this arm has —"),
+    ],
+)
+def test_what_sets_the_arms_apart(qapp, generation, firmware, said):
+    text = backup_text.difference(backup(), generation, firmware)
+    assert (said in text) if said else text == ""
+
+
+def test_what_is_missing_in_a_file_is_said(qapp):
+    text, level = backup_text.saved(PATH, 35, 0)
+    assert (text, level) == ("Saved 35 parameters to arm.json.", Level.DONE)
+    text, level = backup_text.saved(PATH, 30, 5)
+    assert text.endswith("5 could not be read from the arm and are not in the file.")
+    assert level is Level.WARNING
+
+
+def test_what_was_not_restored_is_told_with_the_first_reason(qapp):
+    assert backup_text.restored(3, [])[1] is Level.DONE
+    text, level = backup_text.restored(3, [Refusal("link_lost"), None])
+    assert text.startswith("2 of 3 parameters were not restored. ")
+    assert "device is gone" in text
+    assert level is Level.FAULT
+    assert backup_text.restored(3, [None])[0] == "1 of 3 parameters were not restored."
