@@ -9,6 +9,7 @@ from armui.trajectory.path import Path
 from armui.ui.trajectory.path_preview import PathPreview
 from armui.ui.trajectory.preview_bar import PreviewBar
 from armui.ui.widgets.track_slider import TrackSlider
+from armui.ui.widgets.value_label import ValueLabel
 from armui.viewport.path_picture import NOTHING
 
 
@@ -84,6 +85,17 @@ def test_play_runs_to_the_end_and_stops_there(preview, view, bar, qtbot):
     qtbot.waitUntil(lambda: not play.isChecked())
     assert view.shown.ghost_deg[0] == pytest.approx(20.0)
     assert play.text() == "Play"
+
+
+@pytest.mark.parametrize(
+    ("duration_s", "shown"),
+    [(59.96, "00:00.0 / 01:00.0"), (8055.5, "00:00.0 / 134:15.5")],
+)
+def test_every_length_of_time_has_room(bar, duration_s, shown):
+    bar.open(duration_s)
+    label = bar.findChild(ValueLabel, "preview_time")
+    assert label.text() == shown
+    assert label.sizeHint().width() >= label.fontMetrics().horizontalAdvance(shown)
 
 
 def test_closing_takes_all_of_it_away(preview, view, bar, qtbot):

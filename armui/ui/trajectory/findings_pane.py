@@ -23,7 +23,7 @@ from armui.ui.trajectory.preflight import Preflight
 
 _TALLEST_PX = 170
 _MOST = 200
-"""More lines than an operator reads are counted instead."""
+"""More lines than an operator reads, or a window lays out at once, are counted instead."""
 
 
 class FindingsPane(QWidget):
@@ -99,6 +99,9 @@ class FindingsPane(QWidget):
         self._title.setText(title)
         for finding in checked.findings[:_MOST]:
             self._list.addItem(self._item(finding))
+        if len(checked.findings) > _MOST:
+            count = len(checked.findings) - _MOST
+            self._list.addItem(self.tr("{count} more").format(count=count))
         lines = self._list.count() * self._list.sizeHintForRow(0) + 2 * self._list.frameWidth() + 4
         self._list.setFixedHeight(max(0, min(_TALLEST_PX, lines)))
         self._list.setVisible(bool(checked.findings))

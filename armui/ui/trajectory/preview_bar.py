@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Final
 
 from PySide6.QtCore import QElapsedTimer, QEvent, QSignalBlocker, QTimer, Signal
@@ -12,7 +13,6 @@ from armui.ui.widgets.value_label import ValueLabel
 
 _STEP_S: Final = 0.01
 _FRAME_MS: Final = 33
-_WIDEST: Final = "00:00.0 / 00:00.0"
 
 
 class PreviewBar(QFrame):
@@ -38,7 +38,7 @@ class PreviewBar(QFrame):
         self._slider.setObjectName("preview_slider")
         self._slider.setSingleStep(10)
         self._slider.setPageStep(100)
-        self._time = ValueLabel(_WIDEST)
+        self._time = ValueLabel("")
         self._time.setObjectName("preview_time")
         self._close = QPushButton()
         self._close.setObjectName("preview_close")
@@ -75,6 +75,8 @@ class PreviewBar(QFrame):
         """Begin at the beginning of a motion that takes so long."""
         self._play.setChecked(False)
         self._duration_s = duration_s
+        widest = re.sub(r"\d", "0", _clock(duration_s))
+        self._time.set_widest(f"{widest} / {widest}")
         self._slider.set_limits(0.0, duration_s)
         self.go_to(0.0)
         self.show()
@@ -134,5 +136,5 @@ class PreviewBar(QFrame):
 
 def _clock(time_s: float) -> str:
     """Minutes, seconds and tenths."""
-    minutes, seconds = divmod(time_s, 60.0)
-    return f"{int(minutes):02d}:{seconds:04.1f}"
+    minutes, tenths = divmod(round(10.0 * time_s), 600)
+    return f"{minutes:02d}:{tenths // 10:02d}.{tenths % 10}"

@@ -32,6 +32,11 @@ class ValueLabel(QWidget):
         self._attention = False
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
 
+    def set_widest(self, widest: str) -> None:
+        """Leave room for another longest text."""
+        self._widest = widest
+        self.updateGeometry()
+
     def text(self) -> str:
         """What stands there."""
         return self._text
