@@ -2,6 +2,7 @@
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QLineEdit, QWidget
 
@@ -55,7 +56,7 @@ def test_the_gripper_has_an_editor_of_its_own(editor):
     QTest.keyClicks(place, "35")
     editor.enter(place.parentWidget())
     assert editor.points[0].gripper == GripperOpening(35.0, 1.0)
-    assert editor.text(0, Column.GRIPPER) == "35mm@1Nm"
+    assert editor.text(0, Column.GRIPPER) == "35 mm, 1 N·m"
 
 
 def test_so_have_the_lamps(editor):
@@ -67,6 +68,9 @@ def test_so_have_the_lamps(editor):
     QTest.keyClicks(color, "255, 128, 0")
     editor.enter(color.parentWidget())
     assert editor.points[1].light == LightAction(3, 255, 128, 0)
+    assert editor.text(1, Column.LIGHT) == "J3 all"
+    index = editor.table.model().index(1, Column.LIGHT)
+    assert index.data(Qt.ItemDataRole.DecorationRole) == QColor(255, 128, 0)
 
 
 def test_another_kind_of_motion_keeps_the_place(editor):

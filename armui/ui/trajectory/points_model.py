@@ -14,14 +14,22 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
+from PySide6.QtGui import QColor
 
 from armui.arm.refusal import Refusal
-from armui.protocol.codes import MoveMode
+from armui.protocol.codes import ALL_LAMPS, MoveMode
 from armui.trajectory import edits
 from armui.trajectory.cells import VALUES, Column, editable, edited, text_of
 from armui.trajectory.edits import Change
 from armui.trajectory.files.log_points import LETTERS
-from armui.trajectory.program import RANGES, Waypoint
+from armui.trajectory.files.text import number
+from armui.trajectory.program import (
+    RANGES,
+    GripperAction,
+    GripperOpening,
+    LightAction,
+    Waypoint,
+)
 from armui.ui import format as fmt
 from armui.ui.trajectory.document import Document
 
@@ -47,7 +55,8 @@ _EXACT: Final = int(Qt.ItemDataRole.EditRole)
 _ALIGNED: Final = int(Qt.ItemDataRole.TextAlignmentRole)
 _EXPLAINED: Final = int(Qt.ItemDataRole.ToolTipRole)
 _READ_OUT: Final = int(Qt.ItemDataRole.AccessibleTextRole)
-_ANSWERED: Final = frozenset({_SHOWN, _EXACT, _ALIGNED, _EXPLAINED, _READ_OUT})
+_DECORATED: Final = int(Qt.ItemDataRole.DecorationRole)
+_ANSWERED: Final = frozenset({_SHOWN, _EXACT, _ALIGNED, _EXPLAINED, _READ_OUT, _DECORATED})
 """Qt asks each cell it paints for ten things; most of them are nothing to this table."""
 
 
@@ -97,9 +106,16 @@ class PointsModel(QAbstractTableModel):
         if role == _ALIGNED:
             return _RIGHT if column in _FIGURES else _LEFT
         point = self._points[index.row()]
+        if role == _DECORATED:
+            return _swatch(point.light) if column is Column.LIGHT else None
         if role == _EXACT:
             return text_of(point, column)
-        return self._tip(point, column) if role == _EXPLAINED else shown(point, column)
+        return self._tip(point, column) if role == _EXPLAINED else self._shown(point, column)
+
+    def _shown(self, point: Waypoint, column: Column) -> str:
+        if column is Column.LIGHT and point.light is not None and point.light.lamp == ALL_LAMPS:
+            return self.tr("J{joint} all").format(joint=point.light.joint)
+        return shown(point, column)
 
     def _tip(self, point: Waypoint, column: Column) -> str:
         if column in VALUES:
@@ -274,4 +290,21 @@ def shown(point: Waypoint, column: Column) -> str:
         return f"{point.speed_percent} %"
     if column is Column.DWELL:
         return f"{text_of(point, column)} s" if point.dwell_s else fmt.NOTHING
+    if column is Column.GRIPPER:
+        return _gripper(point.gripper)
+    if column is Column.LIGHT:
+        return "" if point.light is None else f"J{point.light.joint} / {point.light.lamp}"
     return " ".join(text_of(point, column).split())
+
+
+def _gripper(action: GripperAction | None) -> str:
+    if action is None:
+        return ""
+    if isinstance(action, GripperOpening):
+        return f"{number(action.opening_mm)} mm, {number(action.torque_nm)} N·m"
+    return f"{number(action.angle_deg)}°, {number(action.speed_rad_s)} rad/s"
+
+
+def _swatch(light: LightAction | None) -> QColor | None:
+    """The colour of the lamps, which the view draws beside the text."""
+    return None if light is None else QColor(light.red, light.green, light.blue)

@@ -24,8 +24,8 @@ _WIDTHS_PX: Final = {
     Column.MIDDLE: 104,
     Column.SPEED: 66,
     Column.DWELL: 62,
-    Column.GRIPPER: 104,
-    Column.LIGHT: 112,
+    Column.GRIPPER: 128,
+    Column.LIGHT: 96,
 }
 
 
