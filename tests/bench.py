@@ -104,15 +104,22 @@ class Bench:
 
     def _settle(self) -> None:
         """Until nothing is on its way any more, in either direction."""
-        if self.controller.situation.link in {LinkState.NO_DEVICE, LinkState.LOST} or self.broken:
-            return
         self._empty_looks = 0
         deadline = QDeadlineTimer(TIMEOUT_MS)
         # One empty look may be from before; after the second all is taken in and shown.
         while not (self._empty_looks >= _LOOKS and self.controller._connection.idle):
+            # asked each time: what happens meanwhile may close the device
+            if self._adrift:
+                return
             QCoreApplication.processEvents()
             assert not deadline.hasExpired(), "the bus thread does not come to rest"
         QCoreApplication.processEvents()
+
+    @property
+    def _adrift(self) -> bool:
+        """Whether there is no bus on which anything could be on its way."""
+        lost = self.controller.situation.link in {LinkState.NO_DEVICE, LinkState.LOST}
+        return lost or self.broken is not None
 
     def run(self, seconds: float) -> None:
         """Let so much time pass."""

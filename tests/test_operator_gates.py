@@ -1,4 +1,4 @@
-"""An operator who tries other things while a run is under way: buttons, tooltips, bytes, questions."""
+"""An operator who tries other things while a run is under way: bytes, buttons, questions."""
 
 import pytest
 from PySide6.QtWidgets import QTableView, QWidget
@@ -7,6 +7,7 @@ from armui.control.run import Phase
 from armui.protocol.frame import Frame
 from armui.trajectory.library import Library
 from armui.trajectory.program import Trajectory
+from armui.ui import words
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.trajectory.editor_window import EditorWindow
@@ -24,7 +25,7 @@ BUTTONS = {
     "collision": ["collision_save_button"],
     "end_limits": ["end_limits_save_button", "end_limits_reset_button"],
     "motor": ["enable_motor_1", "zero_motor_1", "zero_motor_7", "clear_motor_2"],
-    "gripper": ["send_gripper_button"],
+    "gripper": ["gripper_send_button", "gripper_enable_button"],
     "end_load": ["load_confirm_button"],
     "teaching": ["plan_pause", "plan_continue"],
 }
@@ -53,7 +54,7 @@ def test_what_would_disturb_a_run_is_off_and_says_why(ready):
         if edit is not None:
             ready.run(0.3)
             ready.click(edit)
-            for field in ready.window.findChildren(QWidget, "collision_all_3"):
+            for field in ready.window.findChildren(QWidget, "collision_all_level_3"):
                 ready.click(field)
         for name in names:
             button = ready.find(name)
@@ -88,11 +89,8 @@ def test_disabling_and_stopping_stay_on(ready):
     ready.hold()
     ready.step()
     assert [frame.arbitration_id for frame in ready.ear.heard] == [0x150, 0x471]
-    assert (
-        "Motors were disabled while it ran"
-        in ready.program.window.findChild(QWidget, "status_notice").text()
-        or "run_failed" in ready.codes()
-    )
+    failed = next(notice for notice in ready.notices if notice.code == "run_failed")
+    assert "Motors were disabled while it ran" in words.notice(failed)
 
 
 @pytest.mark.parametrize("how", RUNS)
@@ -144,7 +142,8 @@ def test_closing_drops_a_motion_that_is_paused(ready):
     ready.window.close()
     assert ready.dialog(ConfirmDialog).windowTitle() == "A motion is paused"
     ready.confirm()
-    ready.run_until(lambda: not ready.window.isVisible())
+    assert not ready.window.isVisible()
+    ready.step()
     assert ready.ear.heard[-1] == ABORT
 
 

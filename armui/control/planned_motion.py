@@ -61,10 +61,13 @@ class PlannedMotion:
         refusal = self.why_not(command)
         if refusal is None:
             frames = commands.trajectory_command(context.connection.codec, command)
+            connection = context.connection
             if command in _ENDS:
                 self._end_all()
-            if not context.connection.send(frames):
-                refusal = Refusal("link_lost")
+                sent = connection.send_urgent(frames)  # past targets that wait to be sent
+            else:
+                sent = connection.send(frames)
+            refusal = None if sent else Refusal("link_lost")
         if refusal is not None:
             return context.refuse(refusal)
         self.paused = command is TrajectoryCommand.PAUSE

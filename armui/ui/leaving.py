@@ -101,8 +101,8 @@ class _Ending(QObject):
 
     def begin(self) -> None:
         """End what is under way; go on as soon as nothing is, but not from an emergency stop."""
-        self._controller.situation_changed.connect(self._look)
         self._controller.end_motion()
+        self._controller.situation_changed.connect(self._look)
         self._look(self._controller.situation)
 
     def _look(self, situation: Situation) -> None:
