@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from armui.protocol.codes import MoveMode
 from armui.trajectory import columns
 from armui.trajectory.columns import Column, ColumnMapping, Quantity
-from armui.trajectory.files import TrajectoryFileError, load_text
+from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.files.errors import CODES
 from armui.trajectory.program import GripperOpening, Trajectory
 from armui.trajectory.recording import Recording
@@ -279,11 +279,3 @@ def test_any_text_is_read_or_refused(text):
         assert result.reason.code in CODES
     else:
         assert isinstance(result, Recording)
-
-
-def test_the_text_of_a_chinese_windows_file_is_read(tmp_path):
-    path = tmp_path / "表.txt"
-    path.write_bytes("时间(秒)\t关节1".encode("gbk"))
-    assert load_text(path) == "时间(秒)\t关节1"
-    with pytest.raises(TrajectoryFileError, match=r"gone\.txt: cannot be read"):
-        load_text(tmp_path / "gone.txt")

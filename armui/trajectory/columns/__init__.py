@@ -1,13 +1,15 @@
 """Import of an unknown table: see how it is built, say which column is what, take it over.
 
-`sniff` looks at the text and guesses; the operator corrects the guesses to a `ColumnMapping`;
-`apply` reads the whole text by it.
+`sniff` looks at the text and guesses; the operator corrects how it is built (`Build`), and what
+its columns are, to a `ColumnMapping`; `apply` reads the whole text by it.
 """
 
 from armui.trajectory.columns.apply import apply, check_mapping
+from armui.trajectory.columns.encodings import LABELS, Encoding
 from armui.trajectory.columns.model import (
     REFUSALS,
     UNITS,
+    Build,
     Column,
     ColumnMapping,
     Guess,
@@ -18,10 +20,13 @@ from armui.trajectory.columns.sniff import sniff
 from armui.trajectory.columns.source import TableFile, look_closer, open_table
 
 __all__ = [
+    "LABELS",
     "REFUSALS",
     "UNITS",
+    "Build",
     "Column",
     "ColumnMapping",
+    "Encoding",
     "Guess",
     "Quantity",
     "Sheet",

@@ -88,12 +88,13 @@ def _by_titles(header: Sequence[str]) -> list[tuple[Quantity | None, str]]:
     numbers = {int(match.group(1)) for match in joints if match is not None}
     first = 0 if 0 in numbers and 6 not in numbers else 1  # some count joints from 0
     named: list[tuple[Quantity | None, str]] = []
+    seen: set[Quantity | None] = set()
     for (title, unit), match in zip(parts, joints, strict=True):
         quantity = _BY_TITLE.get(title)
         if match is not None and int(match.group(1)) >= first:
             quantity = JOINTS[int(match.group(1)) - first]
-        seen = quantity in [other for other, _ in named]
-        named.append((None, "") if seen else (quantity, unit))
+        named.append((None, "") if quantity in seen else (quantity, unit))
+        seen.add(quantity)
     return named
 
 

@@ -25,6 +25,8 @@ REFUSALS: Final = frozenset(
 
 SPACES: Final = " "
 """The delimiter of a table whose cells stand apart by any number of blanks."""
+DELIMITERS: Final = (",", ";", "\t", "|", SPACES)
+DECIMALS: Final = (".", ",")
 _COMMENTS: Final = ("#", "%", "//")
 
 
@@ -86,6 +88,14 @@ class Guess(NamedTuple):
     confidence: float
 
 
+class Build(NamedTuple):
+    """How a table is built as far as the operator says it; what is ``None`` is guessed."""
+
+    delimiter: str | None = None
+    decimal: str | None = None
+    first_line: int | None = None
+
+
 @dataclass(frozen=True, slots=True)
 class Sheet:
     """How a text is built that holds a table.
@@ -96,6 +106,8 @@ class Sheet:
         header: The titles of the columns; empty where there are none.
         first_line: Of the table's figures, from 1.
         width: How many columns there are.
+        count: How many rows there are, about: some may turn out to be comments.
+        lines: How many lines the text has.
         preview: The first rows, as text.
         guesses: For every column.
     """
@@ -105,6 +117,8 @@ class Sheet:
     header: tuple[str, ...]
     first_line: int
     width: int
+    count: int
+    lines: int
     preview: tuple[tuple[str, ...], ...]
     guesses: tuple[Guess, ...]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
 from collections import Counter
 from collections.abc import Sequence
@@ -10,7 +11,10 @@ from typing import Final, NamedTuple
 
 from armui.trajectory.columns.guess import guess_columns
 from armui.trajectory.columns.model import (
+    DECIMALS,
+    DELIMITERS,
     SPACES,
+    Build,
     Sheet,
     as_number,
     is_comment,
@@ -18,7 +22,7 @@ from armui.trajectory.columns.model import (
     split,
     table,
 )
-from armui.trajectory.files.errors import broken
+from armui.trajectory.files.errors import TrajectoryFileError, broken
 
 _STYLES: Final = (
     *((",", "."), (";", "."), (";", ","), ("\t", "."), ("\t", ",")),
@@ -26,6 +30,9 @@ _STYLES: Final = (
 )
 _LOOKED_AT: Final = 400
 """Lines the build of the table is judged by, spread over the whole text."""
+_LOOKED_AT_CHARACTERS: Final = 100_000
+_LEAST_LINES: Final = 10
+_ALL_GUESSED: Final = Build()
 _PREVIEW: Final = 20
 
 
@@ -38,43 +45,79 @@ class _Style(NamedTuple):
     sense: float
 
 
-def sniff(text: str) -> Sheet:
+def sniff(text: str, build: Build = _ALL_GUESSED) -> Sheet:
     """How a table in a text is built and what its columns seem to hold.
 
     Args:
         text: Of the whole file; prose and comments may stand before the table.
+        build: What the operator says of it; the rest is guessed.
 
     Raises:
-        TrajectoryFileError: There are no rows of numbers.
+        TrajectoryFileError: There are no rows of numbers, and nobody says where they should be.
     """
     lines = [line.rstrip("\n") for line in lines_of(text)]
-    spread = _spread(lines)
-    style = max((_judge(spread, *style) for style in _STYLES), key=lambda one: one[2:][::-1])
-    first = _first_row(lines, style)
+    skipped = 0 if build.first_line is None else min(build.first_line, max(1, len(lines))) - 1
+    spread = _spread(lines[skipped:])
+    judged = (_judge(spread, *style) for style in _styles(build))
+    style = max(judged, key=lambda one: one[2:][::-1])
+    first = skipped if build.first_line is not None else _first_row(lines, style)
     if first is None:
-        raise broken("file_no_table")
+        if build == _ALL_GUESSED or not spread:
+            raise broken("file_no_table")
+        first = 0
+    style = style._replace(width=max(1, style.width))
     header = _header(lines[:first], style)
     body = [_cells(line, style) for line in _spread(lines[first:])]
     body = [cells for cells in body if len(cells) == style.width]
     figures = [
         [as_number(row[index], style.decimal) for row in body] for index in range(style.width)
     ]
-    preview = islice(table(text, style.delimiter, first + 1), _PREVIEW)
     return Sheet(
         style.delimiter,
         style.decimal,
         header,
         first + 1,
         style.width,
-        tuple(tuple(cells) for _, cells in preview),
+        sum(bool(line.strip()) and not is_comment(line) for line in lines[first:]),
+        len(lines),
+        _preview(text, style, first + 1),
         guess_columns(header, figures),
     )
 
 
+def _styles(build: Build) -> list[tuple[str, str]]:
+    """The delimiters and decimal signs that come into question."""
+    if build.delimiter is None and build.decimal is None:
+        return list(_STYLES)
+    delimiters = DELIMITERS if build.delimiter is None else (build.delimiter,)
+    decimals = DECIMALS if build.decimal is None else (build.decimal,)
+    return [(delimiter, decimal) for delimiter in delimiters for decimal in decimals]
+
+
+def _preview(text: str, style: _Style, first_line: int) -> tuple[tuple[str, ...], ...]:
+    """The first rows, up to one that cannot be parted: whoever reads the whole will say so."""
+    shown: list[tuple[str, ...]] = []
+    with contextlib.suppress(TrajectoryFileError):
+        for _line, cells in islice(table(text, style.delimiter, first_line), _PREVIEW):
+            shown.append(tuple(cells))
+    return tuple(shown)
+
+
 def _spread(lines: Sequence[str]) -> list[str]:
-    """Some lines from everywhere, in their order, without comments and empty ones."""
+    """Some lines from everywhere, in their order, without comments and empty ones.
+
+    Of very long lines fewer: they say as much, and take as long.
+    """
     step = max(1, len(lines) // _LOOKED_AT)
-    return [line for line in lines[::step] if line.strip() and not is_comment(line)]
+    found: list[str] = []
+    left = _LOOKED_AT_CHARACTERS
+    for line in lines[::step]:
+        if line.strip() and not is_comment(line):
+            found.append(line)
+            left -= len(line)
+            if left < 0 and len(found) >= _LEAST_LINES:
+                break
+    return found
 
 
 def _judge(lines: Sequence[str], delimiter: str, decimal: str) -> _Style:

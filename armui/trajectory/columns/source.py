@@ -2,21 +2,41 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple
 
 from armui.trajectory import files
-from armui.trajectory.columns.model import Sheet
+from armui.trajectory.columns.encodings import Encoding, decode_as, guess_encoding
+from armui.trajectory.columns.model import Build, Sheet
 from armui.trajectory.columns.sniff import sniff
 from armui.trajectory.files.errors import TrajectoryFileError
 
 
-class TableFile(NamedTuple):
-    """The whole text of a file, and how the table in it is built."""
+@dataclass(frozen=True, slots=True)
+class TableFile:
+    """The whole text of a file, and how the table in it is built.
+
+    Attributes:
+        file_name: Without its folder.
+        data: The bytes of the file.
+        encoding: Of the text.
+        text: What the bytes say in it.
+        sheet: How the table is built.
+    """
 
     file_name: str
+    data: bytes
+    encoding: Encoding
     text: str
     sheet: Sheet
+
+    def read_anew(self, encoding: Encoding | None, build: Build) -> TableFile:
+        """The same file, read as the operator says; what is left open is guessed.
+
+        Raises:
+            TrajectoryFileError: It is not possible; it names the file.
+        """
+        return _read(self.file_name, self.data, encoding, build)
 
 
 def open_table(path: Path) -> TableFile:
@@ -25,11 +45,16 @@ def open_table(path: Path) -> TableFile:
     Raises:
         TrajectoryFileError: It cannot be read, or holds no table; it names the file.
     """
-    text = files.load_text(path)
+    return _read(path.name, files.load_bytes(path), None, Build())
+
+
+def _read(file_name: str, data: bytes, encoding: Encoding | None, build: Build) -> TableFile:
     try:
-        return TableFile(path.name, text, sniff(text))
+        encoding = encoding or guess_encoding(data)
+        text = decode_as(data, encoding)
+        return TableFile(file_name, data, encoding, text, sniff(text, build))
     except TrajectoryFileError as error:
-        raise TrajectoryFileError(error.reason, error.line, error.column, path.name) from error
+        raise TrajectoryFileError(error.reason, error.line, error.column, file_name) from error
 
 
 def look_closer(path: Path, error: TrajectoryFileError) -> tuple[TrajectoryFileError, bool]:

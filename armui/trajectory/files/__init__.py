@@ -21,7 +21,7 @@ __all__ = [
     "import_files",
     "is_ours",
     "load",
-    "load_text",
+    "load_bytes",
     "name_in",
     "read_bytes",
     "read_text",
@@ -69,14 +69,14 @@ def load(path: Path) -> Content:
         return read_bytes(_bytes_of(path), path.stem)
 
 
-def load_text(path: Path) -> str:
-    """The text of a file of any kind, for the import by columns.
+def load_bytes(path: Path) -> bytes:
+    """The bytes of a file of any kind, for the import by columns.
 
     Raises:
-        TrajectoryFileError: It cannot be read or is no text; it names the file.
+        TrajectoryFileError: It cannot be read; it names the file.
     """
     with _named(path):
-        return decode(_bytes_of(path))
+        return _bytes_of(path)
 
 
 def name_in(path: Path) -> str | None:

@@ -12,6 +12,7 @@ _WORDS: Final[Mapping[str, str]] = {
     "file_unreadable": "cannot be read: {text}",
     "file_too_large": "has {value} MB; files up to {maximum} MB are read",
     "file_not_text": "is no text in UTF-8 or GBK",
+    "file_not_encoding": "is no text in {value}",
     "file_kind_unknown": "is no trajectory file this program knows; import it by columns",
     "file_no_table": "holds no rows of numbers",
     "file_version": "is of version {value}; this program reads up to {maximum}",

@@ -18,6 +18,9 @@ _FILES: Final[Mapping[str, object]] = {
     "file_not_text": QT_TRANSLATE_NOOP(
         "Refusal", "This is no text in UTF-8 or GBK. Save it as a text file in UTF-8."
     ),
+    "file_not_encoding": QT_TRANSLATE_NOOP(
+        "Refusal", "This is no text in {value}. Choose another encoding."
+    ),
     "file_kind_unknown": QT_TRANSLATE_NOOP(
         "Refusal", "This is no trajectory file the program knows. Import it by columns."
     ),
