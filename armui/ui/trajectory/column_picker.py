@@ -68,6 +68,15 @@ class ColumnPicker(QWidget):
             return None
         return Column(Quantity(quantity), self._unit.currentText())
 
+    def show_column(self, column: Column | None) -> None:
+        """Show what the operator has said before."""
+        place = 0 if column is None else 1 + list(Quantity).index(column.quantity)
+        self._quantity.setCurrentIndex(place)
+        self._fill_units()
+        if column is not None:
+            self.show_unit(column.unit)
+        self.show_certain()
+
     def show_unit(self, unit: str) -> None:
         """Show another unit, if its quantity can have it."""
         place = self._unit.findText(unit)

@@ -17,24 +17,23 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from armui.arm.refusal import Refusal
 from armui.control.situation import Level
 from armui.protocol.codes import MoveMode
 from armui.trajectory import columns
 from armui.trajectory.columns import ColumnMapping
-from armui.trajectory.columns.model import SPACES
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.library import Library, LibraryError
 from armui.trajectory.program import check_name
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
+from armui.ui.trajectory.build_bar import BuildBar
 from armui.ui.trajectory.columns_table import ColumnsTable
+from armui.ui.trajectory.table_import import TableImport
 from armui.ui.widgets.message_line import MessageLine
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.trajectory.columns import TableFile
-    from armui.trajectory.files import Content
 
 _SIZE: Final = QSize(1080, 700)
 _FIELD_PX: Final = 34
@@ -69,8 +68,13 @@ class ColumnsDialog(ArmDialog):
         self._library = library
         self._file = table
         self._table = ColumnsTable(table.sheet)
+        self._build = BuildBar()
+        self._misread = ""
+        self._move_said = False
+        self._work: TableImport | None = None
         self._make_widgets()
         self._lay_out()
+        self._build.show_table(table)
         self._name.setText(PurePath(table.file_name).stem)
         self._moves.setCurrentIndex(_MOVES.index(self._likely_move()))
         self._connect()
@@ -119,6 +123,7 @@ class ColumnsDialog(ArmDialog):
             choices.addWidget(field, 1 if field is self._name else 0)
             choices.addSpacing(8)
         self.body.addWidget(self._source)
+        self.body.addWidget(self._build)
         self.body.addLayout(choices)
         self.body.addWidget(self._table, 1)
         self.body.addWidget(self._message)
@@ -128,7 +133,9 @@ class ColumnsDialog(ArmDialog):
 
     def _connect(self) -> None:
         self._table.changed.connect(self._show_usable)
+        self._build.changed.connect(self._read_anew)
         self._moves.currentIndexChanged.connect(self._show_usable)
+        self._moves.activated.connect(self._on_move)
         self._name.textChanged.connect(self._show_usable)
         self.import_button.clicked.connect(self._import)
         self._cancel.clicked.connect(self.reject)
@@ -150,39 +157,104 @@ class ColumnsDialog(ArmDialog):
         fitting = (one for one in _MOVES if not columns.check_mapping(replace(mapping, move=one)))
         return next(fitting, None)
 
-    def _reason_against(self) -> Refusal | None:
-        return columns.check_mapping(self.mapping) or check_name(self._name.text().strip())
+    def _on_move(self) -> None:
+        """From now on it is not guessed any more."""
+        self._move_said = True
+
+    def _read_anew(self) -> None:
+        """Read the file as the operator says; where that is not possible, say why."""
+        build = self._build
+        try:
+            self._file = self._file.read_anew(build.encoding, build.build)
+        except TrajectoryFileError as error:
+            self._misread = words.file_error(error)
+        else:
+            self._misread = ""
+            self._show_file()
+        self._show_usable()
+
+    def _show_file(self) -> None:
+        """What the operator has said of the columns stays, as long as they are the same."""
+        sheet, old = self._file.sheet, self._table
+        said = old.said if len(old.columns) == sheet.width else {}
+        self._table = ColumnsTable(sheet, said)
+        self._table.changed.connect(self._show_usable)
+        self.body.replaceWidget(old, self._table)
+        old.setParent(None)
+        old.deleteLater()
+        self._build.show_table(self._file)
+        if not self._move_said:
+            self._moves.setCurrentIndex(_MOVES.index(self._likely_move()))
+        self._source.setText(self._describe())
+
+    def _reason_against(self) -> str:
+        """Why it cannot be imported as it is now; "" if it can."""
+        if self._misread:
+            return self._misread
+        reason = columns.check_mapping(self.mapping) or check_name(self._name.text().strip())
+        return "" if reason is None else words.refusal(reason)
 
     def _show_usable(self) -> None:
         """Say at once what is wrong with what is chosen; an older message has had its time."""
-        reason = self._reason_against()
-        text = "" if reason is None else words.refusal(reason)
+        text = self._reason_against()
         self._message.show_message(text, Level.WARNING)
-        self.import_button.setEnabled(reason is None)
+        self.import_button.setEnabled(not text)
         self.import_button.setToolTip(text)
         for widget in (self._speed_label, self._speed):
             widget.setEnabled(self.mapping.move is not None)
 
     # Import -----------------------------------------------------------------------------------
 
+    @property
+    def busy(self) -> bool:
+        """Whether the table is being imported."""
+        return self._work is not None
+
     def _import(self) -> None:
         name = self._name.text().strip()
-        try:
-            self._library.save(self._read(name))
-        except TrajectoryFileError as error:
-            self._refuse(words.file_error(error))
-        except LibraryError as error:
-            self._refuse(words.refusal(error.refusal))
-        else:
-            self.imported.emit(name)
+        self._work = TableImport(self._file, self.mapping, name, self._library.folder, self)
+        self._work.finished.connect(self._on_finished)
+        self._let_choose(False)
+        text = self.tr("Importing {count} rows…").format(count=f"{self._file.sheet.count:,}")
+        self._message.show_message(text)
+        self._work.start()
+
+    def _on_finished(self) -> None:
+        work, self._work = self._work, None
+        if work is None:
+            return
+        work.deleteLater()
+        self._let_choose(True)
+        if work.error is not None:
+            self._refuse(work.error)
+        elif work.done:
+            self.imported.emit(work.name)
             self.accept()
+        else:
+            self.reject()
 
-    def _read(self, name: str) -> Content:
-        return columns.apply(self._file.text, self._file.sheet, self.mapping, name)
-
-    def _refuse(self, text: str) -> None:
-        said = self.tr("Not imported. {reason}").format(reason=text)
+    def _refuse(self, error: TrajectoryFileError | LibraryError) -> None:
+        reason = (
+            words.refusal(error.refusal)
+            if isinstance(error, LibraryError)
+            else words.file_error(error)
+        )
+        said = self.tr("Not imported. {reason}").format(reason=reason)
         self._message.show_message(said, Level.FAULT)
+
+    def _let_choose(self, can: bool) -> None:
+        """While it is imported, nothing of it can be chosen; the emergency stop always works."""
+        for widget in (self._build, self._table, self._name, self._moves, self.import_button):
+            widget.setEnabled(can)
+        self._speed.setEnabled(can and self.mapping.move is not None)
+
+    def done(self, result: int) -> None:
+        """Close; an import under way is given up first, and nothing is left half done."""
+        if self._work is None:
+            super().done(result)
+        else:
+            self._work.requestInterruption()
+            self._message.show_message(self.tr("Giving up the import…"))
 
     # Words ------------------------------------------------------------------------------------
 
@@ -203,21 +275,12 @@ class ColumnsDialog(ArmDialog):
         self._show_usable()
 
     def _describe(self) -> str:
-        """How the table was understood, so that a mistake is seen."""
+        """How large the table is, and how much of it is shown."""
         sheet = self._file.sheet
-        delimiter = {
-            SPACES: self.tr("blanks"),
-            "\t": self.tr("tabs"),
-            ",": self.tr("commas"),
-            ";": self.tr("semicolons"),
-            "|": self.tr("vertical bars"),
-        }[sheet.delimiter]
-        decimal = self.tr("decimal point") if sheet.decimal == "." else self.tr("decimal comma")
-        text = self.tr("{file}: {count} columns parted by {delimiter}, {decimal}, from line {line}")
-        return text.format(
-            file=self._file.file_name,
-            count=sheet.width,
-            delimiter=delimiter,
-            decimal=decimal,
-            line=sheet.first_line,
-        )
+        text = self.tr("{file}: {count} columns, {rows} rows; the first rows are shown")
+        text = text.format(file=self._file.file_name, count=sheet.width, rows=f"{sheet.count:,}")
+        hidden = self._table.hidden_count
+        if hidden:
+            more = self.tr("; {count} further columns are left out").format(count=f"{hidden:,}")
+            text += more
+        return text

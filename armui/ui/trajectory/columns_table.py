@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt, Signal
@@ -28,6 +28,9 @@ _Index = QModelIndex | QPersistentModelIndex
 _COLUMN_PX: Final = 124
 _ROW_PX: Final = 26
 _ROWS: Final = 10
+_MOST_COLUMNS: Final = 60
+"""Beside those that a title names."""
+_LONGEST_CELL: Final = 200
 _KIN: Final = (JOINTS, POSE[:3], POSE[3:])
 """What is in one unit throughout a file."""
 _RIGHT: Final = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -38,6 +41,7 @@ class ColumnsTable(QScrollArea):
 
     Args:
         sheet: How the table is built, with its first rows and what they seem to hold.
+        said: What the operator has said of its columns before, by their places.
 
     Signals:
         changed: The operator chose another quantity or unit.
@@ -45,17 +49,27 @@ class ColumnsTable(QScrollArea):
 
     changed = Signal()
 
-    def __init__(self, sheet: Sheet, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        sheet: Sheet,
+        said: Mapping[int, Column | None] | None = None,
+        parent: QWidget | None = None,
+    ) -> None:
         super().__init__(parent)
+        self._width = sheet.width
+        self._places = _shown(sheet)
         self._pickers: list[ColumnPicker] = []
+        self._said = dict(said or {})
         titles = sheet.header or ("",) * sheet.width
-        for number, (title, guess) in enumerate(zip(titles, sheet.guesses, strict=True), start=1):
-            picker = ColumnPicker(number, title, guess)
+        for place in self._places:
+            picker = ColumnPicker(place + 1, titles[place], sheet.guesses[place])
             picker.setFixedWidth(_COLUMN_PX)
+            if place in self._said:
+                picker.show_column(self._said[place])
             picker.quantity_chosen.connect(lambda picker=picker: self._on_quantity(picker))
             picker.unit_chosen.connect(lambda picker=picker: self._on_unit(picker))
             self._pickers.append(picker)
-        self._model = _Preview(sheet.preview[:_ROWS], sheet.width, self._is_used, self._muted)
+        self._model = _Preview(sheet.preview[:_ROWS], self._places, self._is_used, self._muted)
         self._lay_out()
 
     def _lay_out(self) -> None:
@@ -77,8 +91,21 @@ class ColumnsTable(QScrollArea):
 
     @property
     def columns(self) -> tuple[Column | None, ...]:
-        """What each column is, as the operator says it."""
-        return tuple(picker.column for picker in self._pickers)
+        """What each column is, as the operator says it; one that is not shown is left out."""
+        columns: list[Column | None] = [None] * self._width
+        for place, picker in zip(self._places, self._pickers, strict=True):
+            columns[place] = picker.column
+        return tuple(columns)
+
+    @property
+    def said(self) -> Mapping[int, Column | None]:
+        """What the operator has said himself, by the place of the column."""
+        return self._said
+
+    @property
+    def hidden_count(self) -> int:
+        """How many columns are not shown, because nobody could look through them."""
+        return self._width - len(self._places)
 
     def _on_quantity(self, chosen: ColumnPicker) -> None:
         """A further joint is in the unit of the others."""
@@ -86,15 +113,16 @@ class ColumnsTable(QScrollArea):
             column = other.column
             if column is not None:
                 chosen.show_unit(column.unit)
-        self._tell()
+        self._note([chosen])
 
     def _on_unit(self, chosen: ColumnPicker) -> None:
         column = chosen.column
-        for other in self._kin_of(chosen):
+        kin = self._kin_of(chosen)
+        for other in kin:
             if column is not None:
                 other.show_unit(column.unit)
                 other.show_certain()
-        self._tell()
+        self._note([chosen, *kin])
 
     def _kin_of(self, chosen: ColumnPicker) -> list[ColumnPicker]:
         """The other columns that are in the same unit."""
@@ -105,7 +133,10 @@ class ColumnsTable(QScrollArea):
             if picker is not chosen and picker.column is not None and _kin(picker.column) & group
         ]
 
-    def _tell(self) -> None:
+    def _note(self, pickers: Sequence[ColumnPicker]) -> None:
+        """These say what the operator wants."""
+        for picker in pickers:
+            self._said[self._places[self._pickers.index(picker)]] = picker.column
         self._model.repaint()
         self.changed.emit()
 
@@ -122,13 +153,13 @@ class _Preview(QAbstractTableModel):
     def __init__(
         self,
         rows: Sequence[Sequence[str]],
-        width: int,
+        places: Sequence[int],
         is_used: Callable[[int], bool],
         pale: Callable[[], QColor],
     ) -> None:
         super().__init__()
         self._rows = rows
-        self._width = width
+        self._places = places
         self._is_used = is_used
         self._pale = pale
 
@@ -137,8 +168,8 @@ class _Preview(QAbstractTableModel):
         return 0 if parent.isValid() else len(self._rows)
 
     def columnCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008, N802 - as above
-        """As many as most rows have."""
-        return 0 if parent.isValid() else self._width
+        """As many as are shown."""
+        return 0 if parent.isValid() else len(self._places)
 
     def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """A cell; nothing where a row is too short."""
@@ -146,7 +177,8 @@ class _Preview(QAbstractTableModel):
             return None
         row, column = self._rows[index.row()], index.column()
         if role in {Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.ToolTipRole}:
-            return row[column].strip() if column < len(row) else ""
+            place = self._places[column]
+            return row[place].strip()[:_LONGEST_CELL] if place < len(row) else ""
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return _RIGHT
         if role == Qt.ItemDataRole.ForegroundRole and not self._is_used(column):
@@ -155,8 +187,14 @@ class _Preview(QAbstractTableModel):
 
     def repaint(self) -> None:
         """Other columns are ignored now."""
-        last = self.index(len(self._rows) - 1, self._width - 1)
+        last = self.index(len(self._rows) - 1, len(self._places) - 1)
         self.dataChanged.emit(self.index(0, 0), last)
+
+
+def _shown(sheet: Sheet) -> list[int]:
+    """The places of the columns that are shown: the first ones, and all that hold something."""
+    guessed = {place for place, guess in enumerate(sheet.guesses) if guess.column is not None}
+    return sorted(guessed.union(range(min(sheet.width, _MOST_COLUMNS))))
 
 
 def _rows_of(model: _Preview) -> QTableView:

@@ -1,0 +1,126 @@
+"""Tables of unknown build, and the dialog that imports them in the operator's hands."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QComboBox, QWidget
+
+from armui.trajectory.library import Library
+from armui.ui.dialogs.files import FileDialog
+from armui.ui.trajectory.columns_dialog import ColumnsDialog
+from armui.ui.trajectory.library_window import LibraryWindow
+
+DEGREES = (
+    "time_ms,a1_deg,a2_deg,a3_deg,a4_deg,a5_deg,a6_deg,temperature\n"
+    "1000,10,20,-30,40,50,60,31\n"
+    "1020,11,21,-31,41,51,61,31\n"
+)
+TITLED = DEGREES.replace(",a", ",joint")
+RADIANS = "0.02;0.1;0.5;-0.5;0.1;0.2;0.3;0.05\n0.01;0.1;0.6;-0.5;0.1;0.2;0.3;0.05\n"
+"""As the maker records, but with another delimiter."""
+ANGLES = "10 40 -40 10 20 15\n20 40 -40 10 20 15\n"
+
+
+class Operator:
+    """At the list of the library, with files to import."""
+
+    def __init__(self, desk, folder):
+        self.desk = desk
+        self.folder = folder
+        desk.click("library_button")
+        self.list = desk.dialog(LibraryWindow)
+        self.library = Library(desk.library_folder)
+
+    def bring(self, **texts):
+        """Import files of these names and texts as the chooser does."""
+        paths = []
+        for name, text in texts.items():
+            path = self.folder / f"{name}.csv"
+            path.write_bytes(text if isinstance(text, bytes) else text.encode())
+            paths.append(str(path))
+        self.desk.click(self.list.findChild(QWidget, "library_import"))
+        chooser = self.desk.dialog(FileDialog)
+        chooser.filesSelected.emit(paths)
+        chooser.close()
+
+    def open(self, **texts):
+        self.bring(**texts)
+        self.desk.click(self.offer)
+        return self.dialog
+
+    @property
+    def dialog(self):
+        return self.desk.dialog(ColumnsDialog)
+
+    @property
+    def offer(self):
+        return self.list.findChild(QWidget, "library_by_columns")
+
+    def told(self):
+        return self.list.findChild(QWidget, "library_message").text()
+
+    def child(self, name):
+        return self.dialog.findChild(QWidget, f"columns_{name}")
+
+    def message(self):
+        return self.child("message").text()
+
+    def columns(self):
+        """What the dialog says of each column: `J1 °`, `-` for one that is ignored."""
+        found = []
+        for number in range(1, len(self.dialog.mapping.columns) + 1):
+            quantity = self.box("quantity", number).currentText()
+            unit = self.box("unit", number).currentText()
+            found.append("-" if quantity == "Ignored" else f"{quantity} {unit}")
+        return found
+
+    def box(self, kind, number):
+        return self.dialog.findChild(QComboBox, f"column_{kind}_{number}")
+
+    def choose(self, box, text):
+        """Open a list, click on an entry."""
+        box.showPopup()
+        view = box.view()
+        index = view.model().index(box.findText(text), 0)
+        assert index.isValid(), text
+        view.scrollTo(index)
+        QTest.mouseMove(view.viewport(), view.visualRect(index).center())
+        place = view.visualRect(index).center()
+        QTest.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, pos=place)
+        self.desk.wait(lambda: not view.isVisible())
+
+    def build(self, name):
+        """A field that says how the table is built."""
+        return self.dialog.findChild(QWidget, f"build_{name}")
+
+    def built(self):
+        """What the dialog says of that: encoding, delimiter, decimal sign, first line."""
+        boxes = [self.build(name).currentText() for name in ("encoding", "delimiter", "decimal")]
+        return (*boxes, self.build("line").value())
+
+    def first_line(self, line):
+        field = self.build("line")
+        field.setFocus()
+        field.selectAll()
+        QTest.keyClicks(field, str(line))
+        QTest.keyClick(field, Qt.Key.Key_Return)
+
+    def preview(self):
+        """The rows that are shown."""
+        model = self.dialog.findChild(QWidget, "columns_preview").model()
+        columns = range(model.columnCount())
+        return [[model.index(row, c).data() for c in columns] for row in range(model.rowCount())]
+
+    def call(self, number, quantity):
+        self.choose(self.box("quantity", number), quantity)
+
+    def take(self):
+        dialog = self.dialog
+        self.desk.click(self.child("import"))
+        self.desk.wait(lambda: not dialog.busy)
+
+
+def is_open():
+    return any(
+        isinstance(widget, ColumnsDialog) and widget.isVisible()
+        for widget in QApplication.topLevelWidgets()
+    )
