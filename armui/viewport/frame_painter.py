@@ -1,4 +1,4 @@
-"""Turns wishes into pictures: what the view should show, and the one who draws it.
+"""Turns wishes into pictures: the one who draws what the view should show.
 
 No Qt, and VTK, trimesh and yourdfpy are imported with the first picture: that takes a second, and
 happens in the thread that draws.
@@ -10,17 +10,14 @@ import gc
 import math
 import time
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from armui.viewport.camera import HOME_CAMERA, OrbitCamera
 from armui.viewport.errors import SceneError
-from armui.viewport.palette import LIGHT, ScenePalette
-from armui.viewport.path_picture import NOTHING, Preview
+from armui.viewport.view_state import ViewState
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
-    from pathlib import Path
 
     from armui.arm.refusal import Refusal
     from armui.viewport.offscreen import Pixels
@@ -28,58 +25,6 @@ if TYPE_CHECKING:
 
 _CHEAP_FRAME_S = 0.010
 """A smooth frame that takes less is drawn while the arm moves, too."""
-
-
-@dataclass(frozen=True)
-class PickRequest:
-    """A question which link is seen at a pixel; `serial` tells two questions at one place apart."""
-
-    serial: int
-    x_px: float
-    y_px: float
-
-
-@dataclass(frozen=True)
-class RobotChoice:
-    """The URDF file to show; `serial` makes the same file, repaired, load again."""
-
-    path: Path
-    serial: int = 0
-
-
-@dataclass(frozen=True)
-class ViewState:
-    """Everything the picture depends on.
-
-    Attributes:
-        robot: the description to show.
-        width_px: of the picture, in device pixels.
-        height_px: likewise.
-        pixel_ratio: device pixels a logical pixel.
-        camera: where it is seen from.
-        palette: colours.
-        angles_deg: six joint angles as on the bus; None: never heard.
-        gripper_mm: opening; None: never heard.
-        stale: the angles are no longer fresh.
-        highlighted_joint: 1–6 or None.
-        preview: what is shown beside the arm.
-        pick: a question to answer along the way.
-        mark_pick: likewise, about a mark of the preview.
-    """
-
-    robot: RobotChoice
-    width_px: int = 1
-    height_px: int = 1
-    pixel_ratio: float = 1.0
-    camera: OrbitCamera = HOME_CAMERA
-    palette: ScenePalette = LIGHT
-    angles_deg: tuple[float, ...] | None = None
-    gripper_mm: float | None = None
-    stale: bool = False
-    highlighted_joint: int | None = None
-    preview: Preview = NOTHING
-    pick: PickRequest | None = None
-    mark_pick: PickRequest | None = None
 
 
 @contextmanager

@@ -19,8 +19,9 @@ from PySide6.QtGui import QImage
 
 from armui.arm.refusal import Refusal
 from armui.viewport.errors import DRAWING_STOPPED, SceneError
-from armui.viewport.frame_painter import FramePainter, ViewState
+from armui.viewport.frame_painter import FramePainter
 from armui.viewport.mailbox import Mailbox
+from armui.viewport.view_state import ViewState
 
 _LOG = logging.getLogger(__name__)
 _JOIN_LIMIT_S = 10.0

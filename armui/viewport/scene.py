@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
 
-    from armui.viewport.frame_painter import ViewState
     from armui.viewport.robot import Robot
+    from armui.viewport.view_state import ViewState
 
 _FAR_BEHIND_FOCUS_M = 5.0
 _ZERO_DEG = (0.0,) * 6

@@ -16,10 +16,10 @@ from armui.paths import URDF
 from armui.viewport.camera import HOME_CAMERA
 from armui.viewport.camera_hand import Drag, press_key, turn_wheel
 from armui.viewport.errors import NO_OPENGL
-from armui.viewport.frame_painter import PickRequest, RobotChoice, ViewState
 from armui.viewport.hud import HudValues, hud_frame, paint_hud
 from armui.viewport.palette import LIGHT, ScenePalette
 from armui.viewport.render_thread import RenderThread
+from armui.viewport.view_state import PickRequest, RobotChoice, ViewState
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

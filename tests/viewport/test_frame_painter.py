@@ -9,7 +9,8 @@ import pytest
 from armui.arm.refusal import Refusal
 from armui.paths import URDF
 from armui.viewport import frame_painter
-from armui.viewport.frame_painter import FramePainter, PickRequest, RobotChoice, ViewState
+from armui.viewport.frame_painter import FramePainter
+from armui.viewport.view_state import PickRequest, RobotChoice, ViewState
 from tests.viewport.foreign import write_arm
 
 STATE = ViewState(

@@ -8,8 +8,8 @@ import pytest
 from armui.arm.refusal import Refusal
 from armui.paths import URDF
 from armui.viewport.errors import DRAWING_STOPPED, NO_OPENGL
-from armui.viewport.frame_painter import RobotChoice, ViewState
 from armui.viewport.render_thread import RenderThread
+from armui.viewport.view_state import RobotChoice, ViewState
 
 STATE = ViewState(
     RobotChoice(URDF / "piper.urdf"),
