@@ -15,8 +15,9 @@ from armui.control.situation import LinkState, Situation
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.translation import Translator
-from tests.ui.conftest import FakeController, situation
+from tests.ui.arm_states import situation
 from tests.ui.dialog_reading import message, shown, words_of
+from tests.ui.fake_controller import FakeController
 
 LEFT = Qt.MouseButton.LeftButton
 

@@ -25,8 +25,9 @@ from armui.ui.theme import Theme, apply_theme
 from armui.ui.translation import Translator
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.stop_shortcut import StopShortcut
-from tests.ui.conftest import FakeController, situation
+from tests.ui.arm_states import situation
 from tests.ui.dialog_reading import shown, words_of
+from tests.ui.fake_controller import FakeController
 
 LEFT = Qt.MouseButton.LeftButton
 

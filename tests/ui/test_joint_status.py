@@ -26,8 +26,9 @@ from armui.ui.translation import LANGUAGES, Translator
 from armui.ui.widgets import state_mark
 from armui.ui.widgets.joint_status_button import JointStatusButton
 from armui.ui.widgets.state_mark import Mark
-from tests.ui.conftest import NOW_S, FakeController, arm_state, situation
+from tests.ui.arm_states import NOW_S, arm_state, situation
 from tests.ui.dialog_reading import message, shown
+from tests.ui.fake_controller import FakeController
 
 VOLTAGE, MOTOR_TEMPERATURE, CURRENT, ENABLED, HOMED = 1, 2, 3, 7, 8
 NOON = datetime(2026, 1, 2, 12, 0, 0).astimezone()

@@ -13,7 +13,7 @@ from armui.ui.translation import Translator
 from armui.ui.widgets.color_strip import ColorStrip
 from armui.ui.widgets.hue_field import HueField
 from armui.ui.widgets.message_line import MessageLine
-from tests.ui.conftest import situation
+from tests.ui.arm_states import situation
 
 LEFT = Qt.MouseButton.LeftButton
 CHANNELS = ("red", "green", "blue")

@@ -28,8 +28,9 @@ from armui.ui.theme import LIGHT, Theme, apply_theme
 from armui.ui.translation import Translator
 from armui.viewport import palette
 from tests.desk import AtOnce
-from tests.ui.conftest import FakeView, arm_state, situation
+from tests.ui.arm_states import arm_state, situation
 from tests.ui.dialog_reading import message
+from tests.ui.fake_view import FakeView
 
 LEFT = Qt.MouseButton.LeftButton
 NAMED = [

@@ -13,7 +13,7 @@ from armui.ui.panels.motion_panel import MotionPanel
 from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.value_label import ValueLabel
-from tests.ui.conftest import NOW_S, arm_state, situation
+from tests.ui.arm_states import NOW_S, arm_state, situation
 
 LEFT = Qt.MouseButton.LeftButton
 ANGLES = (10.0, 20.0, -30.0, 40.0, 50.0, -60.0)

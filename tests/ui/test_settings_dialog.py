@@ -13,8 +13,8 @@ from armui.arm.refusal import Refusal
 from armui.settings import SettingsStore
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.dialogs.settings import SettingsDialog
-from tests.ui.conftest import FakeController
 from tests.ui.dialog_reading import message, shown, words_of
+from tests.ui.fake_controller import FakeController
 
 LEFT = Qt.MouseButton.LeftButton
 

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QLabel
 from armui.control.situation import Level, LinkState, Notice
 from armui.ui.status_bar import StatusBar
 from armui.ui.theme import LIGHT
-from tests.ui.conftest import NOW_S, arm_state, situation
+from tests.ui.arm_states import NOW_S, arm_state, situation
 
 NOON = datetime(2026, 11, 21, 12, 3, 4)
 

@@ -12,7 +12,7 @@ from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.top_bar import TopBar
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.stop_shortcut import StopShortcut
-from tests.ui.conftest import situation
+from tests.ui.arm_states import situation
 
 LEFT = Qt.MouseButton.LeftButton
 

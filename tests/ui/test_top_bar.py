@@ -14,7 +14,7 @@ from armui.ui.widgets.communication_button import CommunicationButton
 from armui.ui.widgets.enable_button import EnableButton
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.value_label import ValueLabel
-from tests.ui.conftest import arm_state, situation
+from tests.ui.arm_states import arm_state, situation
 
 LEFT = Qt.MouseButton.LeftButton
 

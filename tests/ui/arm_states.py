@@ -1,0 +1,61 @@
+"""An arm as it is heard, and what the operator can do with it then."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+from armui.arm.device import Device
+from armui.arm.state import ArmState, Heard, Status
+from armui.control.situation import LinkState, Situation
+
+NOW_S = 100.0
+SIX_FALSE = (False,) * 6
+
+
+def status(**changes: Any) -> Status:
+    """An arm under CAN control that has nothing to complain of."""
+    normal = Status(
+        control_mode=1,
+        arm_status=0,
+        move_mode=1,
+        teaching=0,
+        reached=True,
+        speed_percent=30,
+        trajectory_point=None,
+        limit_exceeded=SIX_FALSE,
+        communication_fault=SIX_FALSE,
+    )
+    return replace(normal, **changes)
+
+
+def arm_state(
+    angles_deg: Sequence[float] = (0.0,) * 6,
+    at_s: float = NOW_S,
+    sequence: int = 1,
+    **status_changes: Any,
+) -> ArmState:
+    """An arm heard completely and just now."""
+    pose = (56.128, 0.0, 213.266, 0.0, 85.0, 0.0)
+    return ArmState(
+        sequence=sequence,
+        last_feedback_s=at_s,
+        status=Heard(status(**status_changes), at_s),
+        joints_deg=tuple(Heard(angle, at_s) for angle in angles_deg),
+        pose=tuple(Heard(value, at_s) for value in pose),
+    )
+
+
+def situation(**changes: Any) -> Situation:
+    """Online, enabled, free to move."""
+    ready = Situation(
+        link=LinkState.ONLINE,
+        device=Device("virtual", "test", label="Simulated arm", simulated=True, generation=1),
+        enabled=(True,) * 6,
+        cannot_move=None,
+        cannot_enable=None,
+        limits_read=(True,) * 6,
+        speed_percent=30,
+    )
+    return replace(ready, **changes)

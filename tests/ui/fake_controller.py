@@ -1,0 +1,305 @@
+"""A controller without an arm: it records what it is asked and shows what a test makes it show."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from armui.arm.device import Device
+from armui.arm.parameters import Batch, Parameter
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.control.gripper_ranges import Figures, figures_of
+from armui.control.recovery_steps import Action, Kind, Step
+from armui.control.setting_cell import Cell
+from armui.control.setting_checks import Changes
+from armui.control.situation import Level, Situation
+from armui.control.teaching_phase import why_not
+from armui.protocol.codes import ALL_JOINTS, LinkageRole, TeachingState, TrajectoryCommand
+from tests.ui.arm_states import arm_state, situation
+
+
+class FakeController(QObject):
+    """Has the signals and methods of ``ArmController``; ``calls`` holds what was asked."""
+
+    state_changed = Signal(object)
+    situation_changed = Signal(object)
+    step_changed = Signal(object)
+    noticed = Signal(object)
+    devices_found = Signal(object)
+    searching_changed = Signal(bool)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.state = ArmState()
+        self.situation = Situation(speed_percent=30)
+        self.calls: list[tuple[Any, ...]] = []
+        self.answer: Refusal | None = None
+        self.motion = FakeMotion(self)
+        self.motors = FakeMotors(self)
+        self.lights = FakeLights(self)
+        self.jogging = FakeJogging(self)
+        self.cartesian = FakeCartesian()
+        self.joint_errors = FakeJointErrors(self)
+        self.recovery = FakeRecovery(self)
+        self.teaching = FakeTeaching(self)
+        self.planned_motion = FakePlannedMotion(self)
+        self.zeroing = FakeZeroing(self)
+        self.settings = FakeSettings(self)
+        self.gripper = FakeGripper(self)
+        self.linkage = FakeLinkage(self)
+
+    # what a test makes it show
+
+    def hear(self, state: ArmState) -> None:
+        self.state = state
+        self.state_changed.emit(state)
+
+    def be(self, new: Situation) -> None:
+        self.situation = new
+        self.situation_changed.emit(new)
+
+    def be_ready(self, angles_deg: Sequence[float] = (0.0,) * 6) -> None:
+        self.be(situation())
+        self.hear(arm_state(angles_deg))
+
+    # what the windows ask
+
+    @staticmethod
+    def interfaces() -> list[str]:
+        return ["gs_usb", "slcan", "socketcan", "udp_multicast", "virtual"]
+
+    def search_devices(self) -> None:
+        self.calls.append(("search_devices",))
+
+    def connect_device(self, device: Device) -> None:
+        self.calls.append(("connect_device", device))
+
+    def disconnect_device(self) -> None:
+        self.calls.append(("disconnect_device",))
+
+    def end_motion(self) -> None:
+        self.calls.append(("end_motion",))
+
+    def emergency_stop(self) -> None:
+        self.calls.append(("emergency_stop",))
+
+    def _asked(self, *call: Any) -> Refusal | None:
+        self.calls.append(call)
+        return self.answer
+
+
+class FakeMotors:
+    """The motors' power of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+
+    def enable(self, joint: int = ALL_JOINTS) -> Refusal | None:
+        return self._controller._asked("enable", joint)
+
+    def disable(self, joint: int = ALL_JOINTS) -> Refusal | None:
+        return self._controller._asked("disable", joint)
+
+    def resume(self) -> Refusal | None:
+        return self._controller._asked("resume")
+
+
+class FakeMotion:
+    """The joint motions of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+        self.setpoint_deg: tuple[float, ...] | None = None
+        self.lagging = False
+
+    def set_speed_percent(self, percent: float) -> Refusal | None:
+        controller = self._controller
+        refusal = controller._asked("set_speed_percent", percent)
+        if refusal is None:
+            controller.be(replace(controller.situation, speed_percent=round(percent)))
+        return refusal
+
+    def jog(self, joint: int, delta_deg: float) -> Refusal | None:
+        refusal = self._controller._asked("jog", joint, delta_deg)
+        if refusal is None:
+            base = list(self.setpoint_deg or self._controller.state.angles_deg() or (0.0,) * 6)
+            base[joint - 1] = round(base[joint - 1] + delta_deg, 3)
+            self.setpoint_deg = tuple(base)
+        return refusal
+
+    def send_joints(self, angles_deg: Sequence[float]) -> Refusal | None:
+        return self._controller._asked("send_joints", tuple(angles_deg))
+
+    def go_home(self) -> Refusal | None:
+        return self._controller._asked("go_home")
+
+    def jog_lagging(self, joint: int, step_deg: float) -> bool:
+        return self.lagging
+
+
+class FakeCartesian:
+    """The tool of a fake controller, which is its flange."""
+
+    def __init__(self) -> None:
+        self.tool: tuple[float, ...] = (0.0,) * 6
+
+    def tool_pose(self, state: ArmState) -> tuple[float, ...] | None:
+        return state.end_pose()
+
+
+class FakeJogging:
+    """The held motions of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+        self.active = False
+
+    def start(self, jog: Any) -> Refusal | None:
+        refusal = self._controller._asked("jog_start", jog)
+        self.active = refusal is None
+        return refusal
+
+    def stop(self) -> None:
+        if self.active:
+            self._controller.calls.append(("jog_stop",))
+        self.active = False
+
+
+class FakeLights:
+    """The lamps of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+
+    def set_light(self, joint: int, lamp: int, red: int, green: int, blue: int) -> Refusal | None:
+        return self._controller._asked("set_light", joint, lamp, red, green, blue)
+
+
+class FakeJointErrors:
+    """The joints' errors of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+
+    def clear(self, joint: int) -> Refusal | None:
+        return self._controller._asked("clear_joint_error", joint)
+
+
+class FakeSettings(QObject):
+    """The parameters of a fake controller's arm: none is ever read."""
+
+    changed = Signal()
+    finished = Signal()
+    busy = False
+
+    def __init__(self, controller: FakeController) -> None:
+        super().__init__(controller)
+        self._controller = controller
+
+    def cell(self, parameter: Parameter) -> Cell:
+        return Cell()
+
+    def read(self, batches: Iterable[Batch]) -> Refusal | None:
+        return self._controller._asked("read_settings", tuple(batches))
+
+    def save(self, changes: Changes) -> Refusal | None:
+        return self._controller._asked("save_settings", dict(changes))
+
+    def settle(self, parameters: Iterable[Parameter]) -> None:
+        pass
+
+
+class FakeTeaching:
+    """The drag teaching of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+        self.pending: TeachingState | None = None
+
+    def why_not(self, command: TeachingState) -> Refusal | None:
+        return why_not(command, self._controller.state, self._controller.situation)
+
+    def command(self, command: TeachingState) -> Refusal | None:
+        return self._controller._asked("teach", command)
+
+
+class FakePlannedMotion:
+    """The planned motions of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+        self.paused = False
+
+    def why_not(self, _command: TrajectoryCommand) -> Refusal | None:
+        return self._controller.situation.unreachable
+
+    def command(self, command: TrajectoryCommand) -> Refusal | None:
+        return self._controller._asked("plan", command)
+
+
+class FakeRecovery:
+    """The next step of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+        self.step = Step(Kind.NO_DEVICE, Level.INFO, action=Action.CONNECT)
+
+    def show(self, step: Step) -> None:
+        self.step = step
+        self._controller.step_changed.emit(step)
+
+    def why_not(self, _step: Step) -> Refusal | None:
+        return self._controller.situation.occupied
+
+    def act(self, step: Step) -> Refusal | None:
+        return self._controller._asked("act", step)
+
+
+class FakeZeroing:
+    """The zeros of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+
+    def why_not(self) -> Refusal | None:
+        return self._controller.situation.cannot_enable or self._controller.situation.occupied
+
+    def set_zero(self, joint: int = ALL_JOINTS) -> Refusal | None:
+        return self._controller._asked("set_zero", joint)
+
+
+class FakeLinkage:
+    """The linkage of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+
+    def set(self, role: LinkageRole, **offsets: int) -> Refusal | None:
+        return self._controller._asked("set_linkage", role, offsets)
+
+    def release(self) -> Refusal | None:
+        return self._controller._asked("release_linkage")
+
+
+class FakeGripper:
+    """The gripper of a fake controller."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+
+    @property
+    def figures(self) -> Figures:
+        return figures_of(self._controller.situation.generation, self._controller.state)
+
+    def why_not(self, *, moving: bool, letting_go: bool = False) -> Refusal | None:
+        return self._controller.situation.cannot_enable
+
+    def learn_stroke(self) -> None:
+        pass
+
+    def move(self, travel: float, effort: float) -> Refusal | None:
+        return self._controller._asked("move_gripper", travel, effort)
