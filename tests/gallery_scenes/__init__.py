@@ -1,6 +1,6 @@
 """What the pictures of ``tests.gallery`` show: states of the window, and every dialog."""
 
-from tests.gallery_scenes import arm, arm_settings, dialogs, panels, trajectories
+from tests.gallery_scenes import arm, arm_settings, dialogs, panels, shelves, trajectories
 from tests.gallery_scenes.scene import DialogScene, Scene
 
 WINDOW_SCENES = (
@@ -44,11 +44,17 @@ DIALOG_SCENES = (
     DialogScene("joint-status-faults", "refused", dialogs.joint_status_faults),
     DialogScene("joint-status-stale", "offline", dialogs.joint_status),
     DialogScene("file", "no-device", dialogs.file),
+    DialogScene("library-empty", "no-device", shelves.empty),
     DialogScene("library", "online", trajectories.library),
     DialogScene("editor", "online", trajectories.editor),
     DialogScene("editor-find", "online", trajectories.editor_find),
     DialogScene("editor-check-failed", "online", trajectories.failed_check),
     DialogScene("recording", "online", trajectories.recording),
+    DialogScene("library-not-found", "online", shelves.not_found),
+    DialogScene("library-deleted", "online", shelves.deleted),
+    DialogScene("library-bin", "online", shelves.bin_),
+    DialogScene("library-imported", "online", shelves.imported),
+    DialogScene("library-report", "online", shelves.report),
     DialogScene("columns-offered", "online", trajectories.columns_offered),
     DialogScene("columns", "online", trajectories.columns),
     DialogScene("confirm-disable", "refused", dialogs.confirm_disable),

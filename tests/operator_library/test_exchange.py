@@ -100,7 +100,7 @@ def test_of_many_files_the_report_tells_what_became_of_each(shelf, tmp_path):
     assert said[0] == "Imported: g0, g1, g2, g3, g4 … (+3)"
     assert said[1] == "Their names were taken, so they got others: two → two 2"
     assert said[2] == "Not imported. bad 0.log, line 5, column 7: “x0” is not a number."
-    assert said[-1] == "4 more files were not imported: see the results."
+    assert said[-1] == "Not imported either: 4 more. See the results."
     assert len(said) == 6
     assert shelf.child("by_columns").isVisible()
     shelf.click("report")

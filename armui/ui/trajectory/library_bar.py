@@ -67,7 +67,13 @@ class LibraryBar(QWidget):
         self._buttons["export"].setMenu(self._export_menu)
         layout.addStretch(1)
         layout.addWidget(self.search, 2)
+        self._row = layout
         self.show_chosen(())
+
+    def add_button(self, button: QPushButton) -> None:
+        """Take one more button, that does its work by itself."""
+        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self._row.insertWidget(len(self._buttons), button)
 
     def listen(self, window: QWidget, table: QTableView) -> None:
         """Have keys press the buttons.

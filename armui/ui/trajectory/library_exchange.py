@@ -113,7 +113,7 @@ class LibraryExchange(QObject):
             for problem in problems[:_MOST_PROBLEMS]
         ]
         if len(problems) > _MOST_PROBLEMS:
-            text = self.tr("{count} more files were not imported: see the results.")
+            text = self.tr("Not imported either: {count} more. See the results.")
             lines.append(text.format(count=len(problems) - _MOST_PROBLEMS))
         return "\n".join(lines)
 
@@ -174,6 +174,6 @@ class LibraryExchange(QObject):
             for text in problems[:_MOST_PROBLEMS]
         ]
         if len(problems) > _MOST_PROBLEMS:
-            text = self.tr("{count} more were not exported.")
+            text = self.tr("Not exported either: {count} more.")
             lines.append(text.format(count=len(problems) - _MOST_PROBLEMS))
         self.said.emit("\n".join(lines), Level.FAULT if problems else Level.DONE)

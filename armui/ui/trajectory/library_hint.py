@@ -80,11 +80,13 @@ class LibraryHint(QWidget):
                 "Create one and enter its points, record a motion of the arm, or import files. "
                 "Files can also be dropped here."
             )
-        self._title.setText(title)
-        self._text.setText(text)
+        for label, words in ((self._title, title), (self._text, text)):
+            label.setText(words)
+            # in the middle of a layout a label does not get the height of its lines by itself
+            label.setFixedHeight(label.heightForWidth(_WIDEST_PX))
 
     def changeEvent(self, event: QEvent) -> None:
         """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
+        if event.type() in {QEvent.Type.LanguageChange, QEvent.Type.FontChange}:
             self.retranslate_ui()
         super().changeEvent(event)

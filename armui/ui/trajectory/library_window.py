@@ -103,7 +103,7 @@ class LibraryWindow(ArmDialog):
         below.addWidget(self._exchange.report)
         below.addWidget(self._exchange.by_columns)
         below.addWidget(self._undo_button)
-        below.addWidget(self._bin_button)
+        self._bar.add_button(self._bin_button)
         self.body.addWidget(self._bar)
         self.body.addWidget(self._table, 1)
         self.body.addWidget(self._findings)

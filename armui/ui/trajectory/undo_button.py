@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QPushButton, QWidget
 
 from armui.ui.trajectory.library_deeds import LibraryDeeds
 
-_WIDEST_PX: Final = 240
+_WIDEST_PX: Final = 210
 _SIDES_PX: Final = 40
 
 
