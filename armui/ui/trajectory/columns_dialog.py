@@ -223,6 +223,7 @@ class ColumnsDialog(ArmDialog):
         work, self._work = self._work, None
         if work is None:
             return
+        work.wait()  # the signal comes a moment before the thread has ended
         work.deleteLater()
         self._let_choose(True)
         if work.error is not None:
