@@ -23,6 +23,7 @@ WINDOW_SCENES = (
     Scene("tool", panels.tool),
     Scene("tool-refused", panels.tool_refused),
     Scene("joint-keys", panels.joint_keys),
+    Scene("run", arm.run),
     Scene("offline", arm.offline),
     Scene("lost", arm.lost),
     Scene("stopped", arm.stopped),
@@ -63,6 +64,7 @@ DIALOG_SCENES = (
     DialogScene("hold-disable", "motors", panels.hold_disable),
     DialogScene("backup", "joint-settings-corrupt", arm_settings.backup),
     DialogScene("confirm-unsaved", "collision-levels", arm_settings.confirm_unsaved),
+    DialogScene("confirm-end-run", "run", dialogs.confirm_close),
     DialogScene("confirm-close", "moving", dialogs.confirm_close),
     DialogScene("confirm-resume", "stopped", dialogs.confirm_resume),
 )

@@ -7,8 +7,11 @@ import errno
 import can
 
 from armui.control.recovery_steps import Kind
+from armui.control.run import Phase, Run
 from armui.control.situation import LinkState, StopState
+from armui.protocol.codes import MoveMode
 from armui.sim.faults import fault
+from armui.trajectory.program import Waypoint
 from tests.desk import Desk
 
 _PUSH = fault("collision", 2)
@@ -52,7 +55,19 @@ def stopped(desk: Desk) -> None:
     desk.run(0.3)
 
 
+def run(desk: Desk) -> None:
+    """A run dwells, and the panel of the motors says what it keeps from being done."""
+    point = Waypoint(MoveMode.MOVE_J, tuple(desk.firmware.joints_deg), dwell_s=600.0)
+    player = desk.controller.player
+    player.start(Run("Pick up", (point,), (600.0,)))
+    desk.run_until(lambda: player.progress.phase is Phase.DWELLING)
+    desk.click("menu_motor")
+
+
 def offline(desk: Desk) -> None:
+    desk.controller.end_motion()
+    desk.run_until(lambda: not desk.controller.player.running)
+    desk.click("menu_motion")
     desk.click("jog_keys_button")
     desk.find("jog_step").setCurrentIndex(1)
     desk.run(0.2)  # what a dialog's scene did to the arm is over before it falls silent
