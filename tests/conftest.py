@@ -12,7 +12,7 @@ from PySide6.QtCore import QCoreApplication, QEvent
 
 from armui.protocol.generation import Generation
 from tests.bench import Bench
-from tests.desk import Desk
+from tests.desk import Desk, Slow
 
 _ENDING_S = 2.0
 
@@ -46,6 +46,15 @@ def any_bench(qapp, request, generation):
 def desk(qapp, request, tmp_path):
     """The main window before a simulated arm of generation 2, not connected yet, in English."""
     desk = Desk(qapp, request.node.nodeid, tmp_path / "settings.json", Generation.TWO)
+    yield desk
+    desk.close()
+
+
+@pytest.fixture
+def slow_desk(qapp, request, tmp_path):
+    """The same; what takes long is only done when `desk.workers` is told to work."""
+    settings = tmp_path / "settings.json"
+    desk = Desk(qapp, request.node.nodeid, settings, Generation.TWO, Slow())
     yield desk
     desk.close()
 

@@ -64,6 +64,7 @@ class Desk(Bench):
         program: The program, wired as it is for the operator.
         window: Its main window, shown.
         library_folder: Where its trajectories are kept.
+        workers: As given.
     """
 
     def __init__(
@@ -77,9 +78,8 @@ class Desk(Bench):
         super().__init__(channel, generation)
         self.store = SettingsStore(settings, for_this_run={"language": "en"})
         self.library_folder = settings.parent / "trajectories"
-        self.program = Program(
-            app, self.store, self.controller, workers or AtOnce(), self.library_folder
-        )
+        self.workers = workers or AtOnce()
+        self.program = Program(app, self.store, self.controller, self.workers, self.library_folder)
         self.window = self.program.window
         self.window.resize(1280, 800)
         self.window.show()

@@ -13,7 +13,7 @@ from armui.trajectory.library import Library
 from armui.trajectory.program import Trajectory, Waypoint
 from armui.ui.trajectory.editor_window import EditorWindow
 from armui.ui.trajectory.library_window import LibraryWindow
-from tests.desk import Desk, Slow
+from tests.desk import Desk
 
 HERE = (0.0, 20.0, -30.0, 0.0, 10.0, 0.0)
 NEAR = (5.0, 25.0, -35.0, 0.0, 15.0, 5.0)
@@ -22,8 +22,8 @@ NEAR = (5.0, 25.0, -35.0, 0.0, 15.0, 5.0)
 class Operator:
     """Before an editor of two points, near to where the arm is, which may move."""
 
-    def __init__(self, desk, workers):
-        self.desk, self.workers = desk, workers
+    def __init__(self, desk):
+        self.desk, self.workers = desk, desk.workers
         desk.ready()
         self.lead_to(HERE)
         Library(desk.library_folder).save(
@@ -33,7 +33,7 @@ class Operator:
         self.list = desk.dialog(LibraryWindow)
         self.list.open_trajectory("Test")
         self.window = desk.dialog(EditorWindow)
-        workers.work()
+        self.workers.work()
 
     def lead_to(self, joints_deg):
         """By somebody else's hand, for all the editor knows."""
@@ -61,12 +61,8 @@ def to_here():
 
 
 @pytest.fixture
-def operator(qapp, request, tmp_path):
-    workers = Slow()
-    settings = tmp_path / "settings.json"
-    desk = Desk(qapp, request.node.nodeid, settings, Generation.TWO, workers)
-    yield Operator(desk, workers)
-    desk.close()
+def operator(slow_desk):
+    return Operator(slow_desk)
 
 
 def test_the_run_begins_when_the_check_has_ended(operator):

@@ -8,14 +8,12 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
 from armui.protocol.codes import MoveMode
-from armui.protocol.generation import Generation
 from armui.trajectory.library import Library
 from armui.trajectory.program import Trajectory
 from armui.trajectory.recording import Recording
 from armui.ui.trajectory.leave_question import LeaveQuestion
 from armui.ui.trajectory.library_window import LibraryWindow
 from armui.ui.trajectory.recording_window import RecordingWindow
-from tests.desk import Desk, Slow
 
 OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
 
@@ -62,15 +60,10 @@ def operator(desk):
 
 
 @pytest.fixture
-def slow(qapp, request, tmp_path):
-    workers = Slow()
-    settings = tmp_path / "settings.json"
-    desk = Desk(qapp, request.node.nodeid, settings, Generation.TWO, workers)
-    operator = Operator(desk)
-    operator.workers = workers
-    workers.work()
-    yield operator
-    desk.close()
+def slow(slow_desk):
+    operator = Operator(slow_desk)
+    slow_desk.workers.work()
+    return operator
 
 
 def test_what_the_arm_did_is_kept_as_a_recording(operator):
@@ -120,14 +113,14 @@ def test_times_that_leave_nothing_are_not_saved(operator):
 def test_thinning_takes_its_time_and_the_last_wish_counts(slow):
     slow.record()
     assert slow.text("record_kept") == "Working…"
-    slow.workers.work()
+    slow.desk.workers.work()
     all_of_it = slow.text("record_kept")
     slow.type_into("record_to", "0.7")
     slow.window._work_out()
     slow.type_into("record_to", "0.5")
     slow.click("save_recording")
     assert slow.library.entries() == []
-    slow.workers.work()
+    slow.desk.workers.work()
     assert slow.text("record_kept") != all_of_it
     assert slow.library.load("Recording").duration_s == pytest.approx(0.5, abs=0.03)
 
@@ -135,7 +128,7 @@ def test_thinning_takes_its_time_and_the_last_wish_counts(slow):
 def test_recording_anew_forgets_what_is_being_thinned(slow):
     slow.record()
     slow.click("record")
-    slow.workers.work()
+    slow.desk.workers.work()
     assert slow.window._result is None
     assert not slow.child("save_recording").isEnabled()
     slow.click("record")
@@ -143,7 +136,7 @@ def test_recording_anew_forgets_what_is_being_thinned(slow):
 
 def test_work_that_fails_says_so(slow):
     slow.record()
-    slow.workers.break_down("out of memory")
+    slow.desk.workers.break_down("out of memory")
     assert "out of memory" in slow.text("record_message")
     assert not slow.child("save_recording").isEnabled()
 

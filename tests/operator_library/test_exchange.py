@@ -9,7 +9,7 @@ from armui.trajectory import files
 from armui.trajectory.program import Trajectory
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.trajectory.import_report import ImportReport
-from tests.operator_library.hands import POINT
+from tests.operator_library.hands import POINT, Shelf
 
 
 @pytest.mark.parametrize("suffix", files.SUFFIXES)
@@ -71,6 +71,24 @@ def file_of(folder, file, name="one"):
     path = folder / file
     path.write_bytes(files.to_bytes(Trajectory(name, points=(POINT,) * 7), path.suffix))
     return path
+
+
+def test_reading_takes_its_time(slow_desk, tmp_path):
+    shelf = Shelf(slow_desk, "one")
+    (tmp_path / "new.log").write_text("armui trajectory 1\nname: new\n\nJ 1 2 -3 4 5 6\n")
+    shelf.window._exchange.import_files([tmp_path / "new.log"])
+    assert shelf.message() == "Reading new.log…"
+    slow_desk.workers.work()
+    assert shelf.message() == "Imported: new"
+    assert shelf.names() == ["new", "one"]
+
+
+def test_reading_that_fails_altogether_is_told(slow_desk, tmp_path):
+    shelf = Shelf(slow_desk, "one")
+    shelf.window._exchange.import_files([tmp_path / "new.log"])
+    slow_desk.workers.break_down("out of memory")
+    assert "out of memory" in shelf.message()
+    assert shelf.names() == ["one"]
 
 
 def test_a_name_that_is_taken_is_told(shelf, tmp_path):

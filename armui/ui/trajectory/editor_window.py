@@ -177,8 +177,7 @@ class EditorWindow(ArmDialog):
         self.document.edit(draft.points, self.tr("Unsaved changes"))
         self._say(
             self.tr(
-                "These are the changes that were not saved when the program ended. Save them, or "
-                "undo them to see what was saved."
+                "These changes were not saved when the program ended. Save them, or undo them."
             ),
             Level.WARNING,
         )
@@ -237,12 +236,20 @@ class EditorWindow(ArmDialog):
                 error = finding.severity is Severity.ERROR
                 faults[finding.row] = faults.get(finding.row, False) or error
         self.model.show_faults(faults)
-        if self.document.saved:
-            length_s = sum(checked.outcome.expected_s)
-            self._library.mark(self.document.name, check=checked.mark, length_s=length_s)
-            self.saved.emit()
         self._say("")
+        if self.document.saved:
+            self._note_check(checked)
         self.preview_wanted.emit(checked)
+
+    def _note_check(self, checked: Preflight) -> None:
+        """Have the list show how the check ended."""
+        length_s = sum(checked.outcome.expected_s)
+        try:
+            self._library.mark(self.document.name, check=checked.mark, length_s=length_s)
+        except LibraryError as error:
+            self._show_failure(error)
+        else:
+            self.saved.emit()
 
     def _on_progress(self, progress: Progress) -> None:
         ours = progress.name == self.document.name

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
+from armui.arm.refusal import Refusal
 from armui.control.situation import Level
-from armui.trajectory import columns, files
-from armui.trajectory.files import Content, TrajectoryFileError
+from armui.trajectory import imports
+from armui.trajectory.files import TrajectoryFileError
+from armui.trajectory.imports import Imported
 from armui.trajectory.library import Library, LibraryError
 from armui.ui import words
+from armui.ui.background import Job
 from armui.ui.trajectory import library_files
 from armui.ui.trajectory.columns_offer import ColumnsOffer
 from armui.ui.trajectory.import_report import ReportButton, Result
@@ -22,7 +24,7 @@ from armui.ui.trajectory.text import name_list
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
-
+    from armui.ui.background import Background
 
 _MOST_PROBLEMS: Final = 3
 """That are told in the message itself."""
@@ -33,6 +35,7 @@ class LibraryExchange(QObject):
 
     Args:
         controller: Whom the emergency stop in the file choosers tells.
+        background: Where files are read.
         library: Takes and gives the trajectories.
         window: The choosers belong to it.
 
@@ -48,9 +51,16 @@ class LibraryExchange(QObject):
     said = Signal(str, object)
     imported = Signal(object)
 
-    def __init__(self, controller: ArmController, library: Library, window: QWidget) -> None:
+    def __init__(
+        self,
+        controller: ArmController,
+        background: Background,
+        library: Library,
+        window: QWidget,
+    ) -> None:
         super().__init__(window)
         self._controller = controller
+        self._background = background
         self._library = library
         self._window = window
         self.by_columns = ColumnsOffer(controller, library, window)
@@ -68,32 +78,30 @@ class LibraryExchange(QObject):
         library_files.choose_imports(self._window, self._controller, self.import_files)
 
     def import_files(self, paths: Sequence[Path]) -> None:
-        """Take over what is whole of some files; each of the others is told.
+        """Take over what is whole of some files, beside the window; each of the others is told.
 
         Tables of another build are offered by columns.
         """
-        results: list[Result] = []
-        tables: list[Path] = []
-        for path in paths:
-            contents, errors = files.import_files([path])
-            results += [self._take_over(path, content) for content in contents]
-            for error in errors:
-                told, is_table = columns.look_closer(path, error)
-                results.append(Result(path.name, problem=words.file_error(told)))
-                tables += [path] if is_table else []
-        self.imported.emit([result.name for result in results if not result.problem])
+        if paths:
+            text = self.tr("Reading {names}…").format(
+                names=name_list([path.name for path in paths])
+            )
+            self.said.emit(text, Level.INFO)
+            self._background.begin(
+                Job(self._on_imported), imports.import_files, self._library.folder, list(paths)
+            )
+
+    def _on_imported(self, imported: list[Imported] | Refusal) -> None:
+        if isinstance(imported, Refusal):
+            self.imported.emit([])
+            self.said.emit(words.refusal(imported), Level.FAULT)
+            return
+        results = [_result(one) for one in imported]
+        self.imported.emit([one.name for one in imported if one.name])
         failed = any(result.problem for result in results)
         self.said.emit(self._tell(results), Level.WARNING if failed else Level.DONE)
-        self.by_columns.offer(tables)
+        self.by_columns.offer([one.path for one in imported if one.is_table])
         self.report.offer(results if len(results) > 1 else ())
-
-    def _take_over(self, path: Path, content: Content) -> Result:
-        try:
-            name = self._library.free_name(content.name)
-            self._library.save(replace(content, name=name))
-        except LibraryError as error:
-            return Result(path.name, problem=f"{path.name}: {words.refusal(error.refusal)}")
-        return Result(path.name, name, content.name)
 
     def _tell(self, results: Sequence[Result]) -> str:
         """What became of some files, in as few lines as an operator reads."""
@@ -177,3 +185,12 @@ class LibraryExchange(QObject):
             text = self.tr("Not exported either: {count} more.")
             lines.append(text.format(count=len(problems) - _MOST_PROBLEMS))
         self.said.emit("\n".join(lines), Level.FAULT if problems else Level.DONE)
+
+
+def _result(imported: Imported) -> Result:
+    error, file = imported.error, imported.path.name
+    if error is None:
+        return Result(file, imported.name, imported.wished)
+    if isinstance(error, LibraryError):
+        return Result(file, problem=f"{file}: {words.refusal(error.refusal)}")
+    return Result(file, problem=words.file_error(error))

@@ -10,6 +10,7 @@ from PySide6.QtCore import QEvent, QModelIndex, QSize, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
+from armui.arm.refusal import Refusal
 from armui.control.run import Progress
 from armui.control.situation import Level
 from armui.trajectory.files import Content, TrajectoryFileError
@@ -86,7 +87,7 @@ class LibraryWindow(ArmDialog):
         self._bin_button = BinButton(controller, library, self._deeds, self)
         self._hint = LibraryHint(self._table)
         self._watch = LibraryWatch(library.folder, self)
-        self._exchange = LibraryExchange(controller, library, self)
+        self._exchange = LibraryExchange(controller, background, library, self)
         self._findings = FindingsPane()
         self._strip = RunStrip(controller, self._checks, self._to_run)
         self._lay_out()
@@ -306,8 +307,11 @@ class LibraryWindow(ArmDialog):
     # Running ----------------------------------------------------------------------------------
 
     def _to_run(self) -> Content | None:
-        chosen = self.chosen()
-        return self._load(chosen[0].name) if len(chosen) == 1 else None
+        chosen = self._chosen_names()
+        if len(chosen) == 1:
+            return self._load(chosen[0])
+        self._say(words.refusal(Refusal("no_rows_chosen")), Level.WARNING)
+        return None
 
     def _show_check(self, checked: Preflight, accept: Callable[[], object] | None) -> None:
         name = checked.content.name

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from armui.trajectory.library import Check
     from armui.trajectory.path import Path
     from armui.ui.background import Background
-    from armui.ui.trajectory.runner import RunOptions
+    from armui.ui.trajectory.run_options import RunOptions
 
 _SAME_PLACE_DEG: Final = 0.5
 """An arm at rest is heard to tremble by some hundredths."""

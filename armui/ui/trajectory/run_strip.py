@@ -28,7 +28,8 @@ from armui.trajectory.files import Content
 from armui.trajectory.recording import Recording
 from armui.ui import words
 from armui.ui.trajectory.preflight import CheckJob, Checks, Preflight
-from armui.ui.trajectory.runner import Runner, RunOptions, can_go_on, can_pause, ended_early
+from armui.ui.trajectory.run_options import RunOptions
+from armui.ui.trajectory.runner import Runner, can_go_on, can_pause, ended_early
 from armui.ui.trajectory.text import duration
 
 if TYPE_CHECKING:
@@ -51,7 +52,7 @@ class RunStrip(QWidget):
     Args:
         controller: Runs it.
         checks: Checks it before.
-        content: What would be run now; ``None`` if nothing is chosen.
+        content: What would be run now; ``None`` if there is nothing, which it says itself.
 
     Signals:
         checked: A :class:`Preflight` and, if the operator has to agree to the run, what begins it;
@@ -172,7 +173,6 @@ class RunStrip(QWidget):
         self.drop_check()
         content = self._content()
         if content is None:
-            self.refused.emit(Refusal("no_rows_chosen"))
             return
         self._job = self._checks.prepare(content, options, partial(self._on_checked, then))
         self._checks.begin(self._job)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
@@ -17,23 +16,7 @@ if TYPE_CHECKING:
     from armui.control.player import Player
     from armui.control.replayer import Replayer
     from armui.ui.trajectory.preflight import Preflight
-
-
-@dataclass(frozen=True, slots=True)
-class RunOptions:
-    """How the operator wants it run.
-
-    Attributes:
-        laps: How often; 0 until it is ended.
-        speed_factor: On the speed of each point, or on the recorded one.
-        first: The index of the point to begin with.
-        step_by_step: Whether to wait after each point.
-    """
-
-    laps: int = 1
-    speed_factor: float = 1.0
-    first: int = 0
-    step_by_step: bool = False
+    from armui.ui.trajectory.run_options import RunOptions
 
 
 class Runner(QObject):
