@@ -343,6 +343,99 @@
     </message>
 </context>
 <context>
+    <name>BinButton</name>
+    <message>
+        <source>Recently deleted…</source>
+        <translation>最近删除…</translation>
+    </message>
+</context>
+<context>
+    <name>BinDialog</name>
+    <message>
+        <source>Choose what to bring back</source>
+        <translation>请选择要恢复的轨迹</translation>
+    </message>
+    <message>
+        <source>What is deleted can be brought back for {days} days. Where a name has been given anew meanwhile, a number is added.</source>
+        <translation>删除的轨迹在 {days} 天内可以恢复。如果名称已被占用，恢复后会加上编号。</translation>
+    </message>
+    <message>
+        <source>Nothing has been deleted in the last {days} days.</source>
+        <translation>最近 {days} 天内没有删除过轨迹。</translation>
+    </message>
+    <message>
+        <source>Recently deleted</source>
+        <translation>最近删除</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Deleted</source>
+        <translation>删除时间</translation>
+    </message>
+    <message>
+        <source>Kept until</source>
+        <translation>保留至</translation>
+    </message>
+    <message>
+        <source>Bring back</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>BuildBar</name>
+    <message>
+        <source>Encoding</source>
+        <translation>编码</translation>
+    </message>
+    <message>
+        <source>Delimiter</source>
+        <translation>分隔符</translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation>小数点</translation>
+    </message>
+    <message>
+        <source>Figures from line</source>
+        <translation>数据起始行</translation>
+    </message>
+    <message>
+        <source>The line above it holds the titles, if it has as many cells as there are</source>
+        <translation>上一行的单元格数与列数相同时，作为列标题</translation>
+    </message>
+    <message>
+        <source>comma ,</source>
+        <translation>逗号 ,</translation>
+    </message>
+    <message>
+        <source>semicolon ;</source>
+        <translation>分号 ;</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>制表符</translation>
+    </message>
+    <message>
+        <source>vertical bar |</source>
+        <translation>竖线 |</translation>
+    </message>
+    <message>
+        <source>blanks</source>
+        <translation>空格</translation>
+    </message>
+    <message>
+        <source>point .</source>
+        <translation>点 .</translation>
+    </message>
+</context>
+<context>
     <name>CartesianPanel</name>
     <message>
         <source>Fills the fields with the measured pose; nothing moves.</source>
@@ -359,26 +452,6 @@
     <message>
         <source>Tool control</source>
         <translation>末端控制</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>步长</translation>
-    </message>
-    <message>
-        <source>Step of − and +</source>
-        <translation>− / + 的步长</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>键盘</translation>
-    </message>
-    <message>
-        <source>Keyboard jogging</source>
-        <translation>键盘点动</translation>
-    </message>
-    <message>
-        <source>Jog by keys, with the space bar held as dead-man key</source>
-        <translation>用键盘点动，须按住空格键（使能键）</translation>
     </message>
     <message>
         <source>Load</source>
@@ -450,8 +523,16 @@
 <context>
     <name>ColumnsDialog</name>
     <message>
+        <source>Importing {count} rows…</source>
+        <translation>正在导入 {count} 行…</translation>
+    </message>
+    <message>
         <source>Not imported. {reason}</source>
         <translation>未导入。{reason}</translation>
+    </message>
+    <message>
+        <source>Giving up the import…</source>
+        <translation>正在取消导入…</translation>
     </message>
     <message>
         <source>Import by columns</source>
@@ -490,36 +571,12 @@
         <translation>取消</translation>
     </message>
     <message>
-        <source>blanks</source>
-        <translation>空格</translation>
+        <source>{file}: {count} columns, {rows} rows; the first rows are shown</source>
+        <translation>{file}：{count} 列，{rows} 行；下面显示前几行</translation>
     </message>
     <message>
-        <source>tabs</source>
-        <translation>制表符</translation>
-    </message>
-    <message>
-        <source>commas</source>
-        <translation>逗号</translation>
-    </message>
-    <message>
-        <source>semicolons</source>
-        <translation>分号</translation>
-    </message>
-    <message>
-        <source>vertical bars</source>
-        <translation>竖线</translation>
-    </message>
-    <message>
-        <source>decimal point</source>
-        <translation>小数点为“.”</translation>
-    </message>
-    <message>
-        <source>decimal comma</source>
-        <translation>小数点为“,”</translation>
-    </message>
-    <message>
-        <source>{file}: {count} columns parted by {delimiter}, {decimal}, from line {line}</source>
-        <translation>{file}：共 {count} 列，以{delimiter}分隔，{decimal}，数据从第 {line} 行开始</translation>
+        <source>; {count} further columns are left out</source>
+        <translation>；另有 {count} 列未显示</translation>
     </message>
 </context>
 <context>
@@ -884,8 +941,8 @@
         <translation>未保存的修改</translation>
     </message>
     <message>
-        <source>These are the changes that were not saved when the program ended. Save them, or undo them to see what was saved.</source>
-        <translation>以下是上次程序结束时未保存的修改。请保存，或撤销以查看已保存的内容。</translation>
+        <source>These changes were not saved when the program ended. Save them, or undo them.</source>
+        <translation>程序结束时这些更改未保存。请保存，或撤销。</translation>
     </message>
     <message>
         <source>Not found</source>
@@ -1205,6 +1262,14 @@
     <message>
         <source>Check: nothing found.</source>
         <translation>检查：未发现问题。</translation>
+    </message>
+    <message>
+        <source>{count} more</source>
+        <translation>还有 {count} 条</translation>
+    </message>
+    <message>
+        <source>Run now</source>
+        <translation>立即运行</translation>
     </message>
     <message>
         <source>Row {row}: {text}</source>
@@ -1568,6 +1633,60 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>ImportReport</name>
+    <message>
+        <source>What became of the files</source>
+        <translation>导入结果</translation>
+    </message>
+    <message>
+        <source>{taken} imported, {left} not imported.</source>
+        <translation>已导入 {taken} 个，未导入 {left} 个。</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>✓ As “{name}”: the name “{wished}” was taken</source>
+        <translation>✓ 已导入为“{name}”：名称“{wished}”已被占用</translation>
+    </message>
+    <message>
+        <source>✓ As “{name}”</source>
+        <translation>✓ 已导入为“{name}”</translation>
+    </message>
+</context>
+<context>
+    <name>JogPanel</name>
+    <message>
+        <source>Step</source>
+        <translation>步长</translation>
+    </message>
+    <message>
+        <source>Step of − and +</source>
+        <translation>− 与 + 的步长</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>键盘</translation>
+    </message>
+    <message>
+        <source>Keyboard jogging</source>
+        <translation>键盘点动</translation>
+    </message>
+    <message>
+        <source>Jog by keys, with the space bar held as dead-man key</source>
+        <translation>用键盘点动，须按住空格键（使能键）</translation>
+    </message>
+</context>
+<context>
     <name>JointItem</name>
     <message>
         <source>Status code:</source>
@@ -1829,20 +1948,90 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
 <context>
     <name>LeaveQuestion</name>
     <message>
-        <source>Changes are not saved</source>
-        <translation>修改未保存</translation>
-    </message>
-    <message>
         <source>What you changed in “{name}” has not been saved.</source>
         <translation>“{name}”中的修改尚未保存。</translation>
     </message>
+</context>
+<context>
+    <name>Leaving</name>
     <message>
-        <source>Discard changes</source>
-        <translation>放弃修改</translation>
+        <source>The stop is not confirmed</source>
+        <translation>急停尚未确认</translation>
     </message>
     <message>
-        <source>Save</source>
-        <translation>保存</translation>
+        <source>The arm has not said that it has stopped. The emergency stop is repeated only as long as the program is connected. Watch the arm.</source>
+        <translation>机械臂尚未确认已停止。只有保持连接，程序才会重复发送急停。请注意机械臂。</translation>
+    </message>
+    <message>
+        <source>Leave anyway</source>
+        <translation>仍要离开</translation>
+    </message>
+    <message>
+        <source>End it and go on</source>
+        <translation>结束并继续</translation>
+    </message>
+    <message>
+        <source>A run is under way</source>
+        <translation>正在运行</translation>
+    </message>
+    <message>
+        <source>A trajectory or recording is being run, or is paused. If you go on, the arm is told to end its motion where it is; its motors stay enabled. The rest of the run is not done.</source>
+        <translation>轨迹或录制正在运行或已暂停。继续的话，机械臂将就地结束运动，电机保持使能，其余部分不再执行。</translation>
+    </message>
+    <message>
+        <source>A motion is paused</source>
+        <translation>运动已暂停</translation>
+    </message>
+    <message>
+        <source>The arm holds a motion that was paused here. If you go on, the arm is told to drop it and stays where it is; its motors stay enabled.</source>
+        <translation>机械臂保留着一个由本程序暂停的运动。继续的话，将放弃该运动，机械臂停在原处，电机保持使能。</translation>
+    </message>
+</context>
+<context>
+    <name>LibraryBar</name>
+    <message>
+        <source>Import files</source>
+        <translation>导入文件</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>创建</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>Export files</source>
+        <translation>导出文件</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Not saved yet. Open it and save it first</source>
+        <translation>尚未保存，请先打开并保存</translation>
+    </message>
+    <message>
+        <source>Choose one trajectory alone</source>
+        <translation>请只选择一条轨迹</translation>
+    </message>
+    <message>
+        <source>Choose a trajectory in the list first</source>
+        <translation>请先在列表中选择轨迹</translation>
     </message>
 </context>
 <context>
@@ -1857,22 +2046,73 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>LibraryDeeds</name>
+    <message>
+        <source>Trajectory</source>
+        <translation>轨迹</translation>
+    </message>
+    <message>
+        <source>Deleted: {names}</source>
+        <translation>已删除：{names}</translation>
+    </message>
+    <message>
+        <source>“{name}” is open. Close its window first.</source>
+        <translation>“{name}”正打开着，请先关闭其窗口。</translation>
+    </message>
+    <message>
+        <source>“{new}” is called “{old}” again.</source>
+        <translation>“{new}”已改回原名“{old}”。</translation>
+    </message>
+    <message>
+        <source>Brought back: {names}</source>
+        <translation>已恢复：{names}</translation>
+    </message>
+    <message>
+        <source>Undo: bring back {names}</source>
+        <translation>撤销：恢复 {names}</translation>
+    </message>
+    <message>
+        <source>Undo: call it {names} again</source>
+        <translation>撤销：改回原名 {names}</translation>
+    </message>
+    <message>
+        <source>Undo: delete {names}</source>
+        <translation>撤销：删除 {names}</translation>
+    </message>
+</context>
+<context>
     <name>LibraryExchange</name>
+    <message>
+        <source>Reading {names}…</source>
+        <translation>正在读取 {names}…</translation>
+    </message>
     <message>
         <source>Imported: {names}</source>
         <translation>已导入：{names}</translation>
+    </message>
+    <message>
+        <source>Their names were taken, so they got others: {names}</source>
+        <translation>名称已被占用，已改名：{names}</translation>
     </message>
     <message>
         <source>Not imported. {reason}</source>
         <translation>未导入。{reason}</translation>
     </message>
     <message>
+        <source>Not imported either: {count} more. See the results.</source>
+        <translation>另有 {count} 个文件未导入，详见导入结果。</translation>
+    </message>
+    <message>
         <source>Not imported yet: {names}</source>
         <translation>尚未导入：{names}</translation>
     </message>
     <message>
-        <source>Not exported. {file}: {text}</source>
-        <translation>未导出。{file}：{text}</translation>
+        <source>Not exported. {reason}</source>
+        <translation>未导出：{reason}</translation>
+    </message>
+    <message>
+        <source>Not exported either: {count} more.</source>
+        <translation>另有 {count} 条轨迹未导出。</translation>
     </message>
     <message>
         <source>Exported: {names}</source>
@@ -1903,10 +2143,37 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>LibraryHint</name>
+    <message>
+        <source>Show all</source>
+        <translation>显示全部</translation>
+    </message>
+    <message>
+        <source>Nothing is found for “{text}”</source>
+        <translation>未找到“{text}”</translation>
+    </message>
+    <message>
+        <source>Neither a name nor a note holds this text.</source>
+        <translation>名称和备注中都没有这段文字。</translation>
+    </message>
+    <message>
+        <source>No trajectories yet</source>
+        <translation>还没有轨迹</translation>
+    </message>
+    <message>
+        <source>Create one and enter its points, record a motion of the arm, or import files. Files can also be dropped here.</source>
+        <translation>可以创建轨迹并输入点位，录制机械臂的运动，或导入文件，也可以把文件拖放到这里。</translation>
+    </message>
+</context>
+<context>
     <name>LibraryModel</name>
     <message>
         <source>{count} samples</source>
         <translation>{count} 个采样</translation>
+    </message>
+    <message>
+        <source>Unsaved changes of a trajectory that was never saved, or whose file is gone. Open it to save it, or delete it.</source>
+        <translation>该轨迹从未保存过，或其文件已不存在，这里是未保存的更改。请打开后保存，或将其删除。</translation>
     </message>
     <message>
         <source>✓ checked</source>
@@ -1923,6 +2190,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>✕ damaged</source>
         <translation>✕ 已损坏</translation>
+    </message>
+    <message>
+        <source>! not saved</source>
+        <translation>! 未保存</translation>
     </message>
     <message>
         <source>Name</source>
@@ -1952,68 +2223,16 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
 <context>
     <name>LibraryWindow</name>
     <message>
-        <source>Choose a trajectory in the list first</source>
-        <translation>请先在列表中选择轨迹</translation>
+        <source>“{name}” is not saved yet. Open it and save it first.</source>
+        <translation>“{name}”尚未保存，请先打开并保存。</translation>
     </message>
     <message>
         <source>“{name}” ended at row {row}. {reason}</source>
         <translation>“{name}”在第 {row} 行结束。{reason}</translation>
     </message>
     <message>
-        <source>Trajectory</source>
-        <translation>轨迹</translation>
-    </message>
-    <message>
-        <source>“{name}” is open. Close its window first.</source>
-        <translation>“{name}”已打开。请先关闭其窗口。</translation>
-    </message>
-    <message>
-        <source>Deleted: {names}</source>
-        <translation>已删除：{names}</translation>
-    </message>
-    <message>
-        <source>Brought back: {names}</source>
-        <translation>已恢复：{names}</translation>
-    </message>
-    <message>
         <source>Trajectory library</source>
         <translation>轨迹库</translation>
-    </message>
-    <message>
-        <source>Import files</source>
-        <translation>导入文件</translation>
-    </message>
-    <message>
-        <source>Create</source>
-        <translation>创建</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>录制</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>删除</translation>
-    </message>
-    <message>
-        <source>Duplicate</source>
-        <translation>复制</translation>
-    </message>
-    <message>
-        <source>Rename</source>
-        <translation>重命名</translation>
-    </message>
-    <message>
-        <source>Export files</source>
-        <translation>导出文件</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>撤销</translation>
-    </message>
-    <message>
-        <source>Search</source>
-        <translation>搜索</translation>
     </message>
 </context>
 <context>
@@ -2263,28 +2482,8 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>运动控制</translation>
     </message>
     <message>
-        <source>Step</source>
-        <translation>步长</translation>
-    </message>
-    <message>
-        <source>Step of − and +</source>
-        <translation>− 与 + 的步长</translation>
-    </message>
-    <message>
         <source>How far one press of − or + moves a joint</source>
         <translation>每按一次 − 或 + 关节转动的角度</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>键盘</translation>
-    </message>
-    <message>
-        <source>Keyboard jogging</source>
-        <translation>键盘点动</translation>
-    </message>
-    <message>
-        <source>Jog by keys, with the space bar held as dead-man key</source>
-        <translation>用键盘点动，须按住空格键（使能键）</translation>
     </message>
     <message>
         <source>Target</source>
@@ -2813,6 +3012,10 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>关节 {joint}：机械臂中保存的限位不合理。现按出厂限位检查；请重新设置该关节的限位。</translation>
     </message>
     <message>
+        <source>A part of the program has failed ({part}). The emergency stop still works; end what is under way and start the program again.</source>
+        <translation>程序的一部分出错（{part}）。急停仍有效；请结束当前操作并重新启动程序。</translation>
+    </message>
+    <message>
         <source>Not sent. {reason}</source>
         <translation>未发送。{reason}</translation>
     </message>
@@ -3127,6 +3330,10 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
 <context>
     <name>PointsModel</name>
     <message>
+        <source>J{joint} all</source>
+        <translation>J{joint} 全部</translation>
+    </message>
+    <message>
         <source>Motion</source>
         <translation>运动方式</translation>
     </message>
@@ -3260,6 +3467,10 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>Nothing was recorded: the arm told no angles.</source>
         <translation>未录到数据：机械臂没有反馈关节角度。</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>正在处理…</translation>
     </message>
     <message>
         <source>Nothing is left: correct the marked fields.</source>
@@ -4021,6 +4232,18 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>未运行：检查发现 {count} 个错误。请修正列出的行后重新发送。</translation>
     </message>
     <message>
+        <source>The program did not come to the end of its work: {text}. Try again.</source>
+        <translation>程序未能完成这项工作：{text}。请重试。</translation>
+    </message>
+    <message>
+        <source>Not run: the arm has moved by {value}° since it was checked. Send again.</source>
+        <translation>未运行：检查之后机械臂又移动了 {value}°。请再次点击发送。</translation>
+    </message>
+    <message>
+        <source>Not run: the arm&apos;s joint limits are others than those of the check. Send again.</source>
+        <translation>未运行：机械臂的关节限位与检查时不同。请再次点击发送。</translation>
+    </message>
+    <message>
         <source>No trajectory is running: nothing to pause.</source>
         <translation>没有正在执行的轨迹，无法暂停。</translation>
     </message>
@@ -4039,6 +4262,34 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>The arm is in emergency stop. Hold the arm, press Resume, enable the motors; then the run can go on from this row.</source>
         <translation>机械臂处于急停状态。请扶住机械臂，按恢复并重新使能电机，之后可从本行继续。</translation>
+    </message>
+    <message>
+        <source>A trajectory or recording is under way, be it paused or dwelling. Wait until it is done, or end the run first.</source>
+        <translation>轨迹或录制正在运行（暂停、停留也算）。请等待其完成，或先结束运行。</translation>
+    </message>
+    <message>
+        <source>Motors were disabled while it ran: the arm was told to end its motion. Enable the motors; then the run can go on from this row.</source>
+        <translation>运行中电机被失能，已令机械臂结束运动。使能电机后，可从该行继续。</translation>
+    </message>
+    <message>
+        <source>The gripper was disabled while it ran: the arm was told to end its motion. See what it held; then the run can go on from this row.</source>
+        <translation>运行中夹爪被失能，已令机械臂结束运动。请检查所夹工件，之后可从该行继续。</translation>
+    </message>
+    <message>
+        <source>The device was disconnected while it ran: the arm was told before to end its motion.</source>
+        <translation>运行中断开了设备，断开前已令机械臂结束运动。</translation>
+    </message>
+    <message>
+        <source>The run under way sets the lamps itself. Wait until it is done, or end the run first.</source>
+        <translation>当前运行会自行控制灯光。请等待其完成，或先结束运行。</translation>
+    </message>
+    <message>
+        <source>The arm is being jogged. Let go first, then press again.</source>
+        <translation>正在点动机械臂。请先松开，再按一次。</translation>
+    </message>
+    <message>
+        <source>A motion of the arm is paused: it holds back every new target. Press Continue or a Clear button under Drag teaching, Planned trajectory.</source>
+        <translation>机械臂的运动已暂停，新目标不会执行。请在“示教”的“轨迹指令”中继续或清除。</translation>
     </message>
     <message>
         <source>The point was not reached within {seconds} s. See what keeps the arm, then go on from this row.</source>
@@ -4123,6 +4374,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>This is no text in UTF-8 or GBK. Save it as a text file in UTF-8.</source>
         <translation>不是 UTF-8 或 GBK 编码的文本。请另存为 UTF-8 文本文件。</translation>
+    </message>
+    <message>
+        <source>This is no text in {value}. Choose another encoding.</source>
+        <translation>这不是 {value} 编码的文本。请选择其他编码。</translation>
     </message>
     <message>
         <source>This is no trajectory file the program knows. Import it by columns.</source>
@@ -4269,6 +4524,14 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>已存在“{name}”。请使用其他名称。</translation>
     </message>
     <message>
+        <source>“{name}” has been changed since it was made, and is kept. Delete it if you do not want it.</source>
+        <translation>“{name}”新建后已被修改，予以保留。不需要时请将其删除。</translation>
+    </message>
+    <message>
+        <source>“{name}” is no longer among what was deleted. It has been brought back already, or its time was up.</source>
+        <translation>“{name}”已不在最近删除中：已经恢复，或已过保留期限。</translation>
+    </message>
+    <message>
         <source>The file of “{name}” is damaged and is not written over. Save under another name.</source>
         <translation>“{name}”的文件已损坏，不会被覆盖。请以其他名称保存。</translation>
     </message>
@@ -4302,7 +4565,18 @@ Lead it near its rest pose, then stop recording.</source>
     </message>
 </context>
 <context>
+    <name>ReportButton</name>
+    <message>
+        <source>Results…</source>
+        <translation>导入结果…</translation>
+    </message>
+</context>
+<context>
     <name>RunStrip</name>
+    <message>
+        <source>Checking…</source>
+        <translation>正在检查…</translation>
+    </message>
     <message>
         <source>{name}: point {row} of {count}</source>
         <translation>{name}：第 {row}/{count} 点</translation>
@@ -4402,6 +4676,21 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Step by step</source>
         <translation>单步运行</translation>
+    </message>
+</context>
+<context>
+    <name>SaveQuestion</name>
+    <message>
+        <source>Changes are not saved</source>
+        <translation>修改未保存</translation>
+    </message>
+    <message>
+        <source>Discard changes</source>
+        <translation>放弃修改</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
     </message>
 </context>
 <context>
@@ -4863,10 +5152,6 @@ Afterwards the motors must be enabled again.</source>
         <translation>急停恢复</translation>
     </message>
     <message>
-        <source>running a trajectory</source>
-        <translation>执行轨迹</translation>
-    </message>
-    <message>
         <source>recording</source>
         <translation>录制</translation>
     </message>
@@ -4907,18 +5192,10 @@ Afterwards the motors must be enabled again.</source>
     </message>
 </context>
 <context>
-    <name>Unsaved</name>
+    <name>UnsavedQuestion</name>
     <message>
-        <source>Changes are not saved</source>
-        <translation>有未保存的修改</translation>
-    </message>
-    <message>
-        <source>What you entered has not been saved to the arm. If you go on it is lost; the arm keeps what it holds now.</source>
-        <translation>输入的值尚未保存到机械臂。继续将丢失这些修改；机械臂保持现有的值。</translation>
-    </message>
-    <message>
-        <source>Discard changes</source>
-        <translation>放弃修改</translation>
+        <source>What you entered has not been saved to the arm. If you discard it, the arm keeps what it holds now.</source>
+        <translation>输入的值尚未保存到机械臂。若放弃修改，机械臂保持现有的值。</translation>
     </message>
 </context>
 <context>
