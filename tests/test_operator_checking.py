@@ -164,12 +164,12 @@ def test_a_check_that_fails_says_so(operator):
 
 def test_the_worst_of_many_findings_are_listed_and_the_rest_counted(operator):
     beyond = Waypoint(MoveMode.MOVE_J, (0.0, 20.0, -30.0, 110.0, 10.0, 0.0))
-    operator.window.document.edit((beyond,) * 250, "edit")
+    operator.window.document.edit((beyond,) * 150, "edit")
     operator.click("editor_check")
     operator.workers.work()
     shown = operator.window.findChild(QListWidget, "findings_list")
-    assert shown.count() == 201
-    assert shown.item(200).text() == "51 more"  # the first point is far from the arm, too
+    assert shown.count() == 101
+    assert shown.item(100).text() == "51 more"  # the first point is far from the arm, too
 
 
 def test_a_check_in_a_process_of_its_own(qapp, request, tmp_path):

@@ -64,6 +64,13 @@ class Path:
         lasts = np.flatnonzero(np.diff(self.rows, append=-1))
         return dict(zip(self.rows[lasts].tolist(), lasts.tolist(), strict=True))
 
+    def outline(self, most: int) -> Whole:
+        """The indices of about so many samples, spread over all of them, and of each row's last."""
+        step = max(1, len(self.rows) // most)
+        wanted = np.diff(self.rows, append=-1) != 0
+        wanted[::step] = True
+        return np.flatnonzero(wanted)
+
     def row_at(self, t_s: float) -> int:
         """The index of the point under way so long after the start."""
         index = int(np.searchsorted(self.times_s, t_s, side="left"))

@@ -22,7 +22,7 @@ from armui.ui.theme import colors_of
 from armui.ui.trajectory.preflight import Preflight
 
 _TALLEST_PX = 170
-_MOST = 200
+_MOST = 100
 """More lines than an operator reads, or a window lays out at once, are counted instead."""
 
 
