@@ -12,6 +12,7 @@ from armui.protocol.generation import Generation
 from armui.settings import SettingsStore
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
+from armui.ui.widgets.hold_button import HoldButton
 from tests.bench import TIMEOUT_MS, Bench
 
 
@@ -138,8 +139,12 @@ class Desk(Bench):
         dialog.close()
 
     def confirm(self) -> None:
-        """Press the button of the open question that does the deed."""
-        self.click(self.dialog(ConfirmDialog).action_button)
+        """Press, or hold, the button of the open question that does the deed."""
+        button = self.dialog(ConfirmDialog).action_button
+        if isinstance(button, HoldButton):
+            self.hold()
+        else:
+            self.click(button)
 
     def hold(self, share: float = 1.0) -> None:
         """Hold the button of the open question; its time passes at once, or a share of it."""

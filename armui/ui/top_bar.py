@@ -81,6 +81,7 @@ class TopBar(QWidget):
             ),
             action_label=self.tr("Resume"),
             on_confirmed=self._controller.motors.resume,
+            hold=True,
         )
 
     def _on_enable(self) -> None:
@@ -94,6 +95,7 @@ class TopBar(QWidget):
             text=self.tr("The arm will drop when its motors are disabled. Hold the arm."),
             action_label=self.tr("Disable"),
             on_confirmed=self._controller.motors.disable,
+            hold=True,
         )
 
     def changeEvent(self, event: QEvent) -> None:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QLabel
 from pytestqt.qtbot import QtBot
 
+from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.message_line import MessageLine
 
 
@@ -22,3 +25,9 @@ def message(dialog: QDialog) -> str:
 
 def words_of(dialog: QDialog) -> str:
     return "\n".join(label.text() for label in dialog.findChildren(QLabel))
+
+
+def hold(button: HoldButton) -> None:
+    """Press a button that must be held, for as long as it takes: its time passes at once."""
+    QTest.mousePress(button, Qt.MouseButton.LeftButton)
+    button.progress.setCurrentTime(button.progress.duration())

@@ -13,6 +13,7 @@ from armui.ui.top_bar import TopBar
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.stop_shortcut import StopShortcut
 from tests.ui.arm_states import situation
+from tests.ui.dialog_reading import hold
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -90,6 +91,8 @@ def test_recovery_is_asked_about_and_says_that_the_arm_drops(button, controller,
     assert "drop" in question.text()
     assert "Hold the arm" in question.text()
     qtbot.mouseClick(question.action_button, LEFT)
+    assert controller.calls == []
+    hold(question.action_button)
     assert controller.calls == [("resume",)]
 
 

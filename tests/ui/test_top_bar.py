@@ -15,6 +15,7 @@ from armui.ui.widgets.enable_button import EnableButton
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.value_label import ValueLabel
 from tests.ui.arm_states import arm_state, situation
+from tests.ui.dialog_reading import hold
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -181,6 +182,8 @@ def test_disabling_says_first_that_the_arm_drops(bar, enable, controller, qtbot)
     (question,) = bar.findChildren(ConfirmDialog)
     assert "drop" in question.text()
     qtbot.mouseClick(question.action_button, LEFT)
+    assert controller.calls == []
+    hold(question.action_button)
     assert controller.calls == [("disable", ALL_JOINTS)]
 
 

@@ -107,6 +107,7 @@ class RecoveryLine(QWidget):
                 text=words.step_danger(step.action),
                 action_label=words.step_action(step.action).rstrip("…"),
                 on_confirmed=lambda: self._controller.recovery.act(step),
+                hold=True,
             )
         elif step.action is not None:
             self._controller.recovery.act(step)
