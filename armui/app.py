@@ -76,6 +76,7 @@ class Program:
         """End every thread; the arm goes on with what it was told last."""
         self._unsubscribe()
         self._app.removeEventFilter(self._stop_shortcut)
+        self._stop_shortcut.deleteLater()
         self.controller.shutdown()
         self._workers.shutdown()
         self.view.shutdown()
