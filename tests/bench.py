@@ -4,6 +4,7 @@ The firmware's clock is the only clock: the bus thread and the controller read i
 second of silence takes no half second, and nothing ever sleeps.
 """
 
+import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
@@ -44,6 +45,7 @@ class Bench:
         self.broken: Exception | None = None
         self._host_bus: can.BusABC | None = None
         self._empty_looks = 0
+        self._looked = threading.Event()
         self._ear = can.Bus(interface="virtual", channel=channel)
         self._codec = Codec(generation)
         self.device = Device("virtual", channel, None, simulated=True, generation=int(generation))
@@ -68,6 +70,7 @@ class Bench:
         def recv(timeout: float | None = None) -> can.Message | None:
             message = receive(timeout and _POLL_S)
             self._empty_looks = 0 if message is not None else self._empty_looks + bool(timeout)
+            self._looked.set()
             return message
 
         bus.recv = recv
@@ -111,6 +114,9 @@ class Bench:
             # asked each time: what happens meanwhile may close the device
             if self._adrift:
                 return
+            # whoever waits without a pause takes the processor from the one it waits for
+            self._looked.wait(_POLL_S)
+            self._looked.clear()
             QCoreApplication.processEvents()
             assert not deadline.hasExpired(), "the bus thread does not come to rest"
         QCoreApplication.processEvents()

@@ -60,6 +60,7 @@ class Desk(Bench):
         settings: The file of the operator's settings; the library lies beside it.
         generation: Of the simulated arm's protocol.
         workers: Who does what takes long; whoever asks does it by default.
+        draws: Whether the 3D view is seen: drawing it costs more than most tests.
 
     Attributes:
         program: The program, wired as it is for the operator.
@@ -75,6 +76,8 @@ class Desk(Bench):
         settings: Path,
         generation: Generation,
         workers: Executor | None = None,
+        *,
+        draws: bool = False,
     ) -> None:
         super().__init__(channel, generation)
         self.store = SettingsStore(settings, for_this_run={"language": "en"})
@@ -83,6 +86,7 @@ class Desk(Bench):
         self.program = Program(app, self.store, self.controller, self.workers, self.library_folder)
         self.window = self.program.window
         self.window.resize(1280, 800)
+        self.program.view.setVisible(draws)
         self.window.show()
 
     def find(self, name: str) -> QWidget:

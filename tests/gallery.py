@@ -161,7 +161,7 @@ def main() -> int:
     app = QApplication(sys.argv[:1])
     _warn_about_fonts()
     with tempfile.TemporaryDirectory() as settings:
-        desk = Desk(app, "gallery", Path(settings) / "settings.json", Generation.TWO)
+        desk = Desk(app, "gallery", Path(settings) / "settings.json", Generation.TWO, draws=True)
         gallery = Gallery(desk, folder)
         try:
             gallery.run()
