@@ -141,6 +141,25 @@ def test_work_that_fails_says_so(slow):
     assert not slow.child("save_recording").isEnabled()
 
 
+def test_what_would_be_kept_is_previewed(operator):
+    def seconds():
+        operator.click("record_preview")
+        text = bar.findChild(QWidget, "preview_time").text()
+        return float(text.rpartition(":")[2])
+
+    operator.record()
+    operator.desk.heard()
+    bar = operator.desk.find("preview_bar")
+    whole_s = seconds()
+    assert bar.isVisible()
+    recorded_s = operator.window._recording.duration_s
+    operator.type_into("record_to", "0.5")
+    assert whole_s - seconds() == pytest.approx(recorded_s - 0.5, abs=0.15)
+    operator.desk.run(0.2)
+    assert operator.desk.heard() == []
+    assert operator.library.entries() == []
+
+
 def test_it_is_kept_as_points(operator):
     operator.record()
     operator.type_into("record_tolerance", "1")

@@ -3481,6 +3481,10 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>保留 {kept}/{count} 个采样，{time}</translation>
     </message>
     <message>
+        <source>The path is shown in the 3D view.</source>
+        <translation>路径已显示在三维视图中。</translation>
+    </message>
+    <message>
         <source>Saved as “{name}”.</source>
         <translation>已保存为“{name}”。</translation>
     </message>
@@ -3531,6 +3535,14 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>How far a joint may be off where samples are left out, in degrees</source>
         <translation>省略采样处关节允许的偏差，单位为度</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
+    </message>
+    <message>
+        <source>The path in the 3D view, and a ghost arm; the real arm stays where it is</source>
+        <translation>在三维视图中显示路径和虚影机械臂；真实机械臂不会运动</translation>
     </message>
     <message>
         <source>Save as recording</source>

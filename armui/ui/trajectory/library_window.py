@@ -263,6 +263,7 @@ class LibraryWindow(ArmDialog):
             self._controller, self._background, self._library, recording, self.parentWidget()
         )
         self._recorder.saved.connect(lambda name: self.refresh([name]))
+        self._recorder.preview_wanted.connect(self.preview_wanted)
         self._recorder.open()
 
     def _load(self, name: str) -> Content | None:

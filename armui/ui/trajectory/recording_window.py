@@ -19,6 +19,8 @@ from armui.ui import words
 from armui.ui.background import Job
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.trajectory.leave_question import LeaveQuestion
+from armui.ui.trajectory.preflight import Checks, Preflight
+from armui.ui.trajectory.run_options import RunOptions
 from armui.ui.trajectory.text import duration
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.message_line import MessageLine
@@ -47,9 +49,11 @@ class RecordingWindow(ArmDialog):
 
     Signals:
         saved: The name under which something has been put into the library.
+        preview_wanted: A :class:`Preflight` of what would be saved, to be shown in 3D.
     """
 
     saved = Signal(str)
+    preview_wanted = Signal(object)
 
     def __init__(
         self,
@@ -62,6 +66,7 @@ class RecordingWindow(ArmDialog):
         super().__init__(controller, parent)
         self._controller = controller
         self._background = background
+        self._checks = Checks(controller, background)
         self._job: Job[Recording | None] | None = None
         self._library = library
         self._recording = recording
@@ -79,9 +84,11 @@ class RecordingWindow(ArmDialog):
         self._record.setFocus()
 
     def _make_widgets(self) -> None:
-        self._record, self._as_samples, self._as_points = (QPushButton() for _ in range(3))
+        self._record, self._preview = QPushButton(), QPushButton()
+        self._as_samples, self._as_points = QPushButton(), QPushButton()
         for name, button in (
             ("record", self._record),
+            ("record_preview", self._preview),
             ("save_recording", self._as_samples),
             ("save_points", self._as_points),
         ):
@@ -119,12 +126,14 @@ class RecordingWindow(ArmDialog):
         self.body.addLayout(head)
         self.body.addLayout(grid)
         self.body.addWidget(self._message)
+        self.footer.addWidget(self._preview)
         self.footer.addStretch(1)
         self.footer.addWidget(self._as_points)
         self.footer.addWidget(self._as_samples)
 
     def _connect(self) -> None:
         self._record.clicked.connect(self._on_record)
+        self._preview.clicked.connect(self.preview)
         self._as_samples.clicked.connect(self.save_samples)
         self._as_points.clicked.connect(self.save_points)
         for field in (self._from, self._to, self._tolerance):
@@ -224,8 +233,24 @@ class RecordingWindow(ArmDialog):
                     time=duration(result.duration_s),
                 )
             )
-        for button in (self._as_samples, self._as_points):
+        for button in (self._preview, self._as_samples, self._as_points):
             button.setEnabled(result is not None or self._job is not None)
+
+    # Looking ----------------------------------------------------------------------------------
+
+    def preview(self) -> None:
+        """Show in 3D where the tool goes in what would be saved; nothing is sent."""
+        self._work_out(self._plan_preview)
+
+    def _plan_preview(self, recording: Recording) -> None:
+        self._checks.begin(self._checks.prepare(recording, RunOptions(), self._show_preview))
+
+    def _show_preview(self, checked: Preflight | Refusal) -> None:
+        if isinstance(checked, Refusal):
+            self._say(words.refusal(checked), Level.FAULT)
+            return
+        self._say(self.tr("The path is shown in the 3D view."))
+        self.preview_wanted.emit(checked)
 
     # Keeping ----------------------------------------------------------------------------------
 
@@ -316,6 +341,10 @@ class RecordingWindow(ArmDialog):
             label.setText(text)
         self._tolerance.setToolTip(
             self.tr("How far a joint may be off where samples are left out, in degrees")
+        )
+        self._preview.setText(self.tr("Preview"))
+        self._preview.setToolTip(
+            self.tr("The path in the 3D view, and a ghost arm; the real arm stays where it is")
         )
         self._as_samples.setText(self.tr("Save as recording"))
         self._as_points.setText(self.tr("Save as points"))
