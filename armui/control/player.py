@@ -45,6 +45,7 @@ class Player(Execution):
         super().__init__(context, before_moving, parent)
         self._run: Run | None = None
         self._schedule: Schedule | None = None
+        self._has_lights = False
         self._paused_phase = Phase.IDLE
         self._paused_s = 0.0
         self._known_s = 0.0
@@ -55,8 +56,7 @@ class Player(Execution):
     @property
     def sets_lamps(self) -> bool:
         """Whether the run under way tells something by the lamps."""
-        run = self._run
-        return self.running and run is not None and any(point.light for point in run.points)
+        return self.running and self._has_lights
 
     # What the operator wants ------------------------------------------------------------------
 
@@ -70,6 +70,8 @@ class Player(Execution):
         if refusal is not None:
             return context.refuse(refusal)
         self._run, self._schedule = run, Schedule(run)
+        # once: the question is asked at every look at the arm, and there may be 10,000 points
+        self._has_lights = any(point.light for point in run.points)
         self._index, self._lap = run.first, 1
         context.tell("run_started", name=run.name)
         self._send_point()
