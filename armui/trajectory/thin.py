@@ -100,7 +100,7 @@ def _off_lines(
 
 
 def cut(recording: Recording, from_s: float, to_s: float, tolerance_deg: float) -> Recording | None:
-    """Trimmed, then thinned; ``None`` if no sample is left. Half a second for half an hour."""
+    """Trimmed, then thinned; ``None`` if no sample is left."""
     trimmed = trim(recording, from_s, to_s)
     return thin(trimmed, tolerance_deg) if len(trimmed.samples) else None
 

@@ -5,22 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QHeaderView,
-    QLabel,
-    QPushButton,
-    QTableWidget,
-    QTableWidgetItem,
-    QWidget,
-)
+from PySide6.QtCore import QSize, Signal
+from PySide6.QtWidgets import QAbstractItemView, QLabel, QPushButton, QTableWidgetItem, QWidget
 
 from armui.control.situation import Level
 from armui.trajectory.library import Deleted
 from armui.trajectory.library_bin import KEPT
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.plain_table import plain_table
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -50,7 +43,12 @@ class BinDialog(ArmDialog):
         self._text.setObjectName("bin_text")
         self._text.setProperty("rank", "muted")
         self._text.setWordWrap(True)
-        self._table = _table()
+        self._table = plain_table("bin_table", 3, wide=0)
+        self._table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        self._table.setWordWrap(False)
+        self._table.verticalHeader().setDefaultSectionSize(_ROW_PX)
+        for column in (1, 2):
+            self._table.setColumnWidth(column, _DATE_PX)
         self._back = QPushButton()
         self._back.setObjectName("bin_back")
         self._back.setProperty("primary", True)
@@ -127,24 +125,3 @@ class BinDialog(ArmDialog):
         self._back.setText(self.tr("Bring back"))
         self._close.setText(self.tr("Close"))
         self._show_usable()
-
-
-def _table() -> QTableWidget:
-    table = QTableWidget(0, 3)
-    table.setObjectName("bin_table")
-    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-    table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
-    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-    table.setShowGrid(False)
-    table.setAlternatingRowColors(True)
-    table.setWordWrap(False)
-    table.setTabKeyNavigation(False)
-    table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
-    table.verticalHeader().hide()
-    table.verticalHeader().setDefaultSectionSize(_ROW_PX)
-    across = table.horizontalHeader()
-    across.setHighlightSections(False)
-    across.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
-    for column in (1, 2):
-        table.setColumnWidth(column, _DATE_PX)
-    return table

@@ -6,17 +6,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from PySide6.QtCore import QEvent, QSize, Qt
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QHeaderView,
-    QLabel,
-    QPushButton,
-    QTableWidget,
-    QTableWidgetItem,
-    QWidget,
-)
+from PySide6.QtWidgets import QHeaderView, QLabel, QPushButton, QTableWidgetItem, QWidget
 
 from armui.ui.dialogs.base import ArmDialog
+from armui.ui.widgets.plain_table import plain_table
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -60,19 +53,9 @@ class ImportReport(ArmDialog):
         self._results = sorted(results, key=lambda result: not result.problem)
         self._summary = QLabel()
         self._summary.setObjectName("report_summary")
-        self._table = QTableWidget(len(results), 2)
-        self._table.setObjectName("report_table")
-        self._table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self._table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self._table.setShowGrid(False)
-        self._table.setAlternatingRowColors(True)
-        self._table.setTabKeyNavigation(False)
-        self._table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
-        self._table.verticalHeader().hide()
+        self._table = plain_table("report_table", 2, wide=1)
+        self._table.setRowCount(len(results))
         self._table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        across = self._table.horizontalHeader()
-        across.setHighlightSections(False)
-        across.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
         self._table.setColumnWidth(0, _FILE_PX)
         self._close = QPushButton()
         self._close.setDefault(True)

@@ -8,11 +8,10 @@ from datetime import datetime
 from PySide6.QtCore import QObject, Signal
 
 from armui.control.situation import Level
-from armui.trajectory.files import TrajectoryFileError
-from armui.trajectory.library import Deleted, Library, LibraryError
+from armui.trajectory.library import Deleted, Library
 from armui.trajectory.library_history import Deletion, History, Renaming, Step
 from armui.trajectory.program import Trajectory
-from armui.ui import words
+from armui.ui.trajectory.attempt import attempt
 from armui.ui.trajectory.text import name_list
 
 
@@ -120,13 +119,8 @@ class LibraryDeeds(QObject):
 
     def _attempt(self, action: Callable[[], object]) -> bool:
         """Do something with the library; what it refuses is said."""
-        try:
-            action()
-        except LibraryError as error:
-            text = words.refusal(error.refusal)
-        except TrajectoryFileError as error:
-            text = words.file_error(error)
-        else:
+        text = attempt(action)
+        if not text:
             return True
         # it may be refused because the library is another than the operator sees
         self.changed.emit(None)

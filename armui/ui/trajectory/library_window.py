@@ -19,6 +19,7 @@ from armui.trajectory.program import Trajectory
 from armui.trajectory.recording import Recording
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
+from armui.ui.trajectory.attempt import attempt
 from armui.ui.trajectory.bin_button import BinButton
 from armui.ui.trajectory.editor_window import EditorWindow
 from armui.ui.trajectory.file_drop import FileDrop
@@ -351,13 +352,8 @@ class LibraryWindow(ArmDialog):
 
     def _attempt(self, action: Callable[[], object]) -> bool:
         """Do something with the library; what it refuses is said."""
-        try:
-            action()
-        except LibraryError as error:
-            text = words.refusal(error.refusal)
-        except TrajectoryFileError as error:
-            text = words.file_error(error)
-        else:
+        text = attempt(action)
+        if not text:
             return True
         self.refresh()  # it may be refused because somebody else has changed the library
         self._say(text, Level.FAULT)

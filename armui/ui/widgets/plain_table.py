@@ -1,0 +1,29 @@
+"""A small table that is only read: no editing, no grid, rows chosen whole."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget
+
+
+def plain_table(name: str, columns: int, *, wide: int) -> QTableWidget:
+    """An empty table.
+
+    Args:
+        name: Its object name.
+        columns: How many.
+        wide: The column that takes the room that is left.
+    """
+    table = QTableWidget(0, columns)
+    table.setObjectName(name)
+    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+    table.setShowGrid(False)
+    table.setAlternatingRowColors(True)
+    table.setTabKeyNavigation(False)
+    table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
+    table.verticalHeader().hide()
+    across = table.horizontalHeader()
+    across.setHighlightSections(False)
+    across.setSectionResizeMode(wide, QHeaderView.ResizeMode.Stretch)
+    return table
