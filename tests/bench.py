@@ -33,10 +33,11 @@ class Bench:
         firmware: The simulated arm.
         controller: The program's own controller, connected to it on request.
         notices: Every notice so far.
+        channel: Of the virtual bus: whoever else is on it opens the same.
     """
 
     def __init__(self, channel: str, generation: Generation = Generation.TWO) -> None:
-        self._channel = channel
+        self.channel = channel
         self.time_s = 1000.0
         self.firmware = Firmware(generation)
         self._arm_bus = can.Bus(interface="virtual", channel=channel)

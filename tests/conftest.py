@@ -12,6 +12,7 @@ from PySide6.QtCore import QCoreApplication, QEvent
 
 from armui.protocol.generation import Generation
 from tests.bench import Bench
+from tests.company import OtherHost
 from tests.desk import Desk, Slow
 
 _ENDING_S = 2.0
@@ -40,6 +41,14 @@ def any_bench(qapp, request, generation):
     bench = Bench(request.node.nodeid, generation)
     yield bench
     bench.close()
+
+
+@pytest.fixture
+def other_host(bench):
+    """A second host on the bus of `bench`."""
+    host = OtherHost(bench)
+    yield host
+    host.close()
 
 
 @pytest.fixture
