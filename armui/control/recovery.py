@@ -149,7 +149,7 @@ class Recovery:
             return self._context.refuse(Refusal("step_gone"))
         if self._attempt is not None:
             return self._context.refuse(Refusal("busy", {"what": "recovery"}))
-        refusal = self.why_not(now)
+        refusal = self.why_not(now, wanted)
         if refusal is not None:
             return self._context.refuse(refusal)
         self._give_up()
@@ -159,16 +159,22 @@ class Recovery:
         self.advance()
         return refusal
 
-    def why_not(self, step: Step) -> Refusal | None:
-        """The reason against taking a step now that does not lie in the step, or ``None``."""
-        if step.action is Action.CLEAR_ERRORS:
+    def why_not(self, step: Step, action: Action | None = None) -> Refusal | None:
+        """The reason against taking a step now that does not lie in the step, or ``None``.
+
+        Args:
+            step: What is shown.
+            action: Its alternative, where that is meant.
+        """
+        action = action or step.action
+        if action is Action.CLEAR_ERRORS:
             return self._joint_errors.why_not()
-        if step.action is Action.GO_ON:
+        if action is Action.GO_ON:
             return self._planned_motion.why_not(TrajectoryCommand.CONTINUE)
-        if step.action is Action.TAKE_OVER:
+        if action is Action.TAKE_OVER:
             return self._why_not_take_over()
         uncertain = not self._context.situation().control_certain
-        if uncertain and step.action in _NEEDS_IDENTIFIERS:
+        if uncertain and action in _NEEDS_IDENTIFIERS:
             return Refusal("control_offset_unknown")
         return None
 
