@@ -1979,12 +1979,12 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>轨迹或录制正在运行或已暂停。继续的话，机械臂将就地结束运动，电机保持使能，其余部分不再执行。</translation>
     </message>
     <message>
-        <source>A motion is paused</source>
-        <translation>运动已暂停</translation>
+        <source>A motion is held back</source>
+        <translation>有运动被保留</translation>
     </message>
     <message>
-        <source>The arm holds a motion that was paused here. If you go on, the arm is told to drop it and stays where it is; its motors stay enabled.</source>
-        <translation>机械臂保留着一个由本程序暂停的运动。继续的话，将放弃该运动，机械臂停在原处，电机保持使能。</translation>
+        <source>The arm holds back a motion. If you go on, the arm is told to drop it and stays where it is; its motors stay enabled.</source>
+        <translation>机械臂保留着一个未完成的运动。继续操作时，将命令机械臂放弃该运动并停在原处；电机保持使能。</translation>
     </message>
 </context>
 <context>
@@ -2708,6 +2708,34 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>已发送 {axis} 步进 {step}</translation>
     </message>
     <message>
+        <source>{percent} % is kept: the arm gets it when the motion held back goes on</source>
+        <translation>{percent} % 已记下：被保留的运动继续时才发送给机械臂</translation>
+    </message>
+    <message>
+        <source>Another program controls the arm ({frames}).</source>
+        <translation>另一个程序正在控制机械臂（{frames}）。</translation>
+    </message>
+    <message>
+        <source>A leader arm moves this arm ({frames}).</source>
+        <translation>主臂正在带动本机械臂（{frames}）。</translation>
+    </message>
+    <message>
+        <source>Nobody else controls the arm any more.</source>
+        <translation>已没有其他程序控制机械臂。</translation>
+    </message>
+    <message>
+        <source>Taken over: this program may move the arm.</source>
+        <translation>已接管：本程序可以移动机械臂。</translation>
+    </message>
+    <message>
+        <source>The arm was told to end its motion and still moves. Stop it, or cut its power.</source>
+        <translation>已命令机械臂终止运动，但它仍在动。请急停，或切断其电源。</translation>
+    </message>
+    <message>
+        <source>Motion ended: too fast. {reason}</source>
+        <translation>运动已终止：速度过快。{reason}</translation>
+    </message>
+    <message>
         <source>Sent to lamp {lamp} of joint {joint}: {color}</source>
         <translation>已发送关节 {joint} 灯珠 {lamp}：{color}</translation>
     </message>
@@ -3022,6 +3050,21 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>Event: {code}</source>
         <translation>事件：{code}</translation>
+    </message>
+</context>
+<context>
+    <name>OtherMode</name>
+    <message>
+        <source>MIT</source>
+        <translation>MIT（力位混合）</translation>
+    </message>
+    <message>
+        <source>CPV</source>
+        <translation>CPV（速度位置）</translation>
+    </message>
+    <message>
+        <source>high-follow</source>
+        <translation>高跟随</translation>
     </message>
 </context>
 <context>
@@ -3599,6 +3642,22 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <source>Take command…</source>
         <translation>待机…</translation>
     </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Give up</source>
+        <translation>放弃</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>接管</translation>
+    </message>
 </context>
 <context>
     <name>RecoveryDanger</name>
@@ -3775,6 +3834,30 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>The arm takes its commands from elsewhere: {mode}. Take the command.</source>
         <translation>机械臂由其他方式控制：{mode}。请切换到待机模式。</translation>
+    </message>
+    <message>
+        <source>The arm was told to end its motion and still moves. Stop it, or cut its power.</source>
+        <translation>已命令机械臂终止运动，但它仍在动。请急停，或切断其电源。</translation>
+    </message>
+    <message>
+        <source>Another program drives the arm in {other_mode} mode. Nothing is sent: a mode word would let the arm fall.</source>
+        <translation>另一个程序以 {other_mode} 模式驱动机械臂。本程序不发送任何运动指令：新的模式指令会使机械臂失力坠落。</translation>
+    </message>
+    <message>
+        <source>Another program controls the arm since {since} ({frames}, {rate} frames/s).</source>
+        <translation>另一个程序正在控制机械臂：自 {since} 起（{frames}，{rate} 帧/秒）。</translation>
+    </message>
+    <message>
+        <source>A leader arm moves this arm since {since} ({frames}, {rate} frames/s).</source>
+        <translation>主臂正在带动本机械臂：自 {since} 起（{frames}，{rate} 帧/秒）。</translation>
+    </message>
+    <message>
+        <source>The arm holds back a paused motion. Hold Continue, or give it up.</source>
+        <translation>机械臂保留着已暂停的运动。按住“继续”，或放弃它。</translation>
+    </message>
+    <message>
+        <source>The arm holds back a motion at 0 %. Set a speed and hold Continue, or give it up.</source>
+        <translation>速度为 0 %，机械臂保留着未完成的运动。请先设定速度再按住“继续”，或放弃它。</translation>
     </message>
     <message>
         <source>Not every motor has reported. If it stays so, check power and cable, and connect again.</source>
@@ -4575,6 +4658,46 @@ Lead it near its rest pose, then stop recording.</source>
         <source>Column {column}: {field} is not given in “{value}”. Choose one of {choices}.</source>
         <translation>第 {column} 列：{field}不能使用单位“{value}”。请选择 {choices} 之一。</translation>
     </message>
+    <message>
+        <source>{frames} of the arm has not been heard for {seconds} s: nobody knows where it is. Check its power and the CAN cable; nothing is sent until it is heard again.</source>
+        <translation>已有 {seconds} 秒未收到机械臂的 {frames}：无法得知其位置。请检查电源与 CAN 线；重新收到之前不发送任何运动指令。</translation>
+    </message>
+    <message>
+        <source>Another program controls the arm ({frames}). Wait until it has been quiet for 2 s and the arm rests, or take over when it pauses. The stop works at any time.</source>
+        <translation>另一个程序正在控制机械臂（{frames}）。请等它静默 2 秒且机械臂静止，或在它停顿时接管。急停随时有效。</translation>
+    </message>
+    <message>
+        <source>A leader arm moves this arm ({frames}). Switch the leader off, or make it a motion output. The stop works at any time.</source>
+        <translation>主臂正在带动本机械臂（{frames}）。请关闭主臂，或将其设为运动输出臂。急停随时有效。</translation>
+    </message>
+    <message>
+        <source>Another program drives the arm in {other_mode} mode: any mode word would leave its joints limp and it would fall. End that program, support the arm and reset it.</source>
+        <translation>另一个程序以 {other_mode} 模式驱动机械臂：任何新的模式指令都会使关节失力，机械臂坠落。请结束该程序，托住机械臂后复位。</translation>
+    </message>
+    <message>
+        <source>The other program is still sending ({frames}): it can be taken over half a second after its last frame. Against a stream only the stop wins.</source>
+        <translation>另一个程序仍在发送（{frames}）：其最后一帧过后半秒才能接管。对持续的数据流只有急停有效。</translation>
+    </message>
+    <message>
+        <source>No other program moves the arm.</source>
+        <translation>没有其他程序在移动机械臂。</translation>
+    </message>
+    <message>
+        <source>The arm holds back a motion at 0 %. Hold Continue or press Give up in the line above the panels first.</source>
+        <translation>速度为 0 %，机械臂保留着未完成的运动。请先在面板上方的提示行按住“继续”或点击“放弃”。</translation>
+    </message>
+    <message>
+        <source>No motion is held back.</source>
+        <translation>没有被保留的运动。</translation>
+    </message>
+    <message>
+        <source>Something else has ended this motion. Look at the arm, then start again.</source>
+        <translation>该运动已被其他事件终止。请查看机械臂后重新开始。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} moves at {value} °/s, where {maximum} °/s is shown. Set the speed again before the next motion.</source>
+        <translation>关节 {joint} 实测 {value} °/s，而显示的速度为 {maximum} °/s。下次运动前请重新设定速度。</translation>
+    </message>
 </context>
 <context>
     <name>ReportButton</name>
@@ -5031,8 +5154,8 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>等待机械臂：{command}</translation>
     </message>
     <message>
-        <source>Paused from here: new targets wait until Continue or Clear.</source>
-        <translation>已由本程序暂停：继续或清除之前，新目标不会执行。</translation>
+        <source>A motion is held back: hold Continue, or give it up by Terminate.</source>
+        <translation>有运动被保留：按住“继续”，或用“终止”放弃它。</translation>
     </message>
     <message>
         <source>Drag teaching</source>
