@@ -23,6 +23,7 @@ class Device:
         serial: The adapter's serial number, where it tells one.
         simulated: An arm made of software inside this program.
         generation: Which protocol the simulated arm speaks.
+        listen_only: Nothing is sent on it but an operator's stop.
         options: Further arguments of python-can's constructor.
     """
 
@@ -33,6 +34,7 @@ class Device:
     serial: str | None = None
     simulated: bool = False
     generation: int | None = None
+    listen_only: bool = False
     options: tuple[tuple[str, Any], ...] = ()
 
     @property
