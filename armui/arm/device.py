@@ -47,6 +47,14 @@ class Device:
         """A short name for the top bar and messages."""
         return self.label or f"{self.interface} {self.channel}"
 
+    def same(self, other: Device) -> bool:
+        """Whether both are one device, whatever bit rate and options were chosen."""
+        return (self.interface, str(self.channel), self.serial or other.serial) == (
+            other.interface,
+            str(other.channel),
+            other.serial or self.serial,
+        ) and (self.simulated, self.generation) == (other.simulated, other.generation)
+
 
 def bitrate_is_ours(interface: str) -> bool:
     """Whether the program sets the bit rate of this back-end, or the operating system does."""

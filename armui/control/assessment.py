@@ -46,6 +46,7 @@ class Circumstances:
     generation: Generation | None
     activity: Activity = Activity()
     still: bool = False
+    stop_lapsed: bool = False
     offsets: OffsetFollower = field(default_factory=OffsetFollower)
 
 
@@ -73,6 +74,7 @@ def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
         link_problem=around.link_problem,
         stop=around.stop,
         stop_unconfirmed=around.stop_unconfirmed,
+        stop_lapsed=around.stop_lapsed,
         enabled=enabled,
         busy=around.busy,
         cannot_move=_first(

@@ -45,6 +45,9 @@ _NEEDS_IDENTIFIERS: Final = frozenset(
 )
 """What is said on 0x150 and 0x151, which another arm may listen to (0x470)."""
 
+_DONE_AT_ONCE: Final = frozenset({Action.RESET, Action.WITHDRAW_STOP})
+"""There is nothing to wait for: the next step is another one."""
+
 _Deed = Callable[[Step], Refusal | None]
 
 
@@ -70,6 +73,7 @@ class Recovery:
         joint_errors: Clears the errors of the drivers.
         teaching: Commands drag teaching.
         stop: The emergency stop.
+        withdraw_stop: Gives up a stop that is outstanding.
         announce: Called with each new step.
 
     Attributes:
@@ -84,6 +88,7 @@ class Recovery:
         joint_errors: JointErrors,
         teaching: Teaching,
         stop: Callable[[], None],
+        withdraw_stop: Callable[[], None],
         announce: Callable[[Step], object],
     ) -> None:
         self._context = context
@@ -91,6 +96,7 @@ class Recovery:
         self._joint_errors = joint_errors
         self._teaching = teaching
         self._stop = stop
+        self._withdraw_stop = withdraw_stop
         self._announce = announce
         self._attempt: _Attempt | None = None
         self._in_vain: dict[Kind, int] = {}
@@ -108,6 +114,7 @@ class Recovery:
             Action.ABORT_REPLAY: self._teach(TeachingState.ABORT),
             Action.LEAD_BY_HAND: self._teach(TeachingState.START_RECORDING),
             Action.STANDBY: self._take_command,
+            Action.WITHDRAW_STOP: self._give_up_stop,
         }
 
     def act(self, step: Step) -> Refusal | None:
@@ -130,7 +137,7 @@ class Recovery:
             return self._context.refuse(refusal)
         self._give_up()
         refusal = self._deeds[now.action](now)
-        if refusal is None and now.action is not Action.RESET:
+        if refusal is None and now.action not in _DONE_AT_ONCE:
             self._attempt = _Attempt(now)
         self.advance()
         return refusal
@@ -230,6 +237,10 @@ class Recovery:
         self._stop()
         return None
 
+    def _give_up_stop(self, _step: Step) -> Refusal | None:
+        self._withdraw_stop()
+        return None
+
     def _clear_errors(self, step: Step) -> Refusal | None:
         self._to_clear = list(step.joints) or [ALL_JOINTS]
         return None
@@ -246,7 +257,9 @@ class Recovery:
 
     def _leave_teaching_input(self, _step: Step) -> Refusal | None:
         frames = commands.set_linkage(self._context.connection.codec, LinkageRole.MOTION_OUTPUT)
-        self._context.connection.offsets.wish(Addressing(), self._context.clock())
+        self._context.connection.offsets.wish(
+            Addressing(), self._context.clock(), ends_input=True
+        )
         return self._send("motion_output_sent", frames)
 
     def _send(self, code: str, frames: Sequence[Frame]) -> Refusal | None:
