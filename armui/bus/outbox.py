@@ -190,7 +190,7 @@ class Outbox:
             return self._port is port and self._are_out(frames)
 
     def wait_for_work(self, bus: can.BusABC) -> bool:
-        """Wait until something is to be sent on this bus; false once it is not attached any more."""
+        """Wait until something is to be sent on this bus; false once it is attached no more."""
         with self._changed:
             self._changed.wait_for(lambda: not self._is_on(bus) or self._batches or self._urgent)
             return self._is_on(bus)

@@ -78,7 +78,10 @@ def flush_transmit_queue(bus: can.BusABC) -> None:
 
 
 def _names_a_full_queue(error: BaseException) -> bool:
-    if isinstance(error, can.CanTimeoutError | TimeoutError) or type(error).__name__ == _USB_TIMEOUT:
+    if (
+        isinstance(error, can.CanTimeoutError | TimeoutError)
+        or type(error).__name__ == _USB_TIMEOUT
+    ):
         return True
     module = type(error).__module__
     for backend, codes in _FULL_CODES.items():

@@ -118,9 +118,7 @@ class ArmController(QObject):
         self._finder.searching_changed.connect(self.searching_changed)
         self._connection = Connection(opener, clock, self)
         self._connection.changed.connect(self._on_connection)
-        self._stop = Stopping(
-            self._connection, self._notice, clock, lambda: self._parts.halt()
-        )
+        self._stop = Stopping(self._connection, self._notice, clock, lambda: self._parts.halt())
         context = Context(self._connection, self._notice, clock, lambda: self._state, self._refresh)
         self._context = context
         self.motion = Motion(context)
@@ -257,7 +255,7 @@ class ArmController(QObject):
         self._refresh()
         return refusal
 
-    def stop_again_when_undone(self, on: bool) -> None:  # noqa: FBT001 - a setting's value
+    def stop_again_when_undone(self, on: bool) -> None:
         """Whether a stop that another host undoes is sent again by itself."""
         self._stop.stop_again = on
 

@@ -257,9 +257,7 @@ class Recovery:
 
     def _leave_teaching_input(self, _step: Step) -> Refusal | None:
         frames = commands.set_linkage(self._context.connection.codec, LinkageRole.MOTION_OUTPUT)
-        self._context.connection.offsets.wish(
-            Addressing(), self._context.clock(), ends_input=True
-        )
+        self._context.connection.offsets.wish(Addressing(), self._context.clock(), ends_input=True)
         return self._send("motion_output_sent", frames)
 
     def _send(self, code: str, frames: Sequence[Frame]) -> Refusal | None:

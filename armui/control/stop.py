@@ -114,7 +114,7 @@ class StopWatch:
     """Watches over a confirmed stop: nobody but this program's operator may undo it.
 
     Attributes:
-        holds: A stop of the operator has been confirmed and not resumed from here.
+        holds: A stop of the operator has been confirmed, and nobody has undone it.
     """
 
     def __init__(self) -> None:

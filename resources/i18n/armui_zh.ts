@@ -1495,6 +1495,17 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>HaltButton</name>
+    <message>
+        <source>Halt</source>
+        <translation>停住</translation>
+    </message>
+    <message>
+        <source>Ends any motion; the motors keep their power and the arm holds where it comes to rest. Key: {key}</source>
+        <translation>结束一切运动；电机保持上电，机械臂停在哪里就保持在哪里。按键：{key}</translation>
+    </message>
+</context>
+<context>
     <name>Help</name>
     <message>
         <source>Mouse</source>
@@ -2660,10 +2671,6 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>急停已发送。电机失去力矩，机械臂会缓慢下沉，请扶住机械臂。</translation>
     </message>
     <message>
-        <source>The emergency stop could NOT be sent: no device is open. Cut the arm&apos;s power if it moves.</source>
-        <translation>急停未能发送：没有打开的设备。若机械臂在运动，请切断其电源。</translation>
-    </message>
-    <message>
         <source>The arm has confirmed the emergency stop.</source>
         <translation>机械臂已确认急停。</translation>
     </message>
@@ -2714,6 +2721,46 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>Sent to all lamps of joint {joint}: {color}</source>
         <translation>已发送关节 {joint} 全部灯珠：{color}</translation>
+    </message>
+    <message>
+        <source>The emergency stop is NOT on the bus: no CAN device is open, or it does not take the frame. Cut the arm&apos;s power if it moves.</source>
+        <translation>急停没有发到总线上：没有打开 CAN 设备，或设备不接收该帧。若机械臂在运动，请切断其电源。</translation>
+    </message>
+    <message>
+        <source>A second arm is heard on this bus (feedback at {feedback}): the stop reaches it, too.</source>
+        <translation>总线上还有第二台机械臂（反馈 {feedback}）：急停也会到达它。</translation>
+    </message>
+    <message>
+        <source>A stop is outstanding: the arm was away for more than 10 seconds and has not confirmed it. It is not sent by itself any more. Press the emergency stop if the arm must stop.</source>
+        <translation>有一次急停未完成：机械臂离线超过 10 秒，没有确认。程序不再自动发送。若机械臂必须停止，请按急停。</translation>
+    </message>
+    <message>
+        <source>The outstanding emergency stop was withdrawn; the arm has not stopped.</source>
+        <translation>未完成的急停已撤回；机械臂没有停止。</translation>
+    </message>
+    <message>
+        <source>The arm on {device} has never confirmed its emergency stop, and another device is connected now. Cut that arm&apos;s power if it moves.</source>
+        <translation>{device} 上的机械臂一直没有确认急停，而现在连接的是另一设备。若那台机械臂在运动，请切断其电源。</translation>
+    </message>
+    <message>
+        <source>The emergency stop was undone, and not by this program: another host has resumed the arm, or it was switched off and on. Press the emergency stop again if it must stay.</source>
+        <translation>急停被解除，但不是本程序所为：另一个程序恢复了机械臂，或机械臂断电后重新上电。若必须保持停止，请再按急停。</translation>
+    </message>
+    <message>
+        <source>Halt sent: the motion ends, the motors keep their power.</source>
+        <translation>已发送停住：运动结束，电机保持上电。</translation>
+    </message>
+    <message>
+        <source>The halt is NOT on the bus yet: the adapter does not take it. It goes out as soon as that is possible. Press the emergency stop if the arm moves.</source>
+        <translation>停住还没有发到总线上：适配器不接收。一旦可能就会发出。若机械臂在运动，请按急停。</translation>
+    </message>
+    <message>
+        <source>The arm stands still and holds.</source>
+        <translation>机械臂已静止并保持。</translation>
+    </message>
+    <message>
+        <source>The arm is NOT at rest 1 second after the halt. Press the emergency stop if it must not move.</source>
+        <translation>停住 1 秒后机械臂仍未静止。若不允许它运动，请按急停。</translation>
     </message>
     <message>
         <source>The arm stays in emergency stop. Check it, then press Resume again.</source>
@@ -2986,6 +3033,14 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>Connected to {device} again</source>
         <translation>已重新连接 {device}</translation>
+    </message>
+    <message>
+        <source>{device} sends nothing. {reason}</source>
+        <translation>{device} 发不出任何帧。{reason}</translation>
+    </message>
+    <message>
+        <source>{device} sends again. What had waited was dropped, but for a stop.</source>
+        <translation>{device} 又能发送了。此前等待的帧已丢弃，急停除外。</translation>
     </message>
     <message>
         <source>The arm is online.</source>
@@ -3599,6 +3654,10 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <source>Take command…</source>
         <translation>待机…</translation>
     </message>
+    <message>
+        <source>Withdraw…</source>
+        <translation>撤回…</translation>
+    </message>
 </context>
 <context>
     <name>RecoveryDanger</name>
@@ -3619,6 +3678,10 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>切换到待机模式</translation>
     </message>
     <message>
+        <source>Withdraw the stop</source>
+        <translation>撤回急停</translation>
+    </message>
+    <message>
         <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
 Afterwards the motors must be enabled again.</source>
         <translation>恢复时会切断电机电源：机械臂会下落，请扶住机械臂。
@@ -3637,6 +3700,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>The arm will no longer follow the other control; a motion under way ends. Make sure that nobody relies on it.</source>
         <translation>机械臂将不再由其他方式控制，正在进行的运动会停止。请确认无人正在使用。</translation>
+    </message>
+    <message>
+        <source>The arm is not stopped: it goes on with whatever it is doing, and obeys again. Look at the arm before.</source>
+        <translation>机械臂不会停止：它将继续正在做的动作，并重新服从指令。请先看清机械臂。</translation>
     </message>
 </context>
 <context>
@@ -3669,8 +3736,16 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>CAN 设备已断开。请重新插好，或选择其他设备。</translation>
     </message>
     <message>
-        <source>The CAN device is gone; the stop goes out once it is back. Cut the arm&apos;s power if it moves.</source>
-        <translation>CAN 设备已断开，恢复连接后会立即发送急停。若机械臂仍在运动，请切断其电源。</translation>
+        <source>A stop is outstanding: it goes out once the CAN device is back. Cut the arm&apos;s power if it moves.</source>
+        <translation>有一次急停未完成：CAN 设备恢复后立即发出。若机械臂在运动，请切断其电源。</translation>
+    </message>
+    <message>
+        <source>A stop is outstanding, and the arm is away. Cut its power if it moves, or connect to it and press the emergency stop.</source>
+        <translation>有一次急停未完成，机械臂不在线。若它在运动，请切断其电源，或连接后按急停。</translation>
+    </message>
+    <message>
+        <source>A stop is outstanding: the arm was away and has not confirmed it. Press the emergency stop to send it now, or withdraw it.</source>
+        <translation>有一次急停未完成：机械臂曾离线，没有确认。按急停立即发送，或撤回。</translation>
     </message>
     <message>
         <source>The arm is a teaching input: it sends commands and obeys none. Make it a motion output again.</source>
@@ -3896,6 +3971,10 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂处于急停状态。请扶住机械臂，按“恢复”，然后使能电机。</translation>
     </message>
     <message>
+        <source>This connection only listens: nothing is sent on it but the emergency stop.</source>
+        <translation>此连接为只听：除急停外不发送任何帧。</translation>
+    </message>
+    <message>
         <source>The arm is not in emergency stop: there is nothing to resume from.</source>
         <translation>机械臂不在急停状态，无需恢复。</translation>
     </message>
@@ -4032,8 +4111,8 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂已应答，但仍在上报，请重试。</translation>
     </message>
     <message>
-        <source>On which identifiers the arm takes commands is not known. Set the offsets under Linkage control; the emergency stop is sent on all of them.</source>
-        <translation>机械臂的控制指令 ID 未知。请在“联动控制”中设置偏移值；急停会在所有 ID 上发送。</translation>
+        <source>Whether the arm takes commands on the identifiers in use is not proven, so it is not moved; stop and halt reach it. To prove it, set the offsets again in Linkage with the arm in standby: they count once the arm has answered.</source>
+        <translation>机械臂是否在当前标识符上接收指令尚未证实，因此不让它运动；急停和停住仍能到达。证实方法：让机械臂处于待机，在联动控制中重新设置偏移，得到应答后即生效。</translation>
     </message>
     <message>
         <source>An offset of {value} is not possible. Choose 0x00, 0x10 or 0x20.</source>
@@ -4098,6 +4177,18 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>You may not open {device}. On Linux add your account to the group dialout (serial adapters) or install the adapter&apos;s udev rule (USB adapters), then log in again.</source>
         <translation>没有权限打开设备 {device}。Linux 下：串口适配器请将当前用户加入 dialout 组，USB 适配器请安装其 udev 规则，然后重新登录。</translation>
+    </message>
+    <message>
+        <source>{device} is bus off: too many errors on the CAN bus, so its controller takes no part any more. Check CAN_H and CAN_L, both terminating resistors (120 Ω) and the bit rate, then disconnect and connect again; on socketcan first: sudo ip link set {channel} type can restart</source>
+        <translation>{device} 处于总线关闭（bus off）：CAN 总线错误过多，其控制器已退出总线。请检查 CAN_H、CAN_L、两端 120 Ω 终端电阻和波特率，然后断开并重新连接；socketcan 请先执行：sudo ip link set {channel} type can restart</translation>
+    </message>
+    <message>
+        <source>For half a second {device} could send nothing, because nobody on the bus acknowledges. Check the arm&apos;s power, the CAN cable, the terminating resistors and the bit rate (1 Mbit/s).</source>
+        <translation>{device} 已有半秒发不出任何帧，因为总线上无人应答。请检查机械臂电源、CAN 线、终端电阻和波特率（1 Mbit/s）。</translation>
+    </message>
+    <message>
+        <source>For half a second {device} has taken no frame to send, though frames are heard. Unplug the adapter and plug it in again; if that does not help, check its driver.</source>
+        <translation>{device} 已有半秒不接收要发送的帧，但仍能收到帧。请拔下适配器再插上；若无效，请检查其驱动。</translation>
     </message>
     <message>
         <source>{device} needs a Python package that is not installed. Install it in a terminal: pip install {package}</source>
@@ -4767,6 +4858,14 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机器人模型（URDF）</translation>
     </message>
     <message>
+        <source>Stop again if another host undoes an emergency stop</source>
+        <translation>急停被其他程序解除时自动再次急停</translation>
+    </message>
+    <message>
+        <source>Such a stop is always told as a fault. With this, it is also sent again by itself.</source>
+        <translation>这种情况总会作为故障提示。勾选后还会自动再次发送急停。</translation>
+    </message>
+    <message>
         <source>Browse…</source>
         <translation>浏览…</translation>
     </message>
@@ -4926,6 +5025,10 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>恢复中…</translation>
     </message>
     <message>
+        <source>Stop outstanding</source>
+        <translation>急停未完成</translation>
+    </message>
+    <message>
         <source>Stop unconfirmed</source>
         <translation>急停未确认</translation>
     </message>
@@ -4940,6 +5043,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>The arm is stopped</source>
         <translation>机械臂已急停</translation>
+    </message>
+    <message>
+        <source>Press to send it</source>
+        <translation>按下即发送</translation>
     </message>
     <message>
         <source>Waiting for the arm</source>
