@@ -118,7 +118,7 @@ class ArmController(QObject):
         self._finder.searching_changed.connect(self.searching_changed)
         self._connection = Connection(opener, clock, self)
         self._connection.changed.connect(self._on_connection)
-        self._stop = Stopping(self._connection, self._notice, clock, lambda: self._parts.halt())
+        self._stop = Stopping(self._connection, self._notice, clock, self._end_everything)
         context = Context(self._connection, self._notice, clock, lambda: self._state, self._refresh)
         self._context = context
         self.motion = Motion(context)
@@ -337,6 +337,10 @@ class ArmController(QObject):
         self.player.stop()
         self.replayer.stop()
         self.jogging.stop()
+
+    def _end_everything(self) -> None:
+        """A stop is on its way: every part gives up what would move the arm."""
+        self._parts.halt()
 
     def _end_all_motion(self) -> None:
         """No part goes on with what a halt has ended, and no target comes back."""
