@@ -6,7 +6,6 @@ does it, not to the widget: with a popup open, that is the popup's.
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QWindow
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QMenu, QToolTip
 
@@ -39,20 +38,22 @@ def presses(desk):
     return lambda: (counts["stop"], counts["halt"])
 
 
-def window_with_the_mouse(button) -> QWindow:
-    popup = QApplication.activePopupWidget()
-    return (popup or button.window()).windowHandle()
+def with_the_mouse(button):
+    """The window that holds the mouse: the caller keeps it, its handle does not."""
+    return QApplication.activePopupWidget() or button.window()
 
 
 def press(button):
     """Press over a button, by way of the window that holds the mouse; do not let go."""
-    handle = window_with_the_mouse(button)
+    window = with_the_mouse(button)
+    handle = window.windowHandle()
     where = button.mapToGlobal(button.rect().center())
     QTest.mousePress(handle, LEFT, pos=handle.mapFromGlobal(where))
 
 
 def let_go(button):
-    handle = window_with_the_mouse(button)
+    window = with_the_mouse(button)
+    handle = window.windowHandle()
     where = button.mapToGlobal(button.rect().center())
     QTest.mouseRelease(handle, LEFT, pos=handle.mapFromGlobal(where))
 
@@ -192,7 +193,8 @@ def test_a_press_on_the_popup_is_the_popups(desk, presses):
 def test_a_press_beside_the_button_only_closes_the_popup(desk, presses):
     button = desk.find("stop_button")
     menu(desk, button)
-    handle = window_with_the_mouse(button)
+    window = with_the_mouse(button)
+    handle = window.windowHandle()
     where = button.mapToGlobal(QPoint(-button.window().width() // 3, 120))
     QTest.mouseClick(handle, LEFT, pos=handle.mapFromGlobal(where))
     assert presses() == (0, 0)

@@ -31,7 +31,9 @@ FULL = [
         can.CanOperationError("The message could not be sent"),  # gs_usb
         OSError(errno.ETIMEDOUT, "Operation timed out"),
     ),
-    caused(can.CanOperationError("The message could not be sent"), USBTimeoutError(-116, "timeout")),
+    caused(
+        can.CanOperationError("The message could not be sent"), USBTimeoutError(-116, "timeout")
+    ),
     can.CanTimeoutError("Send timed out after 0.05 seconds"),  # canalystii, serial, ixxat
     can.CanOperationError("Failed to send: The transmit queue is full"),  # PCAN
     can.CanOperationError("Failed to send: The CAN controller is in bus-off state."),

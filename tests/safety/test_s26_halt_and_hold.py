@@ -48,7 +48,7 @@ def test_it_ends_whatever_is_under_way_and_nothing_comes_back(any_bench, begin):
     bench.run(3.0)
     assert bench.firmware.joints_deg == held_deg
     situation = bench.controller.situation
-    assert not (situation.running or situation.jogging or situation.plan_paused)
+    assert (situation.running, situation.jogging, situation.plan_paused) == (False,) * 3
     assert situation.stop is StopState.RUNNING
     assert "halt_at_rest" in bench.codes()
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, Qt, QTimer
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QApplication
 
@@ -72,10 +72,23 @@ def _press_behind_popup(event: QMouseEvent) -> bool:
     """Have the button under the pointer act, and close the popups, if that is to be."""
     if QApplication.activePopupWidget() is None or event.button() != Qt.MouseButton.LeftButton:
         return False
-    button = QApplication.widgetAt(event.globalPosition().toPoint())
-    if not isinstance(button, PressButton) or not button.press_behind_popup():
+    button = _button_at(event.globalPosition().toPoint())
+    if button is None or not button.press_behind_popup():
         return False
     while (popup := QApplication.activePopupWidget()) is not None:
         if not popup.close():
             break
     return True
+
+
+def _button_at(place: QPoint) -> PressButton | None:
+    """The button under a place of the desktop that no other window covers."""
+    widget = QApplication.widgetAt(place)
+    if widget is None:  # off every screen, as far as the window system tells
+        popup = QApplication.activePopupWidget()
+        if popup is not None and popup.geometry().contains(place):
+            return None
+        windows = [each for each in QApplication.topLevelWidgets() if each.isVisible()]
+        under = [each.childAt(each.mapFromGlobal(place)) for each in windows]
+        widget = next((each for each in under if isinstance(each, PressButton)), None)
+    return widget if isinstance(widget, PressButton) else None
