@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from armui.control.context import Tell
 
 _AT_REST_S: Final = 1.3
-"""Within this time of a halt the arm must be measured at rest: 1 s, and what measuring takes."""
+"""So long after a halt the rest of the arm is its doing: 1 s, and what measuring it takes."""
 
 
 class Stopping:
@@ -166,5 +166,4 @@ class Stopping:
             self._halted_s = None
             self._tell("halt_at_rest")
         elif now_s - self._halted_s > _AT_REST_S:
-            self._halted_s = None
-            self._tell("halt_not_at_rest")
+            self._halted_s = None  # a cancel that is not heeded is told by whoever knows who moves

@@ -128,10 +128,10 @@ def test_an_arm_that_does_not_come_to_rest_is_said(bench):
     bench.run(0.5)
     ear.deaf_to = {0x150, 0x160, 0x170}
     bench.controller.halt_and_hold()
-    bench.run(1.2)
-    assert "halt_not_at_rest" not in bench.codes()
-    bench.run(0.2)
-    assert bench.codes().count("halt_not_at_rest") == 1
+    bench.run(0.9)
+    assert "cancel_unheeded" not in bench.codes()
+    bench.run(0.4)
+    assert bench.codes().count("cancel_unheeded") == 1
 
 
 # The means: measured in the simulated arm ---------------------------------------------------------
