@@ -181,12 +181,12 @@ class Outbox:
             self._drop_waiting()
             if port is None:
                 return False
-            if not port.direct:
-                self._changed.notify_all()
-                self._await(frames, port)
         if port.direct:
             self._send_urgent(port)
         with self._changed:
+            if not self._are_out(frames):
+                self._changed.notify_all()
+                self._await(frames, port)
             return self._port is port and self._are_out(frames)
 
     def wait_for_work(self, bus: can.BusABC) -> bool:
@@ -229,9 +229,9 @@ class Outbox:
 
     def _await(self, frames: Sequence[Frame], port: _Port) -> None:
         """Give the sending thread a moment, unless the driver is known to be held up."""
-        since_s = port.in_driver_since_s
-        held_up = since_s is not None and self._clock() - since_s > _PATIENCE_S
-        if not held_up and self._failing_since_s is None:
+        now_s = self._clock()
+        since_s = [port.in_driver_since_s, self._failing_since_s]
+        if all(each is None or now_s - each <= _PATIENCE_S for each in since_s):
             self._changed.wait_for(
                 lambda: self._port is not port or self._are_out(frames), _PATIENCE_S
             )
@@ -271,8 +271,6 @@ class Outbox:
                 pass  # the sending thread meets the same and reports that the bus is gone
             finally:
                 port.driver.release()
-        with self._changed:
-            self._changed.notify_all()  # the sending thread sees to what is left
 
     def _next(self, port: _Port) -> tuple[Frame | None, _Batch | None]:
         """What is to be sent next, and the batch it is of; it stays queued until it is out."""
