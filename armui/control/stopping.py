@@ -9,9 +9,10 @@ from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, is_fresh
 from armui.control.situation import LinkState, StopState, why_unreachable
 from armui.control.stop import StopKeeper, StopWatch
+from armui.control.teaching_phase import Phase, phase_of
 from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS
-from armui.protocol.codes import TrajectoryCommand
+from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.protocol.frame import Frame
 
 if TYPE_CHECKING:
@@ -141,7 +142,8 @@ class Stopping:
     def halt(self, end_driven: Callable[[], None]) -> Refusal | None:
         """End any motion with power on (0x150 byte 1 = 6): the joints hold where they come to rest.
 
-        Past everything that waits, which is dropped.
+        Past everything that waits, which is dropped. A replay of drag teaching is aborted, too
+        (0x150 byte 2 = 6).
 
         Args:
             end_driven: Ends whatever this program drives; called when the frames are on their way.
@@ -152,12 +154,18 @@ class Stopping:
             return refusal
         codec = self._connection.codec
         frames = commands.trajectory_command(codec, TrajectoryCommand.ABORT)
-        everywhere = self._on_every_offset(frames)
-        out = self._connection.send_urgent(everywhere)
+        if self._replays_teaching():
+            frames += commands.teaching_command(codec, TeachingState.ABORT)
+        out = self._connection.send_urgent(self._on_every_offset(frames))
         end_driven()
         self._halted_s = self._clock()
         self._tell("halt_sent" if out else "halt_not_out")
         return None
+
+    def _replays_teaching(self) -> bool:
+        """Whether the arm says that it runs a recording of its own: that has its own abort."""
+        status = self._connection.newest.status
+        return status is not None and phase_of(status.value) in {Phase.REPLAYING, Phase.PAUSED}
 
     def _follow_halt(self, now_s: float, *, still: bool) -> None:
         if self._halted_s is None:

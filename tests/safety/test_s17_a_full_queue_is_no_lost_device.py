@@ -71,33 +71,40 @@ def test_the_makers_numbers_are_not_taken_for_those_of_the_operating_system():
 
 
 def fill(bench, error=FULL[0]):
-    """From now on no frame of the program gets out."""
+    """From now on no frame of the program gets out; answers a list that grows with each try."""
+    tries = []
 
     def full(*_args, **_kwargs):
+        tries.append(bench.time_s)
         raise error
 
     bench._host_bus.send = full
+    return tries
 
 
 def empty(bench):
     del bench._host_bus.send
 
 
-def step_blocked(bench, seconds):
+def step_blocked(bench, qtbot, tries, seconds):
     """Let time pass although something waits; the bench's own step waits until nothing does."""
-    for _ in range(round(seconds / 0.02)):
-        bench.time_s += 0.02
-        bench.node.poll(0.02)
-        bench.controller.tick()
+    connection = bench.controller._connection
+    for _ in range(round(seconds / 0.1)):
+        before = len(tries)
+        # the sending thread looks at the queue at each moment of the arm's time
+        qtbot.waitUntil(lambda before=before: len(tries) > before or connection.idle)
+        for _ in range(5):
+            bench.time_s += 0.02
+            bench.node.poll(0.02)
+            bench.controller.tick()
 
 
 @pytest.mark.parametrize("error", [FULL[0], FULL[3]], ids=["socketcan", "gs_usb"])
 def test_it_is_waited_for_and_after_half_a_second_called_what_it_is(bench, qtbot, error):
     bench.ready()
-    fill(bench, error)
+    tries = fill(bench, error)
     assert bench.controller.motion.send_joints((10.0, 0.0, 0.0, 0.0, 0.0, 0.0)) is None
-    qtbot.wait(20)  # the sending thread meets the full queue at least once
-    step_blocked(bench, 0.7)
+    step_blocked(bench, qtbot, tries, 0.7)
     qtbot.waitUntil(lambda: "bus_blocked" in bench.codes())
     told = next(each for each in bench.notices if each.code == "bus_blocked")
     assert told.params["reason"].code == "bus_send_blocked"  # the arm is heard all the while
@@ -114,11 +121,11 @@ def test_it_is_waited_for_and_after_half_a_second_called_what_it_is(bench, qtbot
 
 def test_a_stop_waits_in_front_and_goes_out_when_the_queue_takes_it(bench, qtbot):
     bench.ready()
-    fill(bench)
+    tries = fill(bench)
     bench.controller.motion.send_joints((10.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     bench.controller.emergency_stop()
     assert bench.codes()[-1] == "stop_not_sent"
-    step_blocked(bench, 1.0)
+    step_blocked(bench, qtbot, tries, 1.0)
     assert not bench.firmware.stopped
     bench.heard()
     empty(bench)
