@@ -12,6 +12,7 @@ from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, DriverSlow, Heard, Status
 from armui.control.assessment import Circumstances, assess
+from armui.control.authority import Authority
 from armui.control.recovery_rules import next_step
 from armui.control.recovery_steps import Action, Kind, Step
 from armui.control.situation import Busy, Level, LinkState, Situation, StopState
@@ -108,6 +109,7 @@ def situation(state: ArmState, link=LinkState.ONLINE, **changes) -> Situation:
         busy=None,
         speed_percent=30,
         generation=Generation.TWO,
+        authority=Authority(),
     )
     return assess(state, replace(around, **changes), NOW_S)
 
