@@ -29,8 +29,10 @@ class BusReport:
         state: What it is doing.
         device: The device.
         problem: Why it is ``LOST`` or ``FAILED``.
+        worker: The number of the thread that says so.
     """
 
     state: BusState
     device: Device
     problem: Refusal | None = None
+    worker: int = 0

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 import time
+from collections import deque
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager
 from typing import Final
@@ -60,6 +61,7 @@ class BusWorker(QThread):
         opener: How to open it.
         codec: Protocol to begin with; see :meth:`use_codec`.
         clock: Monotonic time in seconds.
+        number: Goes into its reports: one that comes late tells whose it is.
 
     Attributes:
         samples: Every joint feedback, while somebody wants them.
@@ -79,15 +81,18 @@ class BusWorker(QThread):
         codec: Codec,
         clock: Callable[[], float] = time.monotonic,
         parent: QObject | None = None,
+        number: int = 0,
     ) -> None:
         super().__init__(parent)
         self.setObjectName(f"bus {device.name}")
+        self._number = number
         self._device = device
         self._opener = opener
         self._clock = clock
         self._codec = codec
         self._tracker = Tracker(codec)
-        self._next_codec: Codec | None = None
+        self._epoch = 0
+        self._next_codecs: deque[tuple[Codec, int]] = deque()
         self._state = ArmState()
         self._pictured_s = 0.0
         self._outbox = Outbox(clock)
@@ -101,8 +106,9 @@ class BusWorker(QThread):
 
     @property
     def state(self) -> ArmState:
-        """The arm as last heard; may be read from any thread."""
-        return self._state
+        """The arm as heard since the last :meth:`use_codec`; may be read from any thread."""
+        state, epoch = self._state, self._epoch
+        return state if state.epoch == epoch else ArmState(epoch=epoch)
 
     def send(self, frames: Sequence[Frame], keep_s: float | None = None) -> bool:
         """Queue frames in order; false if the device is not open; see :meth:`Outbox.put`."""
@@ -113,8 +119,12 @@ class BusWorker(QThread):
         return self._outbox.put_urgent(frames)
 
     def use_codec(self, codec: Codec) -> None:
-        """Speak another generation, or shifted identifiers, from the next frame on."""
-        self._next_codec = codec
+        """Forget what was heard; speak this codec from the next frame on.
+
+        From this call on :attr:`state` holds nothing that was heard or decoded before it.
+        """
+        self._next_codecs.append((codec, self._epoch + 1))
+        self._epoch += 1
 
     def close(self) -> None:
         """Close the device and end the thread; returns when both are done."""
@@ -154,6 +164,7 @@ class BusWorker(QThread):
         now_s = self._clock()
         taken = 0
         while message is not None:
+            self._take_codec()
             self._take_in(message, now_s)
             taken += 1
             if taken == _BURST:
@@ -176,14 +187,13 @@ class BusWorker(QThread):
             self.answered.emit(heard)
 
     def _take_codec(self) -> None:
-        codec, self._next_codec = self._next_codec, None
-        if codec is not None:
-            self._codec = codec
-            self._tracker = Tracker(codec)
+        while self._next_codecs:
+            self._codec, epoch = self._next_codecs.popleft()
+            self._tracker = Tracker(self._codec, epoch)
 
     def _report(self, state: BusState, error: Exception | None = None) -> None:
         problem = None if error is None else explain(self._device, error)
-        self.reported.emit(BusReport(state, self._device, problem))
+        self.reported.emit(BusReport(state, self._device, problem, self._number))
 
 
 def _oddity(message: can.Message) -> Oddity | None:

@@ -14,7 +14,9 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 
 _VERSION_WAIT_S: Final = 0.5
-"""No version text within this time: generation 1 (see the table of the two generations)."""
+"""So long an answer is collected. A second question during it would shift its text."""
+_VERSION_ROUNDS: Final = 2
+"""Unanswered so often: generation 1 (see the table of the two generations)."""
 _ASK_AGAIN_S: Final = 0.2
 _LIMIT_ROUNDS: Final = 5
 
@@ -26,7 +28,7 @@ class Wire(Protocol):
         """Queue frames."""
 
     def use_codec(self, codec: Codec) -> None:
-        """Speak another generation from now on."""
+        """Forget what was heard, and speak another generation from now on."""
 
 
 class Phase(enum.Enum):
@@ -40,17 +42,21 @@ class Phase(enum.Enum):
 class Handshake:
     """Driven by :meth:`advance` from the first feedback on, until :attr:`phase` is ``DONE``.
 
+    It begins with nothing heard. The states it is given must have been heard since it began:
+    the bus thread sees to that (:meth:`armui.bus.worker.BusWorker.use_codec`).
+
     Attributes:
         generation: Which protocol the arm speaks, once known.
+        firmware: The version it named; ``None`` in generation 1, and where its text was unreadable.
         codec: What to speak now.
     """
 
     def __init__(self, wire: Wire, now_s: float, addressing: Addressing = Addressing()) -> None:  # noqa: B008 - frozen
         self.phase = Phase.GENERATION
         self.generation: Generation | None = None
+        self.firmware: str | None = None
         self.codec = Codec(Generation.TWO, addressing)
         self._wire = wire
-        self._started_s = now_s
         self._next_s = now_s
         self._rounds = 0
         wire.use_codec(self.codec)
@@ -69,19 +75,27 @@ class Handshake:
 
     def _find_generation(self, state: ArmState, now_s: float) -> None:
         if state.firmware is not None:
+            self.firmware = state.firmware
             self._settle(Generation.TWO, now_s)
-        elif now_s - self._started_s >= _VERSION_WAIT_S:
+        elif now_s < self._next_s:
+            return
+        elif self._rounds < _VERSION_ROUNDS:
+            self._rounds += 1
+            self._wire.send(commands.query_firmware(self.codec))
+            self._next_s = now_s + _VERSION_WAIT_S
+        elif state.version_heard_s is not None:
+            # it answered, and only generation 2 does, though no version can be read in the answer
+            self._settle(Generation.TWO, now_s)
+        else:
             self.codec = Codec(Generation.ONE, self.codec.addressing)
             self._wire.use_codec(self.codec)
             self._settle(Generation.ONE, now_s)
-        elif now_s >= self._next_s:
-            self._wire.send(commands.query_firmware(self.codec))
-            self._next_s = now_s + _ASK_AGAIN_S
 
     def _settle(self, generation: Generation, now_s: float) -> None:
         self.generation = generation
         self.phase = Phase.LIMITS
         self._next_s = now_s
+        self._rounds = 0
 
     def _read_limits(self, state: ArmState, now_s: float) -> None:
         missing = state.joints_without_limits()
