@@ -1,7 +1,7 @@
 """The arm as last heard: a frozen picture, each value with the time it was heard.
 
 Nothing here is assumed: what has not been heard is ``None``. Times are those of
-:func:`time.monotonic`; joints stand in tuples of six, joint 1 first.
+:data:`armui.clock.steady_s`; joints stand in tuples of six, joint 1 first.
 """
 
 from __future__ import annotations

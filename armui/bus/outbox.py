@@ -7,13 +7,13 @@ asks for it: it waits for no other thread but the frame being written at that mo
 from __future__ import annotations
 
 import threading
-import time
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
 from typing import Final
 
 import can
 
+from armui.clock import steady_s
 from armui.protocol.frame import Frame
 
 KEEP_S: Final = 0.5
@@ -30,7 +30,7 @@ class Outbox:
         clock: Monotonic time in seconds.
     """
 
-    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+    def __init__(self, clock: Callable[[], float] = steady_s) -> None:
         self._clock = clock
         self._lock = threading.Lock()
         self._bus: can.BusABC | None = None

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import threading
-import time
 from collections import deque
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager
@@ -18,7 +17,9 @@ from armui.arm.tracker import Tracker
 from armui.bus.adapters import explain
 from armui.bus.link import BusReport, BusState
 from armui.bus.outbox import Outbox
+from armui.bus.receive_clock import STAMPED, ReceiveClock
 from armui.bus.samples import SampleRing
+from armui.clock import steady_s
 from armui.protocol.codec import Codec, Message, Oddity, OddityKind
 from armui.protocol.frame import Frame
 
@@ -79,8 +80,9 @@ class BusWorker(QThread):
         device: Device,
         opener: Opener,
         codec: Codec,
-        clock: Callable[[], float] = time.monotonic,
+        clock: Callable[[], float] = steady_s,
         parent: QObject | None = None,
+        *,
         number: int = 0,
     ) -> None:
         super().__init__(parent)
@@ -96,6 +98,7 @@ class BusWorker(QThread):
         self._state = ArmState()
         self._pictured_s = 0.0
         self._outbox = Outbox(clock)
+        self._received = ReceiveClock(clock, stamped=device.interface in STAMPED)
         self.samples = SampleRing()
         self._closing = threading.Event()
 
@@ -150,6 +153,7 @@ class BusWorker(QThread):
 
     def _use(self, bus: can.BusABC) -> None:
         self._outbox.attach(bus)
+        self._received.emptied()  # what lies in a device that was just opened came just now
         self._report(BusState.OPEN)
         try:
             while not self._closing.is_set():
@@ -160,16 +164,19 @@ class BusWorker(QThread):
             self._outbox.detach()
 
     def _receive_burst(self, bus: can.BusABC) -> None:
+        self._received.begin()
         message = bus.recv(_RECEIVE_S)
         now_s = self._clock()
         taken = 0
         while message is not None:
             self._take_codec()
-            self._take_in(message, now_s)
+            self._take_in(message, self._received.at_s(message.timestamp, now_s))
             taken += 1
             if taken == _BURST:
                 break
             message = bus.recv(0)
+        else:
+            self._received.emptied()
         if now_s - self._pictured_s >= _PICTURE_S or taken == 0:
             self._pictured_s = now_s
             self._state = self._tracker.picture()

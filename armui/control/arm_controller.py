@@ -6,7 +6,6 @@ heard and moves on whatever is under way.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Sequence
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
@@ -17,6 +16,7 @@ from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.bus.link import BusReport
+from armui.clock import steady_s
 from armui.control import reports
 from armui.control.arm_settings import ArmSettings
 from armui.control.assessment import Activity, Circumstances, assess
@@ -109,7 +109,7 @@ class ArmController(QObject):
         opener: Opener,
         simulated: Sequence[Device] = (),
         find: Callable[[], list[Device]] | None = None,
-        clock: Callable[[], float] = time.monotonic,
+        clock: Callable[[], float] = steady_s,
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
@@ -119,6 +119,7 @@ class ArmController(QObject):
         self._finder.searching_changed.connect(self.searching_changed)
         self._connection = Connection(opener, clock, self)
         self._connection.changed.connect(self._on_connection)
+        self._connection.arm_came.connect(self._on_arm_came)
         self._stop = StopKeeper(self._connection.send_urgent)
         context = Context(self._connection, self._notice, clock, lambda: self._state, self._refresh)
         self._context = context
@@ -320,6 +321,11 @@ class ArmController(QObject):
         self._notice(code, device=report.device, reason=report.problem)
         self._refresh()
         self.recovery.advance()
+
+    def _on_arm_came(self) -> None:
+        """What was read and saved before was another arm's, for all that is known."""
+        self._limits_told = False
+        self.settings.forget()
 
     def _forget_arm(self) -> None:
         self._stop.forget()

@@ -114,7 +114,7 @@ class Connection(QObject):
         self._bus_state = BusState.OPENING
         self._worker_number = next(self._worker_numbers)
         self._worker = BusWorker(
-            device, self._opener, self._codec, self._clock, self, self._worker_number
+            device, self._opener, self._codec, self._clock, self, number=self._worker_number
         )
         self._worker.reported.connect(self._on_report)
         self._worker.answered.connect(self.answered)

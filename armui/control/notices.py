@@ -212,6 +212,9 @@ REFUSALS: Final = frozenset(
         "joints_moving",  # joints
         "zero_not_set",  # joints
         "zero_not_taken",  # joints
+        "zero_moved",  # joints
+        "order_too_late",
+        "arm_changed",
         "ended_by_stop",
         "other_control",  # mode
         "arm_fault",  # status

@@ -143,7 +143,7 @@ def test_an_answer_that_got_lost_does_not_lose_the_arm(arm):
 
 
 def test_another_arm_on_the_bus_is_not_mixed_in(arm, request):
-    with can.Bus(interface="virtual", channel=arm._channel) as other:
+    with can.Bus(interface="virtual", channel=arm.channel) as other:
         for _ in range(60):
             other.send(can.Message(arbitration_id=0x2B1, data=bytes(8), is_extended_id=False))
             other.send(can.Message(arbitration_id=0x2B5, data=b"\x7f" * 8, is_extended_id=False))
