@@ -34,6 +34,7 @@ from armui.control.motion import Motion
 from armui.control.motors import Motors
 from armui.control.notices import CODES
 from armui.control.orders import OrderLine
+from armui.control.part_failure import end_motion_of
 from armui.control.parts import Parts
 from armui.control.planned_motion import PlannedMotion
 from armui.control.player import Player
@@ -166,7 +167,7 @@ class ArmController(QObject):
             self.planned_motion,
             self.recovery,  # the last: it looks at what the others are doing
         )
-        self._parts = Parts(parts, self._notice)
+        self._parts = Parts(parts, self._notice, lambda module: end_motion_of(self, [module]))
         self._stillness = Stillness()
         self._still = False
         self._was_online = False

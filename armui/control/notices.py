@@ -215,6 +215,7 @@ REFUSALS: Final = frozenset(
         "zero_moved",  # joints
         "order_too_late",
         "arm_changed",
+        "part_failed",
         "ended_by_stop",
         "other_control",  # mode
         "arm_fault",  # status
