@@ -14,8 +14,9 @@ import threading
 import traceback
 from collections import Counter
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from types import TracebackType
-from typing import Final, NamedTuple
+from typing import Final
 
 from armui import __version__
 
@@ -24,7 +25,8 @@ _LOG: Final = logging.getLogger("armui.failures")
 Key = tuple[str, str, int]
 
 
-class Failure(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Failure:
     """One exception nobody expected.
 
     Attributes:

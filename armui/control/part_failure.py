@@ -50,6 +50,7 @@ def end_motion_of(controller: ArmController, modules: Collection[str]) -> None:
     is told to end it (终止, 0x150 byte 1 = 6).
     """
     failed = set(modules)
+    streams = (controller.jogging.active, controller.player.running, controller.replayer.running)
     reason = Refusal("part_failed")
     if failed & _JOGS and controller.jogging.active:
         _have(controller, controller.jogging.stop)
@@ -57,7 +58,7 @@ def end_motion_of(controller: ArmController, modules: Collection[str]) -> None:
         _have(controller, lambda: controller.player.end(reason))
     if failed & _REPLAYS and controller.replayer.running:
         _have(controller, lambda: controller.replayer.end(reason))
-    if failed & _SINGLE_MOTIONS and controller.situation.moving:
+    if failed & _SINGLE_MOTIONS and controller.situation.moving and not any(streams):
         _abort(controller)
 
 

@@ -38,7 +38,8 @@ def told(monkeypatch):
 
 
 def test_an_exception_in_a_slot_is_told(qapp, told):
-    Breaks().said.emit()
+    breaks = Breaks()
+    breaks.said.emit()
     (failure,) = told
     assert failure.error == "ZeroDivisionError: in a slot"
     assert 'raise ZeroDivisionError("in a slot")' in failure.text
@@ -142,9 +143,9 @@ def test_a_jog_whose_part_fails_ends_and_the_stop_still_stops(any_desk, told, mo
     assert not jogging.active
     assert "ArithmeticError: of a jog" in arm.find("failure_line").text()
     arm.run(0.5)
-    before = arm.firmware.body.joints_deg[0]
+    before = arm.controller.state.angles_deg()[0]
     arm.run(0.5)
-    assert arm.firmware.body.joints_deg[0] == pytest.approx(before, abs=0.01)
+    assert arm.controller.state.angles_deg()[0] == pytest.approx(before, abs=0.01)
     arm.controller.emergency_stop()
     arm.run_until(lambda: "stop_confirmed" in arm.codes(), 1.0)
 
