@@ -17,6 +17,7 @@ from PySide6.QtWidgets import QApplication
 from armui import failures, paths
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.control.arm_controller import ArmController
+from armui.control.neighbours import Neighbours
 from armui.control.part_failure import end_motion_of
 from armui.failures import Failure, FailureHandler
 from armui.helper_process import HelperProcess
@@ -58,6 +59,7 @@ class Program:
         controller: Who speaks to the arm.
         workers: Who does what takes long; ended with the program.
         trajectories: The folder of the library; the user's own by default.
+        meeting_place: Where running copies of the program find each other; by default nowhere.
 
     Attributes:
         controller, view, window: What its parts are.
@@ -70,6 +72,8 @@ class Program:
         controller: ArmController,
         workers: Executor,
         trajectories: Path | None = None,
+        *,
+        meeting_place: Path | None = None,
     ) -> None:
         self._app = app
         self._translator = Translator(app)
@@ -86,6 +90,9 @@ class Program:
         self._relay.failed.connect(self._on_failed)
         self._failure_handler = FailureHandler(self._relay.failed.emit)
         logging.getLogger("armui").addHandler(self._failure_handler)
+        self._neighbours = (
+            None if meeting_place is None else Neighbours(controller, store.path, meeting_place)
+        )
         for problem in store.problems:
             self.window.show_problem(problem)
 
@@ -98,6 +105,8 @@ class Program:
         self.controller.shutdown()
         self._workers.shutdown()
         self.view.shutdown()
+        if self._neighbours is not None:
+            self._neighbours.close()
 
     def connect_when_drawn(self, device: Device) -> None:
         """Connect as soon as the 3D picture stands.
@@ -142,7 +151,8 @@ def _run(options: StartOptions) -> int:
     app = QApplication(sys.argv[:1])
     chosen: Choices = {} if options.language is None else {"language": options.language}
     store = SettingsStore(default_path(), for_this_run=chosen)
-    program = Program(app, store, ArmController(open_device, SIMULATED), HelperProcess())
+    controller = ArmController(open_device, SIMULATED)
+    program = Program(app, store, controller, HelperProcess(), meeting_place=paths.runtime())
     app.aboutToQuit.connect(program.shutdown)
     # What the program was built from is no garbage: searching it over and over would stop every
     # thread, the stop's too, for tens of milliseconds at a time.

@@ -105,6 +105,8 @@ CODES: Final[Mapping[str, Level]] = {
     "limits_missing": Level.WARNING,  # joints
     "limits_corrupt": Level.WARNING,  # joint
     "part_failed": Level.FAULT,  # part
+    "settings_shared": Level.WARNING,  # path, count
+    "channel_shared": Level.WARNING,  # device, count
     "refused": Level.WARNING,  # reason
 }
 """Notice code to its level."""
