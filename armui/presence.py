@@ -1,4 +1,4 @@
-"""Which programs of this computer use the same thing: each holds a lock file of its own in a folder.
+"""Which programs of this computer use the same thing: each holds a lock of its own in a folder.
 
 The operating system lets go of the lock of a program that was killed, so nobody is there who is
 not. Everything here touches the disk: a thread of its own does it, nobody waits for it.
@@ -80,9 +80,7 @@ class PresenceWatch:
         look_s: How often to look.
     """
 
-    def __init__(
-        self, folder: Path, tell: Callable[[int], None], look_s: float = _LOOK_S
-    ) -> None:
+    def __init__(self, folder: Path, tell: Callable[[int], None], look_s: float = _LOOK_S) -> None:
         self._presence = Presence(folder)
         self._tell = tell
         self._look_s = look_s

@@ -400,6 +400,7 @@ class ArmController(QObject):
     def _on_arm_came(self) -> None:
         """What was read and saved before was another arm's, for all that is known."""
         self._limits_told = False
+        self._authority.end(End.FORGOTTEN)
         self.settings.forget()
 
     def _forget_arm(self) -> None:

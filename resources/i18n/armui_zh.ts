@@ -1102,6 +1102,25 @@
     </message>
 </context>
 <context>
+    <name>FailureLine</name>
+    <message>
+        <source>An error in the program ({error}). The emergency stop works; the motion that the failed part drove has been ended. Copy the details for the developers.</source>
+        <translation>程序内部出错（{error}）。急停仍然有效；出错部分所驱动的运动已结束。请复制详细信息交给开发者。</translation>
+    </message>
+    <message>
+        <source>It has happened {count} times.</source>
+        <translation>已出现 {count} 次。</translation>
+    </message>
+    <message>
+        <source>Copy details</source>
+        <translation>复制详细信息</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
     <name>FileDialog</name>
     <message>
         <source>Folder</source>
@@ -1979,12 +1998,12 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>轨迹或录制正在运行或已暂停。继续的话，机械臂将就地结束运动，电机保持使能，其余部分不再执行。</translation>
     </message>
     <message>
-        <source>A motion is paused</source>
-        <translation>运动已暂停</translation>
+        <source>A motion is held back</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm holds a motion that was paused here. If you go on, the arm is told to drop it and stays where it is; its motors stay enabled.</source>
-        <translation>机械臂保留着一个由本程序暂停的运动。继续的话，将放弃该运动，机械臂停在原处，电机保持使能。</translation>
+        <source>The arm holds back a motion. If you go on, the arm is told to drop it and stays where it is; its motors stay enabled.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2708,6 +2727,34 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>已发送 {axis} 步进 {step}</translation>
     </message>
     <message>
+        <source>{percent} % is kept: the arm gets it when the motion held back goes on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program controls the arm ({frames}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A leader arm moves this arm ({frames}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody else controls the arm any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taken over: this program may move the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm was told to end its motion and still moves. Stop it, or cut its power.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion ended: too fast. {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Sent to lamp {lamp} of joint {joint}: {color}</source>
         <translation>已发送关节 {joint} 灯珠 {lamp}：{color}</translation>
     </message>
@@ -3016,12 +3063,35 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>程序的一部分出错（{part}）。急停仍有效；请结束当前操作并重新启动程序。</translation>
     </message>
     <message>
+        <source>Another armui on this computer uses the same settings file. What is changed here is kept; changes made there appear at the next start.</source>
+        <translation>本机另一个 armui 正在使用同一设置文件。此处的更改会保留；那边的更改在下次启动时生效。</translation>
+    </message>
+    <message>
+        <source>Another armui on this computer is connected to {device}, too. Both can move the arm: close one of them.</source>
+        <translation>本机另一个 armui 也已连接 {device}。两者都能移动机械臂：请关闭其中一个。</translation>
+    </message>
+    <message>
         <source>Not sent. {reason}</source>
         <translation>未发送。{reason}</translation>
     </message>
     <message>
         <source>Event: {code}</source>
         <translation>事件：{code}</translation>
+    </message>
+</context>
+<context>
+    <name>OtherMode</name>
+    <message>
+        <source>MIT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>high-follow</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3599,6 +3669,22 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <source>Take command…</source>
         <translation>待机…</translation>
     </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation type="unfinished">急停</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RecoveryDanger</name>
@@ -3775,6 +3861,30 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>The arm takes its commands from elsewhere: {mode}. Take the command.</source>
         <translation>机械臂由其他方式控制：{mode}。请切换到待机模式。</translation>
+    </message>
+    <message>
+        <source>The arm was told to end its motion and still moves. Stop it, or cut its power.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program drives the arm in {other_mode} mode. Nothing is sent: a mode word would let the arm fall.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program controls the arm since {since} ({frames}, {rate} frames/s).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A leader arm moves this arm since {since} ({frames}, {rate} frames/s).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm holds back a paused motion. Hold Continue, or give it up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm holds back a motion at 0 %. Set a speed and hold Continue, or give it up.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Not every motor has reported. If it stays so, check power and cable, and connect again.</source>
@@ -4076,6 +4186,10 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂应答零点已设置，但以下关节的角度不为 0°：{joints}。重新设置零点之前请勿移动机械臂。</translation>
     </message>
     <message>
+        <source>Joint {joints} does not stand where it stood at the press: no zero was sent. Try again where it shall be.</source>
+        <translation>关节 {joints} 已不在按下按钮时的位置：未发送零点。请在要设为零点的位置重试。</translation>
+    </message>
+    <message>
         <source>The stop came first; it is not sent again. Look at what the arm shows, then repeat it.</source>
         <translation>急停在先，该指令不会重发。请查看机械臂的状态后再操作。</translation>
     </message>
@@ -4126,6 +4240,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>The settings could not be saved in {path}: {text}. They hold until the program ends.</source>
         <translation>设置无法保存到 {path}：{text}。本次运行期间仍然有效。</translation>
+    </message>
+    <message>
+        <source>Another program is writing the settings file {path}. The settings hold until this program ends; change them once more to save them.</source>
+        <translation>另一个程序正在写入设置文件 {path}。设置在本程序退出前有效；再更改一次即可保存。</translation>
     </message>
     <message>
         <source>Setting “{field}”: “{value}” is not possible. Its first setting is used instead.</source>
@@ -4228,6 +4346,14 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂没有应答（0x476），无法确认已生效：请重新读取后再保存一次。</translation>
     </message>
     <message>
+        <source>Nothing was sent: the arm was still being set or asked something a second after the press. Try again.</source>
+        <translation>未发送：按下一秒后机械臂仍在进行其他设置或查询。请重试。</translation>
+    </message>
+    <message>
+        <source>The arm was silent meanwhile, or another arm answers: nothing more was sent. See that it is the right arm, then try again.</source>
+        <translation>其间机械臂曾无应答，或应答的是另一台机械臂：未再发送。请确认是正确的机械臂，然后重试。</translation>
+    </message>
+    <message>
         <source>The arm did not answer when asked for the value: what it holds is not known. Read again.</source>
         <translation>读取时机械臂没有应答，其当前值未知，请重新读取。</translation>
     </message>
@@ -4290,6 +4416,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>The device was disconnected while it ran: the arm was told before to end its motion.</source>
         <translation>运行中断开了设备，断开前已令机械臂结束运动。</translation>
+    </message>
+    <message>
+        <source>The part of the program that drove it has failed: the arm was told to end its motion. Copy the details of the error, then start the program again.</source>
+        <translation>驱动该运动的程序部分已出错：已命令机械臂结束运动。请复制错误详细信息，然后重新启动程序。</translation>
     </message>
     <message>
         <source>The run under way sets the lamps itself. Wait until it is done, or end the run first.</source>
@@ -4574,6 +4704,46 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Column {column}: {field} is not given in “{value}”. Choose one of {choices}.</source>
         <translation>第 {column} 列：{field}不能使用单位“{value}”。请选择 {choices} 之一。</translation>
+    </message>
+    <message>
+        <source>{frames} of the arm has not been heard for {seconds} s: nobody knows where it is. Check its power and the CAN cable; nothing is sent until it is heard again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program controls the arm ({frames}). Wait until it has been quiet for 2 s and the arm rests, or take over when it pauses. The stop works at any time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A leader arm moves this arm ({frames}). Switch the leader off, or make it a motion output. The stop works at any time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program drives the arm in {other_mode} mode: any mode word would leave its joints limp and it would fall. End that program, support the arm and reset it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The other program is still sending ({frames}): it can be taken over half a second after its last frame. Against a stream only the stop wins.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No other program moves the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm holds back a motion at 0 %. Hold Continue or press Give up in the line above the panels first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No motion is held back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Something else has ended this motion. Look at the arm, then start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint {joint} moves at {value} °/s, where {maximum} °/s is shown. Set the speed again before the next motion.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5031,8 +5201,8 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>等待机械臂：{command}</translation>
     </message>
     <message>
-        <source>Paused from here: new targets wait until Continue or Clear.</source>
-        <translation>已由本程序暂停：继续或清除之前，新目标不会执行。</translation>
+        <source>A motion is held back: hold Continue, or give it up by Terminate.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Drag teaching</source>

@@ -46,7 +46,8 @@ def test_another_arm_on_the_same_adapter_is_asked_anew(qapp, request, first):
     bench.run(0.7)
     swap(bench, Firmware(second))
     bench.powered = True
-    bench.run_until(lambda: bench.controller.situation.generation is not None, 3.0)
+    bench.run_until(lambda: bench.controller.situation.link is LinkState.ONLINE)
+    assert bench.controller.situation.generation is None
     bench.run_until(lambda: None not in bench.controller.state.limits, 3.0)
     assert bench.controller.situation.generation is second
     # what the first arm held is not shown, and stands in no frame to the second
@@ -107,11 +108,12 @@ def test_after_a_power_cycle_the_offset_of_the_commands_is_proven_by_nothing(any
     assert not bench.controller.situation.control_certain
 
 
-def test_after_a_lost_cable_nothing_of_before_counts(any_bench):
+def test_after_a_lost_cable_nothing_of_before_counts(any_bench, qtbot):
     bench = any_bench
     bench.connect()
     bench.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
-    bench.run_until(lambda: bench.controller.situation.link is LinkState.LOST)
+    qtbot.waitUntil(lambda: bench.controller.situation.link is LinkState.LOST)
+    bench.controller.tick()
     assert bench.controller.situation.generation is None
     assert bench.controller.state.limits == (None,) * 6
     assert bench.controller.state.last_feedback_s is None

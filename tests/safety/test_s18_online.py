@@ -2,8 +2,12 @@
 
 import pytest
 
+from armui.arm.tracker import Tracker
 from armui.control.recovery_steps import Action, Kind
 from armui.control.situation import LinkState
+from armui.protocol.codec import Codec
+from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
 
 QUESTIONS = (
     "4AF#0100000000000000",
@@ -32,26 +36,32 @@ def test_another_hosts_questions_make_no_arm(bench, other_host):
     assert bench.controller.state.last_feedback_s is None
 
 
-def test_another_hosts_question_in_the_middle_of_an_answer_does_not_cut_it(bench, other_host):
-    bench.powered = False
-    bench.controller.connect_device(bench.device)
-    bench.step()
-    other_host.say("4AF#000000002D565331", "4AF#0000533153562E56", "4AF#00000000532D5631")
-    other_host.say("4AF#0100000000000000")
-    other_host.say("4AF#2E382D3500000000")  # S-V1 .8-5
-    bench.step()
-    assert bench.controller._connection._worker.state.firmware == "S-V1.8-5"
+def version_heard(*payloads):
+    """What a tracker makes of 0x4AF frames."""
+    codec = Codec(Generation.TWO)
+    tracker = Tracker(codec)
+    for payload in payloads:
+        tracker.fold(codec.decode(Frame(0x4AF, payload)), 1.0)
+    return tracker.picture().firmware
 
 
-@pytest.mark.parametrize("joined", [b"S-V1.9-0260716", b"\0\0\0S-V1.9-0260716\0\0"])
-def test_a_date_that_follows_at_once_is_no_part_of_the_version(bench, other_host, joined):
-    bench.powered = False
-    bench.controller.connect_device(bench.device)
-    bench.step()
-    padded = joined + bytes(-len(joined) % 8)
-    other_host.say(*(f"4AF#{padded[at : at + 8].hex()}" for at in range(0, len(padded), 8)))
-    bench.step()
-    assert bench.controller._connection._worker.state.firmware == "S-V1.9-0"
+def test_another_hosts_question_in_the_middle_of_an_answer_does_not_cut_it():
+    question = bytes.fromhex("01 00 00 00 00 00 00 00")
+    assert version_heard(b"\0\0\0\0S-V1", question, b".8-5\0\0\0\0") == "S-V1.8-5"
+    assert version_heard(b"\0\0\0\0S-V1", b"\x01", b".8-5\0\0\0\0") == "S-V1.8-5"
+
+
+@pytest.mark.parametrize("text", [b"S-V1.9-0260716", b"\0\0\0S-V1.9-0260716\0\0"])
+def test_a_date_that_follows_at_once_is_no_part_of_the_version(text):
+    padded = text + bytes(-len(text) % 8)
+    payloads = [padded[at : at + 8] for at in range(0, len(padded), 8)]
+    assert version_heard(*payloads) == "S-V1.9-0"
+
+
+def test_an_answer_that_lost_a_frame_gives_no_version_and_the_next_one_does():
+    whole = (b"\0\0\0\0S-V1", b".8-5\0\0\0\0")
+    assert version_heard(whole[0], b"25\0\0\0\0\0\0") is None
+    assert version_heard(whole[0], b"25\0\0\0\0\0\0", *whole) == "S-V1.8-5"
 
 
 def test_a_leading_arm_whose_drivers_go_on_sending_is_no_dead_end(any_bench, generation):
