@@ -49,6 +49,14 @@ def key_of(error: BaseException) -> Key:
     return (type(error).__name__, *place)
 
 
+def is_our_own(error: BaseException) -> bool:
+    """Whether an exception was raised by this program's code, and not by a library or a driver."""
+    last = None
+    for frame, _line in traceback.walk_tb(error.__traceback__):
+        last = frame.f_globals.get("__name__", "")
+    return last is not None and last.startswith("armui.")
+
+
 class FailureHandler(logging.Handler):
     """Makes a :class:`Failure` of each logged exception.
 

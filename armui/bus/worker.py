@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import threading
 from collections import deque
 from collections.abc import Callable, Sequence
@@ -22,8 +23,11 @@ from armui.bus.outbox import Outbox
 from armui.bus.receive_clock import STAMPED, ReceiveClock
 from armui.bus.samples import SampleRing
 from armui.clock import steady_s
+from armui.failures import is_our_own
 from armui.protocol.codec import Codec, Message, Oddity, OddityKind
 from armui.protocol.frame import Frame
+
+_LOG: Final = logging.getLogger(__name__)
 
 Opener = Callable[[Device], AbstractContextManager[can.BusABC]]
 """Opens a device; the bus is closed when the context ends."""
@@ -153,6 +157,9 @@ class BusWorker(QThread):
                     was_open = True
                     self._use(bus)
             except Exception as error:  # noqa: BLE001 - drivers of others raise anything; the thread lives on
+                # a device that goes is no failure; an error of this program's is told as one
+                level = logging.ERROR if was_open and is_our_own(error) else logging.WARNING
+                _LOG.log(level, "%s is lost", self._device.name, exc_info=error)
                 state = BusState.LOST if was_open else BusState.FAILED
                 self._report(state, error)
                 if not was_open:

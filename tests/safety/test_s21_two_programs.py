@@ -89,7 +89,8 @@ def test_those_who_are_there_count_each_other(tmp_path):
 def test_a_program_that_was_killed_is_not_there(tmp_path):
     code = (
         "import sys, time; from pathlib import Path; from armui.presence import Presence\n"
-        "Presence(Path(sys.argv[1])).enter(); print('there', flush=True); time.sleep(60)"
+        "here = Presence(Path(sys.argv[1])); here.enter()\n"
+        "print('there', flush=True); time.sleep(60)"
     )
     other = subprocess.Popen([sys.executable, "-c", code, str(tmp_path)], stdout=subprocess.PIPE)
     assert other.stdout.readline() == b"there\n"

@@ -162,3 +162,21 @@ def test_a_part_that_drives_nothing_ends_no_motion(desk, told, monkeypatch):
     desk.run(10.0)
     assert desk.controller.state.angles_deg()[0] == pytest.approx(20.0, abs=0.1)
     assert "ArithmeticError: of no motion" in desk.find("failure_line").text()
+
+
+def test_an_error_of_our_own_in_the_bus_thread_is_told_and_a_lost_device_is_not(
+    bench, told, monkeypatch, qtbot
+):
+    bench.connect()
+    bench.unplug(OSError(19, "gone"))
+    qtbot.waitUntil(lambda: "link_lost" in bench.codes())
+    assert told == []
+    bench.plug_in()
+    qtbot.waitUntil(lambda: "reconnected" in bench.codes())
+
+    monkeypatch.setattr(
+        bench.controller._connection._worker, "_take_in", None
+    )  # calling it raises in the worker
+    bench.node.poll(0.02)
+    qtbot.waitUntil(lambda: bool(told))
+    assert told[0].error.startswith("TypeError")
