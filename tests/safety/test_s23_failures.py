@@ -8,9 +8,11 @@ import pytest
 from PySide6.QtCore import QObject, QThread, Signal
 from PySide6.QtGui import QGuiApplication
 
-from armui import failures
+from armui import app, failures
 from armui.control.jog_ways import JointJog
+from armui.helper_process import HelperProcess
 from armui.log_file import log_to
+from armui.start import StartOptions
 
 
 class Breaks(QObject):
@@ -180,3 +182,22 @@ def test_an_error_of_our_own_in_the_bus_thread_is_told_and_a_lost_device_is_not(
     bench.node.poll(0.02)
     qtbot.waitUntil(lambda: bool(told))
     assert told[0].error.startswith("TypeError")
+
+
+def test_the_program_runs_with_hooks_and_a_log(tmp_path, monkeypatch):
+    seen = []
+    before = sys.excepthook
+    monkeypatch.setattr("armui.paths.logs", lambda: tmp_path / "logs")
+    monkeypatch.setattr("armui.app._run", lambda _options: seen.append(sys.excepthook) or 7)
+    assert app.run(StartOptions()) == 7
+    assert seen[0] is not before
+    assert sys.excepthook is before
+    assert (tmp_path / "logs" / "armui.log").is_file()
+
+
+def test_work_that_fails_in_the_helper_process_is_logged(caplog):
+    helper = HelperProcess()
+    with pytest.raises(ZeroDivisionError), caplog.at_level(logging.WARNING, "armui"):
+        helper.submit(divmod, 1, 0).result(60)
+    helper.shutdown()
+    assert "ZeroDivisionError" in caplog.text
