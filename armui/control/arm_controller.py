@@ -45,13 +45,12 @@ from armui.control.recovery import Recovery
 from armui.control.replayer import Replayer
 from armui.control.run_end import cut_short
 from armui.control.situation import Busy, LinkState, Notice, OtherHostReport, Situation
-from armui.control.stop import StopKeeper, is_stopped
+from armui.control.stop import is_stopped
+from armui.control.stopping import Stopping
 from armui.control.teaching import Teaching
 from armui.control.zeroing import Zeroing
-from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import TrajectoryCommand
-from armui.protocol.frame import Frame
 
 if TYPE_CHECKING:
     from armui.bus.worker import Opener
@@ -123,7 +122,7 @@ class ArmController(QObject):
         self._connection = Connection(opener, clock, self)
         self._connection.changed.connect(self._on_connection)
         self._connection.arm_came.connect(self._on_arm_came)
-        self._stop = StopKeeper(self._connection.send_urgent)
+        self._stop = Stopping(self._connection, self._notice, clock, self._end_everything)
         self._authority = Authority()
         context = Context(
             self._connection,
@@ -159,6 +158,7 @@ class ArmController(QObject):
             joint_errors=self.joint_errors,
             teaching=self.teaching,
             stop=self.emergency_stop,
+            withdraw_stop=self.withdraw_stop,
             planned_motion=self.planned_motion,
             take_over=self.take_over,
             announce=self.step_changed.emit,
@@ -187,7 +187,6 @@ class ArmController(QObject):
         self._other_since: tuple[float, datetime] | None = None
         self._was_online = False
         self._was_stopped = False
-        self._was_unconfirmed = False
         self._was_commanded = self._was_unheeded = False
         self._limits_told = False
         self._state = ArmState()
@@ -223,6 +222,7 @@ class ArmController(QObject):
     def connect_device(self, device: Device) -> None:
         """Leave the present device, if any, and open this one."""
         self.disconnect_device()
+        self._stop.on_connecting(device)
         self.cartesian.prepare()
         self._connection.open(device)
         self._timer.start()
@@ -259,23 +259,23 @@ class ArmController(QObject):
 
     def emergency_stop(self) -> None:
         """Stop the arm at once: past every other frame, whatever else is under way (0x150)."""
-        if self._connection.device is None:
-            self._notice("stop_not_sent")
-            return
-        codec, offsets = self._connection.codec, self._connection.offsets
-        frames = commands.emergency_stop(codec)
-        everywhere = [
-            Frame(shifted, frame.data)
-            for frame in frames
-            for shifted in codec.addressing.on_every_offset(frame.arbitration_id)
-        ]
-        doubtful = offsets.wished is not None or not offsets.certain
-        on_the_bus = self._stop.request(
-            everywhere if doubtful else frames, self._clock(), everywhere
-        )
-        self._parts.halt()
-        self._notice("stop_sent" if on_the_bus else "stop_not_sent")
+        self._stop.stop()
         self._refresh()
+
+    def withdraw_stop(self) -> None:
+        """A stop that the arm has not confirmed is wanted no more."""
+        self._stop.withdraw()
+        self._refresh()
+
+    def halt_and_hold(self) -> Refusal | None:
+        """End any motion with power on: the joints hold where they come to rest (0x150)."""
+        refusal = self._stop.halt(self._end_all_motion)
+        self._refresh()
+        return refusal
+
+    def stop_again_when_undone(self, on: bool) -> None:
+        """Whether a stop that another host undoes is sent again by itself."""
+        self._stop.stop_again = on
 
     def _notice(self, code: str, **params: object) -> None:
         self.noticed.emit(Notice(datetime.now().astimezone(), CODES[code], code, params))
@@ -308,12 +308,8 @@ class ArmController(QObject):
                 self._notice("online" if online else "offline")
 
     def _follow_stop(self, now_s: float) -> None:
-        if self._stop.advance(self._state, now_s):
-            self._notice("stop_confirmed")
-        unconfirmed = self._stop.unconfirmed(now_s)
-        if unconfirmed and not self._was_unconfirmed:
-            self._notice("stop_unconfirmed")
-        self._was_unconfirmed = unconfirmed
+        resuming = self.motors.busy is Busy.RESUMING
+        self._stop.advance(self._state, now_s, resuming=resuming, still=self._authority.at_rest)
         stopped = is_stopped(self._state)
         if stopped and not self._was_stopped:
             self._parts.halt()
@@ -404,7 +400,6 @@ class ArmController(QObject):
         self.settings.forget()
 
     def _forget_arm(self) -> None:
-        self._stop.forget()
         self._parts.forget()
         self._authority.end(End.FORGOTTEN)
         self._was_online = self._was_stopped = False
@@ -426,6 +421,15 @@ class ArmController(QObject):
         self.player.stop()
         self.replayer.stop()
         self.jogging.stop()
+
+    def _end_everything(self) -> None:
+        """A stop is on its way: every part gives up what would move the arm."""
+        self._parts.halt()
+
+    def _end_all_motion(self) -> None:
+        """No part goes on with what a halt has ended, and no target comes back."""
+        self._end_driven()
+        self._authority.cancelled(self._clock())
 
     def _end_run_because(self, reason: Refusal) -> None:
         self.player.end(reason)
@@ -451,12 +455,9 @@ class ArmController(QObject):
             link=self._connection.link,
             device=self._connection.device,
             link_problem=self._connection.problem,
-            stop=self._stop.state(
-                self._state,
-                online=self._connection.link is LinkState.ONLINE,
-                resuming=busy is Busy.RESUMING,
-            ),
-            stop_unconfirmed=self._stop.unconfirmed(now_s),
+            stop=self._stop.state(self._state, now_s, resuming=busy is Busy.RESUMING),
+            stop_unconfirmed=self._stop.keeper.unconfirmed(now_s),
+            stop_lapsed=self._stop.keeper.lapsed,
             busy=busy,
             speed_percent=self.motion.speed_percent,
             generation=self._connection.generation,

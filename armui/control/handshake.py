@@ -17,6 +17,8 @@ _VERSION_WAIT_S: Final = 0.5
 """So long an answer is collected. A second question during it would shift its text."""
 _VERSION_ROUNDS: Final = 2
 """Unanswered so often: generation 1 (see the table of the two generations)."""
+_FAST_PER_S: Final = 1500.0
+"""Between the frames a second of generation 1 (some 700) and of generation 2 (some 3,000)."""
 _ASK_AGAIN_S: Final = 0.2
 _LIMIT_ROUNDS: Final = 5
 
@@ -25,7 +27,7 @@ class Wire(Protocol):
     """What a handshake needs of the bus thread."""
 
     def send(self, frames: Sequence[Frame]) -> bool:
-        """Queue frames."""
+        """Queue frames; whether they may go out at all."""
 
     def use_codec(self, codec: Codec) -> None:
         """Forget what was heard, and speak another generation from now on."""
@@ -57,7 +59,8 @@ class Handshake:
         self.firmware: str | None = None
         self.codec = Codec(Generation.TWO, addressing)
         self._wire = wire
-        self._next_s = now_s
+        self._asked = False
+        self._began_s = self._next_s = now_s
         self._rounds = 0
         wire.use_codec(self.codec)
 
@@ -81,15 +84,22 @@ class Handshake:
             return
         elif self._rounds < _VERSION_ROUNDS:
             self._rounds += 1
-            self._wire.send(commands.query_firmware(self.codec))
+            self._asked |= self._wire.send(commands.query_firmware(self.codec))
             self._next_s = now_s + _VERSION_WAIT_S
-        elif state.version_heard_s is not None:
+        elif state.version_heard_s is not None or self._speaks_fast(state, now_s):
             # it answered, and only generation 2 does, though no version can be read in the answer
             self._settle(Generation.TWO, now_s)
         else:
             self.codec = Codec(Generation.ONE, self.codec.addressing)
             self._wire.use_codec(self.codec)
             self._settle(Generation.ONE, now_s)
+
+    def _speaks_fast(self, state: ArmState, now_s: float) -> bool:
+        """Whether an arm that must not be asked speaks as often as generation 2.
+
+        On a connection that only listens its silence says nothing.
+        """
+        return not self._asked and state.frames / (now_s - self._began_s) > _FAST_PER_S
 
     def _settle(self, generation: Generation, now_s: float) -> None:
         self.generation = generation

@@ -1,6 +1,7 @@
 """S15: what is known of an arm was heard from that arm, since it came."""
 
 import errno
+from dataclasses import replace
 
 import can
 import pytest
@@ -173,3 +174,10 @@ def test_a_late_failure_of_one_device_does_not_close_the_next(bench):
     bench.connect()
     assert bench.controller.situation.link is LinkState.ONLINE
     assert "connect_failed" not in bench.codes()
+
+
+def test_an_arm_that_is_only_listened_to_is_told_by_its_pace(any_bench, generation):
+    bench = any_bench
+    bench.controller.connect_device(replace(bench.device, listen_only=True))
+    bench.run_until(lambda: bench.controller.situation.generation is not None, 3.0)
+    assert bench.controller.situation.generation is generation
