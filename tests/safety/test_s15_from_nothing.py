@@ -15,6 +15,7 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
+from tests.bench import Bench
 from tests.faulty_arm import FaultyDrivers, HardOfHearing
 
 END = Batch(Group.END_LIMITS)
@@ -36,8 +37,6 @@ def settled(bench):
 
 @pytest.mark.parametrize("first", Generation, ids=["gen1", "gen2"])
 def test_another_arm_on_the_same_adapter_is_asked_anew(qapp, request, first):
-    from tests.bench import Bench  # noqa: PLC0415 - the fixture fixes the generation
-
     bench = Bench(request.node.nodeid, first)
     second = Generation.ONE if first is Generation.TWO else Generation.TWO
     bench.connect()
@@ -121,8 +120,6 @@ def test_after_a_lost_cable_nothing_of_before_counts(any_bench, qtbot):
 
 
 def test_no_false_stall_before_the_generation_is_known(qapp, request):
-    from tests.bench import Bench  # noqa: PLC0415 - as above
-
     bench = Bench(request.node.nodeid, Generation.ONE)
     drivers = FaultyDrivers(bench.firmware)
     drivers.bits = dict.fromkeys(range(1, 7), STALL_BIT)  # «homed» in generation 1

@@ -8,6 +8,7 @@ from armui.control.situation import LinkState
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from tests.company import OtherHost
 
 QUESTIONS = (
     "4AF#0100000000000000",
@@ -65,8 +66,6 @@ def test_an_answer_that_lost_a_frame_gives_no_version_and_the_next_one_does():
 
 
 def test_a_leading_arm_whose_drivers_go_on_sending_is_no_dead_end(any_bench, generation):
-    from tests.company import OtherHost  # noqa: PLC0415 - the fixture is for generation 2
-
     bench = any_bench
     leader = OtherHost(bench)
     bench.powered = False
