@@ -21,6 +21,7 @@ from armui.control import reports
 from armui.control.arm_settings import ArmSettings
 from armui.control.assessment import Activity, Circumstances, assess
 from armui.control.authority import Authority
+from armui.control.authority_watch import AuthorityWatch
 from armui.control.cartesian import Cartesian
 from armui.control.connection import Connection
 from armui.control.context import Context, Part
@@ -32,7 +33,7 @@ from armui.control.joint_errors import JointErrors
 from armui.control.lights import Lights
 from armui.control.linkage import Linkage
 from armui.control.motion import Motion
-from armui.control.motion_command import End, Observation
+from armui.control.motion_command import End
 from armui.control.motors import Motors
 from armui.control.notices import CODES
 from armui.control.orders import OrderLine
@@ -44,12 +45,11 @@ from armui.control.recorder import Recorder
 from armui.control.recovery import Recovery
 from armui.control.replayer import Replayer
 from armui.control.run_end import cut_short
-from armui.control.situation import Busy, LinkState, Notice, OtherHostReport, Situation
+from armui.control.situation import Busy, LinkState, Notice, Situation
 from armui.control.stop import is_stopped
 from armui.control.stopping import Stopping
 from armui.control.teaching import Teaching
 from armui.control.zeroing import Zeroing
-from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import TrajectoryCommand
 
 if TYPE_CHECKING:
@@ -124,6 +124,9 @@ class ArmController(QObject):
         self._connection.arm_came.connect(self._on_arm_came)
         self._stop = Stopping(self._connection, self._notice, clock, self._end_everything)
         self._authority = Authority()
+        self._watch = AuthorityWatch(
+            self._authority, self._connection, self._notice, self._end_too_fast
+        )
         context = Context(
             self._connection,
             self._notice,
@@ -184,10 +187,8 @@ class ArmController(QObject):
             self.recovery,  # the last: it looks at what the others are doing
         )
         self._parts = Parts(parts, self._notice, lambda module: end_motion_of(self, [module]))
-        self._other_since: tuple[float, datetime] | None = None
         self._was_online = False
         self._was_stopped = False
-        self._was_commanded = self._was_unheeded = False
         self._limits_told = False
         self._state = ArmState()
         self._situation = Situation(speed_percent=self.motion.speed_percent)
@@ -291,7 +292,7 @@ class ArmController(QObject):
             self._follow_online()
         finally:
             self._follow_stop(now_s)  # a stop is repeated whatever else fails
-        self._follow_authority(now_s)
+        self._watch.advance(now_s)
         self._parts.advance()
         self._follow_handshake()
         self._refresh()
@@ -323,65 +324,18 @@ class ArmController(QObject):
         for code, figures in reports.on_handshake(self._state, handshake.generation):
             self._notice(code, **figures)
 
-    def _follow_authority(self, now_s: float) -> None:
-        """Tell who else moves the arm, and end a motion of ours that is too fast."""
-        self._observe(now_s)
-        authority = self._authority
-        commands_now = authority.other.commands
-        if commands_now is not self._was_commanded:
-            self._was_commanded = commands_now
-            code = "leader_arm_moves" if authority.other.is_leader else "other_host_moves"
-            self._notice(code if commands_now else "other_host_gone", frames=authority.other.frames)
-        if authority.cancel_unheeded and not self._was_unheeded:
-            self._notice("cancel_unheeded")
-        self._was_unheeded = authority.cancel_unheeded
-        if authority.overspeed is not None:
-            reason = authority.overspeed
-            self._end_run_because(reason)
-            self.jogging.stop()
-            cut_short(self._context)
-            self._notice("motion_too_fast", reason=reason)
-
-    def _observe(self, now_s: float) -> None:
-        connection = self._connection
-        if connection.device is None:
-            return
-        offsets = connection.offsets
-        self._authority.observe(
-            Observation(
-                state=connection.newest,
-                traffic=connection.traffic,
-                offsets=(offsets.addressing.control_offset,) if offsets.certain else OFFSETS,
-                online=connection.link is LinkState.ONLINE,
-                now_s=now_s,
-            )
-        )
-
     def take_over(self) -> Refusal | None:
-        """Take the arm from another host that pauses: ``None``, or why not.
-
-        Its last motion goes on until a motion of ours replaces it.
-        """
-        self._observe(self._clock())
-        refusal = self._authority.other.take_over()
+        """Take the arm from another host that pauses: ``None``, or why not."""
+        refusal = self._watch.take_over(self._clock())
         if refusal is not None:
             return self._context.refuse(refusal)
-        self._notice("taken_over")
         self._refresh()
         return None
 
-    def _other_host(self) -> OtherHostReport | None:
-        other = self._authority.other
-        reason = other.why_not()
-        if reason is None:
-            self._other_since = None
-            return None
-        began_s = other.since_s or 0.0
-        if self._other_since is None or self._other_since[0] != began_s:
-            self._other_since = (began_s, datetime.now().astimezone())
-        return OtherHostReport(
-            other.frames, self._other_since[1], other.rate_hz, reason, other.may_be_taken_over
-        )
+    def _end_too_fast(self, reason: Refusal) -> None:
+        self._end_run_because(reason)
+        self.jogging.stop()
+        cut_short(self._context)
 
     def _on_connection(self, report: BusReport, code: str) -> None:
         if code == "link_lost":
@@ -402,8 +356,8 @@ class ArmController(QObject):
     def _forget_arm(self) -> None:
         self._parts.forget()
         self._authority.end(End.FORGOTTEN)
+        self._watch.forget()
         self._was_online = self._was_stopped = False
-        self._was_commanded = self._was_unheeded = False
 
     # What ends what is under way ----------------------------------------------------------------
 
@@ -442,7 +396,7 @@ class ArmController(QObject):
 
     def _refresh(self) -> Situation:
         now_s = self._clock()
-        self._observe(now_s)
+        self._watch.observe(now_s)
         situation = self._assess(now_s)
         if situation != self._situation:
             self._situation = situation
@@ -463,7 +417,7 @@ class ArmController(QObject):
             generation=self._connection.generation,
             offsets=self._connection.offsets,
             authority=self._authority,
-            other_host=self._other_host(),
+            other_host=self._watch.report(),
             activity=Activity(
                 running=self.player.running or self.replayer.running,
                 jogging=self.jogging.active,
