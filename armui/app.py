@@ -47,6 +47,8 @@ class Program:
         controller: Who speaks to the arm.
         workers: Who does what takes long; ended with the program.
         trajectories: The folder of the library; the user's own by default.
+        files: Who does what waits for a disk, in a thread of this process; ended with the program.
+            The workers by default.
 
     Attributes:
         controller, view, window: What its parts are.
@@ -59,6 +61,8 @@ class Program:
         controller: ArmController,
         workers: Executor,
         trajectories: Path | None = None,
+        *,
+        files: Executor | None = None,
     ) -> None:
         self._app = app
         self._translator = Translator(app)
@@ -67,8 +71,11 @@ class Program:
         apply_theme(app, Theme(settings.theme))
         self.controller = controller
         self._workers = workers
+        self._files = files
         self.view = ArmView(Path(settings.urdf_path) if settings.urdf_path else None)
-        self.window = MainWindow(self.controller, self.view, store, workers, trajectories)
+        self.window = MainWindow(
+            self.controller, self.view, store, workers, trajectories, files=files
+        )
         self._stop_shortcut = StopShortcut(app, self.controller)
         self._unsubscribe = store.subscribe(self._on_settings_changed)
 

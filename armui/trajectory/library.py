@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
@@ -28,10 +28,25 @@ from armui.trajectory.library_index import Check, Entry, entry_of
 from armui.trajectory.program import LONGEST_NAME, Trajectory, check_name, check_trajectory
 from armui.trajectory.recording import Recording, check_recording
 
-__all__ = ["REFUSALS", "Check", "Deleted", "Entry", "Library", "LibraryError"]
+__all__ = ["REFUSALS", "Check", "Deleted", "Entry", "Library", "LibraryError", "Listing"]
 
 _BIN: Final = ".deleted"
 _ROOM_FOR_NUMBER: Final = 8
+
+
+@dataclass(frozen=True, slots=True)
+class Listing:
+    """What the library shows at one look.
+
+    Attributes:
+        entries: Everything there is, by name.
+        drafts: The names of those with unsaved changes.
+        exists: Whether its folder does.
+    """
+
+    entries: tuple[Entry, ...]
+    drafts: tuple[str, ...]
+    exists: bool
 
 
 class Library:
@@ -48,7 +63,10 @@ class Library:
         self._shelf = Shelf(folder)
         self._bin = Bin(folder / _BIN)
         self._drafts = Drafts(folder)
-        remove_abandoned(folder)
+
+    def tidy(self) -> None:
+        """Remove what killed programs left half written, and what was deleted long ago."""
+        remove_abandoned(self._folder)
         self._bin.remove_outdated()
 
     @property
@@ -71,6 +89,14 @@ class Library:
         with on_disk("library_unreadable", str(self._folder)):
             entries += self._drafts.entries(but=found)
         return sorted(entries, key=lambda one: one.name)
+
+    def listing(self) -> Listing:
+        """The entries, which of them have unsaved changes, and whether there is a folder.
+
+        Raises:
+            LibraryError: The folder cannot be read.
+        """
+        return Listing(tuple(self.entries()), tuple(self.drafts()), self._folder.is_dir())
 
     def load(self, name: str) -> Content:
         """A trajectory or recording.

@@ -60,6 +60,7 @@ class MainWindow(QMainWindow):
         view: The 3D picture.
         preferences: What the operator chose; changes reach the window at once.
         workers: Who does what takes long.
+        files: Who does what waits for a disk, in a thread of this process; the workers by default.
         trajectories: The folder of the library; the user's own by default.
     """
 
@@ -70,12 +71,15 @@ class MainWindow(QMainWindow):
         preferences: SettingsStore,
         workers: Executor,
         trajectories: Path | None = None,
+        *,
+        files: Executor | None = None,
     ) -> None:
         super().__init__()
         self._controller = controller
         self._view = view
         self._preferences = preferences
         self._workers = workers
+        self._files = files
         self._trajectories = trajectories
         self._settings = preferences.settings
         self._dialogs: dict[str, QDialog] = {}
@@ -237,7 +241,7 @@ class MainWindow(QMainWindow):
             from armui.ui.trajectory.preview_link import PreviewLink  # noqa: PLC0415 - as above
 
             library = Library(self._trajectories or paths.trajectories())
-            background = Background(self._workers, self)
+            background = Background(self._workers, self._files, self)
             window = LibraryWindow(self._controller, background, library, self)
             link = PreviewLink(window, self._preview)
             self._view.mark_picked.connect(link.on_mark_picked)
