@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QApplication
 
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.control.arm_controller import ArmController
-from armui.helper_process import HelperProcess
+from armui.helper_process import FileThread, HelperProcess
 from armui.protocol.generation import Generation
 from armui.settings import Choices, Settings, SettingsStore, default_path
 from armui.start import StartOptions
@@ -86,6 +86,8 @@ class Program:
         self._stop_shortcut.deleteLater()
         self.controller.shutdown()
         self._workers.shutdown()
+        if self._files is not None:
+            self._files.shutdown()
         self.view.shutdown()
 
     def connect_when_drawn(self, device: Device) -> None:
@@ -121,7 +123,8 @@ def run(options: StartOptions) -> int:
     app = QApplication(sys.argv[:1])
     chosen: Choices = {} if options.language is None else {"language": options.language}
     store = SettingsStore(default_path(), for_this_run=chosen)
-    program = Program(app, store, ArmController(open_device, SIMULATED), HelperProcess())
+    controller = ArmController(open_device, SIMULATED)
+    program = Program(app, store, controller, HelperProcess(), files=FileThread())
     app.aboutToQuit.connect(program.shutdown)
     # What the program was built from is no garbage: searching it over and over would stop every
     # thread, the stop's too, for tens of milliseconds at a time.

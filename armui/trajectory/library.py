@@ -16,12 +16,13 @@ from typing import Final
 
 from armui.arm.refusal import Refusal
 from armui.trajectory import files
-from armui.trajectory.atomic import remove_abandoned, write_whole
+from armui.trajectory.atomic import remove_abandoned
 from armui.trajectory.drafts import Drafts, is_draft
 from armui.trajectory.file_names import file_stem, folded, free_stem
 from armui.trajectory.files import Content, TrajectoryFileError, UnwritableError
 from armui.trajectory.files.errors import broken
 from armui.trajectory.library_bin import Bin, Deleted
+from armui.trajectory.library_calls import Call, call_directly, is_large, load_by, write_content
 from armui.trajectory.library_errors import REFUSALS, LibraryError, on_disk
 from armui.trajectory.library_files import Kept, Shelf, name_inside, suffix_of
 from armui.trajectory.library_index import Check, Entry, entry_of
@@ -55,14 +56,22 @@ class Library:
     Args:
         folder: Where they are kept; it need not exist.
         now: Tells the time that is kept as the last change.
+        call: Calls a function with its arguments where it may take long: in another process. Used
+            for large files; called directly by default.
     """
 
-    def __init__(self, folder: Path, now: Callable[[], datetime] = lambda: datetime.now(UTC)):
+    def __init__(
+        self,
+        folder: Path,
+        now: Callable[[], datetime] = lambda: datetime.now(UTC),
+        call: Call = call_directly,
+    ) -> None:
         self._folder = folder
         self._now = now
-        self._shelf = Shelf(folder)
+        self._call = call
+        self._shelf = Shelf(folder, call)
         self._bin = Bin(folder / _BIN)
-        self._drafts = Drafts(folder)
+        self._drafts = Drafts(folder, call)
 
     def tidy(self) -> None:
         """Remove what killed programs left half written, and what was deleted long ago."""
@@ -108,7 +117,7 @@ class Library:
         kept = self._scan().get(name)
         if kept is None:
             raise TrajectoryFileError(broken("file_gone").reason, file=name)
-        content = files.load(kept.path)
+        content: Content = load_by(self._call, kept.path, kept.stamp.size)
         return content if content.name == name else replace(content, name=name)
 
     def free_name(self, wish: str) -> str:
@@ -143,7 +152,7 @@ class Library:
             LibraryError: It is not possible, its name is taken, the one to replace is damaged, or
                 the disk refuses.
         """
-        _verify(content)
+        self._verify(content)
         self._write(replace(content, modified=self._now()), replacing)
         for name in {content.name, replacing or content.name}:
             self.drop_draft(name)
@@ -160,7 +169,7 @@ class Library:
         found, drafts = self._scan(), self._drafts.names()
         only_draft = self._drafts.load(name) if name not in found else None
         content = replace(only_draft or self.load(name), name=new)
-        _verify(content)
+        self._verify(content)
         if new in found or new in drafts:
             raise LibraryError(Refusal("name_taken", {"name": new}))
         if isinstance(only_draft, Trajectory):
@@ -187,7 +196,7 @@ class Library:
             TrajectoryFileError: It is damaged, or gone.
         """
         content = replace(self.load(name), name=new)
-        _verify(content)
+        self._verify(content)
         known = self._scan()[name].entry
         self._write(content, None)
         self.mark(new, check=known.check, length_s=known.length_s)
@@ -340,6 +349,18 @@ class Library:
         with on_disk("library_unreadable", str(self._folder)):
             return self._shelf.scan()
 
+    def _verify(self, content: Content) -> None:
+        """Make sure that what is kept can be read again.
+
+        Raises:
+            LibraryError: It could not.
+        """
+        call = self._call if is_large(content) else call_directly
+        found = call(_first_fault, content)
+        if found is not None:
+            row, reason = found
+            raise LibraryError(reason, row)
+
     def _write(self, content: Content, replacing: str | None) -> None:
         """Write a file: in place of the one to replace where there is one, else a new one."""
         found = self._scan()
@@ -354,7 +375,7 @@ class Library:
         path = old.path if old is not None and in_place else fitting
         with on_disk("library_not_saved", content.name):
             self._folder.mkdir(parents=True, exist_ok=True)
-            write_whole(path, files.to_bytes(content, path.suffix))
+            (self._call if is_large(content) else call_directly)(write_content, path, content)
             if old is not None and not in_place:
                 old.path.unlink()
         if path != fitting and file_stem(content.name) != file_stem(str(replacing)):
@@ -365,15 +386,7 @@ class Library:
             self._shelf.note(path, entry_of(content))
 
 
-def _verify(content: Content) -> None:
-    """Make sure that what is kept can be read again.
-
-    Raises:
-        LibraryError: It could not.
-    """
-    found = (
-        check_recording(content) if isinstance(content, Recording) else check_trajectory(content)
-    )
-    if found is not None:
-        row, reason = found
-        raise LibraryError(reason, row)
+def _first_fault(content: Content) -> tuple[int, Refusal] | None:
+    if isinstance(content, Recording):
+        return check_recording(content)
+    return check_trajectory(content)

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from armui.arm.state import ArmState
 from armui.control.joint_monitor import JointMonitor
 from armui.control.situation import Situation, StopState
+from armui.helper_process import FileThread
 from armui.ui.background import Background
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
@@ -240,7 +241,13 @@ class MainWindow(QMainWindow):
             from armui.ui.trajectory.library_window import LibraryWindow  # noqa: PLC0415 - as above
             from armui.ui.trajectory.preview_link import PreviewLink  # noqa: PLC0415 - as above
 
-            library = Library(self._trajectories or paths.trajectories())
+            folder = self._trajectories or paths.trajectories()
+            files = self._files
+            library = (
+                Library(folder, call=files.call)
+                if isinstance(files, FileThread)
+                else Library(folder)
+            )
             background = Background(self._workers, self._files, self)
             window = LibraryWindow(self._controller, background, library, self)
             link = PreviewLink(window, self._preview)
