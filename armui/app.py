@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import gc
+import logging
+import os
 import signal
 import sys
 from collections.abc import Iterator
@@ -52,6 +54,7 @@ class Program:
 
     Attributes:
         controller, view, window: What its parts are.
+        ended: Whether, after `shutdown`, no thread of ours runs any more.
     """
 
     def __init__(
@@ -70,6 +73,7 @@ class Program:
         self._translator.set_language(settings.language)
         apply_theme(app, Theme(settings.theme))
         self.controller = controller
+        self.ended = False
         self._workers = workers
         self._files = files
         self.view = ArmView(Path(settings.urdf_path) if settings.urdf_path else None)
@@ -80,11 +84,14 @@ class Program:
         self._unsubscribe = store.subscribe(self._on_settings_changed)
 
     def shutdown(self) -> None:
-        """End every thread; the arm goes on with what it was told last."""
+        """End the motion and every thread.
+
+        A driver may keep a thread of ours for longer than anybody waits: see `ended`.
+        """
         self._unsubscribe()
         self._app.removeEventFilter(self._stop_shortcut)
         self._stop_shortcut.deleteLater()
-        self.controller.shutdown()
+        self.ended = self.controller.shutdown()
         self._workers.shutdown()
         if self._files is not None:
             self._files.shutdown()
@@ -134,7 +141,12 @@ def run(options: StartOptions) -> int:
     device = chosen_device(options)
     if device is not None:
         program.connect_when_drawn(device)
-    return app.exec()
+    code = app.exec()
+    if not program.ended:
+        # a driver hangs: what it holds can be neither waited for nor destroyed
+        logging.shutdown()
+        os._exit(code)
+    return code
 
 
 def _end_on_ctrl_c(app: QApplication) -> None:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Signal
 
@@ -24,6 +25,10 @@ if TYPE_CHECKING:
     from armui.protocol.codec import Codec
 
 
+_CLOSE_MS: Final = 100
+"""The window waits this long for a device to be closed; a busy driver is left to end by itself."""
+
+
 class Connection(QObject):
     """The way to an arm.
 
@@ -42,6 +47,7 @@ class Connection(QObject):
         self._opener = opener
         self._clock = clock
         self._worker: BusWorker | None = None
+        self._ending: list[BusWorker] = []
         self._bus_state = BusState.CLOSED
         self._online = False
         self._last_feedback_s: float | None = None
@@ -89,6 +95,7 @@ class Connection(QObject):
     def open(self, device: Device) -> None:
         """Open a device; nothing may be open."""
         # python-can and cantools are loaded with the first device: the window starts without them
+        from armui.bus.opening import opener_after  # noqa: PLC0415
         from armui.bus.worker import BusWorker  # noqa: PLC0415
         from armui.protocol.codec import Codec  # noqa: PLC0415
 
@@ -97,7 +104,8 @@ class Connection(QObject):
         self._codec = Codec(Generation.TWO)
         self.offsets = OffsetFollower()
         self._bus_state = BusState.OPENING
-        self._worker = BusWorker(device, self._opener, self._codec, self._clock, self)
+        opener = opener_after(tuple(self._ending), self._opener)
+        self._worker = BusWorker(device, opener, self._codec, self._clock)
         self._worker.reported.connect(self._on_report)
         self._worker.answered.connect(self.answered)
         self._worker.start()
@@ -106,8 +114,11 @@ class Connection(QObject):
         """Close the device and forget the arm."""
         if self._worker is not None:
             self._worker.reported.disconnect(self._on_report)
-            self._worker.close()
-            self._worker.deleteLater()
+            self._worker.answered.disconnect(self.answered)
+            self._worker.finished.connect(self._on_ended)
+            self._ending.append(self._worker)
+            self._worker.close(_CLOSE_MS)
+            self._on_ended()
         self._worker = None
         self._bus_state = BusState.CLOSED
         self._online = False
@@ -115,6 +126,22 @@ class Connection(QObject):
         self.device = None
         self.problem = None
         self.handshake = None
+
+    def end(self, within_s: float) -> bool:
+        """Close the device; returns whether every thread has ended within a time."""
+        self.close()
+        deadline_s = time.monotonic() + within_s
+        for worker in tuple(self._ending):
+            worker.wait(max(0, round(1e3 * (deadline_s - time.monotonic()))))
+        self._on_ended()
+        return not self._ending
+
+    def _on_ended(self) -> None:
+        """Let go of the threads that have ended; one that runs must not be destroyed."""
+        for worker in [one for one in self._ending if one.isFinished()]:
+            worker.wait()  # the signal comes a moment before the thread has ended
+            self._ending.remove(worker)
+            worker.deleteLater()
 
     @property
     def newest(self) -> ArmState:

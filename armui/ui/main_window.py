@@ -18,12 +18,14 @@ from PySide6.QtWidgets import (
 
 from armui.arm.state import ArmState
 from armui.control.joint_monitor import JointMonitor
+from armui.control.motion_command import Mover
 from armui.control.situation import Situation, StopState
 from armui.helper_process import FileThread
 from armui.ui.background import Background
+from armui.ui.dialogs.close_question import CloseQuestion
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
-from armui.ui.leaving import end_motion_then
+from armui.ui.leaving import end_motion_then, end_single_motion_then
 from armui.ui.operation_area import OperationArea
 from armui.ui.panel_menu import PanelMaker
 from armui.ui.panels.motion_panel import MotionPanel
@@ -321,8 +323,12 @@ class MainWindow(QMainWindow):
         super().closeEvent(event)
 
     def _close_unless_moving(self) -> None:
-        if not self._controller.situation.moving:
+        situation = self._controller.situation
+        if not situation.moving:
             self._close_now()
+            return
+        if situation.mover is Mover.OURS:
+            self._ask_how_to_close()
             return
         confirm(
             self,
@@ -335,6 +341,22 @@ class MainWindow(QMainWindow):
             action_label=self.tr("Close anyway"),
             on_confirmed=self._close_now,
         )
+
+    def _ask_how_to_close(self) -> None:
+        """This program moves the arm: its motion is ended unless the operator lets it finish."""
+        for older in self.findChildren(CloseQuestion):
+            older.reject()
+        question = CloseQuestion(self._controller, self)
+        question.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        question.accepted.connect(
+            lambda: end_single_motion_then(self, self._controller, self._close_now)
+        )
+        question.let_finish.connect(self._let_finish_and_close)
+        question.open()
+
+    def _let_finish_and_close(self) -> None:
+        self._controller.let_motion_finish()
+        self._close_now()
 
     def _close_now(self) -> None:
         self._may_close = True

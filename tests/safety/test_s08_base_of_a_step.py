@@ -12,7 +12,8 @@ B = (-50.0, 30.0, -30.0, 0.0, 0.0, 0.0)
 def at(bench, target):
     def there():
         return all(
-            abs(a - b) < 0.05 for a, b in zip(bench.firmware.body.positions_deg, target, strict=True)
+            abs(a - b) < 0.05
+            for a, b in zip(bench.firmware.body.positions_deg, target, strict=True)
         )
 
     return there
