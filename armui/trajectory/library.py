@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
@@ -25,7 +25,7 @@ from armui.trajectory.library_bin import Bin, Deleted
 from armui.trajectory.library_calls import Call, call_directly, is_large, load_by, write_content
 from armui.trajectory.library_errors import REFUSALS, LibraryError, on_disk
 from armui.trajectory.library_files import Kept, Shelf, name_inside, suffix_of
-from armui.trajectory.library_index import Check, Entry, entry_of
+from armui.trajectory.library_index import Check, Entry, Listing, Stamp, entry_of
 from armui.trajectory.program import LONGEST_NAME, Trajectory, check_name, check_trajectory
 from armui.trajectory.recording import Recording, check_recording
 
@@ -33,21 +33,6 @@ __all__ = ["REFUSALS", "Check", "Deleted", "Entry", "Library", "LibraryError", "
 
 _BIN: Final = ".deleted"
 _ROOM_FOR_NUMBER: Final = 8
-
-
-@dataclass(frozen=True, slots=True)
-class Listing:
-    """What the library shows at one look.
-
-    Attributes:
-        entries: Everything there is, by name.
-        drafts: The names of those with unsaved changes.
-        exists: Whether its folder does.
-    """
-
-    entries: tuple[Entry, ...]
-    drafts: tuple[str, ...]
-    exists: bool
 
 
 class Library:
@@ -72,6 +57,8 @@ class Library:
         self._shelf = Shelf(folder, call)
         self._bin = Bin(folder / _BIN)
         self._drafts = Drafts(folder, call)
+        self._met: dict[str, Stamp] = {}
+        """The files as they were loaded to be edited, by the name of what they hold."""
 
     def tidy(self) -> None:
         """Remove what killed programs left half written, and what was deleted long ago."""
@@ -107,8 +94,12 @@ class Library:
         """
         return Listing(tuple(self.entries()), tuple(self.drafts()), self._folder.is_dir())
 
-    def load(self, name: str) -> Content:
+    def load(self, name: str, *, to_edit: bool = False) -> Content:
         """A trajectory or recording.
+
+        Args:
+            name: Which.
+            to_edit: Whether `save` shall say if another program has saved it by then.
 
         Raises:
             TrajectoryFileError: It is damaged, or gone.
@@ -117,6 +108,8 @@ class Library:
         kept = self._scan().get(name)
         if kept is None:
             raise TrajectoryFileError(broken("file_gone").reason, file=name)
+        if to_edit:
+            self._met[name] = kept.stamp
         content: Content = load_by(self._call, kept.path, kept.stamp.size)
         return content if content.name == name else replace(content, name=name)
 
@@ -139,7 +132,7 @@ class Library:
 
     # Changes --------------------------------------------------------------------------------------
 
-    def save(self, content: Content, *, replacing: str | None = None) -> None:
+    def save(self, content: Content, *, replacing: str | None = None) -> bool:
         """Keep a trajectory or recording, with the present time as that of its last change.
 
         Its draft is done with.
@@ -148,14 +141,19 @@ class Library:
             content: What to keep.
             replacing: The name of the one it replaces; it may have had another name.
 
+        Returns:
+            Whether another program had saved the one it replaces since it was loaded here: what
+            that program saved is among what was deleted recently.
+
         Raises:
             LibraryError: It is not possible, its name is taken, the one to replace is damaged, or
                 the disk refuses.
         """
         self._verify(content)
-        self._write(replace(content, modified=self._now()), replacing)
+        displaced = self._write(replace(content, modified=self._now()), replacing)
         for name in {content.name, replacing or content.name}:
             self.drop_draft(name)
+        return displaced
 
     def rename(self, name: str, new: str) -> None:
         """Give a trajectory another name; its draft goes along.
@@ -361,8 +359,12 @@ class Library:
             row, reason = found
             raise LibraryError(reason, row)
 
-    def _write(self, content: Content, replacing: str | None) -> None:
-        """Write a file: in place of the one to replace where there is one, else a new one."""
+    def _write(self, content: Content, replacing: str | None) -> bool:
+        """Write a file: in place of the one to replace where there is one, else a new one.
+
+        Returns:
+            Whether the one to replace had been changed by another program.
+        """
         found = self._scan()
         if content.name != replacing and content.name in found:
             raise LibraryError(Refusal("name_taken", {"name": content.name}))
@@ -375,6 +377,10 @@ class Library:
         path = old.path if old is not None and in_place else fitting
         with on_disk("library_not_saved", content.name):
             self._folder.mkdir(parents=True, exist_ok=True)
+            met = None if replacing is None else self._met.get(replacing)
+            displaced = old is not None and met is not None and met != old.stamp
+            if displaced and old is not None:
+                self._bin.keep_copy(old.path)
             (self._call if is_large(content) else call_directly)(write_content, path, content)
             if old is not None and not in_place:
                 old.path.unlink()
@@ -383,7 +389,8 @@ class Library:
             with contextlib.suppress(OSError):
                 path = path.rename(fitting)
         with on_disk("library_unreadable", str(self._folder)):
-            self._shelf.note(path, entry_of(content))
+            self._met[content.name] = self._shelf.note(path, entry_of(content))
+        return displaced
 
 
 def _first_fault(content: Content) -> tuple[int, Refusal] | None:

@@ -55,14 +55,16 @@ class Shelf:
         self._index.save()
         return _by_name(found)
 
-    def note(self, path: Path, entry: Entry) -> None:
-        """Take over what a file holds that was just written.
+    def note(self, path: Path, entry: Entry) -> Stamp:
+        """Take over what a file holds that was just written; returns its stamp.
 
         Raises:
             OSError: It is gone.
         """
-        self._index.put(path.name, Stamp.of(path.stat()), entry)
+        stamp = Stamp.of(path.stat())
+        self._index.put(path.name, stamp, entry)
         self._index.save()
+        return stamp
 
     def mark(self, kept: Kept, entry: Entry) -> None:
         """Take over what was found out about a file, unless it has changed since the scan."""

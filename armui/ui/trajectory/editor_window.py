@@ -281,16 +281,25 @@ class EditorWindow(ArmDialog):
         self._saving = True
         self._work.do(
             lambda: self._library.save(trajectory, replacing=trajectory.name),
-            lambda _: self._on_saved(trajectory, place, then),
+            lambda displaced: self._on_saved(trajectory, place, displaced, then),
             self._on_not_saved,
         )
 
-    def _on_saved(self, trajectory: Trajectory, place: int, then: Callable[[], object]) -> None:
+    def _on_saved(
+        self, trajectory: Trajectory, place: int, displaced: bool, then: Callable[[], object]
+    ) -> None:
         self._saving = False
         if self.document.stack.index() == place:
             self.document.mark_saved(trajectory)
         self._drafts.write()
-        self._say(self.tr("Saved."), Level.DONE)
+        if displaced:
+            text = self.tr(
+                "Saved. Another program had changed “{name}” since it was opened here: what it "
+                "saved is in the library under “Recently deleted…”."
+            )
+            self._say(text.format(name=trajectory.name), Level.WARNING)
+        else:
+            self._say(self.tr("Saved."), Level.DONE)
         self.saved.emit()
         then()
 

@@ -24,10 +24,12 @@ from armui.ui.trajectory.editor_window import EditorWindow
 from armui.ui.trajectory.file_drop import FileDrop
 from armui.ui.trajectory.findings_pane import FindingsPane
 from armui.ui.trajectory.library_bar import LibraryBar
+from armui.ui.trajectory.library_company import LibraryCompany
 from armui.ui.trajectory.library_deeds import LibraryDeeds
 from armui.ui.trajectory.library_exchange import LibraryExchange
 from armui.ui.trajectory.library_hint import LibraryHint
 from armui.ui.trajectory.library_model import ENTRY_ROLE, LibraryFilter, LibraryModel
+from armui.ui.trajectory.library_presence import LibraryPresence
 from armui.ui.trajectory.library_table import LibraryTable
 from armui.ui.trajectory.library_watch import LibraryWatch
 from armui.ui.trajectory.library_work import LibraryWork
@@ -77,6 +79,8 @@ class LibraryWindow(ArmDialog):
         self._library = library
         self._work = LibraryWork(library, background, self)
         self._work.do(library.tidy)
+        self._presence = LibraryPresence(library.folder)
+        self._company = LibraryCompany()
         self._editors: dict[str, EditorWindow] = {}
         self._recorder: RecordingWindow | None = None
         self._model = LibraryModel(self)
@@ -109,6 +113,7 @@ class LibraryWindow(ArmDialog):
         below.addWidget(self._undo_button)
         self._bar.add_button(self._bin_button)
         self.body.addWidget(self._bar)
+        self.body.addWidget(self._company)
         self.body.addWidget(self._table, 1)
         self.body.addWidget(self._findings)
         self.body.addWidget(self._strip)
@@ -163,15 +168,18 @@ class LibraryWindow(ArmDialog):
             choose: The names to be chosen; those chosen before by default.
         """
         self._work.do(
-            self._library.listing,
-            partial(self._show_listing, choose),
+            lambda: (self._library.listing(), self._presence.others()),
+            lambda seen: self._show_listing(choose, *seen),
             lambda text: self._say(text, Level.FAULT),
         )
 
-    def _show_listing(self, choose: Sequence[str] | None, listing: Listing) -> None:
+    def _show_listing(
+        self, choose: Sequence[str] | None, listing: Listing, others: Sequence[str]
+    ) -> None:
         names = self._chosen_names() if choose is None else list(choose)
         changed = self._model.show(listing.entries, listing.drafts)
         self._watch.follow(exists=listing.exists)
+        self._company.show_others(others)
         self._bin_button.refresh()
         if choose:
             self._uncover(names)
@@ -242,7 +250,9 @@ class LibraryWindow(ArmDialog):
         if self._model.is_unsaved(name):
             self._open_draft(name)
             return
-        self._work.do(lambda: self._library.load(name), self._open_content, self._on_refused)
+        self._work.do(
+            lambda: self._library.load(name, to_edit=True), self._open_content, self._on_refused
+        )
 
     def _open_content(self, content: Content) -> None:
         if isinstance(content, Trajectory):
@@ -312,6 +322,7 @@ class LibraryWindow(ArmDialog):
         """The program ends: what is not saved in an editor is offered the next time."""
         for editor in self._editors.values():
             editor.keep_draft()
+        self._work.do(self._presence.leave)
 
     # Running ----------------------------------------------------------------------------------
 
