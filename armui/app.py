@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QCoreApplication, QTimer
 from PySide6.QtWidgets import QApplication
 
+from armui import preload
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.control.arm_controller import ArmController
 from armui.helper_process import FileThread, HelperProcess
@@ -138,6 +139,7 @@ def run(options: StartOptions) -> int:
     program.view.first_frame_shown.connect(gc.freeze)
     _end_on_ctrl_c(app)
     program.window.show()
+    preload.begin()
     device = chosen_device(options)
     if device is not None:
         program.connect_when_drawn(device)

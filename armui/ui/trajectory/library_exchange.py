@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
+from shiboken6 import isValid
 
 from armui.arm.refusal import Refusal
 from armui.control.situation import Level
@@ -94,6 +95,8 @@ class LibraryExchange(QObject):
             )
 
     def _on_imported(self, imported: list[Imported] | Refusal) -> None:
+        if not isValid(self):
+            return  # the program is ending
         if isinstance(imported, Refusal):
             self.imported.emit([])
             self.said.emit(words.refusal(imported), Level.FAULT)
