@@ -459,6 +459,25 @@
     </message>
 </context>
 <context>
+    <name>CloseQuestion</name>
+    <message>
+        <source>The arm is moving</source>
+        <translation>机械臂正在运动</translation>
+    </message>
+    <message>
+        <source>If the motion is ended, the arm comes to rest where it is; its motors stay enabled. If it is let finish, it goes on to its target, and this program cannot stop it any more. Press the emergency stop if it must not move.</source>
+        <translation>结束运动：机械臂在当前位置停下，电机保持使能。任其完成：机械臂继续运动到目标位置，本程序将无法再停止它。如果机械臂不得运动，请按急停。</translation>
+    </message>
+    <message>
+        <source>End the motion and close</source>
+        <translation>结束运动并关闭</translation>
+    </message>
+    <message>
+        <source>Let it finish and close</source>
+        <translation>任其完成并关闭</translation>
+    </message>
+</context>
+<context>
     <name>CollisionPanel</name>
     <message>
         <source>Collision level</source>
@@ -963,6 +982,10 @@
     <message>
         <source>Ended at row {row}. {reason}</source>
         <translation>在第 {row} 行结束。{reason}</translation>
+    </message>
+    <message>
+        <source>Saved. Another program had changed “{name}” since it was opened here: what it saved is in the library under “Recently deleted…”.</source>
+        <translation>已保存。“{name}”在此处打开后被另一个程序修改过：其保存的内容可在轨迹库的“最近删除…”中找到。</translation>
     </message>
     <message>
         <source>Saved.</source>
@@ -1979,12 +2002,12 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>轨迹或录制正在运行或已暂停。继续的话，机械臂将就地结束运动，电机保持使能，其余部分不再执行。</translation>
     </message>
     <message>
-        <source>A motion is paused</source>
-        <translation>运动已暂停</translation>
+        <source>A motion is held back</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm holds a motion that was paused here. If you go on, the arm is told to drop it and stays where it is; its motors stay enabled.</source>
-        <translation>机械臂保留着一个由本程序暂停的运动。继续的话，将放弃该运动，机械臂停在原处，电机保持使能。</translation>
+        <source>The arm holds back a motion. If you go on, the arm is told to drop it and stays where it is; its motors stay enabled.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2043,6 +2066,13 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Make, check, run and record trajectories</source>
         <translation>编辑、检查、运行和录制轨迹</translation>
+    </message>
+</context>
+<context>
+    <name>LibraryCompany</name>
+    <message>
+        <source>Another program has this library open, too ({names}). What it saves appears in this list. Do not edit the same trajectory in both.</source>
+        <translation>另一个程序也打开了此轨迹库（{names}）。它保存的内容会出现在此列表中。请勿在两个程序中编辑同一条轨迹。</translation>
     </message>
 </context>
 <context>
@@ -2708,6 +2738,34 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>已发送 {axis} 步进 {step}</translation>
     </message>
     <message>
+        <source>{percent} % is kept: the arm gets it when the motion held back goes on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program controls the arm ({frames}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A leader arm moves this arm ({frames}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody else controls the arm any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taken over: this program may move the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm was told to end its motion and still moves. Stop it, or cut its power.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion ended: too fast. {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Sent to lamp {lamp} of joint {joint}: {color}</source>
         <translation>已发送关节 {joint} 灯珠 {lamp}：{color}</translation>
     </message>
@@ -3022,6 +3080,21 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>Event: {code}</source>
         <translation>事件：{code}</translation>
+    </message>
+</context>
+<context>
+    <name>OtherMode</name>
+    <message>
+        <source>MIT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>high-follow</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3599,6 +3672,22 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <source>Take command…</source>
         <translation>待机…</translation>
     </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation type="unfinished">急停</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RecoveryDanger</name>
@@ -3775,6 +3864,30 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>The arm takes its commands from elsewhere: {mode}. Take the command.</source>
         <translation>机械臂由其他方式控制：{mode}。请切换到待机模式。</translation>
+    </message>
+    <message>
+        <source>The arm was told to end its motion and still moves. Stop it, or cut its power.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program drives the arm in {other_mode} mode. Nothing is sent: a mode word would let the arm fall.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program controls the arm since {since} ({frames}, {rate} frames/s).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A leader arm moves this arm since {since} ({frames}, {rate} frames/s).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm holds back a paused motion. Hold Continue, or give it up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm holds back a motion at 0 %. Set a speed and hold Continue, or give it up.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Not every motor has reported. If it stays so, check power and cable, and connect again.</source>
@@ -4324,6 +4437,10 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>关节 {joint} 未能跟随，落后 {away}°，请检查受阻原因或降低回放速度。</translation>
     </message>
     <message>
+        <source>The program or the computer stood still for {seconds} s, so the replay was ended. Let the computer do less beside it, keep it from sleeping, and start the replay anew.</source>
+        <translation>程序或计算机停顿了 {seconds} 秒，回放已结束。请减少计算机的其他任务并禁止休眠，然后重新开始回放。</translation>
+    </message>
+    <message>
         <source>The arm has not reported its end pose: an arc has no beginning. Wait for it.</source>
         <translation>机械臂尚未反馈末端位姿，圆弧没有起点，请稍候。</translation>
     </message>
@@ -4574,6 +4691,46 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Column {column}: {field} is not given in “{value}”. Choose one of {choices}.</source>
         <translation>第 {column} 列：{field}不能使用单位“{value}”。请选择 {choices} 之一。</translation>
+    </message>
+    <message>
+        <source>{frames} of the arm has not been heard for {seconds} s: nobody knows where it is. Check its power and the CAN cable; nothing is sent until it is heard again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program controls the arm ({frames}). Wait until it has been quiet for 2 s and the arm rests, or take over when it pauses. The stop works at any time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A leader arm moves this arm ({frames}). Switch the leader off, or make it a motion output. The stop works at any time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program drives the arm in {other_mode} mode: any mode word would leave its joints limp and it would fall. End that program, support the arm and reset it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The other program is still sending ({frames}): it can be taken over half a second after its last frame. Against a stream only the stop wins.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No other program moves the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm holds back a motion at 0 %. Hold Continue or press Give up in the line above the panels first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No motion is held back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Something else has ended this motion. Look at the arm, then start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint {joint} moves at {value} °/s, where {maximum} °/s is shown. Set the speed again before the next motion.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5031,8 +5188,8 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>等待机械臂：{command}</translation>
     </message>
     <message>
-        <source>Paused from here: new targets wait until Continue or Clear.</source>
-        <translation>已由本程序暂停：继续或清除之前，新目标不会执行。</translation>
+        <source>A motion is held back: hold Continue, or give it up by Terminate.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Drag teaching</source>

@@ -248,7 +248,6 @@ def test_stop_under_load(qapp, tmp_path, capsys, benchmark):
             sent_s.clear()
             handled_s.clear()
             pressed_s, took_s, longest_s = measure(begin, bare_stop, bare)
-            controller.replayer.stop()
             to_bus_ms = 1e3 * (np.array(sent_s) - pressed_s[bare_stop])
             to_handler_ms = 1e3 * (np.array(handled_s) - pressed_s[bare])
             lines += [
@@ -256,6 +255,7 @@ def test_stop_under_load(qapp, tmp_path, capsys, benchmark):
                 describe("  stop: press to frame on the bus", to_bus_ms),
                 describe("  bare button: press to handler", to_handler_ms),
             ]
+            controller.replayer.stop()
             _wait(lambda: not controller.situation.running)
         program.shutdown()
     for widget in (bare, bare_stop, program.window):
