@@ -96,6 +96,8 @@ class Program:
         self._workers.shutdown()
         if self._files is not None:
             self._files.shutdown()
+        if isinstance(self._files, FileThread):
+            self.ended = self.ended and self._files.ended
         self.view.shutdown()
 
     def connect_when_drawn(self, device: Device) -> None:

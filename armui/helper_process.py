@@ -16,6 +16,7 @@ from concurrent.futures import (
     InvalidStateError,
     ThreadPoolExecutor,
 )
+from concurrent.futures import wait as wait_for
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 
 _NICER_BY: Final = 5
 """The window and the bus go before it where there are too few cores for all."""
+_END_S: Final = 10.0
 
 
 class HelperProcess(Executor):
@@ -116,6 +118,12 @@ class FileThread(ThreadPoolExecutor):
     def __init__(self) -> None:
         super().__init__(1, "armui-files")
         self._process = HelperProcess()
+        self._last: Future[None] | None = None
+
+    @property
+    def ended(self) -> bool:
+        """Whether, after `shutdown`, everything that was asked for is done."""
+        return self._last is not None and self._last.done()
 
     def call(self, function: Callable[..., Any], *args: Any) -> Any:
         """Call something in the process, and wait for it; only this thread may.
@@ -126,9 +134,13 @@ class FileThread(ThreadPoolExecutor):
         return self._process.submit(function, *args).result()
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
-        """End it when what was asked for is done: what is saved is saved."""
-        super().shutdown(wait, cancel_futures=cancel_futures)
+        """End it when what was asked for is done, or after ten seconds: a disk may hang."""
+        if self._last is None:
+            self._last = self.submit(lambda: None)
+        if wait:
+            wait_for([self._last], _END_S)
         self._process.shutdown()
+        super().shutdown(wait and self.ended, cancel_futures=cancel_futures)
 
 
 def _answer(answer: Future[Any], sent: Future[Packed]) -> None:
