@@ -141,7 +141,7 @@ def run(options: StartOptions) -> int:
     program.view.first_frame_shown.connect(gc.freeze)
     _end_on_ctrl_c(app)
     program.window.show()
-    preload.begin()
+    _preload_when_idle(app)
     device = chosen_device(options)
     if device is not None:
         program.connect_when_drawn(device)
@@ -151,6 +151,14 @@ def run(options: StartOptions) -> int:
         logging.shutdown()
         os._exit(code)
     return code
+
+
+def _preload_when_idle(app: QApplication) -> None:
+    """Load the rest of the program while the operator has not asked for anything yet."""
+    left = preload.steps()
+    timer = QTimer(app, interval=0)
+    timer.timeout.connect(lambda: timer.stop() if next(left, None) is None else None)
+    timer.start()
 
 
 def _end_on_ctrl_c(app: QApplication) -> None:

@@ -12,7 +12,8 @@ import time
 import can
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QEventLoop, QTimer
+from PySide6.QtCore import QEvent, QEventLoop, QPointF, Qt, QTimer
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton
 
@@ -34,7 +35,7 @@ from armui.trajectory.program import Trajectory, Waypoint
 from armui.trajectory.recording import Recording
 from armui.trajectory.replay_profile import replay_profile
 from armui.ui.trajectory.run_options import RunOptions
-from tests.benchmarks.test_stop_latency import CHANNEL, DeafToStops, TimedBus, describe, press_event
+from tests.benchmarks.test_stop_latency import CHANNEL, DeafToStops, TimedBus, describe
 
 RATE_HZ = 200
 LOADS = (
@@ -53,6 +54,11 @@ class Presses(threading.Thread):
     def __init__(self, stop, bare):
         super().__init__(name="mouse")
         self._buttons = (stop, bare)
+        # asked here: the widgets belong to this thread
+        self._places = {
+            button: (center := QPointF(button.rect().center()), button.mapToGlobal(center))
+            for button in self._buttons
+        }
         self.pressed_s = {stop: [], bare: []}
         self.seen = threading.Event()
         self.enough = threading.Event()
@@ -66,9 +72,13 @@ class Presses(threading.Thread):
             pause.wait(0.011)
             self.seen.clear()
             self.pressed_s[button].append(time.time())
-            QApplication.postEvent(button, press_event(button, QEvent.Type.MouseButtonPress))
+            QApplication.postEvent(button, self._event(button, QEvent.Type.MouseButtonPress))
             self.seen.wait(20)
-            QApplication.postEvent(button, press_event(button, QEvent.Type.MouseButtonRelease))
+            QApplication.postEvent(button, self._event(button, QEvent.Type.MouseButtonRelease))
+
+    def _event(self, button, kind):
+        left = Qt.MouseButton.LeftButton
+        return QMouseEvent(kind, *self._places[button], left, left, Qt.KeyboardModifier.NoModifier)
 
 
 class GuiWatch:
