@@ -103,7 +103,6 @@ class Index:
         self._changed = False
         self._entries: dict[str, tuple[Stamp, Entry]] = {}
         self._seen: Stamp | None = None
-        self.follow()
 
     def follow(self) -> None:
         """Take over what another program has found out or marked since this one last looked."""
