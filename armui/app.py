@@ -82,6 +82,7 @@ class Program:
             self.controller, self.view, store, workers, trajectories, files=files
         )
         self._stop_shortcut = StopShortcut(app, self.controller)
+        controller.stop_again_when_undone(settings.stop_again)
         self._unsubscribe = store.subscribe(self._on_settings_changed)
 
     def shutdown(self) -> None:
@@ -122,6 +123,7 @@ class Program:
         apply_theme(self._app, Theme(settings.theme))
         if settings.language != self._settings.language:
             self._translator.set_language(settings.language)
+        self.controller.stop_again_when_undone(settings.stop_again)
         self._settings = settings
 
 
