@@ -55,6 +55,7 @@ if TYPE_CHECKING:
     from armui.bus.worker import Opener
 
 _TICK_MS: Final = 33
+_SENT_WITHIN_S: Final = 0.15
 _END_S: Final = 1.0
 """The end of the program waits this long for the device, and for a search."""
 
@@ -262,8 +263,8 @@ class ArmController(QObject):
         Returns:
             Whether all threads have ended within two seconds: a driver may keep one.
         """
-        if self._authority.under_way and not self._lets_finish:
-            cut_short(self._context)
+        if self._authority.under_way and not self._lets_finish and not cut_short(self._context):
+            self._connection.wait_until_sent(_SENT_WITHIN_S)
         self.disconnect_device()
         closed = self._connection.end(_END_S)
         return self._finder.end(_END_S) and closed

@@ -136,6 +136,12 @@ class Connection(QObject):
         self.problem = None
         self.handshake = None
 
+    def wait_until_sent(self, within_s: float) -> None:
+        """Give a driver that is busy a moment for what waits; only at the end of the program."""
+        deadline_s = time.monotonic() + within_s
+        while not self.idle and time.monotonic() < deadline_s:
+            time.sleep(0.005)
+
     def end(self, within_s: float) -> bool:
         """Close the device; returns whether every thread has ended within a time."""
         self.close()
