@@ -370,8 +370,6 @@ class LibraryWindow(ArmDialog):
             )
             self._say(text, Level.FAULT)
 
-    # What the buttons do ----------------------------------------------------------------------
-
     def _create(self) -> None:
         self._deeds.create(self._open_editor)
 

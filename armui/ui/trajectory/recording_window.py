@@ -262,8 +262,6 @@ class RecordingWindow(ArmDialog):
         for button in (self._preview, self._as_samples, self._as_points):
             button.setEnabled(result is not None or self._job is not None)
 
-    # Looking ----------------------------------------------------------------------------------
-
     def preview(self) -> None:
         """Show in 3D where the tool goes in what would be saved; nothing is sent."""
         self._work_out(self._plan_preview)
