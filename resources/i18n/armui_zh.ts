@@ -4808,16 +4808,16 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂是否在当前标识符上接收指令尚未证实，因此不让它运动；急停和停住仍能到达。证实方法：让机械臂处于待机，在联动控制中重新设置偏移，得到应答后即生效。</translation>
     </message>
     <message>
-        <source>{device} is bus off: too many errors on the CAN bus, so its controller takes no part any more. Check CAN_H and CAN_L, both terminating resistors (120 Ω) and the bit rate, then disconnect and connect again; on socketcan first: sudo ip link set {channel} type can restart</source>
-        <translation>{device} 处于总线关闭（bus off）：CAN 总线错误过多，其控制器已退出总线。请检查 CAN_H、CAN_L、两端 120 Ω 终端电阻和波特率，然后断开并重新连接；socketcan 请先执行：sudo ip link set {channel} type can restart</translation>
-    </message>
-    <message>
         <source>For half a second {device} could send nothing, because nobody on the bus acknowledges. Check the arm&apos;s power, the CAN cable, the terminating resistors and the bit rate (1 Mbit/s).</source>
         <translation>{device} 已有半秒发不出任何帧，因为总线上无人应答。请检查机械臂电源、CAN 线、终端电阻和波特率（1 Mbit/s）。</translation>
     </message>
     <message>
         <source>For half a second {device} has taken no frame to send, though frames are heard. Unplug the adapter and plug it in again; if that does not help, check its driver.</source>
         <translation>{device} 已有半秒不接收要发送的帧，但仍能收到帧。请拔下适配器再插上；若无效，请检查其驱动。</translation>
+    </message>
+    <message>
+        <source>{device} is bus off: too many errors on the CAN bus, so its controller takes no part any more. Check CAN_H and CAN_L, both terminating resistors (120 Ω) and the bit rate, then disconnect and connect again; on socketcan run «sudo ip link set {channel} type can restart» before.</source>
+        <translation>{device} 处于总线关闭（bus off）：CAN 总线错误过多，其控制器已退出总线。请检查 CAN_H、CAN_L、两端 120 Ω 终端电阻和波特率，然后断开并重新连接；socketcan 请先执行 sudo ip link set {channel} type can restart。</translation>
     </message>
 </context>
 <context>

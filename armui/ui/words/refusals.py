@@ -234,8 +234,8 @@ _REFUSALS: Final[Mapping[str, object]] = {
         "Refusal",
         "{device} is bus off: too many errors on the CAN bus, so its controller takes no part any "
         "more. Check CAN_H and CAN_L, both terminating resistors (120 Ω) and the bit rate, then "
-        "disconnect and connect again; on socketcan first: sudo ip link set {channel} type can "
-        "restart",
+        "disconnect and connect again; on socketcan run «sudo ip link set {channel} type can "
+        "restart» before.",
     ),
     "bus_unacknowledged": QT_TRANSLATE_NOOP(
         "Refusal",
