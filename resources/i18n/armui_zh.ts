@@ -699,11 +699,11 @@
     </message>
     <message>
         <source>Listen only</source>
-        <translation type="unfinished"></translation>
+        <translation>只听</translation>
     </message>
     <message>
         <source>Beside another program: nothing is sent but the emergency stop.</source>
-        <translation type="unfinished"></translation>
+        <translation>与其他程序同时使用：除急停外不发送任何帧。</translation>
     </message>
     <message>
         <source>{bitrate} (generation 1)</source>
@@ -3842,7 +3842,7 @@ Lead it near its rest pose, then stop recording.</source>
     </message>
     <message>
         <source>Another way</source>
-        <translation type="unfinished"></translation>
+        <translation>另一种选择</translation>
     </message>
 </context>
 <context>
@@ -3877,7 +3877,7 @@ Lead it near its rest pose, then stop recording.</source>
     </message>
     <message>
         <source>Only listening: nothing is sent but the emergency stop.</source>
-        <translation type="unfinished"></translation>
+        <translation>只听：除急停外不发送任何帧。</translation>
     </message>
     <message>
         <source>Waiting for the arm: {what}.</source>
@@ -4824,7 +4824,7 @@ Lead it near its rest pose, then stop recording.</source>
     </message>
     <message>
         <source>This connection only listens: nothing is sent but the emergency stop. Connect without Listen only to command the arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>当前连接为“只听”：除急停外不发送任何帧。要控制机械臂，请取消“只听”后重新连接。</translation>
     </message>
     <message>
         <source>No other program moves the arm.</source>
