@@ -55,11 +55,14 @@ class OtherHost:
 
     Args:
         bench: Where it is plugged in; it is unplugged with :meth:`close`.
+
+    Attributes:
+        streams: What it says over and over.
     """
 
     def __init__(self, bench: Bench) -> None:
         self._bench = bench
-        self._streams: list[Stream] = []
+        self.streams: list[Stream] = []
         self._bus = can.Bus(interface="virtual", channel=bench.channel)
         bench.company.append(self)
 
@@ -105,7 +108,7 @@ class OtherHost:
             rate_hz: Rounds a second.
         """
         stream = Stream(self.say, lines, rate_hz)
-        self._streams.append(stream)
+        self.streams.append(stream)
         return stream
 
     def stream_targets(
@@ -119,8 +122,8 @@ class OtherHost:
 
     def step(self, dt_s: float) -> None:
         """Let time pass."""
-        self._streams = [each for each in self._streams if each.running]
-        for each in self._streams:
+        self.streams = [each for each in self.streams if each.running]
+        for each in self.streams:
             each.step(dt_s)
 
     def close(self) -> None:
