@@ -63,18 +63,20 @@ class OtherHost:
     def __init__(self, bench: Bench) -> None:
         self._bench = bench
         self.streams: list[Stream] = []
-        self._bus = can.Bus(interface="virtual", channel=bench.channel)
+        self._channel = bench.channel
         bench.company.append(self)
 
     def say(self, *lines: str) -> None:
         """Put frames on the bus, ID#DATA each."""
-        for line in lines:
-            said = frame(line)
-            self._bus.send(
-                can.Message(
-                    arbitration_id=said.arbitration_id, data=said.data, is_extended_id=False
+        # it is on the bus only while it speaks: what nobody takes would be copied and kept
+        with can.Bus(interface="virtual", channel=self._channel) as bus:
+            for line in lines:
+                said = frame(line)
+                bus.send(
+                    can.Message(
+                        arbitration_id=said.arbitration_id, data=said.data, is_extended_id=False
+                    )
                 )
-            )
 
     def move_to(self, joints_deg: Iterable[float], speed_percent: int = 100) -> None:
         """Six joint angles in degrees, by MOVE J."""
@@ -130,7 +132,6 @@ class OtherHost:
         """Leave the bus."""
         if self in self._bench.company:
             self._bench.company.remove(self)
-        self._bus.shutdown()
 
 
 class OtherArm:

@@ -227,7 +227,7 @@ class Actors:
             self._world.still_timers()
 
     def get_ready(self) -> None:
-        """All it takes to have an arm that may move, for so long as that takes a patient operator."""
+        """What a patient operator does to have an arm that may move."""
         self.mend()
         self.plug_in()
         self.other_ends_streams()
