@@ -12,6 +12,7 @@ import numpy as np
 from armui.arm.frames import JogFrame
 from armui.arm.parameters import Parameter
 from armui.control.jog_ways import JointJog, ToolJog
+from armui.control.recovery_steps import Action
 from armui.control.replay import Replay
 from armui.control.run import Run
 from armui.control.situation import LinkState, StopState
@@ -203,11 +204,19 @@ class Actors:
 
     def next_step(self) -> None:
         step = self._controller.recovery.step
-        if step.action is None or step.action.name == "CONNECT":
+        if step.action in (None, Action.CONNECT):
             return
-        action = step.action.name
-        if self._controller.recovery.act(step) is None:
-            self._oracle.recovered(action)
+        if self._controller.recovery.act(step) is not None:
+            return
+        if step.action is Action.TAKE_OVER:
+            self._oracle.take_over()
+        elif step.action is Action.GO_ON:
+            self._oracle.ask(Asked(Kind.CONTINUE, self._world.time_s))
+        elif step.action is Action.STOP:
+            self._oracle.stop_pressed()
+            self._oracle.cancel("stop")
+        else:
+            self._oracle.recovered(step.action.value)
 
     def record(self) -> None:
         recorder = self._controller.recorder
@@ -241,33 +250,21 @@ class Actors:
                 self.resume()
             elif situation.cannot_enable is None and False in situation.enabled:
                 self.enable(7)
-            elif situation.plan_paused:
+            elif situation.holds:
                 self.plan(TrajectoryCommand.ABORT)
             else:
                 self.next_step()
             self._world.pass_time(0.1)
 
     def take_over(self) -> None:
-        for name in ("take_over", "authority"):
-            part = getattr(self._controller, name, None)
-            act = part if callable(part) else getattr(part, "take_over", None)
-            if callable(act) and act() is None:
-                self._oracle.take_over()
-                return
+        if self._controller.take_over() is None:
+            self._oracle.take_over()
 
     def halt_and_hold(self) -> None:
-        act = getattr(self._controller, "halt_and_hold", None) or getattr(
-            self._controller, "hold", None
-        )
-        if callable(act):
-            act()
+        halt = getattr(self._controller, "halt_and_hold", None)
+        if halt is not None:
+            halt()
             self._oracle.cancel("halt and hold")
-
-    def drop_held_back(self) -> None:
-        act = getattr(self._controller.planned_motion, "drop", None)
-        if callable(act):
-            act()
-            self._oracle.cancel("drop")
 
     # A second host -----------------------------------------------------------------------------
 

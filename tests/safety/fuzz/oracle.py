@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
 from armui.control.situation import LinkState, StopState
@@ -103,7 +103,7 @@ class Oracle:
         self._stop_holds = False
         self._read = 0
         self._suspended_s = -1e9
-        self._silent_s: dict[str, float] = {}
+        world.traffic.asked = lambda: replace(self._asked)
 
     # What the operator does ----------------------------------------------------------------------
 
@@ -206,7 +206,7 @@ class Oracle:
         if why is None:
             return []
         identifier = base_id(started.said.frame.arbitration_id)
-        asked = self._asked
+        asked: Asked = started.said.after
         figures = (
             f"0x{identifier:03X} sent the arm from {_angles(started.here_deg)} "
             f"towards {_angles(started.goal_deg)}; last asked: {asked.kind.value}"
@@ -215,7 +215,7 @@ class Oracle:
         return [Violation("S7–S11", f"{asked.kind.value}: {why}", f"{why}: {figures}")]
 
     def _why_unasked(self, started: Started) -> str | None:
-        asked, at_s = self._asked, started.said.at_s
+        asked, at_s = started.said.after, started.said.at_s
         if asked.kind is Kind.NOTHING:
             return "moves although nothing was asked for"
         if asked.cancelled == "release" and at_s - asked.at_s < _LOOK_S:

@@ -146,7 +146,6 @@ ACTIONS: Final[tuple[tuple[int, str, Draw], ...]] = (
     (12, "get_ready", _nothing),
     (3, "take_over", _nothing),
     (2, "halt_and_hold", _nothing),
-    (2, "drop_held_back", _nothing),
     # a second host
     (6, "other_target", _target_at_speed),
     (2, "other_pose", lambda chance: (joints(chance), chance.choice((0, 2)))),

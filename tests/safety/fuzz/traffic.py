@@ -7,7 +7,7 @@ import weakref
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Final
+from typing import Any, Final
 
 from armui.protocol.frame import Frame
 from armui.sim.firmware import Firmware
@@ -27,11 +27,16 @@ class Sender(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class Said:
-    """A frame on the bus."""
+    """A frame on the bus.
+
+    Attributes:
+        after: What the operator had asked for when it was said, and what had ended that.
+    """
 
     at_s: float
     sender: Sender
     frame: Frame
+    after: Any = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,10 +82,16 @@ class Traffic:
     Args:
         firmware: The arm; its `on_frame` is watched.
         clock: The bench's time.
+
+    Attributes:
+        asked: What the operator has asked for last, asked at each frame.
+        said: Every frame of a host.
+        started: What the arm has begun since somebody looked.
     """
 
     def __init__(self, firmware: Firmware, clock: Callable[[], float]) -> None:
         self._clock = clock
+        self.asked: Callable[[], Any] = lambda: None
         self._pending: deque[Said] = deque()
         self.said: list[Said] = []
         self.started: list[Started] = []
@@ -91,7 +102,7 @@ class Traffic:
 
     def note(self, sender: Sender, frame: Frame) -> None:
         """A frame is on the bus."""
-        said = Said(self._clock(), sender, frame)
+        said = Said(self._clock(), sender, frame, self.asked())
         self._pending.append(said)
         self.said.append(said)
 
