@@ -174,12 +174,7 @@ class Oracle:
         world, now_s = self._world, said.at_s
         identifier = base_id(said.frame.arbitration_id)
         if said.sender is Sender.OTHER:
-            if is_motion(said.frame) and world.hears:
-                self._other_s, self._taken_over = now_s, False
-            if is_motion(said.frame) or identifier in (0x150, 0x470, 0x471, 0x475):
-                self._ours_deg = None
-            if said.frame.data[:1] == b"\x02" and identifier == 0x150:
-                self.stop_lifted()  # another host's resume
+            self._on_other(said)
             return []
         if not is_motion(said.frame):
             return []
@@ -195,6 +190,18 @@ class Oracle:
                 f"the operator asked for {self._asked.kind.value}",
             )
         ]
+
+    def _on_other(self, said: Said) -> None:
+        """The other host has said something; what another arm listens to is no concern of ours."""
+        frame, world = said.frame, self._world
+        identifier = base_id(frame.arbitration_id)
+        to_arm = frame.arbitration_id - identifier == world.firmware.addressing.control_offset
+        if to_arm and is_motion(frame) and world.hears:
+            self._other_s, self._taken_over = said.at_s, False
+        if identifier in (0x470, 0x471, 0x475) or (to_arm and 0x150 <= identifier <= 0x15F):
+            self._ours_deg = None
+        if to_arm and identifier == 0x150 and frame.data[:1] == b"\x02":
+            self.stop_lifted()  # another host's resume
 
     def _on_started(self, started: Started) -> list[Violation]:
         """A frame has set the arm in motion or sent it elsewhere."""
@@ -216,6 +223,8 @@ class Oracle:
 
     def _why_unasked(self, started: Started) -> str | None:
         asked, at_s = started.said.after, started.said.at_s
+        if asked is None:  # from before anybody looked
+            return None
         if asked.kind is Kind.NOTHING:
             return "moves although nothing was asked for"
         if asked.cancelled == "release" and at_s - asked.at_s < _LOOK_S:
