@@ -256,6 +256,9 @@ class Actors:
                 self.next_step()
             self._world.pass_time(0.1)
 
+    def wait(self, seconds: float) -> None:
+        self._world.pass_time(seconds)
+
     def take_over(self) -> None:
         if self._controller.take_over() is None:
             self._oracle.take_over()

@@ -28,6 +28,7 @@ _NEAR_DEG: Final = 0.75
 """What may lie between a target and the place it starts from: 0.5° and the sag of a joint."""
 _JOG_AHEAD_DEG: Final = 20.0
 _TOOL_MM: Final = 15.0
+_POSE_MM: Final = 1.0
 
 
 class Kind(enum.Enum):
@@ -171,7 +172,7 @@ class Oracle:
             self.violation = found[0]
 
     def _on_said(self, said: Said) -> list[Violation]:
-        world, now_s = self._world, said.at_s
+        now_s = said.at_s
         identifier = base_id(said.frame.arbitration_id)
         if said.sender is Sender.OTHER:
             self._on_other(said)
@@ -209,6 +210,8 @@ class Oracle:
             self._ours_deg = None
             return []
         self._ours_deg = started.goal_deg
+        if started.said.after is None:  # from before anybody watched
+            return []
         why = self._why_unasked(started)
         if why is None:
             return []
@@ -222,9 +225,8 @@ class Oracle:
         return [Violation("S7–S11", f"{asked.kind.value}: {why}", f"{why}: {figures}")]
 
     def _why_unasked(self, started: Started) -> str | None:
-        asked, at_s = started.said.after, started.said.at_s
-        if asked is None:  # from before anybody looked
-            return None
+        asked: Asked = started.said.after
+        at_s = started.said.at_s
         if asked.kind is Kind.NOTHING:
             return "moves although nothing was asked for"
         if asked.cancelled == "release" and at_s - asked.at_s < _LOOK_S:
@@ -233,6 +235,9 @@ class Oracle:
             return f"moves after {asked.cancelled}"
         if asked.kind not in _LASTING and at_s - asked.at_s > _PRESS_S:
             return "moves long after it was asked for"
+        return self._why_elsewhere(asked, started)
+
+    def _why_elsewhere(self, asked: Asked, started: Started) -> str | None:
         if asked.kind is Kind.JOG:
             away = _apart(started.goal_deg, started.here_deg)
             return "a jog's target lies far off" if away > _JOG_AHEAD_DEG else None
@@ -246,7 +251,7 @@ class Oracle:
         if asked.kind is Kind.POSE and asked.pose is not None:
             reached = self._world.firmware.kinematics.forward(started.goal_deg)
             off = max(abs(a - b) for a, b in zip(reached[:3], asked.pose[:3], strict=True))
-            return None if off < 1.0 else "goes elsewhere than asked"
+            return None if off < _POSE_MM else "goes elsewhere than asked"
         return None
 
     @staticmethod

@@ -16,7 +16,7 @@ from armui.sim.faults import FAULTS, Parameter
 JOINT_RANGES_DEG: Final = ((-60, 60), (20, 90), (-90, -20), (-40, 40), (-40, 40), (-60, 60))
 """A part of each joint's range in which most poses can be reached."""
 
-_WAITS_S: Final = (0.0, 0.02, 0.04, 0.04, 0.1, 0.1, 0.2, 0.4, 0.6, 1.2)
+_WAITS_S: Final = (0.02, 0.02, 0.04, 0.04, 0.06, 0.1, 0.1, 0.2, 0.3, 0.6)
 _SILENCES: Final = (
     (0x2A1,),
     (0x2A5, 0x2A6, 0x2A7),
@@ -141,6 +141,7 @@ ACTIONS: Final[tuple[tuple[int, str, Draw], ...]] = (
     (1, "end_reports", _one(True, False)),
     (6, "next_step", _nothing),
     (3, "record", _nothing),
+    (5, "wait", _one(0.5, 1.0, 2.5)),
     (2, "disconnect", _nothing),
     (5, "connect", _nothing),
     (12, "get_ready", _nothing),
