@@ -97,6 +97,9 @@ class Oracle:
         self._world = world
         self.violation: Violation | None = None
         self._asked = Asked(Kind.NOTHING, 0.0)
+        self._mixed = False
+        self._connected_s = world.time_s
+        self._link = world.controller.situation.link
         self._ours_deg: SixValues | None = None
         self._other_s = -1e9
         self._taken_over = False
@@ -157,6 +160,7 @@ class Oracle:
         """Keep the first thing that is not as it must be; called after each step."""
         world = self._world
         found: list[Violation] = []
+        self._follow()
         new = world.traffic.said[self._read :]
         self._read = len(world.traffic.said)
         started = {id(each.said): each for each in world.traffic.started}
@@ -171,6 +175,17 @@ class Oracle:
         if self.violation is None and found:
             self.violation = found[0]
 
+    def _follow(self) -> None:
+        """Note what later judgements depend on."""
+        world, line = self._world, self._world.node.line
+        # of a target of which a frame got lost, or nobody's frame became part, no goal is known
+        self._mixed = self._mixed or bool(line.loss or line.garbage_per_s or line.off)
+        link = world.controller.situation.link
+        if link is not self._link:
+            self._link = link
+            if link is LinkState.OFFLINE:
+                self._connected_s = world.time_s
+
     def _on_said(self, said: Said) -> list[Violation]:
         now_s = said.at_s
         identifier = base_id(said.frame.arbitration_id)
@@ -180,13 +195,14 @@ class Oracle:
         if not is_motion(said.frame):
             return []
         since_s = now_s - self._other_s
+        anew = " and a new connection" if self._connected_s > self._other_s else ""
         if self._taken_over or not _LOOK_S < since_s < _TO_ITSELF_S:
             return []
         name = f"0x{identifier:03X}"
         return [
             Violation(
                 "S13",
-                f"{_FAMILY.get(identifier, name)} of ours after another host's frames",
+                f"{_FAMILY.get(identifier, name)} of ours after another host's frames{anew}",
                 f"{name} of ours {since_s:.2f} s after a motion frame of another host; "
                 f"the operator asked for {self._asked.kind.value}",
             )
@@ -235,7 +251,7 @@ class Oracle:
             return f"moves after {asked.cancelled}"
         if asked.kind not in _LASTING and at_s - asked.at_s > _PRESS_S:
             return "moves long after it was asked for"
-        return self._why_elsewhere(asked, started)
+        return None if self._mixed else self._why_elsewhere(asked, started)
 
     def _why_elsewhere(self, asked: Asked, started: Started) -> str | None:
         if asked.kind is Kind.JOG:
