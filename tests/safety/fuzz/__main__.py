@@ -28,7 +28,7 @@ def main() -> int:
         actions = script(seed, options.actions)
         if options.keep:
             actions = [actions[int(index)] for index in options.keep.split(",")]
-        failure = run(actions, generation)
+        failure = run(actions, generation, options.ignore)
         done += len(actions) if failure is None else failure.index + 1
         if failure is not None:
             key = f"{failure.violation.promise}: {failure.violation.key}"
@@ -36,7 +36,7 @@ def main() -> int:
             if seen[key] == 1:
                 kept = list(range(failure.index + 1))
                 if not options.keep and not options.whole:
-                    kept, failure = shrink(actions, failure, generation)
+                    kept, failure = shrink(actions, failure, generation, ignored=options.ignore)
                 told = ",".join(map(str, kept))
                 sys.stdout.write(
                     f"\n{key}\n  {failure.violation.text}\n  generation {int(generation)}; again: "
@@ -62,6 +62,9 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--actions", type=int, default=100, help="of each seed (100)")
     parser.add_argument("--generation", type=int, choices=(1, 2), help="else by turns")
     parser.add_argument("--keep", help="only the actions of these numbers, as a failure tells them")
+    parser.add_argument(
+        "--ignore", action="append", default=[], help="pass over violations with this in their key"
+    )
     parser.add_argument("--whole", action="store_true", help="do not narrow failures down")
     return parser.parse_args()
 

@@ -8,7 +8,7 @@ what another host's frame has begun.
 from __future__ import annotations
 
 import enum
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
@@ -93,13 +93,14 @@ class Oracle:
         violation: The first thing that was not as it must be.
     """
 
-    def __init__(self, world: World) -> None:
+    def __init__(self, world: World, ignored: Collection[str] = ()) -> None:
+        """Watches, and passes over violations with one of these texts in their keys."""
         self._world = world
+        self._ignored = ignored
         self.violation: Violation | None = None
         self._asked = Asked(Kind.NOTHING, 0.0)
         self._mixed = False
-        self._connected_s = world.time_s
-        self._link = world.controller.situation.link
+        self._unconnected_s = -1e9
         self._ours_deg: SixValues | None = None
         self._other_s = -1e9
         self._taken_over = False
@@ -172,6 +173,7 @@ class Oracle:
         found += self._stop()
         found += self._stale()
         found += self._exceptions()
+        found = [each for each in found if not any(word in each.key for word in self._ignored)]
         if self.violation is None and found:
             self.violation = found[0]
 
@@ -180,11 +182,8 @@ class Oracle:
         world, line = self._world, self._world.node.line
         # of a target of which a frame got lost, or nobody's frame became part, no goal is known
         self._mixed = self._mixed or bool(line.loss or line.garbage_per_s or line.off)
-        link = world.controller.situation.link
-        if link is not self._link:
-            self._link = link
-            if link is LinkState.OFFLINE:
-                self._connected_s = world.time_s
+        if world.controller.situation.link not in (LinkState.ONLINE, LinkState.OFFLINE):
+            self._unconnected_s = world.time_s
 
     def _on_said(self, said: Said) -> list[Violation]:
         now_s = said.at_s
@@ -195,7 +194,7 @@ class Oracle:
         if not is_motion(said.frame):
             return []
         since_s = now_s - self._other_s
-        anew = " and a new connection" if self._connected_s > self._other_s else ""
+        anew = " and a new connection" if self._unconnected_s > self._other_s else ""
         if self._taken_over or not _LOOK_S < since_s < _TO_ITSELF_S:
             return []
         name = f"0x{identifier:03X}"

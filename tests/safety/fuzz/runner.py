@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -30,13 +30,21 @@ class Failure:
     index: int
 
 
-def run(actions: Sequence[Action], generation: Generation) -> Failure | None:
-    """Do all of it before a new arm that is ready to move; the first violation ends it."""
+def run(
+    actions: Sequence[Action], generation: Generation, ignored: Collection[str] = ()
+) -> Failure | None:
+    """Do all of it before a new arm that is ready to move; the first violation ends it.
+
+    Args:
+        actions: What happens.
+        generation: Of the arm.
+        ignored: Violations with one of these texts in their keys are passed over.
+    """
     world = World(f"fuzz {next(_CHANNELS)}", generation)
     try:
         world.ready()
         world.notices.clear()
-        oracle = Oracle(world)
+        oracle = Oracle(world, ignored)
         world.watch = oracle.look
         actors = Actors(world, oracle)
         for index, action in enumerate(actions):
@@ -65,7 +73,12 @@ def _do(world: World, oracle: Oracle, actors: Actors, action: Action) -> Violati
 
 
 def shrink(
-    actions: Sequence[Action], failure: Failure, generation: Generation, *, runs: int = 120
+    actions: Sequence[Action],
+    failure: Failure,
+    generation: Generation,
+    *,
+    ignored: Collection[str] = (),
+    runs: int = 120,
 ) -> tuple[list[int], Failure]:
     """The indices of the actions that are enough for the same violation.
 
@@ -73,6 +86,7 @@ def shrink(
         actions: All of them.
         failure: What they lead to.
         generation: Of the arm.
+        ignored: As in `run`.
         runs: At most so many runs are spent on it.
     """
     kept = list(range(failure.index + 1))
@@ -84,7 +98,7 @@ def shrink(
             if not tried or runs <= 0:
                 continue
             runs -= 1
-            again = run([actions[index] for index in tried], generation)
+            again = run([actions[index] for index in tried], generation, ignored)
             if again is not None and again.violation.key == failure.violation.key:
                 kept = tried[: again.index + 1]
                 failure = Failure(again.violation, len(kept) - 1)
