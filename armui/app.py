@@ -70,6 +70,7 @@ class Program:
         self.view = ArmView(Path(settings.urdf_path) if settings.urdf_path else None)
         self.window = MainWindow(self.controller, self.view, store, workers, trajectories)
         self._stop_shortcut = StopShortcut(app, self.controller)
+        controller.stop_again_when_undone(settings.stop_again)
         self._unsubscribe = store.subscribe(self._on_settings_changed)
 
     def shutdown(self) -> None:
@@ -103,6 +104,7 @@ class Program:
         apply_theme(self._app, Theme(settings.theme))
         if settings.language != self._settings.language:
             self._translator.set_language(settings.language)
+        self.controller.stop_again_when_undone(settings.stop_again)
         self._settings = settings
 
 

@@ -135,7 +135,7 @@ def test_stop_latency(qapp, tmp_path, capsys, benchmark):
         for button in (stop_button, bare):
             button.pressed.connect(mouse.seen.set)
         # no repeats: each stop frame is a press's own
-        stop_button.pressed.connect(controller._stop.forget)
+        stop_button.pressed.connect(controller._stop.keeper.forget)
         frames = []
         program.view._renderer.frame_ready.connect(lambda _image: frames.append(time.monotonic()))
         mouse.start()

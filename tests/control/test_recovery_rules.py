@@ -126,6 +126,9 @@ def without_link() -> Iterator[tuple[ArmState, Situation]]:
         for stop in (StopState.RUNNING, StopState.REQUESTED):
             unheard = unconfirmed and stop is StopState.REQUESTED
             yield state, situation(state, link=link, stop=stop, stop_unconfirmed=unheard)
+            if unheard:
+                lapsed = {"stop_unconfirmed": True, "stop_lapsed": True}
+                yield state, situation(state, link=link, stop=stop, **lapsed)
 
 
 def online() -> Iterator[tuple[ArmState, Situation]]:
@@ -171,6 +174,8 @@ def is_valid(action: Action, state: ArmState, now: Situation) -> bool:
         return now.link in {LinkState.OFFLINE, LinkState.ONLINE}
     if action in {Action.CLEAR_ERRORS, Action.STANDBY, Action.RESET}:
         return now.link is LinkState.ONLINE and now.busy is None
+    if action is Action.WITHDRAW_STOP:
+        return now.stop is StopState.REQUESTED
     return action is Action.CONNECT
 
 
