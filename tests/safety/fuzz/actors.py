@@ -264,9 +264,7 @@ class Actors:
             self._oracle.take_over()
 
     def halt_and_hold(self) -> None:
-        halt = getattr(self._controller, "halt_and_hold", None)
-        if halt is not None:
-            halt()
+        if self._controller.halt_and_hold() is None:
             self._oracle.cancel("halt and hold")
 
     # A second host -----------------------------------------------------------------------------

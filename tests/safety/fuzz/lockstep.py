@@ -11,6 +11,7 @@ from typing import Final
 
 import can
 
+from armui.bus.health import BusHealth
 from armui.bus.link import BusState
 from armui.bus.worker import BusWorker
 
@@ -52,6 +53,7 @@ class LockstepWorker(BusWorker):
             self._take_codec()
             self._outbox.send_waiting()
             self._receive_burst(self._bus)
+            self._look_after_bus()
         except Exception as error:  # noqa: BLE001 - as the worker itself does
             self._lose(error)
             return True
@@ -66,6 +68,7 @@ class LockstepWorker(BusWorker):
             return False
         self._was_open = True
         self._outbox.attach(self._bus)
+        self._health, self._problem = BusHealth(self._device), None
         self._report(BusState.OPEN)
         return True
 
