@@ -76,15 +76,17 @@ def test_a_step_from_an_outdated_target_is_seen(qapp, monkeypatch):
 
 
 def test_a_motion_nobody_asked_for_is_seen(qapp, monkeypatch):
-    tick = ArmController.tick
-    assert promise([Action("speed", (30,), 0.4)]) is None
+    assert promise([Action("speed", (30,), 0.6)]) is None
+    began_s = []
 
-    def restless(controller):
-        tick(controller)
-        controller.motion.send_joints(A)
+    def restless(motion):
+        now_s = motion._context.clock()
+        began_s.append(now_s)
+        if now_s > began_s[0] + 0.4:
+            motion.send_joints(A)
 
-    monkeypatch.setattr(ArmController, "tick", restless)
-    assert promise([Action("speed", (30,), 0.4)]) == "S7–S11"
+    monkeypatch.setattr(Motion, "advance", restless)
+    assert promise([Action("speed", (30,), 0.6)]) == "S7–S11"
 
 
 def test_a_target_that_comes_back_after_its_cancel_is_seen(qapp, monkeypatch):
