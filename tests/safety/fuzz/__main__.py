@@ -16,6 +16,9 @@ from tests.safety.fuzz.runner import run, shrink
 from tests.safety.fuzz.script import script
 
 
+_TOLD_EVERY = 10
+
+
 def main() -> int:
     """Run seeds until the actions are used up; each violation is told once, narrowed down."""
     options = _options()
@@ -47,6 +50,9 @@ def main() -> int:
                     sys.stdout.write(f"    {index:4} {actions[index]}\n")
                 sys.stdout.flush()
         seed += 1
+        if (seed - options.seed) % _TOLD_EVERY == 0:
+            sys.stderr.write(f"{seed - options.seed} seeds, {done} actions\n")
+            sys.stderr.flush()
     wall_s = time.monotonic() - began_s
     sys.stdout.write(f"\n{done} actions, {last - options.seed} seeds, {wall_s:.0f} s\n")
     for key, count in sorted(seen.items(), key=lambda each: -each[1]):

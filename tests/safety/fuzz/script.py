@@ -112,9 +112,9 @@ def _one(*choices: Any) -> Draw:
 
 ACTIONS: Final[tuple[tuple[int, str, Draw], ...]] = (
     # the operator
-    (10, "step", _joint_step),
-    (5, "tool_step", _tool_step),
-    (8, "send_joints", _target),
+    (14, "step", _joint_step),
+    (8, "tool_step", _tool_step),
+    (12, "send_joints", _target),
     (3, "go_home", _nothing),
     (5, "move_tool", lambda chance: (joints(chance), chance.choice((0, 2)))),
     (5, "hold_joint", _joint_hold),
@@ -145,7 +145,7 @@ ACTIONS: Final[tuple[tuple[int, str, Draw], ...]] = (
     (5, "wait", _one(0.5, 1.0, 2.5)),
     (2, "disconnect", _nothing),
     (5, "connect", _nothing),
-    (12, "get_ready", _nothing),
+    (30, "get_ready", _nothing),
     (3, "take_over", _nothing),
     (2, "halt_and_hold", _nothing),
     # a second host
