@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import logging
 import signal
 import sys
 from collections.abc import Iterator
@@ -10,12 +11,17 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QCoreApplication, QTimer
+from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 from PySide6.QtWidgets import QApplication
 
+from armui import failures, paths
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.control.arm_controller import ArmController
+from armui.control.neighbours import Neighbours
+from armui.control.part_failure import end_motion_of
+from armui.failures import Failure, FailureHandler
 from armui.helper_process import HelperProcess
+from armui.log_file import log_to
 from armui.protocol.generation import Generation
 from armui.settings import Choices, Settings, SettingsStore, default_path
 from armui.start import StartOptions
@@ -38,6 +44,12 @@ the bus thread and once for the simulated arm's, is what a pressed stop would wa
 _WITHOUT_PICTURE_MS: Final = 8000
 
 
+class _FailureRelay(QObject):
+    """Carries failures from the threads where they happen to the window's."""
+
+    failed = Signal(object)
+
+
 class Program:
     """Everything that makes up one running program.
 
@@ -47,6 +59,7 @@ class Program:
         controller: Who speaks to the arm.
         workers: Who does what takes long; ended with the program.
         trajectories: The folder of the library; the user's own by default.
+        meeting_place: Where running copies of the program find each other; by default nowhere.
 
     Attributes:
         controller, view, window: What its parts are.
@@ -59,6 +72,8 @@ class Program:
         controller: ArmController,
         workers: Executor,
         trajectories: Path | None = None,
+        *,
+        meeting_place: Path | None = None,
     ) -> None:
         self._app = app
         self._translator = Translator(app)
@@ -72,15 +87,27 @@ class Program:
         self._stop_shortcut = StopShortcut(app, self.controller)
         controller.stop_again_when_undone(settings.stop_again)
         self._unsubscribe = store.subscribe(self._on_settings_changed)
+        self._relay = _FailureRelay()
+        self._relay.failed.connect(self._on_failed)
+        self._failure_handler = FailureHandler(self._relay.failed.emit)
+        logging.getLogger("armui").addHandler(self._failure_handler)
+        self._neighbours = (
+            None if meeting_place is None else Neighbours(controller, store.path, meeting_place)
+        )
+        for problem in store.problems:
+            self.window.show_problem(problem)
 
     def shutdown(self) -> None:
         """End every thread; the arm goes on with what it was told last."""
         self._unsubscribe()
+        logging.getLogger("armui").removeHandler(self._failure_handler)
         self._app.removeEventFilter(self._stop_shortcut)
         self._stop_shortcut.deleteLater()
         self.controller.shutdown()
         self._workers.shutdown()
         self.view.shutdown()
+        if self._neighbours is not None:
+            self._neighbours.close()
 
     def connect_when_drawn(self, device: Device) -> None:
         """Connect as soon as the 3D picture stands.
@@ -100,6 +127,11 @@ class Program:
         # a computer that can't draw at all drives the arm none the less
         QTimer.singleShot(_WITHOUT_PICTURE_MS, self.view, connect)
 
+    def _on_failed(self, failure: Failure) -> None:
+        """What the failed part moved ends first; then it is told."""
+        end_motion_of(self.controller, failure.modules)
+        self.window.show_failure(failure)
+
     def _on_settings_changed(self, settings: Settings) -> None:
         apply_theme(self._app, Theme(settings.theme))
         if settings.language != self._settings.language:
@@ -110,13 +142,19 @@ class Program:
 
 def run(options: StartOptions) -> int:
     """Open the window and stay until it is closed; returns the exit code."""
+    with failures.hooks(), log_to(paths.logs()):
+        return _run(options)
+
+
+def _run(options: StartOptions) -> int:
     sys.setswitchinterval(_SWITCH_INTERVAL_S)
     QCoreApplication.setApplicationName("armui")
     QApplication.setDesktopFileName("armui")
     app = QApplication(sys.argv[:1])
     chosen: Choices = {} if options.language is None else {"language": options.language}
     store = SettingsStore(default_path(), for_this_run=chosen)
-    program = Program(app, store, ArmController(open_device, SIMULATED), HelperProcess())
+    controller = ArmController(open_device, SIMULATED)
+    program = Program(app, store, controller, HelperProcess(), meeting_place=paths.runtime())
     app.aboutToQuit.connect(program.shutdown)
     # What the program was built from is no garbage: searching it over and over would stop every
     # thread, the stop's too, for tens of milliseconds at a time.

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import logging
 import os
 import signal
 import threading
+import traceback
 from collections.abc import Callable
 from concurrent.futures import BrokenExecutor, Executor, Future
 from typing import TYPE_CHECKING, Any, Final
@@ -12,6 +14,8 @@ from typing import TYPE_CHECKING, Any, Final
 if TYPE_CHECKING:
     from concurrent.futures import ProcessPoolExecutor
     from multiprocessing.process import BaseProcess
+
+_LOG: Final = logging.getLogger(__name__)
 
 _NICER_BY: Final = 5
 """The window and the bus go before it where there are too few cores for all."""
@@ -51,6 +55,7 @@ class HelperProcess(Executor):
             context = multiprocessing.get_context("spawn")
             self._pool = ProcessPoolExecutor(1, mp_context=context, initializer=_settle_in)
         future = self._pool.submit(fn, *args, **kwargs)
+        future.add_done_callback(_log_failure)
         self._children |= set(multiprocessing.active_children()) - before
         return future
 
@@ -62,6 +67,14 @@ class HelperProcess(Executor):
         if self._pool is not None:
             self._pool.shutdown(wait, cancel_futures=cancel_futures)
             self._pool = None
+
+
+def _log_failure(future: Future[Any]) -> None:
+    """Keep in the log what went wrong over there; who asked for the work tells the operator."""
+    error = None if future.cancelled() else future.exception()
+    if error is not None:
+        trace = "".join(traceback.format_exception(error))
+        _LOG.warning("Work in the helper process has failed\n%s", trace)
 
 
 def _settle_in() -> None:

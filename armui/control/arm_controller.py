@@ -6,7 +6,6 @@ heard and moves on whatever is under way.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Sequence
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
@@ -17,6 +16,7 @@ from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.bus.link import BusReport
+from armui.clock import steady_s
 from armui.control import reports
 from armui.control.arm_settings import ArmSettings
 from armui.control.assessment import Activity, Circumstances, assess
@@ -37,6 +37,7 @@ from armui.control.motion_command import End
 from armui.control.motors import Motors
 from armui.control.notices import CODES
 from armui.control.orders import OrderLine
+from armui.control.part_failure import end_motion_of
 from armui.control.parts import Parts
 from armui.control.planned_motion import PlannedMotion
 from armui.control.player import Player
@@ -110,7 +111,7 @@ class ArmController(QObject):
         opener: Opener,
         simulated: Sequence[Device] = (),
         find: Callable[[], list[Device]] | None = None,
-        clock: Callable[[], float] = time.monotonic,
+        clock: Callable[[], float] = steady_s,
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
@@ -120,6 +121,7 @@ class ArmController(QObject):
         self._finder.searching_changed.connect(self.searching_changed)
         self._connection = Connection(opener, clock, self)
         self._connection.changed.connect(self._on_connection)
+        self._connection.arm_came.connect(self._on_arm_came)
         self._stop = Stopping(self._connection, self._notice, clock, self._end_everything)
         self._authority = Authority()
         self._watch = AuthorityWatch(
@@ -184,7 +186,7 @@ class ArmController(QObject):
             self.planned_motion,
             self.recovery,  # the last: it looks at what the others are doing
         )
-        self._parts = Parts(parts, self._notice)
+        self._parts = Parts(parts, self._notice, lambda module: end_motion_of(self, [module]))
         self._was_online = False
         self._was_stopped = False
         self._limits_told = False
@@ -344,6 +346,12 @@ class ArmController(QObject):
         self._notice(code, device=report.device, reason=report.problem)
         self._refresh()
         self.recovery.advance()
+
+    def _on_arm_came(self) -> None:
+        """What was read and saved before was another arm's, for all that is known."""
+        self._limits_told = False
+        self._authority.end(End.FORGOTTEN)
+        self.settings.forget()
 
     def _forget_arm(self) -> None:
         self._parts.forget()

@@ -109,9 +109,16 @@ def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
         generation=around.generation,
         addressing=around.offsets.addressing,
         control_certain=around.offsets.certain,
-        teaching_input=around.link is LinkState.OFFLINE
-        and is_fresh(state.foreign_targets_s, now_s),
+        teaching_input=around.link in {LinkState.OFFLINE, LinkState.ONLINE}
+        and is_fresh(state.foreign_targets_s, now_s)
+        and not _controller_heard(state, now_s),
     )
+
+
+def _controller_heard(state: ArmState, now_s: float) -> bool:
+    """Whether the arm's controller itself is heard, 0x2A1–0x2A7; drivers may go on without it."""
+    heard = (state.status, *state.joints_deg, *state.pose)
+    return any(each is not None and each.fresh(now_s) for each in heard)
 
 
 def _on_its_way(state: ArmState, authority: Authority) -> bool:

@@ -49,6 +49,7 @@ class EndReports:
                 commands.set_load(context.connection.codec, load),
                 partial(self._after_load, load),
                 SettingIndex.PARAMETER_COMMAND,
+                recheck=self.why_no_load,
                 ends_with_stop=True,
                 alters="end_reports",
             )

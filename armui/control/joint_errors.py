@@ -54,6 +54,7 @@ class JointErrors:
                 commands.clear_joint_error(context.connection.codec, joint),
                 partial(self._on_finished, joint),
                 SettingIndex.JOINT_SETTING,
+                recheck=self.why_not,
                 alters="clearing_error",
             )
         )

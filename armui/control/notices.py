@@ -122,6 +122,8 @@ CODES: Final[Mapping[str, Level]] = {
     "limits_missing": Level.WARNING,  # joints
     "limits_corrupt": Level.WARNING,  # joint
     "part_failed": Level.FAULT,  # part
+    "settings_shared": Level.WARNING,  # path, count
+    "channel_shared": Level.WARNING,  # device, count
     "refused": Level.WARNING,  # reason
 }
 """Notice code to its level."""
@@ -240,6 +242,10 @@ REFUSALS: Final = frozenset(
         "joints_moving",  # joints
         "zero_not_set",  # joints
         "zero_not_taken",  # joints
+        "zero_moved",  # joints
+        "order_too_late",
+        "arm_changed",
+        "part_failed",
         "ended_by_stop",
         "other_control",  # mode
         "arm_fault",  # status

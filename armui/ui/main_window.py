@@ -33,6 +33,7 @@ from armui.ui.top_bar import TopBar
 from armui.ui.trajectory.path_preview import PathPreview
 from armui.ui.trajectory.preview_bar import PreviewBar
 from armui.ui.unsaved import KeepsWork, leave_then, unsaved
+from armui.ui.widgets.failure_line import FailureLine
 from armui.ui.widgets.joint_status_button import JointStatusButton
 from armui.ui.widgets.library_button import LibraryButton
 from armui.ui.widgets.recovery_line import RecoveryLine
@@ -44,7 +45,9 @@ if TYPE_CHECKING:
 
     from PySide6.QtWidgets import QDialog
 
+    from armui.arm.refusal import Refusal
     from armui.control.arm_controller import ArmController
+    from armui.failures import Failure
     from armui.settings import Settings, SettingsStore
     from armui.viewport.view import ArmView
 
@@ -127,6 +130,8 @@ class MainWindow(QMainWindow):
         whole.setSpacing(0)
         whole.addWidget(TopBar(self._controller, self.open_connect_dialog))
         whole.addLayout(middle, 1)
+        self._failure_line = FailureLine()
+        whole.addWidget(self._failure_line)
         whole.addWidget(self._status_bar)
         self.setCentralWidget(central)
         central.setFocus()  # no control has it before the operator takes one
@@ -266,6 +271,14 @@ class MainWindow(QMainWindow):
             return dialog
 
         self._open("settings", make)
+
+    def show_failure(self, failure: Failure) -> None:
+        """Say that something nobody expected went wrong in the program."""
+        self._failure_line.show_failure(failure)
+
+    def show_problem(self, reason: Refusal) -> None:
+        """Say what stood in the program's way, in the status bar."""
+        self._status_bar.show_problem(reason)
 
     def _open(self, name: str, make: Callable[[], QDialog]) -> None:
         """Show a dialog, made at the first time."""

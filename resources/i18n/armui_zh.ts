@@ -1495,6 +1495,17 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>HaltButton</name>
+    <message>
+        <source>Halt</source>
+        <translation>停住</translation>
+    </message>
+    <message>
+        <source>Ends any motion; the motors keep their power and the arm holds where it comes to rest. Key: {key}</source>
+        <translation>结束一切运动；电机保持上电，机械臂停在哪里就保持在哪里。按键：{key}</translation>
+    </message>
+</context>
+<context>
     <name>Help</name>
     <message>
         <source>Mouse</source>
@@ -2660,10 +2671,6 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>急停已发送。电机失去力矩，机械臂会缓慢下沉，请扶住机械臂。</translation>
     </message>
     <message>
-        <source>The emergency stop could NOT be sent: no device is open. Cut the arm's power if it moves.</source>
-        <translation>急停未能发送：没有打开的设备。若机械臂在运动，请切断其电源。</translation>
-    </message>
-    <message>
         <source>The arm has confirmed the emergency stop.</source>
         <translation>机械臂已确认急停。</translation>
     </message>
@@ -3051,7 +3058,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <source>Event: {code}</source>
         <translation>事件：{code}</translation>
     </message>
-<message>
+    <message>
         <source>The emergency stop is NOT on the bus: no CAN device is open, or it does not take the frame. Cut the arm's power if it moves.</source>
         <translation>急停没有发到总线上：没有打开 CAN 设备，或设备不接收该帧。若机械臂在运动，请切断其电源。</translation>
     </message>
@@ -3094,6 +3101,14 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
     <message>
         <source>{device} sends again. What had waited was dropped, but for a stop.</source>
         <translation>{device} 又能发送了。此前等待的帧已丢弃，急停除外。</translation>
+    </message>
+<message>
+        <source>Another armui on this computer uses the same settings file. What is changed here is kept; changes made there appear at the next start.</source>
+        <translation>本机另一个 armui 正在使用同一设置文件。此处的更改会保留；那边的更改在下次启动时生效。</translation>
+    </message>
+    <message>
+        <source>Another armui on this computer is connected to {device}, too. Both can move the arm: close one of them.</source>
+        <translation>本机另一个 armui 也已连接 {device}。两者都能移动机械臂：请关闭其中一个。</translation>
     </message>
     </context>
 <context>
@@ -3702,11 +3717,11 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <source>Take over</source>
         <translation>接管</translation>
     </message>
-<message>
+    <message>
         <source>Withdraw…</source>
         <translation>撤回…</translation>
     </message>
-    </context>
+</context>
 <context>
     <name>RecoveryDanger</name>
     <message>
@@ -3745,7 +3760,7 @@ Lead it near its rest pose, then stop recording.</source>
         <source>The arm will no longer follow the other control; a motion under way ends. Make sure that nobody relies on it.</source>
         <translation>机械臂将不再由其他方式控制，正在进行的运动会停止。请确认无人正在使用。</translation>
     </message>
-<message>
+    <message>
         <source>Withdraw the stop</source>
         <translation>撤回急停</translation>
     </message>
@@ -3782,10 +3797,6 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>The CAN device is gone. Plug it in again, or choose another one.</source>
         <translation>CAN 设备已断开。请重新插好，或选择其他设备。</translation>
-    </message>
-    <message>
-        <source>The CAN device is gone; the stop goes out once it is back. Cut the arm's power if it moves.</source>
-        <translation>CAN 设备已断开，恢复连接后会立即发送急停。若机械臂仍在运动，请切断其电源。</translation>
     </message>
     <message>
         <source>The arm is a teaching input: it sends commands and obeys none. Make it a motion output again.</source>
@@ -3975,7 +3986,7 @@ Lead it near its rest pose, then stop recording.</source>
         <source>The arm has hit something. Remove it, then clear the errors.</source>
         <translation>机械臂发生碰撞。请移开障碍物，然后清除错误。</translation>
     </message>
-<message>
+    <message>
         <source>A stop is outstanding: it goes out once the CAN device is back. Cut the arm's power if it moves.</source>
         <translation>有一次急停未完成：CAN 设备恢复后立即发出。若机械臂在运动，请切断其电源。</translation>
     </message>
@@ -3987,7 +3998,7 @@ Lead it near its rest pose, then stop recording.</source>
         <source>A stop is outstanding: the arm was away and has not confirmed it. Press the emergency stop to send it now, or withdraw it.</source>
         <translation>有一次急停未完成：机械臂曾离线，没有确认。按急停立即发送，或撤回。</translation>
     </message>
-    </context>
+</context>
 <context>
     <name>Refusal</name>
     <message>
@@ -4183,10 +4194,6 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂已应答，但仍在上报，请重试。</translation>
     </message>
     <message>
-        <source>On which identifiers the arm takes commands is not known. Set the offsets under Linkage control; the emergency stop is sent on all of them.</source>
-        <translation>机械臂的控制指令 ID 未知。请在“联动控制”中设置偏移值；急停会在所有 ID 上发送。</translation>
-    </message>
-    <message>
         <source>An offset of {value} is not possible. Choose 0x00, 0x10 or 0x20.</source>
         <translation>偏移值不能为 {value}，请选择 0x00、0x10 或 0x20。</translation>
     </message>
@@ -4249,6 +4256,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>You may not open {device}. On Linux add your account to the group dialout (serial adapters) or install the adapter's udev rule (USB adapters), then log in again.</source>
         <translation>没有权限打开设备 {device}。Linux 下：串口适配器请将当前用户加入 dialout 组，USB 适配器请安装其 udev 规则，然后重新登录。</translation>
+    </message>
+    <message>
+        <source>{device} is bus off: too many errors on the CAN bus, so its controller takes no part any more. Check CAN_H and CAN_L, both terminating resistors (120 Ω) and the bit rate, then disconnect and connect again; on socketcan run «sudo ip link set {channel} type can restart» before.</source>
+        <translation>{device} 处于总线关闭（bus off）：CAN 总线错误过多，其控制器已退出总线。请检查 CAN_H、CAN_L、两端 120 Ω 终端电阻和波特率，然后断开并重新连接；socketcan 请先执行 sudo ip link set {channel} type can restart。</translation>
     </message>
     <message>
         <source>{device} needs a Python package that is not installed. Install it in a terminal: pip install {package}</source>
@@ -4766,7 +4777,7 @@ Lead it near its rest pose, then stop recording.</source>
         <source>Joint {joint} moves at {value} °/s, where {maximum} °/s is shown. Set the speed again before the next motion.</source>
         <translation>关节 {joint} 实测 {value} °/s，而显示的速度为 {maximum} °/s。下次运动前请重新设定速度。</translation>
     </message>
-<message>
+    <message>
         <source>This connection only listens: nothing is sent on it but the emergency stop.</source>
         <translation>此连接为只听：除急停外不发送任何帧。</translation>
     </message>
@@ -4775,16 +4786,36 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂是否在当前标识符上接收指令尚未证实，因此不让它运动；急停和停住仍能到达。证实方法：让机械臂处于待机，在联动控制中重新设置偏移，得到应答后即生效。</translation>
     </message>
     <message>
-        <source>{device} is bus off: too many errors on the CAN bus, so its controller takes no part any more. Check CAN_H and CAN_L, both terminating resistors (120 Ω) and the bit rate, then disconnect and connect again; on socketcan first: sudo ip link set {channel} type can restart</source>
-        <translation>{device} 处于总线关闭（bus off）：CAN 总线错误过多，其控制器已退出总线。请检查 CAN_H、CAN_L、两端 120 Ω 终端电阻和波特率，然后断开并重新连接；socketcan 请先执行：sudo ip link set {channel} type can restart</translation>
-    </message>
-    <message>
         <source>For half a second {device} could send nothing, because nobody on the bus acknowledges. Check the arm's power, the CAN cable, the terminating resistors and the bit rate (1 Mbit/s).</source>
         <translation>{device} 已有半秒发不出任何帧，因为总线上无人应答。请检查机械臂电源、CAN 线、终端电阻和波特率（1 Mbit/s）。</translation>
     </message>
     <message>
         <source>For half a second {device} has taken no frame to send, though frames are heard. Unplug the adapter and plug it in again; if that does not help, check its driver.</source>
         <translation>{device} 已有半秒不接收要发送的帧，但仍能收到帧。请拔下适配器再插上；若无效，请检查其驱动。</translation>
+    </message>
+<message>
+        <source>Joint {joints} does not stand where it stood at the press: no zero was sent. Try again where it shall be.</source>
+        <translation>关节 {joints} 已不在按下按钮时的位置：未发送零点。请在要设为零点的位置重试。</translation>
+    </message>
+    <message>
+        <source>Another program is writing the settings file {path}. The settings hold until this program ends; change them once more to save them.</source>
+        <translation>另一个程序正在写入设置文件 {path}。设置在本程序退出前有效；再更改一次即可保存。</translation>
+    </message>
+    <message>
+        <source>Nothing was sent: the arm was still being set or asked something a second after the press. Try again.</source>
+        <translation>未发送：按下一秒后机械臂仍在进行其他设置或查询。请重试。</translation>
+    </message>
+    <message>
+        <source>The arm was silent meanwhile, or another arm answers: nothing more was sent. See that it is the right arm, then try again.</source>
+        <translation>其间机械臂曾无应答，或应答的是另一台机械臂：未再发送。请确认是正确的机械臂，然后重试。</translation>
+    </message>
+    <message>
+        <source>The part of the program that drove it has failed: the arm was told to end its motion. Copy the details of the error, then start the program again.</source>
+        <translation>驱动该运动的程序部分已出错：已命令机械臂结束运动。请复制错误详细信息，然后重新启动程序。</translation>
+    </message>
+    <message>
+        <source>{device} is bus off: too many errors on the CAN bus, so its controller takes no part any more. Check CAN_H and CAN_L, both terminating resistors (120 Ω) and the bit rate, then disconnect and connect again; on socketcan first: sudo ip link set {channel} type can restart</source>
+        <translation>{device} 处于总线关闭（bus off）：CAN 总线错误过多，其控制器已退出总线。请检查 CAN_H、CAN_L、两端 120 Ω 终端电阻和波特率，然后断开并重新连接；socketcan 请先执行：sudo ip link set {channel} type can restart</translation>
     </message>
     </context>
 <context>
@@ -5005,7 +5036,7 @@ Lead it near its rest pose, then stop recording.</source>
         <source>Robot description</source>
         <translation>机器人模型</translation>
     </message>
-<message>
+    <message>
         <source>Stop again if another host undoes an emergency stop</source>
         <translation>急停被其他程序解除时自动再次急停</translation>
     </message>
@@ -5013,7 +5044,7 @@ Lead it near its rest pose, then stop recording.</source>
         <source>Such a stop is always told as a fault. With this, it is also sent again by itself.</source>
         <translation>这种情况总会作为故障提示。勾选后还会自动再次发送急停。</translation>
     </message>
-    </context>
+</context>
 <context>
     <name>SideMenu</name>
     <message>
@@ -5168,7 +5199,7 @@ Lead it near its rest pose, then stop recording.</source>
         <source>Hold the arm</source>
         <translation>请扶住机械臂</translation>
     </message>
-<message>
+    <message>
         <source>Stop outstanding</source>
         <translation>急停未完成</translation>
     </message>
@@ -5176,7 +5207,7 @@ Lead it near its rest pose, then stop recording.</source>
         <source>Press to send it</source>
         <translation>按下即发送</translation>
     </message>
-    </context>
+</context>
 <context>
     <name>Teaching</name>
     <message>
@@ -5487,12 +5518,20 @@ Afterwards the motors must be enabled again.</source>
         <translation>退出示教模式，请按顶部提示逐步操作：</translation>
     </message>
 </context>
-<context><name>HaltButton</name><message>
-        <source>Halt</source>
-        <translation>停住</translation>
+<context><name>FailureLine</name><message>
+        <source>An error in the program ({error}). The emergency stop works; the motion that the failed part drove has been ended. Copy the details for the developers.</source>
+        <translation>程序内部出错（{error}）。急停仍然有效；出错部分所驱动的运动已结束。请复制详细信息交给开发者。</translation>
     </message>
     <message>
-        <source>Ends any motion; the motors keep their power and the arm holds where it comes to rest. Key: {key}</source>
-        <translation>结束一切运动；电机保持上电，机械臂停在哪里就保持在哪里。按键：{key}</translation>
+        <source>It has happened {count} times.</source>
+        <translation>已出现 {count} 次。</translation>
+    </message>
+    <message>
+        <source>Copy details</source>
+        <translation>复制详细信息</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
     </message>
 </context></TS>

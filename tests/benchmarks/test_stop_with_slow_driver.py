@@ -6,6 +6,7 @@ on each frame; between the presses other commands are given. It states, and fail
 machine.
 """
 
+import sys
 import threading
 import time
 from contextlib import contextmanager
@@ -18,6 +19,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
 
+from armui.app import _SWITCH_INTERVAL_S
 from armui.arm.device import Device
 from armui.control.arm_controller import ArmController
 from armui.control.situation import LinkState
@@ -62,6 +64,14 @@ KINDS = {
     "blocks 3 s a frame": BlockingBus,
     "times out after 1 s a frame": TimingOutBus,
 }
+
+
+@pytest.fixture(autouse=True)
+def the_programs_own_switch_interval():
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(_SWITCH_INTERVAL_S)
+    yield
+    sys.setswitchinterval(before)
 
 
 def held_ms(act):

@@ -129,6 +129,7 @@ class SettingsDialog(ArmDialog):
         )
         self._urdf_label.setText(self.tr("Robot description (URDF)"))
         self.stop_again_box.setText(self.tr("Stop again if another host undoes an emergency stop"))
+        self.stop_again_box.setAccessibleName(self.stop_again_box.text())
         self.stop_again_box.setToolTip(
             self.tr(
                 "Such a stop is always told as a fault. With this, it is also sent again by itself."

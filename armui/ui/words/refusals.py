@@ -234,8 +234,8 @@ _REFUSALS: Final[Mapping[str, object]] = {
         "Refusal",
         "{device} is bus off: too many errors on the CAN bus, so its controller takes no part any "
         "more. Check CAN_H and CAN_L, both terminating resistors (120 Ω) and the bit rate, then "
-        "disconnect and connect again; on socketcan first: sudo ip link set {channel} type can "
-        "restart",
+        "disconnect and connect again; on socketcan run «sudo ip link set {channel} type can "
+        "restart» before.",
     ),
     "bus_unacknowledged": QT_TRANSLATE_NOOP(
         "Refusal",
@@ -280,6 +280,11 @@ _REFUSALS: Final[Mapping[str, object]] = {
     "settings_not_saved": QT_TRANSLATE_NOOP(
         "Refusal",
         "The settings could not be saved in {path}: {text}. They hold until the program ends.",
+    ),
+    "settings_in_use": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Another program is writing the settings file {path}. The settings hold until this program "
+        "ends; change them once more to save them.",
     ),
     "setting_bad": QT_TRANSLATE_NOOP(
         "Refusal",
