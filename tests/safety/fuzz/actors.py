@@ -245,6 +245,8 @@ class Actors:
             situation = self._controller.situation
             if situation.cannot_move is None:
                 return
+            if not situation.speed_percent:
+                self.speed(30)
             self.connect()
             if situation.stop is StopState.STOPPED:
                 self.resume()
