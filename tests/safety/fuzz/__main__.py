@@ -15,7 +15,6 @@ from armui.protocol.generation import Generation
 from tests.safety.fuzz.runner import run, shrink
 from tests.safety.fuzz.script import script
 
-
 _TOLD_EVERY = 10
 
 
