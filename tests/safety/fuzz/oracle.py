@@ -59,6 +59,7 @@ class Asked:
         joint, delta: Of a step: what is to turn, and by how much.
         bases: Where a step may start from: the arm, and our own target while it stands.
         cancelled: What has ended it.
+        over_jog: Whether a jog was still held when it was asked for.
     """
 
     kind: Kind
@@ -69,6 +70,7 @@ class Asked:
     delta: float = 0.0
     bases: list[SixValues] = field(default_factory=list)
     cancelled: str | None = None
+    over_jog: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,6 +122,8 @@ class Oracle:
 
     def ask(self, asked: Asked) -> None:
         """The operator has asked for something that may move the arm."""
+        before = self._asked
+        asked.over_jog = before.kind is Kind.JOG and before.cancelled is None
         self._asked = asked
 
     def release(self) -> None:
@@ -232,12 +236,13 @@ class Oracle:
             return []
         identifier = base_id(started.said.frame.arbitration_id)
         asked: Asked = started.said.after
+        over = " over a held jog" if asked.over_jog else ""
         figures = (
             f"0x{identifier:03X} sent the arm from {_angles(started.here_deg)} "
             f"towards {_angles(started.goal_deg)}; last asked: {asked.kind.value}"
             + (f" (ended by {asked.cancelled})" if asked.cancelled else "")
         )
-        return [Violation("S7–S11", f"{asked.kind.value}: {why}", f"{why}: {figures}")]
+        return [Violation("S7–S11", f"{asked.kind.value}{over}: {why}", f"{why}: {figures}")]
 
     def _why_unasked(self, started: Started) -> str | None:
         asked: Asked = started.said.after
