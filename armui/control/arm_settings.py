@@ -179,7 +179,7 @@ class ArmSettings(QObject):
     def _why_unknown(self) -> Refusal | None:
         """Why the arm cannot be asked: it is not there, or its protocol is not known yet."""
         connection = self._context.connection
-        refusal = why_unreachable(connection.link)
+        refusal = why_unreachable(connection.link, connection.device)
         if refusal is None and connection.generation is None:
             return Refusal("generation_unknown")
         return refusal

@@ -85,7 +85,7 @@ class EndReports:
 
     def _why_not(self) -> Refusal | None:
         connection = self._context.connection
-        refusal = why_unreachable(connection.link)
+        refusal = why_unreachable(connection.link, connection.device)
         if refusal is not None:
             return refusal
         if connection.generation is None:

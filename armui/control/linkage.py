@@ -100,6 +100,8 @@ class Linkage:
         """The reason against a setting now, or ``None``: it may be made."""
         context = self._context
         link = context.connection.link
+        if context.situation().listens_only:
+            return Refusal("listen_only")
         if link is not LinkState.OFFLINE and (refusal := why_unreachable(link)) is not None:
             return refusal
         if self._busy:

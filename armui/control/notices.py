@@ -136,6 +136,7 @@ REFUSALS: Final = frozenset(
         "stopped",
         "stop_requested",
         "halt_listen_only",
+        "listen_only",
         "not_stopped",
         "busy",  # what
         "step_gone",

@@ -118,7 +118,7 @@ class Zeroing:
     def _why_not_any_more(self, joints: Sequence[int], pressed: ArmState) -> Refusal | None:
         """What has come up since the press: a stop, a motion, a joint that stands elsewhere."""
         situation, state = self._context.situation(), self._context.state()
-        refusal = why_no_command(self._context.connection.link, situation.stop, None)
+        refusal = why_no_command(situation.unreachable, situation.stop, None)
         refusal = refusal or situation.occupied or why_not_still(state)
         return refusal or self._why_unheard(joints) or _why_elsewhere(joints, pressed, state)
 
