@@ -34,7 +34,11 @@ _IS_NO_FAULT = ("# noqa", "TYPE_CHECKING", "__slots__")
 
 TESTS: dict[str, tuple[str, ...]] = {
     "armui/bus/outbox.py": ("tests/bus", "tests/safety/test_s03*", "tests/safety/test_s17*"),
-    "armui/control/stop.py": ("tests/safety/test_s0[1-6]*", "tests/control/test_arm_controller.py"),
+    "armui/control/stop.py": (
+        "tests/safety/test_s0[456]*",
+        "tests/safety/test_s27*",
+        "tests/control/test_arm_controller.py",
+    ),
     "armui/control/authority.py": (
         "tests/control/test_authority*",
         "tests/safety/test_s0[7-9]*",

@@ -8,6 +8,7 @@ what another host's frame has begun.
 from __future__ import annotations
 
 import enum
+from collections import deque
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Final
@@ -102,6 +103,7 @@ class Oracle:
         self.violation: Violation | None = None
         self._asked = Asked(Kind.NOTHING, 0.0)
         self._mixed = False
+        self._places_deg: deque[SixValues] = deque(maxlen=2)
         self._unconnected_s = -1e9
         self._ours_deg: SixValues | None = None
         self._other_s = -1e9
@@ -115,10 +117,9 @@ class Oracle:
     # What the operator does ----------------------------------------------------------------------
 
     def bases(self) -> list[SixValues]:
-        """Where a step pressed now may start from."""
-        here = self._world.firmware.joints_deg
-        ours = self._ours_deg
-        return [here] if ours is None else [here, ours]
+        """Where a step pressed now may start from: what is measured is two steps old at most."""
+        here = [*self._places_deg, self._world.firmware.joints_deg]
+        return here if self._ours_deg is None else [*here, self._ours_deg]
 
     def ask(self, asked: Asked) -> None:
         """The operator has asked for something that may move the arm."""
@@ -183,6 +184,7 @@ class Oracle:
 
     def _follow(self) -> None:
         """Note what later judgements depend on."""
+        self._places_deg.append(self._world.firmware.joints_deg)
         world, line = self._world, self._world.node.line
         # of a target of which a frame got lost, or nobody's frame became part, no goal is known
         self._mixed = self._mixed or bool(line.loss or line.garbage_per_s or line.off)
