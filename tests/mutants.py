@@ -2,7 +2,7 @@
 
 Each module is changed in one place at a time by the operators of cosmic-ray, and the tests named
 for it are run; a change that no test notices is told with its line. Not part of CI: it takes
-minutes to hours. It needs cosmic-ray (``pip install cosmic-ray``) and a system that can fork.
+minutes to hours. It needs cosmic-ray (``pip install -e .[mutation]``) and a system that can fork.
 
 cosmic-ray's own runner starts a Python and loads Qt for each of them; here the tests run in forks
 of a process that has loaded everything but the project.
