@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import logging
+import os
 import signal
 import sys
 from collections.abc import Iterator
@@ -14,13 +15,13 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 from PySide6.QtWidgets import QApplication
 
-from armui import failures, paths
+from armui import failures, paths, preload
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.control.arm_controller import ArmController
 from armui.control.neighbours import Neighbours
 from armui.control.part_failure import end_motion_of
 from armui.failures import Failure, FailureHandler
-from armui.helper_process import HelperProcess
+from armui.helper_process import FileThread, HelperProcess
 from armui.log_file import log_to
 from armui.protocol.generation import Generation
 from armui.settings import Choices, Settings, SettingsStore, default_path
@@ -60,9 +61,12 @@ class Program:
         workers: Who does what takes long; ended with the program.
         trajectories: The folder of the library; the user's own by default.
         meeting_place: Where running copies of the program find each other; by default nowhere.
+        files: Who does what waits for a disk, in a thread of this process; ended with the program.
+            The workers by default.
 
     Attributes:
         controller, view, window: What its parts are.
+        ended: Whether, after `shutdown`, no thread of ours runs any more.
     """
 
     def __init__(
@@ -74,6 +78,7 @@ class Program:
         trajectories: Path | None = None,
         *,
         meeting_place: Path | None = None,
+        files: Executor | None = None,
     ) -> None:
         self._app = app
         self._translator = Translator(app)
@@ -81,9 +86,13 @@ class Program:
         self._translator.set_language(settings.language)
         apply_theme(app, Theme(settings.theme))
         self.controller = controller
+        self.ended = False
         self._workers = workers
+        self._files = files
         self.view = ArmView(Path(settings.urdf_path) if settings.urdf_path else None)
-        self.window = MainWindow(self.controller, self.view, store, workers, trajectories)
+        self.window = MainWindow(
+            self.controller, self.view, store, workers, trajectories, files=files
+        )
         self._stop_shortcut = StopShortcut(app, self.controller)
         controller.stop_again_when_undone(settings.stop_again)
         self._unsubscribe = store.subscribe(self._on_settings_changed)
@@ -98,13 +107,20 @@ class Program:
             self.window.show_problem(problem)
 
     def shutdown(self) -> None:
-        """End every thread; the arm goes on with what it was told last."""
+        """End the motion and every thread.
+
+        A driver may keep a thread of ours for longer than anybody waits: see `ended`.
+        """
         self._unsubscribe()
         logging.getLogger("armui").removeHandler(self._failure_handler)
         self._app.removeEventFilter(self._stop_shortcut)
         self._stop_shortcut.deleteLater()
-        self.controller.shutdown()
+        self.ended = self.controller.shutdown()
         self._workers.shutdown()
+        if self._files is not None:
+            self._files.shutdown()
+        if isinstance(self._files, FileThread):
+            self.ended = self.ended and self._files.ended
         self.view.shutdown()
         if self._neighbours is not None:
             self._neighbours.close()
@@ -154,17 +170,33 @@ def _run(options: StartOptions) -> int:
     chosen: Choices = {} if options.language is None else {"language": options.language}
     store = SettingsStore(default_path(), for_this_run=chosen)
     controller = ArmController(open_device, SIMULATED)
-    program = Program(app, store, controller, HelperProcess(), meeting_place=paths.runtime())
+    program = Program(
+        app, store, controller, HelperProcess(), meeting_place=paths.runtime(), files=FileThread()
+    )
     app.aboutToQuit.connect(program.shutdown)
     # What the program was built from is no garbage: searching it over and over would stop every
     # thread, the stop's too, for tens of milliseconds at a time.
     program.view.first_frame_shown.connect(gc.freeze)
     _end_on_ctrl_c(app)
     program.window.show()
+    _preload_when_idle(app)
     device = chosen_device(options)
     if device is not None:
         program.connect_when_drawn(device)
-    return app.exec()
+    code = app.exec()
+    if not program.ended:
+        # a driver hangs: what it holds can be neither waited for nor destroyed
+        logging.shutdown()
+        os._exit(code)
+    return code
+
+
+def _preload_when_idle(app: QApplication) -> None:
+    """Load the rest of the program while the operator has not asked for anything yet."""
+    left = preload.steps()
+    timer = QTimer(app, interval=0)
+    timer.timeout.connect(lambda: timer.stop() if next(left, None) is None else None)
+    timer.start()
 
 
 def _end_on_ctrl_c(app: QApplication) -> None:

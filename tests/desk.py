@@ -60,6 +60,7 @@ class Desk(Bench):
         settings: The file of the operator's settings; the library lies beside it.
         generation: Of the simulated arm's protocol.
         workers: Who does what takes long; whoever asks does it by default.
+        files: Who does what waits for a disk; whoever asks does it by default.
         draws: Whether the 3D view is seen: drawing it costs more than most tests.
 
     Attributes:
@@ -77,13 +78,21 @@ class Desk(Bench):
         generation: Generation,
         workers: Executor | None = None,
         *,
+        files: Executor | None = None,
         draws: bool = False,
     ) -> None:
         super().__init__(channel, generation)
         self.store = SettingsStore(settings, for_this_run={"language": "en"})
         self.library_folder = settings.parent / "trajectories"
         self.workers = workers or AtOnce()
-        self.program = Program(app, self.store, self.controller, self.workers, self.library_folder)
+        self.program = Program(
+            app,
+            self.store,
+            self.controller,
+            self.workers,
+            self.library_folder,
+            files=files or AtOnce(),
+        )
         self.window = self.program.window
         self.window.resize(1280, 800)
         self.program.view.setVisible(draws)

@@ -159,10 +159,18 @@ class BusWorker(QThread):
         self._next_codecs.append((codec, self._epoch + 1))
         self._epoch += 1
 
-    def close(self) -> None:
-        """Close the device and end the thread; returns when both are done."""
+    def close(self, within_ms: int) -> bool:
+        """Close the device and end the thread.
+
+        Args:
+            within_ms: How long to wait for it.
+
+        Returns:
+            Whether both are done. If not, a driver is busy: the device is closed as soon as it
+            lets go, and nothing more is sent to it.
+        """
         self._closing.set()
-        self.wait()
+        return self.wait(within_ms)
 
     def run(self) -> None:
         """Open, use, and after a loss reopen the device until :meth:`close`."""

@@ -56,6 +56,9 @@ if TYPE_CHECKING:
     from armui.bus.worker import Opener
 
 _TICK_MS: Final = 33
+_SENT_WITHIN_S: Final = 0.15
+_END_S: Final = 1.0
+"""The end of the program waits this long for the device, and for a search."""
 
 
 class ArmController(QObject):
@@ -190,6 +193,7 @@ class ArmController(QObject):
         self._was_online = False
         self._was_stopped = False
         self._limits_told = False
+        self._lets_finish = False
         self._state = ArmState()
         self._situation = Situation(speed_percent=self.motion.speed_percent)
         self._timer = QTimer(self)
@@ -251,10 +255,21 @@ class ArmController(QObject):
         self._refresh()
         self.recovery.advance()
 
-    def shutdown(self) -> None:
-        """Close the device as :meth:`disconnect_device` does, and end every thread."""
-        self._finder.wait()
+    def let_motion_finish(self) -> None:
+        """When the program ends, a single motion goes on to its target: the operator chose so."""
+        self._lets_finish = True
+
+    def shutdown(self) -> bool:
+        """End the motion, close the device as :meth:`disconnect_device` does, end every thread.
+
+        Returns:
+            Whether all threads have ended within two seconds: a driver may keep one.
+        """
+        if self._authority.under_way and not self._lets_finish and not cut_short(self._context):
+            self._connection.wait_until_sent(_SENT_WITHIN_S)
         self.disconnect_device()
+        closed = self._connection.end(_END_S)
+        return self._finder.end(_END_S) and closed
 
     # The stop ---------------------------------------------------------------------------------
 
@@ -361,12 +376,17 @@ class ArmController(QObject):
 
     # What ends what is under way ----------------------------------------------------------------
 
-    def end_motion(self) -> None:
+    def end_motion(self, *, single: bool = False) -> None:
         """End what this program drives in good order: the arm comes to rest and stays powered.
 
         That is a run, a replay, a jog or a motion paused from here.
+
+        Args:
+            single: A single motion of this program, too.
         """
         self._end_driven()
+        if single and self._authority.under_way:
+            cut_short(self._context)
         if self._authority.holds:
             self.planned_motion.command(TrajectoryCommand.ABORT)
         self._refresh()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Sequence
 from itertools import count
 from typing import TYPE_CHECKING, Final
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
     from armui.protocol.codec import Codec
 
 
+_CLOSE_MS: Final = 100
+"""The window waits this long for a device to be closed; a busy driver is left to end by itself."""
 _IS_OPEN: Final = frozenset({BusState.OPEN, BusState.BLOCKED})
 _OPEN_CODES: Final = {BusState.LOST: "reconnected", BusState.BLOCKED: "bus_unblocked"}
 """The notice that an open bus is worth, by what it was before."""
@@ -52,6 +55,7 @@ class Connection(QObject):
         self._opener = opener
         self._clock = clock
         self._worker: BusWorker | None = None
+        self._ending: list[BusWorker] = []
         self._bus_state = BusState.CLOSED
         self._online = False
         self._last_feedback_s: float | None = None
@@ -110,6 +114,7 @@ class Connection(QObject):
     def open(self, device: Device) -> None:
         """Open a device; nothing may be open."""
         # python-can and cantools are loaded with the first device: the window starts without them
+        from armui.bus.opening import opener_after  # noqa: PLC0415
         from armui.bus.worker import BusWorker  # noqa: PLC0415
         from armui.protocol.codec import Codec  # noqa: PLC0415
 
@@ -119,12 +124,12 @@ class Connection(QObject):
         self.offsets = OffsetFollower()
         self._bus_state = BusState.OPENING
         self._worker_number = next(self._worker_numbers)
+        # without a parent: a thread that a driver keeps from ending must not be destroyed
         self._worker = BusWorker(
             device,
-            self._opener,
+            opener_after(tuple(self._ending), self._opener),
             self._codec,
             self._clock,
-            self,
             listen_only=device.listen_only,
             number=self._worker_number,
         )
@@ -136,8 +141,11 @@ class Connection(QObject):
         """Close the device and forget the arm."""
         if self._worker is not None:
             self._worker.reported.disconnect(self._on_report)
-            self._worker.close()
-            self._worker.deleteLater()
+            self._worker.answered.disconnect(self.answered)
+            self._worker.finished.connect(self._on_ended)
+            self._ending.append(self._worker)
+            self._worker.close(_CLOSE_MS)
+            self._on_ended()
         self._worker = None
         self._bus_state = BusState.CLOSED
         self._online = False
@@ -145,6 +153,28 @@ class Connection(QObject):
         self.device = None
         self.problem = None
         self.handshake = None
+
+    def wait_until_sent(self, within_s: float) -> None:
+        """Give a driver that is busy a moment for what waits; only at the end of the program."""
+        deadline_s = time.monotonic() + within_s
+        while not self.idle and time.monotonic() < deadline_s:
+            time.sleep(0.005)
+
+    def end(self, within_s: float) -> bool:
+        """Close the device; returns whether every thread has ended within a time."""
+        self.close()
+        deadline_s = time.monotonic() + within_s
+        for worker in tuple(self._ending):
+            worker.wait(max(0, round(1e3 * (deadline_s - time.monotonic()))))
+        self._on_ended()
+        return not self._ending
+
+    def _on_ended(self) -> None:
+        """Let go of the threads that have ended; one that runs must not be destroyed."""
+        for worker in [one for one in self._ending if one.isFinished()]:
+            worker.wait()  # the signal comes a moment before the thread has ended
+            self._ending.remove(worker)
+            worker.deleteLater()
 
     @property
     def newest(self) -> ArmState:

@@ -208,6 +208,7 @@ REFUSALS: Final = frozenset(
         "run_not_ended",
         "replay_too_fast",  # joint, value, maximum, percent
         "replay_lagging",  # joint, away
+        "replay_gap",  # seconds
         "gripper_other_generation",  # row
         "setting_out_of_range",  # parameter, joint, value, minimum, maximum
         "setting_not_a_number",  # parameter, joint, value, minimum, maximum

@@ -65,6 +65,21 @@ class Entry:
     note: str = ""
 
 
+@dataclass(frozen=True, slots=True)
+class Listing:
+    """What the library shows at one look.
+
+    Attributes:
+        entries: Everything there is, by name.
+        drafts: The names of those with unsaved changes.
+        exists: Whether its folder does.
+    """
+
+    entries: tuple[Entry, ...]
+    drafts: tuple[str, ...]
+    exists: bool
+
+
 def entry_of(content: Content) -> Entry:
     """The entry of a trajectory or recording nobody has checked yet."""
     name, note, modified = content.name, content.note, content.modified
@@ -99,7 +114,6 @@ class Index:
         self._changed = False
         self._entries: dict[str, tuple[Stamp, Entry]] = {}
         self._seen: Stamp | None = None
-        self.follow()
 
     def follow(self) -> None:
         """Take over what another program has found out or marked since this one last looked."""

@@ -18,11 +18,14 @@ from PySide6.QtWidgets import (
 
 from armui.arm.state import ArmState
 from armui.control.joint_monitor import JointMonitor
+from armui.control.motion_command import Mover
 from armui.control.situation import Situation, StopState
+from armui.helper_process import FileThread
 from armui.ui.background import Background
+from armui.ui.dialogs.close_question import CloseQuestion
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
-from armui.ui.leaving import end_motion_then
+from armui.ui.leaving import end_motion_then, end_single_motion_then
 from armui.ui.operation_area import OperationArea
 from armui.ui.panel_menu import PanelMaker
 from armui.ui.panels.motion_panel import MotionPanel
@@ -63,6 +66,7 @@ class MainWindow(QMainWindow):
         view: The 3D picture.
         preferences: What the operator chose; changes reach the window at once.
         workers: Who does what takes long.
+        files: Who does what waits for a disk, in a thread of this process; the workers by default.
         trajectories: The folder of the library; the user's own by default.
     """
 
@@ -73,12 +77,15 @@ class MainWindow(QMainWindow):
         preferences: SettingsStore,
         workers: Executor,
         trajectories: Path | None = None,
+        *,
+        files: Executor | None = None,
     ) -> None:
         super().__init__()
         self._controller = controller
         self._view = view
         self._preferences = preferences
         self._workers = workers
+        self._files = files
         self._trajectories = trajectories
         self._settings = preferences.settings
         self._dialogs: dict[str, QDialog] = {}
@@ -241,8 +248,14 @@ class MainWindow(QMainWindow):
             from armui.ui.trajectory.library_window import LibraryWindow  # noqa: PLC0415 - as above
             from armui.ui.trajectory.preview_link import PreviewLink  # noqa: PLC0415 - as above
 
-            library = Library(self._trajectories or paths.trajectories())
-            background = Background(self._workers, self)
+            folder = self._trajectories or paths.trajectories()
+            files = self._files
+            library = (
+                Library(folder, call=files.call)
+                if isinstance(files, FileThread)
+                else Library(folder)
+            )
+            background = Background(self._workers, self._files, self)
             window = LibraryWindow(self._controller, background, library, self)
             link = PreviewLink(window, self._preview)
             self._view.mark_picked.connect(link.on_mark_picked)
@@ -323,8 +336,12 @@ class MainWindow(QMainWindow):
         super().closeEvent(event)
 
     def _close_unless_moving(self) -> None:
-        if not self._controller.situation.moving:
+        situation = self._controller.situation
+        if not situation.moving:
             self._close_now()
+            return
+        if situation.mover is Mover.OURS:
+            self._ask_how_to_close()
             return
         confirm(
             self,
@@ -337,6 +354,22 @@ class MainWindow(QMainWindow):
             action_label=self.tr("Close anyway"),
             on_confirmed=self._close_now,
         )
+
+    def _ask_how_to_close(self) -> None:
+        """This program moves the arm: its motion is ended unless the operator lets it finish."""
+        for older in self.findChildren(CloseQuestion):
+            older.reject()
+        question = CloseQuestion(self._controller, self)
+        question.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        question.accepted.connect(
+            lambda: end_single_motion_then(self, self._controller, self._close_now)
+        )
+        question.let_finish.connect(self._let_finish_and_close)
+        question.open()
+
+    def _let_finish_and_close(self) -> None:
+        self._controller.let_motion_finish()
+        self._close_now()
 
     def _close_now(self) -> None:
         self._may_close = True

@@ -459,6 +459,25 @@
     </message>
 </context>
 <context>
+    <name>CloseQuestion</name>
+    <message>
+        <source>The arm is moving</source>
+        <translation>机械臂正在运动</translation>
+    </message>
+    <message>
+        <source>If the motion is ended, the arm comes to rest where it is; its motors stay enabled. If it is let finish, it goes on to its target, and this program cannot stop it any more. Press the emergency stop if it must not move.</source>
+        <translation>结束运动：机械臂在当前位置停下，电机保持使能。任其完成：机械臂继续运动到目标位置，本程序将无法再停止它。如果机械臂不得运动，请按急停。</translation>
+    </message>
+    <message>
+        <source>End the motion and close</source>
+        <translation>结束运动并关闭</translation>
+    </message>
+    <message>
+        <source>Let it finish and close</source>
+        <translation>任其完成并关闭</translation>
+    </message>
+</context>
+<context>
     <name>CollisionPanel</name>
     <message>
         <source>Collision level</source>
@@ -677,6 +696,14 @@
     <message>
         <source>Bit rate</source>
         <translation>波特率</translation>
+    </message>
+    <message>
+        <source>Listen only</source>
+        <translation>只听</translation>
+    </message>
+    <message>
+        <source>Beside another program: nothing is sent but the emergency stop.</source>
+        <translation>与其他程序同时使用：除急停外不发送任何帧。</translation>
     </message>
     <message>
         <source>{bitrate} (generation 1)</source>
@@ -979,6 +1006,10 @@
     <message>
         <source>Points</source>
         <translation>轨迹点</translation>
+    </message>
+    <message>
+        <source>Saved. Another program had changed “{name}” since it was opened here: what it saved is in the library under “Recently deleted…”.</source>
+        <translation>已保存。“{name}”在此处打开后被另一个程序修改过：其保存的内容可在轨迹库的“最近删除…”中找到。</translation>
     </message>
 </context>
 <context>
@@ -2073,6 +2104,13 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Make, check, run and record trajectories</source>
         <translation>编辑、检查、运行和录制轨迹</translation>
+    </message>
+</context>
+<context>
+    <name>LibraryCompany</name>
+    <message>
+        <source>Another program has this library open, too ({names}). What it saves appears in this list. Do not edit the same trajectory in both.</source>
+        <translation>另一个程序也打开了此轨迹库（{names}）。它保存的内容会出现在此列表中。请勿在两个程序中编辑同一条轨迹。</translation>
     </message>
 </context>
 <context>
@@ -3802,6 +3840,10 @@ Lead it near its rest pose, then stop recording.</source>
         <source>Waiting for the arm</source>
         <translation>等待机械臂</translation>
     </message>
+    <message>
+        <source>Another way</source>
+        <translation>另一种选择</translation>
+    </message>
 </context>
 <context>
     <name>RecoveryStep</name>
@@ -3832,6 +3874,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Nothing is heard from the arm. Check its power, the CAN cable and the bit rate.</source>
         <translation>未收到机械臂的反馈。请检查电源、CAN 线和波特率。</translation>
+    </message>
+    <message>
+        <source>Only listening: nothing is sent but the emergency stop.</source>
+        <translation>只听：除急停外不发送任何帧。</translation>
     </message>
     <message>
         <source>Waiting for the arm: {what}.</source>
@@ -4777,6 +4823,10 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>另一个程序仍在发送（{frames}）：其最后一帧过后半秒才能接管。对持续的数据流只有急停有效。</translation>
     </message>
     <message>
+        <source>This connection only listens: nothing is sent but the emergency stop. Connect without Listen only to command the arm.</source>
+        <translation>当前连接为“只听”：除急停外不发送任何帧。要控制机械臂，请取消“只听”后重新连接。</translation>
+    </message>
+    <message>
         <source>No other program moves the arm.</source>
         <translation>没有其他程序在移动机械臂。</translation>
     </message>
@@ -4831,6 +4881,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>The part of the program that drove it has failed: the arm was told to end its motion. Copy the details of the error, then start the program again.</source>
         <translation>驱动该运动的程序部分已出错：已命令机械臂结束运动。请复制错误详细信息，然后重新启动程序。</translation>
+    </message>
+    <message>
+        <source>The program or the computer stood still for {seconds} s, so the replay was ended. Let the computer do less beside it, keep it from sleeping, and start the replay anew.</source>
+        <translation>程序或计算机停顿了 {seconds} 秒，回放已结束。请减少计算机的其他任务并禁止休眠，然后重新开始回放。</translation>
     </message>
 </context>
 <context>

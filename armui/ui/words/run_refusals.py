@@ -100,6 +100,11 @@ RUN_REFUSALS: Final[Mapping[str, object]] = {
         "Joint {joint} does not follow: it is {away}° behind. See what keeps it, or replay more "
         "slowly.",
     ),
+    "replay_gap": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The program or the computer stood still for {seconds} s, so the replay was ended. Let the "
+        "computer do less beside it, keep it from sleeping, and start the replay anew.",
+    ),
     "pose_unknown": QT_TRANSLATE_NOOP(
         "Refusal", "The arm has not reported its end pose: an arc has no beginning. Wait for it."
     ),
