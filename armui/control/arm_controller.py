@@ -259,8 +259,6 @@ class ArmController(QObject):
         closed = self._connection.end(_END_S)
         return self._finder.end(_END_S) and closed
 
-    # The stop ---------------------------------------------------------------------------------
-
     def emergency_stop(self) -> None:
         """Stop the arm at once: past every other frame, whatever else is under way (0x150)."""
         self._stop.stop()
@@ -345,8 +343,6 @@ class ArmController(QObject):
         self._watch.forget()
         self._link_watch.forget()
         self._was_stopped = False
-
-    # What ends what is under way ----------------------------------------------------------------
 
     def end_motion(self, *, single: bool = False) -> None:
         """End what this program drives in good order: the arm comes to rest and stays powered.

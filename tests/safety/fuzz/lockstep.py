@@ -32,12 +32,21 @@ class LockstepWorker(BusWorker):
         self._report(BusState.OPENING)
         self._open()
 
-    def close(self) -> None:
+    def close(self, within_ms: int = 0) -> bool:  # noqa: ARG002 - nothing is waited for here
         """Close the device."""
         if not self._ended:
             self._ended = True
             self._leave()
             self._report(BusState.CLOSED)
+        return True
+
+    def isFinished(self) -> bool:  # noqa: N802 - Qt's name
+        """There is no thread that could go on."""
+        return self._ended
+
+    def wait(self, *_: object) -> bool:
+        """Nothing to wait for."""
+        return True
 
     def pump(self) -> bool:
         """Send and take in what there is; whether anything has moved."""
