@@ -72,6 +72,7 @@ class Authority:
         self._overspeed = OverspeedWatch()
         self._seen: Observation | None = None
         self._cancelled_s: float | None = None
+        self._zero_since_s = 0.0
         self._mode_sent: tuple[MoveMode, float] | None = None
         self._limits: tuple[JointLimits | None, ...] = (None,) * 6
         self.other = OtherCommand()
@@ -253,8 +254,9 @@ class Authority:
         """The arm has been told another speed percentage."""
         moves = self.under_way or self._moves_unasked
         self.arm_percent = percent
-        if percent == 0 and moves:
+        if percent == 0 and moves and self._seen is not None:
             self.holds |= {Hold.SPEED_ZERO}
+            self._zero_since_s = self._seen.now_s
         if self.command is not None and percent > 0:
             self.command = replace(self.command, speed_percent=percent)
             self._overspeed.restart()
@@ -374,6 +376,8 @@ class Authority:
         status = seen.state.status
         if not self.holds or status is None or not status.fresh(seen.now_s):
             return
+        if status.value.reached and status.at_s - self._zero_since_s > _TAKEN_IN_S:
+            self.holds -= {Hold.SPEED_ZERO}  # it had arrived: nothing is left to hold back
         left = status.value.control_mode != ControlMode.CAN_CONTROL
         stopped = status.value.arm_status == ArmStatusCode.EMERGENCY_STOP
         if left or stopped or limp(seen.state, seen.now_s):

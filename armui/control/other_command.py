@@ -59,6 +59,8 @@ class OtherCommand:
         self.series: tuple[FrameSeries, ...] = ()
         self.mode: OtherMode | None = None
         self._now_s = 0.0
+        self._sorted: tuple[OtherTraffic | None, tuple[int, ...]] = (None, ())
+        self._motion: tuple[FrameSeries, ...] = ()
         self._void_before_s = 0.0
 
     def observe(
@@ -80,7 +82,11 @@ class OtherCommand:
             at_rest: Whether the arm is measured to stand still.
         """
         self._now_s = now_s
-        motion = traffic.motion(offsets)
+        if traffic is not self._sorted[0] or offsets != self._sorted[1]:
+            self._sorted = (traffic, offsets)
+            self._motion = traffic.motion(offsets)
+            self.is_leader = traffic.leads(offsets)
+        motion = self._motion
         last_s = max((each.last_s for each in motion), default=None)
         new = last_s is not None and (self.last_s is None or last_s > self.last_s)
         if new:
@@ -90,7 +96,6 @@ class OtherCommand:
         elif self.last_s is not None and now_s - self.last_s >= _GONE_AFTER_S and at_rest:
             self.commands = False
         self.series = tuple(each for each in motion if now_s - each.last_s < _GONE_AFTER_S)
-        self.is_leader = traffic.leads(offsets)
         self.mode = self._mode_of(traffic, offsets, state)
         return new
 

@@ -339,6 +339,16 @@ def test_zero_percent_holds_back_what_is_under_way_and_nothing_else(arm):
     assert arm.authority.mover is Mover.OURS
 
 
+def test_a_motion_that_had_arrived_is_not_held_back_at_zero_percent(arm):
+    arm.send()
+    arm.joints_deg = THERE
+    arm.wait(0.1)
+    arm.authority.told_percent(0)
+    assert arm.authority.holds
+    arm.wait(0.6)
+    assert not arm.authority.holds
+
+
 @pytest.mark.parametrize(
     ("does", "held"),
     [
