@@ -103,6 +103,7 @@ def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
         mover=authority.mover,
         other_host=around.other_host,
         holds=authority.holds,
+        held_target_deg=authority.held_target_deg,
         cancel_unheeded=authority.cancel_unheeded,
         altering=activity.altering,
         run_sets_lamps=activity.run_sets_lamps,

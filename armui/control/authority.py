@@ -150,6 +150,11 @@ class Authority:
             return Refusal("plan_paused")
         return Refusal("held_at_zero") if self.holds else None
 
+    @property
+    def held_target_deg(self) -> tuple[float, ...] | None:
+        """Six angles that the motion held back leads to; ``None``: not known, or none is."""
+        return self.command.joints_deg if self.holds and self.command is not None else None
+
     def joint_base_deg(self) -> tuple[float, ...] | None:
         """Six angles a step or a jog of a joint starts from; ``None``: they are not known.
 

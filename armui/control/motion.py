@@ -56,7 +56,7 @@ class Motion:
         tellable &= gate.why_no_command(situation.unreachable, situation.stop, None) is None
         if tellable and self.tell_speed():
             context.tell("sent_speed", percent=self.speed_percent)
-        if context.authority.holds:
+        elif context.authority.holds:
             context.tell("speed_waits", percent=self.speed_percent)
         return None
 

@@ -211,7 +211,14 @@ def _other_host(code: str) -> _Applies:
 
 def _held(hold: Hold) -> _Applies:
     """A motion is held back, and not by a run, which has a pause of its own."""
-    return _when(lambda view: hold in view.situation.holds and not view.situation.running)
+
+    def applies(view: _View) -> Params | None:
+        situation = view.situation
+        if hold not in situation.holds or situation.running:
+            return None
+        return {"target": situation.held_target_deg}
+
+    return applies
 
 
 def _near_rest(view: _View) -> bool:

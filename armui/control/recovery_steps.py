@@ -94,8 +94,8 @@ class Kind(enum.Enum):
     OTHER_MODE = "other_mode"  # other_mode
     OTHER_HOST = "other_host"  # frames, since, rate
     LEADER_ARM = "leader_arm"  # frames, since, rate
-    PAUSED = "paused"
-    HELD_AT_ZERO = "held_at_zero"
+    PAUSED = "paused"  # target
+    HELD_AT_ZERO = "held_at_zero"  # target
     MOTORS_UNKNOWN = "motors_unknown"
     DRAG_MODE_AT_REST = "drag_mode_at_rest"
     DRAG_MODE_WITHOUT_POWER = "drag_mode_without_power"  # joint, angle, near

@@ -106,6 +106,7 @@ class Situation:
         mover: Who moves the arm.
         other_host: What another host sends that moves the arm, ``None``: nobody else moves it.
         holds: What holds back a motion in the arm.
+        held_target_deg: Where that motion leads, as six angles; ``None`` where they are not known.
         cancel_unheeded: The arm was told to end its motion and does not come to rest.
         moving: The arm says that it has not reached its target, is not stopped, and is not
             measured to stand still: a motion cut short stays «not reached» for good. A motion
@@ -138,6 +139,7 @@ class Situation:
     mover: Mover = Mover.UNKNOWN
     other_host: OtherHostReport | None = None
     holds: frozenset[Hold] = frozenset()
+    held_target_deg: tuple[float, ...] | None = None
     cancel_unheeded: bool = False
     altering: str | None = None
     run_sets_lamps: bool = False

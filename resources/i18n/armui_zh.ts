@@ -1556,6 +1556,13 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>HeldTarget</name>
+    <message>
+        <source>a target this program does not know</source>
+        <translation>本程序不知道的位置</translation>
+    </message>
+</context>
+<context>
     <name>Help</name>
     <message>
         <source>Mouse</source>
@@ -3984,12 +3991,12 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>主臂正在带动本机械臂：自 {since} 起（{frames}，{rate} 帧/秒）。</translation>
     </message>
     <message>
-        <source>The arm holds back a paused motion. Hold Continue, or give it up.</source>
-        <translation>机械臂保留着已暂停的运动。按住“继续”，或放弃它。</translation>
+        <source>The arm holds back a paused motion to {target}. Hold Continue, or give it up.</source>
+        <translation>机械臂保留着已暂停的运动，目标 {target}。按住“继续”，或放弃它。</translation>
     </message>
     <message>
-        <source>The arm holds back a motion at 0 %. Set a speed and hold Continue, or give it up.</source>
-        <translation>速度为 0 %，机械臂保留着未完成的运动。请先设定速度再按住“继续”，或放弃它。</translation>
+        <source>The arm holds back a motion to {target} at 0 %. Set a speed and hold Continue, or give it up.</source>
+        <translation>速度为 0 %，机械臂保留着运动，目标 {target}。请设定速度后按住“继续”，或放弃它。</translation>
     </message>
     <message>
         <source>Not every motor has reported. If it stays so, check power and cable, and connect again.</source>

@@ -73,9 +73,6 @@ class RecoveryLine(QWidget):
         self._button = StepButton()
         self._button.setObjectName("recovery_button")
         self._button.setMinimumWidth(_BUTTON_PX)
-        policy = self._button.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)
-        self._button.setSizePolicy(policy)
         self._hold_button = HoldButton()
         self._hold_button.setObjectName("recovery_hold_button")
         self._hold_button.setMinimumWidth(_BUTTON_PX)
@@ -155,6 +152,9 @@ class RecoveryLine(QWidget):
         action = None if step.kind in _CALM else step.action
         blocked = self._controller.recovery.why_not(step)
         button = self._hold_button if step.held else self._button
+        policy = self._button.sizePolicy()
+        policy.setRetainSizeWhenHidden(not step.held)  # nothing moves when a button goes
+        self._button.setSizePolicy(policy)
         self._button.setVisible(action is not None and not step.held)
         self._hold_button.setVisible(action is not None and step.held)
         button.setEnabled(not step.waiting and blocked is None)

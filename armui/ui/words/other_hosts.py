@@ -65,3 +65,10 @@ _MODES: Final[Mapping[str, object]] = {
 def other_mode(mode: str) -> str:
     """A mode another host has put the arm in."""
     return QCoreApplication.translate("OtherMode", str(_MODES[mode]))
+
+
+def held_target(angles_deg: object) -> str:
+    """Where a motion held back leads: six angles in degrees, or that they are not known."""
+    if not isinstance(angles_deg, tuple):
+        return QCoreApplication.translate("HeldTarget", "a target this program does not know")
+    return ", ".join(f"{angle:.1f}°" for angle in angles_deg)

@@ -9,7 +9,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
 from armui.control.recovery_steps import Action, Kind, Step
 from armui.ui.words import status
-from armui.ui.words.other_hosts import other_mode
+from armui.ui.words.other_hosts import held_target, other_mode
 from armui.ui.words.refusals import refusal, under_way
 from armui.ui.words.text import sentence
 
@@ -161,11 +161,12 @@ _SENTENCES: Final[Mapping[Kind, object]] = {
     ),
     Kind.PAUSED: QT_TRANSLATE_NOOP(
         "RecoveryStep",
-        "The arm holds back a paused motion. Hold Continue, or give it up.",
+        "The arm holds back a paused motion to {target}. Hold Continue, or give it up.",
     ),
     Kind.HELD_AT_ZERO: QT_TRANSLATE_NOOP(
         "RecoveryStep",
-        "The arm holds back a motion at 0 %. Set a speed and hold Continue, or give it up.",
+        "The arm holds back a motion to {target} at 0 %. Set a speed and hold Continue, or give "
+        "it up.",
     ),
     Kind.MOTORS_UNKNOWN: QT_TRANSLATE_NOOP(
         "RecoveryStep",
@@ -295,6 +296,8 @@ def step(this: Step) -> str:
     params: dict[str, object] = dict(this.params)
     if isinstance(mode := params.get("mode"), int):
         params["mode"] = status.control_mode(mode)
+    if "target" in params:
+        params["target"] = held_target(params["target"])
     if isinstance(other := params.get("other_mode"), str):
         params["other_mode"] = other_mode(other)
     if isinstance(code := params.get("status"), int):
