@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
+from armui.paths import URDF
 from armui.viewport.camera import HOME_CAMERA, OrbitCamera
 from armui.viewport.palette import LIGHT, ScenePalette
 from armui.viewport.path_picture import NOTHING, Preview
@@ -28,6 +29,10 @@ class RobotChoice:
 
     path: Path
     serial: int = 0
+
+
+BUILT_IN_ROBOT: Final = RobotChoice(URDF / "piper.urdf")
+"""The project's own arm."""
 
 
 @dataclass(frozen=True)

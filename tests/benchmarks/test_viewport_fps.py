@@ -12,8 +12,8 @@ import pytest
 import pyvista as pv
 
 from armui.paths import URDF
-from armui.viewport.scene import Scene
-from armui.viewport.urdf_file import load_robot
+from armui.viewport.process.scene import Scene
+from armui.viewport.process.urdf_file import load_robot
 from armui.viewport.view import ArmView
 
 WIDTH, HEIGHT = 900, 700

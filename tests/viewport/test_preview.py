@@ -7,7 +7,7 @@ from PySide6.QtCore import QPoint, Qt
 from armui.paths import URDF
 from armui.viewport.palette import DARK, LIGHT, rgb
 from armui.viewport.path_picture import NOTHING, PathPicture, Preview
-from armui.viewport.scene import Scene
+from armui.viewport.process.scene import Scene
 from armui.viewport.view import ArmView
 from tests.viewport.pinhole import HEIGHT, WIDTH, project
 
@@ -36,7 +36,7 @@ def scene():
 
 
 def picture(scene):
-    return scene.render(smooth=False)[:, :, :3].astype(int)
+    return scene.render(smooth=False).top_down()[:, :, :3].astype(int)
 
 
 def changed(first, second):

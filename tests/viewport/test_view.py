@@ -15,7 +15,7 @@ from armui.arm.refusal import Refusal
 from armui.paths import URDF
 from armui.viewport.camera import HOME_CAMERA
 from armui.viewport.palette import DARK
-from armui.viewport.urdf_file import load_robot
+from armui.viewport.process.urdf_file import load_robot
 from armui.viewport.view import ArmView
 from tests.viewport.foreign import write_arm
 from tests.viewport.pinhole import HEIGHT, WIDTH, project

@@ -18,7 +18,7 @@ import trimesh
 import yourdfpy
 
 from armui.viewport.errors import SceneError
-from armui.viewport.robot import ARM_JOINT_COUNT, HINGES, Joint, Mimic, Part, Rgb, Robot
+from armui.viewport.process.robot import ARM_JOINT_COUNT, HINGES, Joint, Mimic, Part, Rgb, Robot
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -14,7 +14,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 if TYPE_CHECKING:
     from trimesh import Trimesh
 
-    from armui.viewport.robot import Matrix
+    from armui.viewport.process.robot import Matrix
 
 _SMOOTH_BELOW_DEG = 35.0
 

@@ -8,8 +8,8 @@ import pytest
 
 from armui.arm.refusal import Refusal
 from armui.paths import URDF
-from armui.viewport import frame_painter
-from armui.viewport.frame_painter import FramePainter
+from armui.viewport.process import frame_painter
+from armui.viewport.process.frame_painter import FramePainter
 from armui.viewport.view_state import PickRequest, RobotChoice, ViewState
 from tests.viewport.foreign import write_arm
 

@@ -10,19 +10,19 @@ from typing import TYPE_CHECKING
 from vtkmodules.vtkRenderingCore import vtkCellPicker
 
 from armui.viewport.camera import HOME_CAMERA, VIEW_ANGLE_DEG
-from armui.viewport.offscreen import Canvas, Pixels
 from armui.viewport.palette import LIGHT, ScenePalette
 from armui.viewport.path_picture import NOTHING, Preview
-from armui.viewport.preview_actors import PreviewActors
-from armui.viewport.robot_actors import RobotActors
-from armui.viewport.stage import Stage
-from armui.viewport.urdf_file import load_robot
+from armui.viewport.process.offscreen import Canvas, Pixels
+from armui.viewport.process.preview_actors import PreviewActors
+from armui.viewport.process.robot_actors import RobotActors
+from armui.viewport.process.stage import Stage
+from armui.viewport.process.urdf_file import load_robot
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
 
-    from armui.viewport.robot import Robot
+    from armui.viewport.process.robot import Robot
     from armui.viewport.view_state import ViewState
 
 _FAR_BEHIND_FOCUS_M = 5.0
@@ -156,7 +156,7 @@ class Scene:
                 processor.
 
         Returns:
-            height × width × 4 bytes (red, green, blue, unused), top row first, the caller's own.
+            The image, valid until the next one is drawn.
         """
         self._aim()
         self._canvas.renderer.SetUseFXAA(smooth)

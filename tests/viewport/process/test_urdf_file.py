@@ -9,7 +9,7 @@ import trimesh
 from armui.arm.refusal import Refusal
 from armui.paths import URDF
 from armui.viewport.errors import LOAD_REFUSALS, SceneError
-from armui.viewport.urdf_file import load_robot
+from armui.viewport.process.urdf_file import load_robot
 from tests.viewport.foreign import joint, link, mesh, write_arm
 
 BOX = '<visual><geometry><box size="0.1 0.2 0.3"/></geometry></visual>'
