@@ -34,8 +34,7 @@ _SWITCH_INTERVAL_S: Final = 0.0005
 """How long a thread may keep Python's lock while another wants it. The default of 5 ms, once for
 the bus thread and once for the simulated arm's, is what a pressed stop would wait."""
 
-
-_WITHOUT_PICTURE_MS: Final = 8000
+_CONNECTED_MS: Final = 5000
 
 
 class Program:
@@ -81,24 +80,6 @@ class Program:
         self._workers.shutdown()
         self.view.shutdown()
 
-    def connect_when_drawn(self, device: Device) -> None:
-        """Connect as soon as the 3D picture stands.
-
-        Loading its libraries holds Python's lock for up to half a second at a stretch: time in
-        which neither feedback nor a stop could be handled.
-        """
-        waiting = [device]
-
-        def connect(*_reason: object) -> None:
-            if waiting and self.controller.situation.device is None:
-                self.controller.connect_device(waiting.pop())
-            waiting.clear()
-
-        self.view.first_frame_shown.connect(connect)
-        self.view.load_failed.connect(connect)
-        # a computer that can't draw at all drives the arm none the less
-        QTimer.singleShot(_WITHOUT_PICTURE_MS, self.view, connect)
-
     def _on_settings_changed(self, settings: Settings) -> None:
         apply_theme(self._app, Theme(settings.theme))
         if settings.language != self._settings.language:
@@ -116,15 +97,24 @@ def run(options: StartOptions) -> int:
     store = SettingsStore(default_path(), for_this_run=chosen)
     program = Program(app, store, ArmController(open_device, SIMULATED), HelperProcess())
     app.aboutToQuit.connect(program.shutdown)
-    # What the program was built from is no garbage: searching it over and over would stop every
-    # thread, the stop's too, for tens of milliseconds at a time.
-    program.view.first_frame_shown.connect(gc.freeze)
     _end_on_ctrl_c(app)
     program.window.show()
     device = chosen_device(options)
     if device is not None:
-        program.connect_when_drawn(device)
+        # the bus waits for nothing: the picture is loaded in a process of its own
+        program.controller.connect_device(device)
+    keep_from_collector()
     return app.exec()
+
+
+def keep_from_collector() -> None:
+    """What the program was built from is no garbage: do not search it over and over.
+
+    That would stop every thread, the stop's too, for tens of milliseconds at a time. The libraries
+    of a first connection follow within seconds.
+    """
+    gc.freeze()
+    QTimer.singleShot(_CONNECTED_MS, gc.freeze)
 
 
 def _end_on_ctrl_c(app: QApplication) -> None:

@@ -13,8 +13,9 @@ from PySide6.QtGui import QImage
 from armui.viewport.child_process import ENTRY
 from armui.viewport.frame_memory import BYTES_PER_PIXEL
 from armui.viewport.messages import JointPicked, LoadFailed, MarkPicked
+from armui.viewport.news import Frame, Lost, UpToDate, Wanted
 from armui.viewport.picture_age import LONGEST_S, PictureAge
-from armui.viewport.process_link import Frame, Lost, ProcessLink, UpToDate, Wanted
+from armui.viewport.process_link import ProcessLink
 
 if TYPE_CHECKING:
     from armui.viewport.view_state import ViewState
@@ -38,6 +39,7 @@ class Picture:
         pixels = frame.memory.slot(frame.slot, stride * height)
         self.image = QImage(pixels, width, height, stride, QImage.Format.Format_RGB32)
         self.image.setDevicePixelRatio(frame.pixel_ratio)
+        pixels.release()  # the image knows the place; the memory is kept by the frame
 
 
 class PictureClient(QObject):

@@ -1,7 +1,7 @@
 """What the program and the picture's process tell each other: small, plain data.
 
-One request is under way at a time. The process answers it with `Drawn`; what else it has to say
-comes before.
+The process begins with `Ready`. One request is under way at a time; it is answered with `Drawn`,
+and what else there is to say comes before.
 """
 
 from __future__ import annotations
@@ -49,6 +49,7 @@ class Draw:
         memory: Memory to use from now on; None: the one before.
         path: The path of the preview, when it is another one than before.
         keeps_path: Whether the path sent last is shown.
+        robot: The state's robot, as `RobotRead` gave it: its file is not read again.
     """
 
     sequence: int
@@ -57,6 +58,12 @@ class Draw:
     memory: MemoryName | None = None
     path: PathPicture | None = None
     keeps_path: bool = False
+    robot: bytes | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Ready:
+    """The process has imported its libraries and takes requests."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,6 +102,17 @@ class Busy:
 
 
 @dataclass(frozen=True, slots=True)
+class RobotRead:
+    """A robot description and its meshes as they were read: a later process starts faster with it.
+
+    Attributes:
+        content: Pickled; the program keeps it unopened.
+    """
+
+    content: bytes
+
+
+@dataclass(frozen=True, slots=True)
 class JointPicked:
     """The joint (1–6) whose link is seen at a place asked for, or None."""
 
@@ -117,9 +135,15 @@ class LoadFailed:
 
 @dataclass(frozen=True, slots=True)
 class Failed:
-    """Why the process ends: this computer can't draw, or an error nobody foresaw."""
+    """Why the process ends: this computer can't draw, or an error nobody foresaw.
+
+    Attributes:
+        reason: For the operator.
+        traceback: For the log.
+    """
 
     reason: Refusal
+    traceback: str = ""
 
 
-Answer = Drawn | Busy | JointPicked | MarkPicked | LoadFailed | Failed
+Answer = Ready | Drawn | Busy | RobotRead | JointPicked | MarkPicked | LoadFailed | Failed

@@ -10,8 +10,8 @@ from PySide6.QtGui import QColor, QFontMetrics, QPainter
 from armui.viewport.errors import NO_OPENGL, PROCESS_HUNG
 
 if TYPE_CHECKING:
+    from armui.viewport.news import Lost
     from armui.viewport.palette import ScenePalette
-    from armui.viewport.process_link import Lost
 
 FADED_OPACITY: Final = 0.35
 """Of a picture that is not what it should be."""

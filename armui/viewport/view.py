@@ -37,8 +37,8 @@ if TYPE_CHECKING:
     )
 
     from armui.viewport.camera import OrbitCamera
+    from armui.viewport.news import Lost
     from armui.viewport.path_picture import Preview
-    from armui.viewport.process_link import Lost
 
 _START_MS = 20
 _SAME_ANGLE_DEG = 0.005

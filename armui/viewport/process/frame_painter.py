@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     from armui.arm.refusal import Refusal
     from armui.viewport.process.offscreen import Pixels
+    from armui.viewport.process.robot import Robot
     from armui.viewport.process.scene import Scene
 
 _CHEAP_FRAME_S = 0.010
@@ -58,16 +59,25 @@ class FramePainter:
         return self._is_rough
 
     @property
+    def robot(self) -> Robot | None:
+        """The robot in the picture."""
+        return None if self._scene is None else self._scene.robot
+
+    @property
     def pixel_ratio(self) -> float:
         """Device pixels a logical pixel of the last picture."""
         return 1.0 if self._shown is None else self._shown.pixel_ratio
 
     def open(self) -> None:
-        """Import VTK, trimesh and yourdfpy, which takes a second."""
+        """Import VTK, which takes a second; what reads files follows when it is needed."""
         from armui.viewport.process import scene  # noqa: F401, PLC0415 - see above
 
-    def paint(self, state: ViewState) -> Pixels | None:
+    def paint(self, state: ViewState, known: Robot | None = None) -> Pixels | None:
         """Draw a state; None when the picture is still the same.
+
+        Args:
+            state: what to show.
+            known: its robot, if it was read before: the file is not read again.
 
         Raises:
             SceneError: this computer can't draw at all.
@@ -75,7 +85,7 @@ class FramePainter:
         scene = self._scene or self._open()
         before, self._shown = self._shown, state
         if before is None or state.robot != before.robot:
-            self._load(scene, state)
+            self._load(scene, state, known)
         scene.show(state)
         if state.pick is not None and (before is None or state.pick != before.pick):
             self._on_picked(scene.pick(state.pick.x_px, state.pick.y_px))
@@ -116,7 +126,14 @@ class FramePainter:
         self._scene = Scene()
         return self._scene
 
-    def _load(self, scene: Scene, state: ViewState) -> None:
+    def _load(self, scene: Scene, state: ViewState, known: Robot | None) -> None:
+        if known is not None:
+            scene.show_robot(known)
+            self._on_phase(Phase.FIRST_DRAWING)
+            return
+        self._on_phase(Phase.STARTING)
+        from armui.viewport.process import urdf_file  # noqa: F401, PLC0415 - see `open`
+
         self._on_phase(Phase.LOADING)
         try:
             scene.load(state.robot.path)

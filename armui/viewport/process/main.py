@@ -4,14 +4,25 @@ from __future__ import annotations
 
 import contextlib
 import os
+import pickle
 import time
+import traceback
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from armui.arm.refusal import Refusal
 from armui.viewport.errors import DRAWING_STOPPED, SceneError
 from armui.viewport.frame_memory import FrameMemory
-from armui.viewport.messages import Drawn, Failed, JointPicked, LoadFailed, MarkPicked, Phase
+from armui.viewport.messages import (
+    Drawn,
+    Failed,
+    JointPicked,
+    LoadFailed,
+    MarkPicked,
+    Phase,
+    Ready,
+    RobotRead,
+)
 from armui.viewport.process.frame_painter import FramePainter
 from armui.viewport.process.heartbeat import Heartbeat
 from armui.viewport.process.settle_in import settle_in
@@ -36,7 +47,7 @@ def run(connection: Connection) -> None:
     except Exception as error:  # noqa: BLE001 - the program says it, and starts another process
         text = f"{type(error).__name__}: {error}"
         with contextlib.suppress(OSError):
-            heart.send(Failed(Refusal(DRAWING_STOPPED, {"text": text})))
+            heart.send(Failed(Refusal(DRAWING_STOPPED, {"text": text}), traceback.format_exc()))
     # Drivers that are asked to clean up may crash or hang; the system does it all.
     os._exit(0)
 
@@ -58,6 +69,7 @@ class _Drawing:
     def serve(self, connection: Connection) -> None:
         with self._heart.beating(Phase.STARTING):
             self._painter.open()
+        self._say(Ready())
         while True:
             request: Draw = connection.recv()
             with self._heart.beating(Phase.DRAWING):
@@ -78,7 +90,11 @@ class _Drawing:
             if not request.keeps_path:
                 self._path = request.path
             preview = replace(request.state.preview, path=self._path)
-            pixels = painter.paint(replace(request.state, preview=preview))
+            before = painter.robot
+            known = None if request.robot is None else pickle.loads(request.robot)  # noqa: S301 - our own
+            pixels = painter.paint(replace(request.state, preview=preview), known)
+            if painter.robot is not before and painter.robot is not known:
+                self._say(RobotRead(pickle.dumps(painter.robot)))
         size_px = None
         if pixels is not None and self._memory is not None:
             target = self._memory.slot(request.slot, pixels.nbytes)

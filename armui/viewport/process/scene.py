@@ -16,7 +16,6 @@ from armui.viewport.process.offscreen import Canvas, Pixels
 from armui.viewport.process.preview_actors import PreviewActors
 from armui.viewport.process.robot_actors import RobotActors
 from armui.viewport.process.stage import Stage
-from armui.viewport.process.urdf_file import load_robot
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -66,13 +65,23 @@ class Scene:
         self._stage.scale_lines(pixel_ratio)
         self._stage.paint(palette)
 
+    @property
+    def robot(self) -> Robot | None:
+        """The robot that is shown."""
+        return self._description
+
     def load(self, path: Path) -> None:
         """Show the robot of a URDF file instead of the one before, in the same pose.
 
         Raises:
             SceneError: the file is no arm this program can show; the old robot stays.
         """
-        description = load_robot(path)
+        from armui.viewport.process.urdf_file import load_robot  # noqa: PLC0415 - slow to import
+
+        self.show_robot(load_robot(path))
+
+    def show_robot(self, description: Robot) -> None:
+        """Show a robot that was read before."""
         robot = RobotActors(description)
         renderer = self._canvas.renderer
         if self._robot is not None:

@@ -13,7 +13,7 @@ from multiprocessing import parent_process
 from pathlib import Path
 from typing import Final
 
-_NICER_BY: Final = 10
+_NICER_BY: Final = 5
 """The window, the bus and the stop go first where there are too few cores for all."""
 
 _FIRST_TO_GO: Final = "800"
