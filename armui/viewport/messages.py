@@ -93,7 +93,7 @@ class Busy:
     Attributes:
         phase: What is being done.
         cpu_s: Processor time that it has taken so far.
-        late_s: How much later than asked for the process was woken: the processor was taken.
+        late_s: How much later than asked for the process was woken last: others had the processor.
     """
 
     phase: Phase

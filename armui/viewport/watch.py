@@ -32,9 +32,15 @@ LIMITS: Final = {
 _WAITS_SHARE: Final = 0.05
 """A process that takes less of a free processor waits for something that does not come."""
 
-_SPINS_FACTOR: Final = 2.0
 _LATE_S: Final = 0.03
 """A process that is woken so late shares the processor with others: it is slow, not stuck."""
+
+_STARVED_SHARE: Final = 0.005
+_STARVED_FACTOR: Final = 3.0
+"""Even a starved process takes more than that, in so much more time."""
+
+_SPINS_FACTOR: Final = 2.0
+_LONGEST_FACTOR: Final = 20.0
 
 
 def is_stuck(busy: Busy, busy_for_s: float) -> bool:
@@ -48,10 +54,12 @@ def is_stuck(busy: Busy, busy_for_s: float) -> bool:
         busy_for_s: How long it has been at it.
     """
     limit_s = LIMITS[busy.phase].stuck_s
-    if busy.cpu_s >= _SPINS_FACTOR * limit_s:
+    if busy.cpu_s >= _SPINS_FACTOR * limit_s or busy_for_s >= _LONGEST_FACTOR * limit_s:
         return True
-    is_starved = busy.late_s >= _LATE_S
-    return busy_for_s >= limit_s and not is_starved and busy.cpu_s < _WAITS_SHARE * busy_for_s
+    if busy.late_s >= _LATE_S:
+        too_long = busy_for_s >= _STARVED_FACTOR * limit_s
+        return too_long and busy.cpu_s < _STARVED_SHARE * busy_for_s
+    return busy_for_s >= limit_s and busy.cpu_s < _WAITS_SHARE * busy_for_s
 
 
 class Restarts:

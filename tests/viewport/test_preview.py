@@ -128,6 +128,6 @@ def test_a_click_on_a_mark_tells_its_row_and_a_drag_does_not(view, qtbot):
     qtbot.mousePress(view, Qt.MouseButton.LeftButton, pos=at - QPoint(60, 0))
     qtbot.mouseRelease(view, Qt.MouseButton.LeftButton, pos=at)
     qtbot.mouseClick(view, Qt.MouseButton.LeftButton, pos=at)
-    qtbot.wait_until(lambda: rows, timeout=LIMIT_MS)
+    qtbot.wait_until(lambda: rows != [], timeout=LIMIT_MS)
     assert rows == [1]
     view.mark_picked.disconnect(rows.append)

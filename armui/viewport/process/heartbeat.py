@@ -31,7 +31,7 @@ class Heartbeat:
         self._awake = threading.Event()
         self._phase: Phase | None = None
         self._cpu_began_s = 0.0
-        self._most_late_s = 0.0
+        self._late_s = 0.0
         threading.Thread(target=self._beat, name="heartbeat", daemon=True).start()
 
     def send(self, message: Answer) -> None:
@@ -46,7 +46,7 @@ class Heartbeat:
     @contextmanager
     def beating(self, phase: Phase) -> Iterator[None]:
         """Give signs of life while something is done."""
-        self._cpu_began_s, self._most_late_s = time.process_time(), 0.0
+        self._cpu_began_s = time.process_time()
         self._phase = phase
         self._awake.set()
         try:
@@ -56,7 +56,7 @@ class Heartbeat:
 
     def enter(self, phase: Phase) -> None:
         """Something else is done from now on: the program has other limits for it."""
-        self._cpu_began_s, self._most_late_s = time.process_time(), 0.0
+        self._cpu_began_s = time.process_time()
         self._phase = phase
         self._tell(phase)
 
@@ -67,7 +67,7 @@ class Heartbeat:
             self._awake.clear()
             due_s = time.monotonic() + _BEAT_S
             pause.wait(_BEAT_S)
-            self._most_late_s = max(self._most_late_s, time.monotonic() - due_s)
+            self._late_s = time.monotonic() - due_s
             phase = self._phase
             if phase is None:
                 continue
@@ -78,4 +78,4 @@ class Heartbeat:
                 return  # the program has ended; the thread that draws finds out
 
     def _tell(self, phase: Phase) -> None:
-        self.send(Busy(phase, time.process_time() - self._cpu_began_s, self._most_late_s))
+        self.send(Busy(phase, time.process_time() - self._cpu_began_s, self._late_s))
