@@ -7,6 +7,7 @@ second of silence takes no half second, and nothing ever sleeps.
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import Protocol
 
 import can
 from PySide6.QtCore import QCoreApplication, QDeadlineTimer
@@ -26,6 +27,13 @@ _POLL_S = 0.0005
 _LOOKS = 2
 
 
+class Company(Protocol):
+    """Somebody else on the bus."""
+
+    def step(self, dt_s: float) -> None:
+        """Let time pass."""
+
+
 class Bench:
     """What a test holds in its hands.
 
@@ -34,6 +42,8 @@ class Bench:
         controller: The program's own controller, connected to it on request.
         notices: Every notice so far.
         channel: Of the virtual bus: whoever else is on it opens the same.
+        powered: Whether the arm's time passes; see `Firmware.switch_off` for its supply.
+        company: Whoever else is on the bus and lives by this clock; its time passes first.
     """
 
     def __init__(self, channel: str, generation: Generation = Generation.TWO) -> None:
@@ -43,6 +53,7 @@ class Bench:
         self._arm_bus = can.Bus(interface="virtual", channel=channel)
         self.node = Node(self.firmware, self._arm_bus)
         self.powered = True
+        self.company: list[Company] = []
         self.broken: Exception | None = None
         self._host_bus: can.BusABC | None = None
         self._empty_looks = 0
@@ -100,6 +111,8 @@ class Bench:
         """Let time pass on both sides until each has heard what the other said."""
         self._settle()
         self.time_s += dt_s
+        for each in self.company:
+            each.step(dt_s)
         if self.powered:
             self.node.poll(dt_s)
         self._settle()

@@ -12,9 +12,11 @@ import can
 from PySide6.QtCore import QObject, QThread, Signal
 
 from armui.arm.device import Device
+from armui.arm.other_hosts import OtherHosts, OtherTraffic
 from armui.arm.state import ArmState
 from armui.arm.tracker import Tracker
 from armui.bus.adapters import explain
+from armui.bus.echo import is_own_echo
 from armui.bus.link import BusReport, BusState
 from armui.bus.outbox import Outbox
 from armui.bus.samples import SampleRing
@@ -89,6 +91,8 @@ class BusWorker(QThread):
         self._tracker = Tracker(codec)
         self._next_codec: Codec | None = None
         self._state = ArmState()
+        self._others = OtherHosts()
+        self._traffic = OtherTraffic()
         self._pictured_s = 0.0
         self._outbox = Outbox(clock)
         self.samples = SampleRing()
@@ -103,6 +107,11 @@ class BusWorker(QThread):
     def state(self) -> ArmState:
         """The arm as last heard; may be read from any thread."""
         return self._state
+
+    @property
+    def traffic(self) -> OtherTraffic:
+        """What other hosts were heard to send; may be read from any thread."""
+        return self._traffic
 
     def send(self, frames: Sequence[Frame], keep_s: float | None = None) -> bool:
         """Queue frames in order; false if the device is not open; see :meth:`Outbox.put`."""
@@ -162,10 +171,12 @@ class BusWorker(QThread):
         if now_s - self._pictured_s >= _PICTURE_S or taken == 0:
             self._pictured_s = now_s
             self._state = self._tracker.picture()
+            self._traffic = self._others.traffic()
 
     def _take_in(self, message: can.Message, now_s: float) -> None:
-        if not message.is_rx:
-            return  # some adapters hand back what they have sent: nobody else said it
+        if is_own_echo(message, self._device.interface):
+            return
+        self._others.note(message.arbitration_id, bytes(message.data), now_s)
         heard = _oddity(message) or self._codec.decode(
             Frame(message.arbitration_id, bytes(message.data))
         )

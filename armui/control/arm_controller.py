@@ -20,6 +20,7 @@ from armui.bus.link import BusReport
 from armui.control import reports
 from armui.control.arm_settings import ArmSettings
 from armui.control.assessment import Activity, Circumstances, assess
+from armui.control.authority import Authority
 from armui.control.cartesian import Cartesian
 from armui.control.connection import Connection
 from armui.control.context import Context, Part
@@ -31,6 +32,7 @@ from armui.control.joint_errors import JointErrors
 from armui.control.lights import Lights
 from armui.control.linkage import Linkage
 from armui.control.motion import Motion
+from armui.control.motion_command import End, Observation
 from armui.control.motors import Motors
 from armui.control.notices import CODES
 from armui.control.orders import OrderLine
@@ -41,12 +43,12 @@ from armui.control.recorder import Recorder
 from armui.control.recovery import Recovery
 from armui.control.replayer import Replayer
 from armui.control.run_end import cut_short
-from armui.control.situation import Busy, LinkState, Notice, Situation
-from armui.control.stillness import Stillness
+from armui.control.situation import Busy, LinkState, Notice, OtherHostReport, Situation
 from armui.control.stop import StopKeeper, is_stopped
 from armui.control.teaching import Teaching
 from armui.control.zeroing import Zeroing
 from armui.protocol import commands
+from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import TrajectoryCommand
 from armui.protocol.frame import Frame
 
@@ -120,29 +122,43 @@ class ArmController(QObject):
         self._connection = Connection(opener, clock, self)
         self._connection.changed.connect(self._on_connection)
         self._stop = StopKeeper(self._connection.send_urgent)
-        context = Context(self._connection, self._notice, clock, lambda: self._state, self._refresh)
+        self._authority = Authority()
+        context = Context(
+            self._connection,
+            self._notice,
+            clock,
+            lambda: self._state,
+            self._refresh,
+            self._authority,
+        )
         self._context = context
         self.motion = Motion(context)
         self.cartesian = Cartesian(context, self.motion)
         self.jogging = Jogging(context, self.motion, self.cartesian)
         self.motors = Motors(
-            context, before_switching=self.motion.halt, end_run=self._end_run_because
+            context,
+            before_switching=lambda: self._authority.end(End.DISABLED),
+            end_run=self._end_run_because,
         )
         self.lights = Lights(context)
-        self.player = Player(context, self.motion.halt, self)
-        self.replayer = Replayer(context, self.motion.halt, self)
+        self.player = Player(context, self)
+        self.replayer = Replayer(context, self)
         self.recorder = Recorder(context, self)
         self.orders = OrderLine(context)
         self.settings = ArmSettings(context, self.orders, self)
         self.joint_errors = JointErrors(context, self.orders)
         self.teaching = Teaching(context)
-        self.planned_motion = PlannedMotion(context, end_all=self._end_driven)
+        self.planned_motion = PlannedMotion(
+            context, end_all=self._end_driven, tell_speed=self.motion.tell_speed
+        )
         self.recovery = Recovery(
             context,
             motors=self.motors,
             joint_errors=self.joint_errors,
             teaching=self.teaching,
             stop=self.emergency_stop,
+            planned_motion=self.planned_motion,
+            take_over=self.take_over,
             announce=self.step_changed.emit,
         )
         self.end_reports = EndReports(context, self.orders)
@@ -166,11 +182,11 @@ class ArmController(QObject):
             self.recovery,  # the last: it looks at what the others are doing
         )
         self._parts = Parts(parts, self._notice)
-        self._stillness = Stillness()
-        self._still = False
+        self._other_since: tuple[float, datetime] | None = None
         self._was_online = False
         self._was_stopped = False
         self._was_unconfirmed = False
+        self._was_commanded = self._was_unheeded = False
         self._limits_told = False
         self._state = ArmState()
         self._situation = Situation(speed_percent=self.motion.speed_percent)
@@ -221,7 +237,7 @@ class ArmController(QObject):
         if device is None:
             return
         self._end_run_because(Refusal("run_left"))
-        if self.planned_motion.paused:
+        if self._authority.holds:
             cut_short(self._context)
         self._forget_arm()
         self._connection.close()
@@ -273,7 +289,7 @@ class ArmController(QObject):
             self._follow_online()
         finally:
             self._follow_stop(now_s)  # a stop is repeated whatever else fails
-        self._still = self._stillness.still(heard, now_s)
+        self._follow_authority(now_s)
         self._parts.advance()
         self._follow_handshake()
         self._refresh()
@@ -286,8 +302,6 @@ class ArmController(QObject):
             self._was_online = online
             if online:
                 self._limits_told = False
-            else:
-                self.motion.forget()
             if self._connection.link in {LinkState.ONLINE, LinkState.OFFLINE}:
                 self._notice("online" if online else "offline")
 
@@ -311,6 +325,66 @@ class ArmController(QObject):
         for code, figures in reports.on_handshake(self._state, handshake.generation):
             self._notice(code, **figures)
 
+    def _follow_authority(self, now_s: float) -> None:
+        """Tell who else moves the arm, and end a motion of ours that is too fast."""
+        self._observe(now_s)
+        authority = self._authority
+        commands_now = authority.other.commands
+        if commands_now is not self._was_commanded:
+            self._was_commanded = commands_now
+            code = "leader_arm_moves" if authority.other.is_leader else "other_host_moves"
+            self._notice(code if commands_now else "other_host_gone", frames=authority.other.frames)
+        if authority.cancel_unheeded and not self._was_unheeded:
+            self._notice("cancel_unheeded")
+        self._was_unheeded = authority.cancel_unheeded
+        if authority.overspeed is not None:
+            reason = authority.overspeed
+            self._end_run_because(reason)
+            self.jogging.stop()
+            cut_short(self._context)
+            self._notice("motion_too_fast", reason=reason)
+
+    def _observe(self, now_s: float) -> None:
+        connection = self._connection
+        if connection.device is None:
+            return
+        offsets = connection.offsets
+        self._authority.observe(
+            Observation(
+                state=connection.newest,
+                traffic=connection.traffic,
+                offsets=(offsets.addressing.control_offset,) if offsets.certain else OFFSETS,
+                online=connection.link is LinkState.ONLINE,
+                now_s=now_s,
+            )
+        )
+
+    def take_over(self) -> Refusal | None:
+        """Take the arm from another host that pauses: ``None``, or why not.
+
+        Its last motion goes on until a motion of ours replaces it.
+        """
+        self._observe(self._clock())
+        refusal = self._authority.other.take_over()
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        self._notice("taken_over")
+        self._refresh()
+        return None
+
+    def _other_host(self) -> OtherHostReport | None:
+        other = self._authority.other
+        reason = other.why_not()
+        if reason is None:
+            self._other_since = None
+            return None
+        began_s = other.since_s or 0.0
+        if self._other_since is None or self._other_since[0] != began_s:
+            self._other_since = (began_s, datetime.now().astimezone())
+        return OtherHostReport(
+            other.frames, self._other_since[1], other.rate_hz, reason, other.may_be_taken_over
+        )
+
     def _on_connection(self, report: BusReport, code: str) -> None:
         if code == "link_lost":
             self._parts.forget()
@@ -324,7 +398,9 @@ class ArmController(QObject):
     def _forget_arm(self) -> None:
         self._stop.forget()
         self._parts.forget()
+        self._authority.end(End.FORGOTTEN)
         self._was_online = self._was_stopped = False
+        self._was_commanded = self._was_unheeded = False
 
     # What ends what is under way ----------------------------------------------------------------
 
@@ -334,7 +410,7 @@ class ArmController(QObject):
         That is a run, a replay, a jog or a motion paused from here.
         """
         self._end_driven()
-        if self.planned_motion.paused:
+        if self._authority.holds:
             self.planned_motion.command(TrajectoryCommand.ABORT)
         self._refresh()
 
@@ -349,11 +425,13 @@ class ArmController(QObject):
 
     def _forget_places(self) -> None:
         """The angles are counted anew: no place that was asked for before means the same."""
-        self.motion.halt()
+        self._authority.end(End.ZERO_CHANGED)
         self.player.drop()
 
     def _refresh(self) -> Situation:
-        situation = self._assess(self._clock())
+        now_s = self._clock()
+        self._observe(now_s)
+        situation = self._assess(now_s)
         if situation != self._situation:
             self._situation = situation
             self.situation_changed.emit(situation)
@@ -375,14 +453,14 @@ class ArmController(QObject):
             speed_percent=self.motion.speed_percent,
             generation=self._connection.generation,
             offsets=self._connection.offsets,
+            authority=self._authority,
+            other_host=self._other_host(),
             activity=Activity(
                 running=self.player.running or self.replayer.running,
                 jogging=self.jogging.active,
                 recording=self.recorder.recording,
-                plan_paused=self.planned_motion.paused,
                 altering=self.orders.altering,
                 run_sets_lamps=self.player.sets_lamps,
             ),
-            still=self._still,
         )
         return assess(self._state, around, now_s)

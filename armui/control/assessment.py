@@ -10,8 +10,9 @@ from armui.arm.limits import FACTORY_LIMITS, plausible
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Six, is_fresh
 from armui.control import gate
+from armui.control.authority import Authority
 from armui.control.offsets import OffsetFollower
-from armui.control.situation import Busy, LinkState, Situation, StopState
+from armui.control.situation import Busy, LinkState, OtherHostReport, Situation, StopState
 from armui.protocol.generation import Generation
 
 
@@ -22,7 +23,6 @@ class Activity:
     running: bool = False
     jogging: bool = False
     recording: bool = False
-    plan_paused: bool = False
     altering: str | None = None
     run_sets_lamps: bool = False
 
@@ -32,8 +32,9 @@ class Circumstances:
     """What the program knows beside the arm's own words; see :class:`Situation` for the fields.
 
     Attributes:
+        authority: Who moves the arm.
+        other_host: Who else does, for the operator.
         activity: What it is doing to the arm.
-        still: The measured angles stand still.
     """
 
     link: LinkState
@@ -44,24 +45,27 @@ class Circumstances:
     busy: Busy | None
     speed_percent: int
     generation: Generation | None
+    authority: Authority
+    other_host: OtherHostReport | None = None
     activity: Activity = Activity()
-    still: bool = False
     offsets: OffsetFollower = field(default_factory=OffsetFollower)
 
 
 def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
     """What the operator can do at monotonic time ``now_s``."""
     enabled = _fresh_enabled(state, now_s)
-    activity = around.activity
+    activity, authority = around.activity, around.authority
     no_command = gate.why_no_command(around.link, around.stop, around.busy)
     cannot_run = _first(
         lambda: no_command,
         lambda: None if around.offsets.certain else Refusal("control_offset_unknown"),
         lambda: Refusal("busy", {"what": activity.altering}) if activity.altering else None,
-        lambda: Refusal("plan_paused") if activity.plan_paused else None,
+        authority.why_silent,
+        authority.other.why_not,
         lambda: gate.why_not_enabled(enabled),
         lambda: gate.why_not_ready(state),
     )
+    held = authority.why_held()
     read = [
         heard.value if heard is not None and plausible(heard.value) else None
         for heard in state.limits
@@ -77,14 +81,18 @@ def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
         busy=around.busy,
         cannot_move=_first(
             lambda: cannot_run,
-            lambda: Refusal("run_under_way") if activity.running else None,
+            lambda: Refusal("run_under_way") if activity.running else held,
             lambda: Refusal("speed_zero") if around.speed_percent == 0 else None,
         ),
         cannot_run=cannot_run,
         running=activity.running,
         jogging=activity.jogging,
         recording=activity.recording,
-        plan_paused=activity.plan_paused,
+        cannot_send_motion=authority.why_silent() or authority.other.why_not(),
+        mover=authority.mover,
+        other_host=around.other_host,
+        holds=authority.holds,
+        cancel_unheeded=authority.cancel_unheeded,
         altering=activity.altering,
         run_sets_lamps=activity.run_sets_lamps,
         cannot_enable=no_command,
@@ -95,15 +103,18 @@ def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
         speed_percent=around.speed_percent,
         moving=around.link is LinkState.ONLINE
         and around.stop is StopState.RUNNING
-        and not around.still
-        and state.status is not None
-        and not state.status.value.reached,
+        and (bool(authority.holds) or _on_its_way(state, authority)),
         generation=around.generation,
         addressing=around.offsets.addressing,
         control_certain=around.offsets.certain,
         teaching_input=around.link is LinkState.OFFLINE
         and is_fresh(state.foreign_targets_s, now_s),
     )
+
+
+def _on_its_way(state: ArmState, authority: Authority) -> bool:
+    status = state.status
+    return not authority.at_rest and status is not None and not status.value.reached
 
 
 def _fresh_enabled(state: ArmState, now_s: float) -> Six[bool | None]:

@@ -14,6 +14,7 @@ from armui.arm.frames import AXES, LINEAR_AXES, JogFrame
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.context import Context
+from armui.control.motion_command import CommandKind
 from armui.control.point_frames import leading_mode
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
@@ -29,7 +30,9 @@ _NO_TOOL: Final = (0.0,) * 6
 _MODEL_MM: Final = 5.0
 _MODEL_DEG: Final = 2.0
 """The program's kinematics and the arm's own may differ by this, and not more."""
-_UNDER_WAY_S: Final = 0.3
+_ARRIVED_MM: Final = 5.0
+_ARRIVED_DEG: Final = 0.5
+"""So near to its target the tool has arrived: it is what half a degree of a joint makes of it."""
 _AT_START_MM: Final = 1.0
 _AT_START_DEG: Final = 1.0
 
@@ -39,7 +42,7 @@ class Cartesian:
 
     Args:
         context: What the parts of the controller share.
-        motion: Owns the setpoint and the speed.
+        motion: Owns the speed.
 
     Attributes:
         tool: The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees. The arm
@@ -50,9 +53,6 @@ class Cartesian:
         self._context = context
         self._motion = motion
         self._model: Kinematics | None = None
-        self._stepped_to: Matrix | None = None
-        self._stepped_s = 0.0
-        self._stepped_revision = 0
         self.tool: tuple[float, ...] = _NO_TOOL
 
     # What is known --------------------------------------------------------------------------
@@ -138,7 +138,6 @@ class Cartesian:
 
     def move(self, target: Sequence[float], move_mode: MoveMode) -> Refusal | None:
         """Send the tool centre point to a pose, with MOVE P or on a straight line with MOVE L."""
-        self._stepped_to = None
         code = "sent_line" if move_mode is MoveMode.MOVE_L else "sent_pose"
         figures: dict[str, object] = dict(zip(map(str.lower, AXES), target, strict=True))
         return self._move(target, move_mode, code, figures)
@@ -146,7 +145,8 @@ class Cartesian:
     def step(self, axis: int, amount: float, frame: JogFrame) -> Refusal | None:
         """Move the tool centre point by a step, on a straight line.
 
-        While the arm is still on its way, the step is added to the target of the one before.
+        It is added to the target of the motion before, while that is ours and the tool is on its
+        way there or has arrived; otherwise to where the tool is measured.
 
         Args:
             axis: 0–5 for X, Y, Z, RX, RY, RZ.
@@ -159,17 +159,11 @@ class Cartesian:
         from armui.arm.kinematics import matrix_to_pose  # noqa: PLC0415 - see above
         from armui.arm.poses import shifted, tool_matrix  # noqa: PLC0415 - see above
 
-        base = self._stepped_to
-        if base is None or not self._stepping():
-            base = tool_matrix(self.kinematics().matrix(self._start_deg()), self.tool)
-        target = shifted(base, axis, amount, frame)
+        measured = tool_matrix(self.kinematics().matrix(self._start_deg()), self.tool)
+        target = shifted(self._base(measured), axis, amount, frame)
         unit = "mm" if axis < LINEAR_AXES else "°"
         figures: dict[str, object] = {"axis": AXES[axis], "step": f"{amount:+g} {unit}"}
-        refusal = self._move(matrix_to_pose(target), MoveMode.MOVE_L, "stepped_tool", figures)
-        if refusal is None:
-            self._stepped_to, self._stepped_s = target, self._context.clock()
-            self._stepped_revision = self._motion.setpoint.revision
-        return refusal
+        return self._move(matrix_to_pose(target), MoveMode.MOVE_L, "stepped_tool", figures)
 
     def move_arc(self, *points: Sequence[float]) -> Refusal | None:
         """Move on the arc through three poses of the tool centre point (MOVE C).
@@ -189,7 +183,7 @@ class Cartesian:
         codec, percent = context.connection.codec, self._motion.speed_percent
         frames = leading_mode(codec, context.state(), MoveMode.MOVE_C, percent)
         frames += commands.move_arc(codec, start, middle, end, speed_percent=percent)
-        return self._send(frames, "sent_arc", {})
+        return self._send(frames, MoveMode.MOVE_C, points[-1], "sent_arc", {})
 
     def check_arc(self, *points: Sequence[float]) -> Refusal | None:
         """Whether the arm stands at the start of an arc and can follow it to its end."""
@@ -232,29 +226,43 @@ class Cartesian:
             speed_percent=percent,
             move_mode=move_mode,
         )
-        return self._send(frames, code, figures)
+        return self._send(frames, move_mode, target, code, figures)
 
     def _send(
-        self, frames: Sequence[Frame], code: str, figures: dict[str, object]
+        self,
+        frames: Sequence[Frame],
+        move_mode: MoveMode,
+        target: Sequence[float],
+        code: str,
+        figures: dict[str, object],
     ) -> Refusal | None:
+        from armui.arm.kinematics import Pose, pose_to_matrix  # noqa: PLC0415 - see above
+
         context = self._context
-        if not context.connection.send(frames):
-            return context.refuse(Refusal("link_lost"))
-        # which angles the arm takes there is its own choice: steps of joints start where it is
-        self._motion.setpoint.clear()
+        sent = context.send_motion(
+            CommandKind.POSE,
+            frames,
+            move_mode=move_mode,
+            speed_percent=self._motion.speed_percent,
+            tool=pose_to_matrix(Pose(*target)),
+        )
+        if isinstance(sent, Refusal):
+            return context.refuse(sent)
         context.tell(code, **figures)
         return None
 
-    def _stepping(self) -> bool:
-        """Whether the last step is under way; the arm's own word on it takes a moment.
+    def _base(self, measured: Matrix) -> Matrix:
+        """Where a step of the tool starts from."""
+        from armui.arm.kinematics import matrix_to_pose  # noqa: PLC0415 - see above
+        from armui.arm.reach import apart  # noqa: PLC0415 - see above
 
-        Whoever has sent the arm elsewhere since, or has had its angles counted anew, has ended it.
-        """
-        context = self._context
-        if self._stepped_revision != self._motion.setpoint.revision:
-            return False
-        recent = context.clock() - self._stepped_s < _UNDER_WAY_S
-        return recent or context.situation().moving
+        authority = self._context.authority
+        asked = authority.tool_base()
+        if asked is None or authority.under_way:
+            return measured if asked is None else asked
+        off_mm, off_deg = apart(matrix_to_pose(asked), matrix_to_pose(measured))
+        arrived = off_mm <= _ARRIVED_MM and off_deg <= _ARRIVED_DEG
+        return asked if arrived else measured
 
     def _start_deg(self) -> Sequence[float]:
         return self._context.state().angles_deg() or _NO_TOOL
@@ -263,10 +271,8 @@ class Cartesian:
         """A motion goes on by itself."""
 
     def halt(self) -> None:
-        """The arm is no longer where it was sent."""
-        self._stepped_to = None
+        """A motion under way ends with the arm's own stop."""
 
     def forget(self) -> None:
         """Nothing is known of an arm that is gone; another one may be of another geometry."""
-        self._stepped_to = None
         self._model = None

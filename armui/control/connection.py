@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from armui.arm.device import Device
+from armui.arm.other_hosts import OtherTraffic
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, is_fresh
 from armui.bus.link import BusReport, BusState
@@ -119,6 +120,11 @@ class Connection(QObject):
     def newest(self) -> ArmState:
         """The arm as heard until this very moment, newer than the controller's last tick."""
         return ArmState() if self._worker is None else self._worker.state
+
+    @property
+    def traffic(self) -> OtherTraffic:
+        """What other hosts were heard to send until this very moment."""
+        return OtherTraffic() if self._worker is None else self._worker.traffic
 
     def send(self, frames: Sequence[Frame], keep_s: float | None = None) -> bool:
         """Queue frames in order; false if no device is open.

@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
+from armui.control.authority import Authority
+from armui.control.motion_command import CommandKind, End, MotionCommand
 from armui.control.situation import Situation
+from armui.control.speed import speed_frames
+from armui.protocol.codes import ControlMode
 
 if TYPE_CHECKING:
+    from armui.arm.kinematics import Matrix
     from armui.control.connection import Connection
+    from armui.protocol.codes import MoveMode
+    from armui.protocol.frame import Frame
 
 
 class Tell(Protocol):
@@ -30,6 +37,7 @@ class Context:
         clock: Monotonic time in seconds.
         state: The arm as last heard.
         situation: What the operator can do now, computed anew.
+        authority: Who moves the arm, and what our own command is.
     """
 
     connection: Connection
@@ -37,11 +45,94 @@ class Context:
     clock: Callable[[], float]
     state: Callable[[], ArmState]
     situation: Callable[[], Situation]
+    authority: Authority
 
     def refuse(self, refusal: Refusal) -> Refusal:
         """Tell the operator why something was not done; returns the reason."""
         self.tell("refused", reason=refusal)
         return refusal
+
+    def why_no_motion(self) -> Refusal | None:
+        """The reason against a motion frame of ours by who moves the arm now, or ``None``."""
+        self.situation()
+        return self.authority.why_not()
+
+    def send_motion(
+        self,
+        kind: CommandKind,
+        frames: Sequence[Frame],
+        *,
+        move_mode: MoveMode,
+        speed_percent: int,
+        joints_deg: Sequence[float] | None = None,
+        tool: Matrix | None = None,
+        keep_s: float | None = None,
+    ) -> MotionCommand | Refusal:
+        """Send the frames of a new motion command, if this program may move the arm now.
+
+        Args:
+            kind: What it is.
+            frames: Targets and mode word, in order.
+            move_mode: Which kind of motion the mode word asks for.
+            speed_percent: What the mode word carries.
+            joints_deg: Six target angles, where the command names them.
+            tool: The target of the tool centre point, where the command names it.
+            keep_s: Frames that could not be sent within this time are dropped.
+
+        Returns:
+            The command, now ours, or why nothing was sent.
+        """
+        refusal = self.why_no_motion()
+        if refusal is not None:
+            return refusal
+        lead = self.lead_frames(speed_percent)
+        command = self.authority.begin(
+            kind,
+            now_s=self.clock(),
+            move_mode=move_mode,
+            speed_percent=speed_percent,
+            joints_deg=joints_deg,
+            tool=tool,
+        )
+        if not self.connection.send([*lead, *frames], keep_s):
+            self.authority.end(End.NOT_SENT)
+            return Refusal("link_lost")
+        return command
+
+    def send_on(
+        self,
+        command: MotionCommand,
+        frames: Sequence[Frame],
+        *,
+        joints_deg: Sequence[float],
+        keep_s: float | None = None,
+    ) -> MotionCommand | Refusal:
+        """Send the next setpoint of a stream; see :meth:`send_motion`.
+
+        Args:
+            command: What the stream is, as it was answered last.
+            frames: The setpoint's.
+            joints_deg: Its six angles.
+            keep_s: Frames that could not be sent within this time are dropped.
+        """
+        refusal = self.why_no_motion()
+        if refusal is not None:
+            return refusal
+        further = self.authority.extend(command, joints_deg, self.clock())
+        if further is None:
+            return Refusal("command_over")
+        if not self.connection.send(frames, keep_s):
+            return Refusal("link_lost")
+        return further
+
+    def lead_frames(self, speed_percent: int) -> list[Frame]:
+        """0x151 ahead of a target that is to be slower than the last: no target starts too fast."""
+        mode = self.authority.mode_in_force()
+        if mode is None or mode[0] is not ControlMode.CAN_CONTROL:
+            return []  # in standby no target starts
+        if not self.authority.lowers_speed(speed_percent):
+            return []
+        return speed_frames(self.connection.codec, mode, speed_percent)
 
 
 class Part(Protocol):

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
 from armui.arm.refusal import Refusal
 from armui.control.context import Context
+from armui.control.rest import RestWatch
 from armui.control.run import OVER, Phase, Progress
 from armui.control.run_end import cut_short, cut_short_for
-from armui.control.stillness import Stillness
 
 if TYPE_CHECKING:
     from armui.protocol.codec import Codec
@@ -23,7 +23,6 @@ class Execution(QObject):
 
     Args:
         context: What the parts of the controller share.
-        before_moving: Called when it sends the arm somewhere: setpoints are void.
 
     Signals:
         progressed: A :class:`Progress`, when it differs.
@@ -34,15 +33,13 @@ class Execution(QObject):
     def __init__(
         self,
         context: Context,
-        before_moving: Callable[[], None],
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
         self._context = context
-        self._before_moving = before_moving
         self._phase = Phase.IDLE
         self._progress = Progress()
-        self._stillness = Stillness()
+        self._rest = RestWatch()
         self._since_s = 0.0
 
     @property
@@ -103,7 +100,7 @@ class Execution(QObject):
 
     def _await_rest(self) -> None:
         self._since_s = self._context.clock()
-        self._stillness = Stillness()
+        self._rest = RestWatch()
         self._phase = Phase.STOPPING
 
     def _publish(self) -> None:
@@ -111,6 +108,11 @@ class Execution(QObject):
         if progress != self._progress:
             self._progress = progress
             self.progressed.emit(progress)
+
+    def _rests(self) -> bool:
+        """Whether the arm is measured to have come to rest since the motion was ended."""
+        self._rest.observe(self._context.state(), self._context.clock())
+        return self._rest.at_rest
 
     @property
     def _codec(self) -> Codec:

@@ -97,6 +97,9 @@ class Gripper:
             return Refusal("run_under_way")
         if not moving:
             return None
+        no_motion = context.why_no_motion()
+        if no_motion is not None:
+            return no_motion
         mode = None if state.status is None else state.status.value.control_mode
         return None if mode is None or mode in _OBEYS else Refusal("other_control", {"mode": mode})
 

@@ -20,9 +20,10 @@ from armui.control.context import Context
 from armui.control.jog_pace import accelerations, pace
 from armui.control.jog_stream import JogStream
 from armui.control.jog_ways import JogWay, JointJog, JointWay, ToolJog, ToolWay
-from armui.control.rest import RestWatch
-from armui.control.speed import speed_frames
+from armui.control.motion_command import CommandKind, MotionCommand
+from armui.control.rest import QUIET_DEG, QUIET_S, RestWatch
 from armui.protocol import commands
+from armui.protocol.codes import MoveMode
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
@@ -48,16 +49,14 @@ class _Hold:
 
     Attributes:
         stream: Its setpoints, once the arm has been seen at rest.
-        revision: Of the shared setpoint, when this jog set it last.
-        arm_percent: The speed percentage the arm was given.
+        command: What the arm was told, once the first setpoint is sent.
     """
 
     jog: JointJog | ToolJog
     began_s: float
     last_s: float
     stream: JogStream | None = None
-    revision: int = 0
-    arm_percent: int | None = None
+    command: MotionCommand | None = None
 
 
 class Jogging:
@@ -65,7 +64,7 @@ class Jogging:
 
     Args:
         context: What the parts of the controller share.
-        motion: Owns the setpoint and the speed.
+        motion: Owns the speed.
         cartesian: Knows the tool and the kinematics.
     """
 
@@ -73,9 +72,8 @@ class Jogging:
         self._context = context
         self._motion = motion
         self._cartesian = cartesian
-        self._rest = RestWatch()
+        self._rest = RestWatch(QUIET_DEG, QUIET_S)
         self._hold: _Hold | None = None
-        self._speed_due_s: float | None = None
         self._timer = QTimer()
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.setInterval(_TICK_MS)
@@ -102,7 +100,6 @@ class Jogging:
             return context.refuse(refusal)
         now_s = context.clock()
         self._hold = _Hold(jog, now_s, now_s)
-        self._speed_due_s = None
         self._timer.start()
         context.situation()
         if isinstance(jog, JointJog):
@@ -120,8 +117,6 @@ class Jogging:
     def _let_go(self) -> None:
         if self._hold is None:
             return
-        if self._hold.arm_percent is not None:
-            self._speed_due_s = self._context.clock() + _SETTLE_S
         self._hold = None
         self._timer.stop()
 
@@ -143,7 +138,7 @@ class Jogging:
             self._end(refusal)
         elif hold.stream is None:
             self._begin(hold, state, measured_deg, now_s)
-        elif hold.revision != self._motion.setpoint.revision:
+        elif hold.command is not None and not context.authority.is_current(hold.command):
             self.stop()  # another command has taken over
         else:
             self._go_on(hold, hold.stream, measured_deg, dt_s)
@@ -152,15 +147,13 @@ class Jogging:
         self, hold: _Hold, state: ArmState, measured_deg: Sequence[float], now_s: float
     ) -> None:
         """Only an arm at rest is sure to rest in time again; one that moves is waited for."""
-        self._rest.observe(measured_deg, now_s)
-        if not self._rest.at_rest(now_s):
+        self._rest.observe(state, now_s)
+        if not self._rest.at_rest:
             if now_s - hold.began_s >= _SETTLE_S:
                 self._end(Refusal("still_moving"))
             return
-        setpoint = self._motion.setpoint
-        base_deg = setpoint.jog_base_deg(state, now_s, moving=False) or measured_deg
+        base_deg = self._context.authority.joint_base_deg() or measured_deg
         hold.stream = JogStream(self._way(hold.jog, base_deg), base_deg, measured_deg)
-        hold.revision = setpoint.revision
 
     def _way(self, jog: JointJog | ToolJog, base_deg: Sequence[float]) -> JogWay:
         limits = self._context.situation().limits
@@ -181,19 +174,30 @@ class Jogging:
         )
         trouble = stream.advance(measured_deg, dt_s, present)
         target_deg = tuple(round(angle, 3) for angle in stream.setpoint_deg)
-        codec = context.connection.codec
-        if hold.arm_percent == present.arm_percent:
+        refusal = self._send(hold, target_deg, present.arm_percent)
+        if refusal is not None or trouble is not None:
+            self._end(refusal or trouble)
+
+    def _send(self, hold: _Hold, target_deg: Sequence[float], percent: int) -> Refusal | None:
+        """The next setpoint: the first with the mode word, the others alone."""
+        context = self._context
+        codec, command = context.connection.codec, hold.command
+        if command is None or command.speed_percent != percent:
+            sent = context.send_motion(
+                CommandKind.JOG,
+                commands.move_joints(codec, target_deg, speed_percent=percent),
+                move_mode=MoveMode.MOVE_J,
+                speed_percent=percent,
+                joints_deg=target_deg,
+                keep_s=_KEEP_S,
+            )
+        else:
             frames = commands.joint_target(codec, target_deg)
-        else:
-            frames = commands.move_joints(codec, target_deg, speed_percent=present.arm_percent)
-        if not context.connection.send(frames, keep_s=_KEEP_S):
-            trouble = Refusal("link_lost")
-        else:
-            hold.arm_percent = present.arm_percent
-            self._motion.setpoint.set(target_deg, context.clock())
-            hold.revision = self._motion.setpoint.revision
-        if trouble is not None:
-            self._end(trouble)
+            sent = context.send_on(command, frames, joints_deg=target_deg, keep_s=_KEEP_S)
+        if isinstance(sent, Refusal):
+            return sent
+        hold.command = sent
+        return None
 
     def _end(self, reason: Refusal | None) -> None:
         self.stop()
@@ -202,27 +206,13 @@ class Jogging:
     # The controller's tick ------------------------------------------------------------------
 
     def advance(self) -> None:
-        """Watch the arm, and give it the operator's speed back when a jog is over."""
-        context = self._context
-        now_s = context.clock()
-        self._rest.observe(context.connection.newest.angles_deg(), now_s)
+        """Watch the arm."""
+        self._rest.observe(self._context.connection.newest, self._context.clock())
         self.tick()
-        if self._speed_due_s is None or now_s < self._speed_due_s:
-            return
-        situation = context.situation()
-        if situation.moving:
-            return
-        self._speed_due_s = None
-        if situation.cannot_move is None:
-            percent = self._motion.speed_percent
-            context.connection.send(
-                speed_frames(context.connection.codec, context.state(), percent)
-            )
 
     def halt(self) -> None:
         """The arm is to stop, or has stopped."""
         self._let_go()
-        self._speed_due_s = None
 
     def forget(self) -> None:
         """The arm is gone."""

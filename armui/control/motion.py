@@ -9,37 +9,41 @@ from armui.arm.limits import check_joints
 from armui.arm.refusal import Refusal
 from armui.control import gate, reports
 from armui.control.context import Context
-from armui.control.setpoint import Setpoint
+from armui.control.motion_command import CommandKind
 from armui.control.speed import speed_frames
 from armui.protocol import commands
+from armui.protocol.codes import MoveMode
 
 _HOME_DEG: Final = (0.0,) * 6
 _FIRST_SPEED_PERCENT: Final = 30
+_LAG_STEPS: Final = 2
+_SETTLE_S: Final = 0.3
+"""So long after a command of ours the operator's speed is not given back yet."""
 
 
 class Motion:
     """Joint motions, and the speed of every motion.
 
     Attributes:
-        setpoint: The angles last asked for, as long as they stand for what the arm is doing.
         speed_percent: What motions are sent with, of the arm's maximum.
     """
 
     def __init__(self, context: Context) -> None:
         self._context = context
-        self.setpoint = Setpoint()
         self.speed_percent = _FIRST_SPEED_PERCENT
 
     @property
     def setpoint_deg(self) -> tuple[float, ...] | None:
-        """The angles last sent, as long as they stand for what the arm is doing."""
-        return self.setpoint.angles_deg
+        """The angles last sent, as long as a step starts from them."""
+        command = self._context.authority.command
+        return None if command is None else command.joints_deg
 
     def set_speed_percent(self, percent: float) -> Refusal | None:
         """Set the speed of motions, 0–100 % of the arm's maximum (0x151 byte 2).
 
-        The arm is told at once, in the mode it is in; it keeps that mode. While a jog goes on, and
-        while it is not known where the arm listens, the next motion brings it to the arm.
+        The arm is told at once, in the mode it is in; it keeps that mode. The next motion brings
+        it to the arm while a jog goes on, while it is not known where the arm listens, while
+        somebody else moves it and while a motion is held back in it.
         """
         context = self._context
         if not 0 <= percent <= 100:
@@ -49,19 +53,30 @@ class Motion:
         self.speed_percent = round(percent)
         situation = context.situation()
         tellable = situation.control_certain and not situation.jogging
-        if tellable and gate.why_no_command(situation.link, situation.stop, None) is None:
-            frames = speed_frames(context.connection.codec, context.state(), self.speed_percent)
-            if frames and context.connection.send(frames):
-                context.tell("sent_speed", percent=self.speed_percent)
+        tellable &= gate.why_no_command(situation.link, situation.stop, None) is None
+        if tellable and self.tell_speed():
+            context.tell("sent_speed", percent=self.speed_percent)
+        if context.authority.holds:
+            context.tell("speed_waits", percent=self.speed_percent)
         return None
+
+    def tell_speed(self) -> bool:
+        """Send the speed in the mode the arm is in; whether that is possible now."""
+        context = self._context
+        authority, percent = context.authority, self.speed_percent
+        mode = None if context.why_no_motion() is not None else authority.mode_in_force()
+        if mode is None or not context.connection.send(
+            speed_frames(context.connection.codec, mode, percent)
+        ):
+            return False
+        authority.told_percent(percent)
+        return True
 
     def jog(self, joint: int, delta_deg: float) -> Refusal | None:
         """Move one joint by a step at once; the other five stay where they are or were going."""
         context = self._context
         situation = context.situation()
-        base_deg = self.setpoint.jog_base_deg(
-            context.state(), context.clock(), moving=situation.moving
-        )
+        base_deg = context.authority.joint_base_deg()
         if base_deg is None:
             return context.refuse(situation.cannot_move or Refusal("joints_unknown"))
         target_deg = list(base_deg)
@@ -70,7 +85,10 @@ class Motion:
 
     def jog_lagging(self, joint: int, step_deg: float) -> bool:
         """Whether the arm is so far behind that a held button should not step on."""
-        return self.setpoint.lagging(self._context.state(), joint, step_deg)
+        asked_deg, heard = self.setpoint_deg, self._context.state().joints_deg[joint - 1]
+        if asked_deg is None or heard is None:
+            return False
+        return abs(asked_deg[joint - 1] - heard.value) > _LAG_STEPS * abs(step_deg)
 
     def send_joints(self, angles_deg: Sequence[float]) -> Refusal | None:
         """Move to six angles in degrees (MOVE J, 0x155–0x157 and 0x151)."""
@@ -87,22 +105,40 @@ class Motion:
         refusal = situation.cannot_move or check_joints(angles_deg, situation.limits)
         if refusal is not None:
             return context.refuse(refusal)
-        frames = commands.move_joints(
-            context.connection.codec, angles_deg, speed_percent=self.speed_percent
+        sent = context.send_motion(
+            CommandKind.JOINTS,
+            commands.move_joints(
+                context.connection.codec, angles_deg, speed_percent=self.speed_percent
+            ),
+            move_mode=MoveMode.MOVE_J,
+            speed_percent=self.speed_percent,
+            joints_deg=angles_deg,
         )
-        if not context.connection.send(frames):
-            return context.refuse(Refusal("link_lost"))
-        self.setpoint.set(angles_deg, context.clock())
+        if isinstance(sent, Refusal):
+            return context.refuse(sent)
         context.tell(code, **figures)
         return None
 
     def advance(self) -> None:
-        """A motion goes on by itself."""
+        """A motion goes on by itself; afterwards the arm gets the operator's speed back."""
+        context = self._context
+        authority = context.authority
+        given = authority.arm_percent
+        if given is None or given == self.speed_percent or not authority.at_rest:
+            return
+        situation = context.situation()
+        occupied = situation.occupied is not None or authority.mode_in_force() is None
+        if occupied or not situation.control_certain or not self._settled():
+            return
+        if gate.why_no_command(situation.link, situation.stop, situation.busy) is None:
+            self.tell_speed()
+
+    def _settled(self) -> bool:
+        command = self._context.authority.command
+        return command is None or self._context.clock() - command.sent_s >= _SETTLE_S
 
     def halt(self) -> None:
-        """The arm is no longer where it was sent."""
-        self.setpoint.clear()
+        """A motion under way ends with the arm's own stop."""
 
     def forget(self) -> None:
-        """Nothing is known of an arm that is gone."""
-        self.setpoint.clear()
+        """Nothing of a motion is kept here."""

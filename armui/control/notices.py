@@ -22,6 +22,13 @@ CODES: Final[Mapping[str, Level]] = {
     "sent_arc": Level.INFO,
     "stepped_tool": Level.INFO,  # axis, step with its unit
     "sent_speed": Level.INFO,  # percent
+    "speed_waits": Level.WARNING,  # percent
+    "other_host_moves": Level.WARNING,  # frames
+    "leader_arm_moves": Level.WARNING,  # frames
+    "other_host_gone": Level.INFO,  # frames
+    "taken_over": Level.DONE,
+    "cancel_unheeded": Level.FAULT,
+    "motion_too_fast": Level.FAULT,  # reason
     "sent_lamp": Level.INFO,  # joint, lamp, color
     "sent_lamps": Level.INFO,  # joint, color
     "stop_sent": Level.WARNING,
@@ -172,6 +179,16 @@ REFUSALS: Final = frozenset(
         "run_sets_lamps",
         "jog_under_way",
         "plan_paused",
+        "held_at_zero",
+        "nothing_held",
+        "feedback_silent",  # frames, seconds
+        "other_host",  # frames
+        "leader_arm",  # frames
+        "other_mode",  # other_mode
+        "other_host_streams",  # frames
+        "nobody_else",
+        "command_over",
+        "too_fast",  # joint, value, maximum
         "run_too_slow",  # seconds
         "run_elsewhere",  # away
         "run_not_ended",

@@ -7,11 +7,15 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.refusal import Refusal
 from armui.control import gate
 from armui.control.context import Context
+from armui.control.motion_command import Hold
 from armui.protocol import commands
 from armui.protocol.codes import TrajectoryCommand
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
+
+    from armui.control.situation import Situation
+    from armui.protocol.frame import Frame
 
 _ENDS: Final = frozenset(
     {TrajectoryCommand.CLEAR_CURRENT, TrajectoryCommand.CLEAR_ALL, TrajectoryCommand.ABORT}
@@ -25,16 +29,15 @@ class PlannedMotion:
     Args:
         context: What the parts of the controller share.
         end_all: Ends whatever run, replay or jog is under way.
-
-    Attributes:
-        paused: This program has paused the arm's motion and not continued or cleared it since. The
-            arm holds back new targets as long, so the program refuses them.
+        tell_speed: Gives the arm the operator's speed percentage; says whether it could.
     """
 
-    def __init__(self, context: Context, end_all: Callable[[], None]) -> None:
+    def __init__(
+        self, context: Context, end_all: Callable[[], None], tell_speed: Callable[[], bool]
+    ) -> None:
         self._context = context
         self._end_all = end_all
-        self.paused = False
+        self._tell_speed = tell_speed
 
     def why_not(self, command: TrajectoryCommand) -> Refusal | None:
         """The reason against a command now, or ``None``: it may be given."""
@@ -49,7 +52,18 @@ class PlannedMotion:
             return situation.occupied
         if command is TrajectoryCommand.PAUSE and not situation.moving:
             return Refusal("not_moving")
+        if command is TrajectoryCommand.CONTINUE:
+            return self._why_not_continue(situation)
         return None
+
+    def _why_not_continue(self, situation: Situation) -> Refusal | None:
+        """What is held back goes on at the operator's speed, and only in an arm that is ours."""
+        if not situation.holds:
+            return Refusal("nothing_held")
+        if situation.speed_percent == 0:
+            return Refusal("speed_zero")
+        authority = self._context.authority
+        return authority.why_silent() or authority.other.why_not()
 
     def command(self, command: TrajectoryCommand) -> Refusal | None:
         """Give a command of 0x150 byte 1: ``None`` if it is on its way, or why it is not.
@@ -65,24 +79,35 @@ class PlannedMotion:
             if command in _ENDS:
                 self._end_all()
                 sent = connection.send_urgent(frames)  # past targets that wait to be sent
+                context.authority.cancelled(context.clock())
             else:
-                sent = connection.send(frames)
+                sent = self._send(command, frames)
             refusal = None if sent else Refusal("link_lost")
         if refusal is not None:
             return context.refuse(refusal)
-        self.paused = command is TrajectoryCommand.PAUSE
         context.tell("plan_sent", plan=int(command))
         return None
 
+    def _send(self, command: TrajectoryCommand, frames: Sequence[Frame]) -> bool:
+        authority, connection = self._context.authority, self._context.connection
+        if command is TrajectoryCommand.PAUSE:
+            authority.paused()
+            return connection.send(frames)
+        if command is not TrajectoryCommand.CONTINUE:
+            return connection.send(frames)
+        holds, percent = authority.holds, self._context.situation().speed_percent
+        authority.went_on(self._context.clock())
+        slower = Hold.SPEED_ZERO in holds or authority.arm_percent != percent
+        if slower and not self._tell_speed():
+            authority.holds = holds
+            return False
+        return Hold.PAUSE not in holds or connection.send(frames)
+
     def advance(self) -> None:
-        """Motors without power drop what was planned; nothing else comes back from the arm."""
-        if self.paused and False in self._context.situation().enabled:
-            self.paused = False
+        """What is held back is followed where the arm is heard; see :mod:`.authority`."""
 
     def halt(self) -> None:
-        """A stop drops what was planned, and the pause with it."""
-        self.paused = False
+        """A stop drops what was planned, and the pause with it, by the arm's own word."""
 
     def forget(self) -> None:
-        """Nothing is known of an arm that is gone."""
-        self.paused = False
+        """Nothing is kept here."""

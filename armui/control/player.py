@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QObject
 
@@ -10,21 +10,18 @@ from armui.arm.refusal import Refusal
 from armui.control.arrival import Arrival, ArrivalWatch
 from armui.control.context import Context
 from armui.control.execution import Execution
+from armui.control.motion_command import CommandKind
 from armui.control.point_frames import action_frames, point_frames, why_not_possible
 from armui.control.run import ENDLESS, Phase, Progress, Run, Schedule
 from armui.protocol import commands
 from armui.protocol.codes import TrajectoryCommand
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
 
 _REST_WITHIN_S: Final = 2.0
 """An arm told to end its motion stands within this time, or the operator is warned."""
 
 
 _UNKNOWN_FOR_S: Final = 1.0
-_PASSING: Final = frozenset({"enabled_unknown", "joints_unknown"})
+_PASSING: Final = frozenset({"enabled_unknown", "joints_unknown", "feedback_silent"})
 """Reasons that may be gone with the next frame."""
 
 
@@ -33,22 +30,21 @@ class Player(Execution):
 
     Args:
         context: What the parts of the controller share.
-        before_moving: Called when the run sends the arm somewhere: setpoints are void.
     """
 
     def __init__(
         self,
         context: Context,
-        before_moving: Callable[[], None],
         parent: QObject | None = None,
     ) -> None:
-        super().__init__(context, before_moving, parent)
+        super().__init__(context, parent)
         self._run: Run | None = None
         self._schedule: Schedule | None = None
         self._has_lights = False
         self._paused_phase = Phase.IDLE
         self._paused_s = 0.0
         self._known_s = 0.0
+        self._known = True
         self._index = 0
         self._lap = 1
         self._watch: ArrivalWatch | None = None
@@ -83,6 +79,7 @@ class Player(Execution):
             return self._context.refuse(Refusal("not_running"))
         if self._phase is Phase.MOVING:
             self._send(commands.trajectory_command(self._codec, TrajectoryCommand.PAUSE))
+            self._context.authority.paused()
         self._paused_phase, self._phase = self._phase, Phase.PAUSED
         self._paused_s = self._context.clock()
         self._context.tell("run_paused", row=self._index + 1)
@@ -101,6 +98,7 @@ class Player(Execution):
             return self._context.refuse(refusal)
         if self._paused_phase is Phase.MOVING:
             self._send(commands.trajectory_command(self._codec, TrajectoryCommand.CONTINUE))
+            self._context.authority.went_on(self._context.clock())
         self._phase = self._paused_phase
         self._since_s += self._context.clock() - self._paused_s
         self._context.tell("run_continued", row=self._index + 1)
@@ -130,6 +128,8 @@ class Player(Execution):
         reason = self._hindrance()
         if reason is not None:
             self._fail(reason)
+        elif not self._known:
+            pass
         elif self._phase is Phase.MOVING:
             self._follow_motion()
         elif self._phase is Phase.DWELLING:
@@ -142,6 +142,7 @@ class Player(Execution):
         """Why the run cannot go on; what is not known for a moment is waited for."""
         reason = self._context.situation().cannot_run
         now_s = self._context.clock()
+        self._known = reason is None
         if reason is None or reason.code not in _PASSING:
             self._known_s = now_s
             return reason
@@ -199,15 +200,20 @@ class Player(Execution):
         if run is None:
             return
         point = run.points[self._index]
-        frames = point_frames(
-            self._codec, point, self._context.state(), run.speed_percent(self._index)
-        )
+        percent = run.speed_percent(self._index)
+        frames = point_frames(self._codec, point, self._context.state(), percent)
         if isinstance(frames, Refusal):
             self._fail(frames)
             return
-        self._before_moving()
-        if not self._send(frames):
-            self._fail(Refusal("link_lost"))
+        sent = self._context.send_motion(
+            CommandKind.RUN,
+            frames,
+            move_mode=point.move,
+            speed_percent=percent,
+            joints_deg=point.target if point.is_joint else None,
+        )
+        if isinstance(sent, Refusal):
+            self._fail(sent)
             return
         self._since_s = self._context.clock()
         self._watch = ArrivalWatch(point, self._since_s)
@@ -216,7 +222,7 @@ class Player(Execution):
 
     def _follow_stopping(self) -> None:
         now_s = self._context.clock()
-        if self._stillness.still(self._context.state(), now_s):
+        if self._rests():
             self._phase = Phase.STOPPED
             self._context.tell("run_ended", row=self._index + 1)
         elif now_s - self._since_s > _REST_WITHIN_S:

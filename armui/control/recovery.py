@@ -14,12 +14,20 @@ from armui.control.request import Outcome, Request
 from armui.control.situation import Level
 from armui.protocol import commands
 from armui.protocol.addressing import Addressing
-from armui.protocol.codes import ALL_JOINTS, ControlMode, LinkageRole, MoveMode, TeachingState
+from armui.protocol.codes import (
+    ALL_JOINTS,
+    ControlMode,
+    LinkageRole,
+    MoveMode,
+    TeachingState,
+    TrajectoryCommand,
+)
 from armui.protocol.frame import Frame
 
 if TYPE_CHECKING:
     from armui.control.joint_errors import JointErrors
     from armui.control.motors import Motors
+    from armui.control.planned_motion import PlannedMotion
     from armui.control.teaching import Teaching
 
 _REPEAT_S: Final = 0.5
@@ -44,6 +52,11 @@ _NEEDS_IDENTIFIERS: Final = frozenset(
     }
 )
 """What is said on 0x150 and 0x151, which another arm may listen to (0x470)."""
+
+_AT_ONCE: Final = frozenset(
+    {Action.RESET, Action.STOP, Action.GO_ON, Action.GIVE_UP, Action.TAKE_OVER}
+)
+"""Nothing is waited for: what comes of them is another step."""
 
 _Deed = Callable[[Step], Refusal | None]
 
@@ -70,6 +83,8 @@ class Recovery:
         joint_errors: Clears the errors of the drivers.
         teaching: Commands drag teaching.
         stop: The emergency stop.
+        planned_motion: Goes on with a motion held back, or drops it.
+        take_over: Takes the arm from another host.
         announce: Called with each new step.
 
     Attributes:
@@ -84,6 +99,8 @@ class Recovery:
         joint_errors: JointErrors,
         teaching: Teaching,
         stop: Callable[[], None],
+        planned_motion: PlannedMotion,
+        take_over: Callable[[], Refusal | None],
         announce: Callable[[Step], object],
     ) -> None:
         self._context = context
@@ -108,20 +125,27 @@ class Recovery:
             Action.ABORT_REPLAY: self._teach(TeachingState.ABORT),
             Action.LEAD_BY_HAND: self._teach(TeachingState.START_RECORDING),
             Action.STANDBY: self._take_command,
+            Action.STOP: self._reset,
+            Action.GO_ON: lambda _step: planned_motion.command(TrajectoryCommand.CONTINUE),
+            Action.GIVE_UP: lambda _step: planned_motion.command(TrajectoryCommand.ABORT),
+            Action.TAKE_OVER: lambda _step: take_over(),
         }
+        self._planned_motion = planned_motion
 
-    def act(self, step: Step) -> Refusal | None:
+    def act(self, step: Step, action: Action | None = None) -> Refusal | None:
         """Take a step that was shown: ``None`` if it is under way, or why nothing was sent.
 
         Args:
             step: What the operator agreed to. If the arm is in another state by now, the step is
                 not taken: its action may mean something else there.
+            action: Its alternative, where that is meant.
 
         Raises:
             KeyError: The action is none of the controller's: connecting is the window's.
         """
         now = self._look()
-        if (now.kind, now.action) != (step.kind, step.action) or now.action is None:
+        wanted = step.action if action is None else action
+        if now.kind is not step.kind or wanted is None or wanted not in now.actions:
             return self._context.refuse(Refusal("step_gone"))
         if self._attempt is not None:
             return self._context.refuse(Refusal("busy", {"what": "recovery"}))
@@ -129,8 +153,8 @@ class Recovery:
         if refusal is not None:
             return self._context.refuse(refusal)
         self._give_up()
-        refusal = self._deeds[now.action](now)
-        if refusal is None and now.action is not Action.RESET:
+        refusal = self._deeds[wanted](now)
+        if refusal is None and wanted not in _AT_ONCE:
             self._attempt = _Attempt(now)
         self.advance()
         return refusal
@@ -139,10 +163,20 @@ class Recovery:
         """The reason against taking a step now that does not lie in the step, or ``None``."""
         if step.action is Action.CLEAR_ERRORS:
             return self._joint_errors.why_not()
+        if step.action is Action.GO_ON:
+            return self._planned_motion.why_not(TrajectoryCommand.CONTINUE)
+        if step.action is Action.TAKE_OVER:
+            return self._why_not_take_over()
         uncertain = not self._context.situation().control_certain
         if uncertain and step.action in _NEEDS_IDENTIFIERS:
             return Refusal("control_offset_unknown")
         return None
+
+    def _why_not_take_over(self) -> Refusal | None:
+        other = self._context.situation().other_host
+        if other is None or other.may_be_taken_over:
+            return None
+        return Refusal("other_host_streams", {"frames": other.frames})
 
     def advance(self) -> None:
         """Look at what was heard; called regularly while a device is open."""
@@ -236,6 +270,9 @@ class Recovery:
 
     def _take_command(self, _step: Step) -> Refusal | None:
         """Back to standby: entering CAN control might start a target somebody left in the arm."""
+        refusal = self._context.why_no_motion()
+        if refusal is not None:
+            return self._context.refuse(refusal)
         frames = commands.set_mode(
             self._context.connection.codec,
             control_mode=ControlMode.STANDBY,

@@ -15,6 +15,7 @@ from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, DriverSlow, Status
 from armui.control import gate
+from armui.control.motion_command import Hold
 from armui.control.recovery_steps import Action, Kind, Params, Step
 from armui.control.situation import Level, LinkState, Situation, StopState
 from armui.control.teaching_phase import NEAR_REST_DEG, Phase, farthest_from_rest, phase_of
@@ -63,6 +64,8 @@ class _Rule:
     applies: _Applies
     escalation: Action | None = None
     """What to offer once the action has come to nothing twice."""
+    alternative: Action | None = None
+    """What a second button does."""
 
 
 def next_step(
@@ -103,6 +106,7 @@ def next_step(
         rule.escalation if stronger else rule.action,
         joints if isinstance(joints, tuple) else (),
         failed=Refusal("step_in_vain") if failures else None,
+        alternative=rule.alternative,
     )
 
 
@@ -171,6 +175,29 @@ def _other_control(view: _View) -> Params | None:
     if mode is None or mode in gate.MOVABLE_MODES or mode == ControlMode.TEACHING:
         return None
     return {"mode": mode}
+
+
+def _other_mode(view: _View) -> Params | None:
+    other = view.situation.other_host
+    if other is None or other.reason.code != "other_mode":
+        return None
+    return {"other_mode": other.reason.params["other_mode"]}
+
+
+def _other_host(code: str) -> _Applies:
+    def applies(view: _View) -> Params | None:
+        other = view.situation.other_host
+        if other is None or other.reason.code != code:
+            return None
+        since = f"{other.since:%H:%M:%S}"
+        return {"frames": other.frames, "since": since, "rate": other.rate_hz}
+
+    return applies
+
+
+def _held(hold: Hold) -> _Applies:
+    """A motion is held back, and not by a run, which has a pause of its own."""
+    return _when(lambda view: hold in view.situation.holds and not view.situation.running)
 
 
 def _near_rest(view: _View) -> bool:
@@ -282,6 +309,15 @@ _RULES: Final = (
     _Rule(Kind.RECORDING, Level.INFO, Action.STOP_RECORDING, _phase(Phase.RECORDING)),
     _Rule(Kind.REPLAYING, Level.INFO, Action.ABORT_REPLAY, _phase(Phase.REPLAYING)),
     _Rule(Kind.REPLAY_PAUSED, Level.INFO, Action.ABORT_REPLAY, _phase(Phase.PAUSED)),
+    _Rule(
+        Kind.CANCEL_UNHEEDED,
+        Level.FAULT,
+        Action.STOP,
+        _when(lambda view: view.situation.cancel_unheeded),
+    ),
+    _Rule(Kind.OTHER_MODE, Level.WARNING, Action.RESET, _other_mode),
+    _Rule(Kind.LEADER_ARM, Level.WARNING, Action.TAKE_OVER, _other_host("leader_arm")),
+    _Rule(Kind.OTHER_HOST, Level.WARNING, Action.TAKE_OVER, _other_host("other_host")),
     _Rule(Kind.OTHER_CONTROL, Level.WARNING, Action.STANDBY, _other_control),
     _Rule(
         Kind.MOTORS_UNKNOWN,
@@ -306,6 +342,14 @@ _RULES: Final = (
     _Rule(Kind.DRAG_MODE, Level.WARNING, Action.LEAD_BY_HAND, _far_from_rest(lambda _view: True)),
     _Rule(Kind.OVERSPEED_REPORTED, Level.FAULT, Action.RESET, _overspeed),
     _Rule(Kind.MOTORS_MIXED, Level.WARNING, Action.ENABLE, _joints(_motors_mixed)),
+    _Rule(Kind.PAUSED, Level.WARNING, Action.GO_ON, _held(Hold.PAUSE), alternative=Action.GIVE_UP),
+    _Rule(
+        Kind.HELD_AT_ZERO,
+        Level.WARNING,
+        Action.GO_ON,
+        _held(Hold.SPEED_ZERO),
+        alternative=Action.GIVE_UP,
+    ),
     _Rule(Kind.MOTORS_OFF, Level.INFO, Action.ENABLE, _when(lambda view: not view.enabled)),
     # a target was refused; the arm stands where it was and takes the next
     _Rule(

@@ -25,12 +25,23 @@ class Action(enum.Enum):
     ABORT_REPLAY = "abort_replay"
     LEAD_BY_HAND = "lead_by_hand"
     """Drag teaching is entered again, so that the arm gives way to the hand."""
+    STOP = "stop"
+    """The emergency stop, at once."""
+    GO_ON = "go_on"
+    """The motion held back goes on."""
+    GIVE_UP = "give_up"
+    """The motion held back is dropped."""
+    TAKE_OVER = "take_over"
+    """The arm is taken from another host."""
     STANDBY = "standby"
     """The command is taken from whoever has it; nothing moves in standby."""
 
 
 DANGEROUS: Final = frozenset({Action.RESUME, Action.RESET, Action.LEAD_BY_HAND, Action.STANDBY})
 """What the arm does then may surprise: the operator is asked first."""
+
+HELD: Final = frozenset({Action.GO_ON, Action.TAKE_OVER})
+"""The button is held for a second: the arm moves, or another host loses it."""
 
 
 class Kind(enum.Enum):
@@ -66,6 +77,12 @@ class Kind(enum.Enum):
     REPLAYING = "replaying"
     REPLAY_PAUSED = "replay_paused"
     OTHER_CONTROL = "other_control"  # mode
+    CANCEL_UNHEEDED = "cancel_unheeded"
+    OTHER_MODE = "other_mode"  # other_mode
+    OTHER_HOST = "other_host"  # frames, since, rate
+    LEADER_ARM = "leader_arm"  # frames, since, rate
+    PAUSED = "paused"
+    HELD_AT_ZERO = "held_at_zero"
     MOTORS_UNKNOWN = "motors_unknown"
     DRAG_MODE_AT_REST = "drag_mode_at_rest"
     DRAG_MODE_WITHOUT_POWER = "drag_mode_without_power"  # joint, angle, near
@@ -94,6 +111,7 @@ class Step:
         level: How much it matters.
         params: The figures of its sentence.
         action: What the button does; ``None``: the step is taken at the arm, or by waiting.
+        alternative: What a second button does.
         joints: The joints it is about, where some are.
         waiting: The action has been taken and the arm has not shown it yet.
         failed: The action was taken, and why it came to nothing.
@@ -106,6 +124,18 @@ class Step:
     joints: tuple[int, ...] = ()
     waiting: bool = False
     failed: Refusal | None = None
+    alternative: Action | None = None
+
+    @property
+    def actions(self) -> frozenset[Action]:
+        """What its buttons do."""
+        both = (self.action, self.alternative)
+        return frozenset(action for action in both if action is not None)
+
+    @property
+    def held(self) -> bool:
+        """Whether its button must be held for a second."""
+        return self.action in HELD
 
     @property
     def dangerous(self) -> bool:

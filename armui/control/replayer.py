@@ -10,20 +10,20 @@ from armui.arm.refusal import Refusal
 from armui.control.arrival import Arrival, ArrivalWatch
 from armui.control.context import Context
 from armui.control.execution import Execution
+from armui.control.motion_command import CommandKind, MotionCommand
 from armui.control.run import ENDLESS, Phase, Progress
 from armui.protocol import commands
-from armui.protocol.codes import ControlMode, MoveMode
+from armui.protocol.codes import MoveMode
 from armui.trajectory.program import Waypoint
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from armui.control.replay import Replay
 
 PERIOD_MS: Final = 20
 """50 targets a second; the arm plans anew at each."""
 
 _APPROACH_PERCENT: Final = 15
+_FULL_PERCENT: Final = 100
 _APPROACH_WITHIN_S: Final = 90.0
 _REST_WITHIN_S: Final = 3.0
 _GRIPPER_STEP_MM: Final = 0.5
@@ -38,13 +38,11 @@ class Replayer(Execution):
 
     Args:
         context: What the parts of the controller share.
-        before_moving: Called when it sends the arm somewhere: setpoints are void.
     """
 
-    def __init__(
-        self, context: Context, before_moving: Callable[[], None], parent: QObject | None = None
-    ) -> None:
-        super().__init__(context, before_moving, parent)
+    def __init__(self, context: Context, parent: QObject | None = None) -> None:
+        super().__init__(context, parent)
+        self._command: MotionCommand | None = None
         self._replay: Replay | None = None
         self._ending = Phase.DONE
         self._watch: ArrivalWatch | None = None
@@ -124,12 +122,18 @@ class Replayer(Execution):
 
     def _approach(self, replay: Replay) -> None:
         """Set out for the first sample, slowly: the arm may stand anywhere."""
-        self._before_moving()
         self._since_s = self._context.clock()
         self._watch = ArrivalWatch(Waypoint(MoveMode.MOVE_J, replay.first_deg), self._since_s)
-        self._send(
-            commands.move_joints(self._codec, replay.first_deg, speed_percent=_APPROACH_PERCENT)
+        sent = self._context.send_motion(
+            CommandKind.RUN,
+            commands.move_joints(self._codec, replay.first_deg, speed_percent=_APPROACH_PERCENT),
+            move_mode=MoveMode.MOVE_J,
+            speed_percent=_APPROACH_PERCENT,
+            joints_deg=replay.first_deg,
         )
+        if isinstance(sent, Refusal):
+            self._fail(sent)
+            return
         self._phase = Phase.MOVING
         self._publish()
 
@@ -145,14 +149,20 @@ class Replayer(Execution):
 
     def _begin_stream(self, now_s: float) -> None:
         """Targets from now on are followed at full speed: the recording says how fast."""
-        full_speed = commands.set_mode(
-            self._codec,
-            control_mode=ControlMode.CAN_CONTROL,
+        replay = self._replay
+        if replay is None:
+            return
+        sent = self._context.send_motion(
+            CommandKind.REPLAY,
+            commands.move_joints(self._codec, replay.first_deg, speed_percent=_FULL_PERCENT),
             move_mode=MoveMode.MOVE_J,
-            speed_percent=100,
+            speed_percent=_FULL_PERCENT,
+            joints_deg=replay.first_deg,
         )
-        self._send(full_speed)
-        self._watch = None
+        if isinstance(sent, Refusal):
+            self._fail(sent)
+            return
+        self._command, self._watch = sent, None
         self._since_s, self._at_s = now_s, 0.0
 
     def _stream(self, replay: Replay) -> None:
@@ -167,10 +177,24 @@ class Replayer(Execution):
         if behind is not None:
             self._fail(behind)
             return
-        self._send(commands.joint_target(self._codec, replay.joints_deg_at(self._at_s)))
+        target_deg = replay.joints_deg_at(self._at_s)
+        if not self._send_target(target_deg):
+            return
         self._move_gripper(replay.gripper_mm_at(self._at_s))
         if self._at_s >= replay.duration_s:
             self._end_lap(replay)
+
+    def _send_target(self, target_deg: tuple[float, ...]) -> bool:
+        command = self._command
+        if command is None:
+            return False
+        frames = commands.joint_target(self._codec, target_deg)
+        sent = self._context.send_on(command, frames, joints_deg=target_deg)
+        if isinstance(sent, Refusal):
+            self._fail(sent)
+            return False
+        self._command = sent
+        return True
 
     def _move_gripper(self, opening_mm: float | None) -> None:
         """Follow the recorded opening in steps; generation 1 tells none."""
@@ -197,7 +221,7 @@ class Replayer(Execution):
 
     def _follow_rest(self, replay: Replay) -> None:
         now_s = self._context.clock()
-        if self._stillness.still(self._context.state(), now_s):
+        if self._rests():
             self._end(self._ending)
             code = "run_done" if self._ending is Phase.DONE else "replay_ended"
             self._context.tell(code, name=replay.recording.name)

@@ -3,34 +3,63 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
-_STILL_DEG: Final = 0.03
-_STILL_S: Final = 0.03
+from armui.arm.state import is_fresh
+
+if TYPE_CHECKING:
+    from armui.arm.state import ArmState
+
+SETTLED_DEG: Final = 0.02
+SETTLED_S: Final = 0.3
+"""An arm whose joints have not moved so far for so long is at rest."""
+
+QUIET_DEG: Final = 0.03
+QUIET_S: Final = 0.03
 """Together 1 °/s: above the last digit's trembling, far below any motion that matters."""
 
 
 class RestWatch:
-    """Looks at the measured angles again and again."""
+    """Compares the measured angles over time.
 
-    def __init__(self) -> None:
+    Args:
+        within_deg: How far a joint may move and still count as standing.
+        for_s: How long.
+    """
+
+    def __init__(self, within_deg: float = SETTLED_DEG, for_s: float = SETTLED_S) -> None:
+        self._within_deg = within_deg
+        self._for_s = for_s
         self._angles_deg: Sequence[float] | None = None
         self._since_s = 0.0
+        self._measured_s = 0.0
 
-    def observe(self, angles_deg: Sequence[float] | None, now_s: float) -> None:
-        """Take in what is measured now; ``None`` while nothing is."""
+    def observe(self, state: ArmState, now_s: float) -> None:
+        """Take in what is measured; angles that are not fresh are none."""
+        angles_deg, measured_s = state.angles_deg(), _measured_s(state)
+        if angles_deg is None or measured_s is None or not is_fresh(measured_s, now_s):
+            self.forget()
+            return
         last_deg = self._angles_deg
-        if angles_deg is None or last_deg is None or _apart(angles_deg, last_deg):
-            self._angles_deg, self._since_s = angles_deg, now_s
+        if last_deg is None or _apart(angles_deg, last_deg, self._within_deg):
+            self._angles_deg, self._since_s = angles_deg, measured_s
+        self._measured_s = measured_s
 
-    def at_rest(self, now_s: float) -> bool:
+    @property
+    def at_rest(self) -> bool:
         """Whether no joint has moved of late."""
-        return self._angles_deg is not None and now_s - self._since_s >= _STILL_S
+        return self._angles_deg is not None and self._measured_s - self._since_s >= self._for_s
 
     def forget(self) -> None:
         """Nothing is known any more."""
         self._angles_deg = None
 
 
-def _apart(angles_deg: Sequence[float], others_deg: Sequence[float]) -> bool:
-    return any(abs(a - b) > _STILL_DEG for a, b in zip(angles_deg, others_deg, strict=True))
+def _measured_s(state: ArmState) -> float | None:
+    """When the angle heard longest ago was heard."""
+    times = [each.at_s for each in state.joints_deg if each is not None]
+    return min(times) if len(times) == len(state.joints_deg) else None
+
+
+def _apart(angles_deg: Sequence[float], others_deg: Sequence[float], within_deg: float) -> bool:
+    return any(abs(a - b) > within_deg for a, b in zip(angles_deg, others_deg, strict=True))

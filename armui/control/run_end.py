@@ -23,6 +23,9 @@ _LEFT_ALONE: Final = frozenset(
         "control_offset_unknown",
         # the arm serves another master: its motion is not this program's to end
         "other_control",
+        "other_host",
+        "leader_arm",
+        "other_mode",
     }
 )
 """Reasons for a run to end after which the arm is told nothing more."""
@@ -36,6 +39,7 @@ def cut_short(context: Context) -> bool:
     """
     connection = context.connection
     frames = commands.trajectory_command(connection.codec, TrajectoryCommand.ABORT)
+    context.authority.cancelled(context.clock())
     return connection.send_urgent(frames)
 
 

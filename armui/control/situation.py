@@ -11,6 +11,7 @@ from armui.arm.device import Device
 from armui.arm.limits import FACTORY_LIMITS, JointLimits
 from armui.arm.refusal import Refusal
 from armui.arm.state import Six
+from armui.control.motion_command import Hold, Mover
 from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation
 
@@ -57,6 +58,25 @@ class Busy(enum.Enum):
 
 
 @dataclass(frozen=True, slots=True)
+class OtherHostReport:
+    """Another host that moves the arm.
+
+    Attributes:
+        frames: The identifiers of its motion frames, for a sentence.
+        since: Local time of the first of them.
+        rate_hz: How often they come, rounded; 0 for single frames.
+        reason: It, as a reason against a motion of ours.
+        may_be_taken_over: Whether the operator may take the arm over now.
+    """
+
+    frames: str
+    since: datetime
+    rate_hz: int
+    reason: Refusal
+    may_be_taken_over: bool
+
+
+@dataclass(frozen=True, slots=True)
 class Situation:
     """Everything a button needs to know.
 
@@ -69,13 +89,19 @@ class Situation:
         running: A run or a replay is under way, be it that it dwells, waits or is paused.
         jogging: Something is held that moves the arm.
         recording: The program records where the arm goes.
-        plan_paused: This program has paused the arm's motion: it holds back new targets.
         altering: What of the arm is being set that a motion counts on; ``None``: nothing.
         run_sets_lamps: The run under way tells something by the lamps.
         limits: Of each joint, as read from the arm where ``limits_read``, else the factory's.
         speed_percent: What motions are sent with.
+        cannot_send_motion: Why no motion frame at all may be sent: the arm is not heard, or
+            somebody else moves it.
+        mover: Who moves the arm.
+        other_host: What another host sends that moves the arm, ``None``: nobody else moves it.
+        holds: What holds back a motion in the arm.
+        cancel_unheeded: The arm was told to end its motion and does not come to rest.
         moving: The arm says that it has not reached its target, is not stopped, and is not
-            measured to stand still: a motion cut short stays «not reached» for good.
+            measured to stand still: a motion cut short stays «not reached» for good. A motion
+            held back counts as well.
         generation: The protocol the arm speaks, once that is known.
         addressing: The identifier offsets in use (0x470).
         control_certain: Whether the arm is known to take commands under them.
@@ -99,7 +125,11 @@ class Situation:
     running: bool = False
     jogging: bool = False
     recording: bool = False
-    plan_paused: bool = False
+    cannot_send_motion: Refusal | None = None
+    mover: Mover = Mover.UNKNOWN
+    other_host: OtherHostReport | None = None
+    holds: frozenset[Hold] = frozenset()
+    cancel_unheeded: bool = False
     altering: str | None = None
     run_sets_lamps: bool = False
     generation: Generation | None = None
@@ -123,7 +153,11 @@ class Situation:
             return Refusal("run_under_way")
         if self.jogging:
             return Refusal("jog_under_way")
-        return Refusal("plan_paused") if self.plan_paused else None
+        if Hold.PAUSE in self.holds:
+            return Refusal("plan_paused")
+        if self.holds:
+            return Refusal("held_at_zero")
+        return None if self.other_host is None else self.other_host.reason
 
     @property
     def cannot_set_lamps(self) -> Refusal | None:

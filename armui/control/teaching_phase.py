@@ -132,8 +132,9 @@ def why_not(command: TeachingState, state: ArmState, situation: Situation) -> Re
         return Refusal(_UNSUITED[phase])
     if command not in _ASKS_MUCH:
         return None
-    if situation.occupied is not None:
-        return situation.occupied
+    refusal = situation.occupied or situation.cannot_send_motion
+    if refusal is not None:
+        return refusal
     if phase is Phase.OFF and status.control_mode not in gate.MOVABLE_MODES:
         return Refusal("other_control", {"mode": status.control_mode})
     if status.arm_status not in _SOUND:

@@ -9,6 +9,7 @@ from armui.sim.gravity import Weight
 from armui.sim.hand import Hand
 from armui.sim.limp import Limp, LimpJoints
 from armui.sim.motion import JOINT_COUNT, STANDSTILL, JointMotion, SixValues
+from armui.sim.servo import JointServo
 from armui.sim.tool_plan import PathMotion
 
 
@@ -30,6 +31,8 @@ class Body:
         self._motion = JointMotion(positions_deg)
         self._path: PathMotion | None = None
         self._hand: Hand | None = None
+        self._servo = JointServo()
+        self._sag_deg: SixValues = STANDSTILL
         self._limp = LimpJoints(self.weight)
         self.positions_deg: SixValues = self._motion.positions_deg
         self.speeds_deg_s: SixValues = STANDSTILL
@@ -42,6 +45,24 @@ class Body:
         return self._motion.moving if self._path is None else self._path.moving
 
     @property
+    def setpoints_deg(self) -> SixValues:
+        """Where the controller holds or moves the joints; they are there but for their sag."""
+        return self._motion.positions_deg
+
+    @property
+    def sag_deg(self) -> SixValues:
+        """By how much each powered joint stands off its setpoint, as under a load; 0 at first.
+
+        Joints that are caught or halted are held where they stand: only a motion brings sag.
+        """
+        return self._sag_deg
+
+    @sag_deg.setter
+    def sag_deg(self, sag_deg: Iterable[float]) -> None:
+        self._sag_deg = tuple(sag_deg)
+        self._read_motion()
+
+    @property
     def gives_way(self) -> bool:
         """Whether it goes where a hand leads it."""
         return self._hand is not None
@@ -49,10 +70,11 @@ class Body:
     def power_on(self, indices: Iterable[int]) -> None:
         """Powers motors; each holds its joint where it is."""
         for index in indices:
-            if index in self._limp:
-                self._limp.catch(index)
-                self._place()
+            is_caught = index in self._limp or (not self.powered[index] and self._sag_deg[index])
+            self._limp.catch(index)
             self._set_power(index, on=True)
+            if is_caught:
+                self._place()
         self._read_motion()
 
     def power_off(self, indices: Iterable[int], limp: Limp) -> None:
@@ -63,12 +85,36 @@ class Body:
         """
         self._hand = None
         indices = [index for index in indices if self.powered[index] or index in self._limp]
+        self._servo.void(indices)
         self._limp.release(indices, limp)
         for index in indices:
             self._set_power(index, on=False)
         if not any(self.powered):
             self._place()
         self._read_motion()
+
+    def let_go(self, indices: Iterable[int], limp: Limp) -> None:
+        """Leaves motors their power and takes what they hold at: their joints give way."""
+        self._hand = None
+        indices = [index for index in indices if self.powered[index]]
+        self._servo.void(indices)
+        self._limp.release(indices, limp)
+        if not any(self._holds(index) for index in range(JOINT_COUNT)):
+            self._place()
+        self._read_motion()
+
+    def steer(self, index: int, setpoint_deg: float) -> None:
+        """Gives a joint a setpoint that its driver follows without a plan; nothing without power.
+
+        A plan under way is dropped.
+        """
+        if not self.powered[index]:
+            return
+        if index in self._limp:
+            self._limp.catch(index)
+            self._place()
+        self._path = None
+        self._servo.set(index, setpoint_deg)
 
     def move_to(
         self,
@@ -77,15 +123,22 @@ class Body:
         accelerations_deg_s2: Sequence[float],
     ) -> None:
         """Moves all joints; every motor must have power. A motion under way is replaced."""
+        self._take_up()
         self._path = None
         self._motion.move_to(targets_deg, speeds_deg_s, accelerations_deg_s2)
 
     def follow(self, path: PathMotion) -> None:
-        """Moves all joints along a path that begins where they stand; the path says how fast."""
+        """Moves all joints along a path that begins at their setpoints; it says how fast."""
+        self._take_up()
         self._path = path
 
     def brake(self, accelerations_deg_s2: Sequence[float]) -> None:
-        """Brings a motion to its end as fast as the joints allow, along a path where it has one."""
+        """Brings a motion to its end as fast as the joints allow, along a path where it has one.
+
+        Joints that follow setpoints without a plan go on to them.
+        """
+        if self._servo:
+            return
         if self._path is None:
             self._motion.brake(accelerations_deg_s2)
         else:
@@ -105,6 +158,7 @@ class Body:
 
     def halt(self) -> None:
         """Stands at once, without regard for what the joints can do."""
+        self._servo.void()
         self._place()
         self._read_motion()
 
@@ -114,6 +168,7 @@ class Body:
         A plan under way would lead elsewhere: let it end first.
         """
         self.positions_deg = tuple(positions_deg)
+        self._servo.void()
         self._place()
         self._read_motion()
 
@@ -121,22 +176,22 @@ class Body:
         """Lets time pass."""
         if self._hand is not None:
             led_to, speeds_deg_s = self._hand.advance(self.positions_deg, limits, dt_s)
-            self._motion.carry(led_to, speeds_deg_s, STANDSTILL)
+            self._motion.carry(self._without_sag(led_to), speeds_deg_s, STANDSTILL)
             self._read_motion()
             return
-        was_moving = self.moving
-        self._advance_motion(dt_s)
+        was_moving = self.moving or bool(self._servo)
+        self._advance_motion(dt_s, limits)
         if self._limp:
-            driven = self._motion.positions_deg
-            merged = (
-                self.positions_deg[i] if i in self._limp else driven[i] for i in range(JOINT_COUNT)
-            )
-            self.positions_deg = self._limp.advance(tuple(merged), limits, dt_s)
+            self.positions_deg = self._limp.advance(self._driven_and_limp(), limits, dt_s)
             self._read_speeds()
         elif was_moving:
             self._read_motion()
 
-    def _advance_motion(self, dt_s: float) -> None:
+    def _advance_motion(self, dt_s: float, stops: Sequence[JointLimits]) -> None:
+        if self._servo:
+            there, speeds_deg_s = self._servo.advance(self._motion.positions_deg, stops, dt_s)
+            self._motion.carry(there, speeds_deg_s, STANDSTILL)
+            return
         path = self._path
         if path is None:
             self._motion.advance(dt_s)
@@ -147,8 +202,39 @@ class Body:
             self._path = None
 
     def _place(self) -> None:
+        """Holds every joint where it stands."""
         self._path = None
-        self._motion.place(self.positions_deg)
+        self._motion.place(self._without_sag(self.positions_deg))
+
+    def _take_up(self) -> None:
+        """Lets the planner drive the joints that gave way or followed setpoints."""
+        if self._servo:
+            self._servo.void()
+        if self._limp:
+            self.power_on(i for i in range(JOINT_COUNT) if i in self._limp and self.powered[i])
+
+    def _holds(self, index: int) -> bool:
+        return self.powered[index] and index not in self._limp
+
+    def _without_sag(self, positions_deg: SixValues) -> SixValues:
+        """The setpoints at which the joints stand there."""
+        return self._shifted(positions_deg, -1.0)
+
+    def _shifted(self, positions_deg: SixValues, sign: float) -> SixValues:
+        """Angles moved by the sag of the joints that are held."""
+        if not any(self._sag_deg):
+            return positions_deg
+        return tuple(
+            angle + sign * sag if self._holds(i) else angle
+            for i, (angle, sag) in enumerate(zip(positions_deg, self._sag_deg, strict=True))
+        )
+
+    def _driven_and_limp(self) -> SixValues:
+        """Where the plan has the joints it drives, and where the limp ones are."""
+        driven = self._shifted(self._motion.positions_deg, 1.0)
+        return tuple(
+            self.positions_deg[i] if i in self._limp else driven[i] for i in range(JOINT_COUNT)
+        )
 
     def _set_power(self, index: int, *, on: bool) -> None:
         self.powered = (*self.powered[:index], on, *self.powered[index + 1 :])
@@ -156,12 +242,9 @@ class Body:
     def _read_motion(self) -> None:
         """Takes over what the plan says of the joints that are not limp."""
         if self._limp:
-            driven = self._motion.positions_deg
-            self.positions_deg = tuple(
-                self.positions_deg[i] if i in self._limp else driven[i] for i in range(JOINT_COUNT)
-            )
+            self.positions_deg = self._driven_and_limp()
         else:
-            self.positions_deg = self._motion.positions_deg
+            self.positions_deg = self._shifted(self._motion.positions_deg, 1.0)
         self._read_speeds()
 
     def _read_speeds(self) -> None:

@@ -36,6 +36,7 @@ class Condition:
         beyond_limit: The joints whose last target was refused.
         communication_fault: The joints the controller cannot talk to.
         alarms: What the drivers complain of.
+        direct: Whether 0xAD in the mode word has handed the joints to their drivers' own loop.
     """
 
     control_mode: ControlMode = ControlMode.STANDBY
@@ -50,6 +51,7 @@ class Condition:
     beyond_limit: list[bool] = field(default_factory=_no_joint)
     communication_fault: list[bool] = field(default_factory=_no_joint)
     alarms: Alarms = field(default_factory=Alarms)
+    direct: bool = False
 
     @property
     def status(self) -> ArmStatusCode:
@@ -90,6 +92,7 @@ class Condition:
         self.alarms.clear(range(JOINT_COUNT))
         self.accept_target()
         self.motion_state = MotionState.REACHED
+        self.direct = False
 
     def start_anew(self) -> None:
         """What a power cycle does; what is still broken stays told."""

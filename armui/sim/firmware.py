@@ -40,7 +40,7 @@ from armui.sim.gripper import Gripper
 from armui.sim.hand import Hand
 from armui.sim.identity import geometry_of, version_frames
 from armui.sim.limp import Limp
-from armui.sim.linkage import LinkedInput
+from armui.sim.linkage import CONTROL, LinkedInput
 from armui.sim.motion import JOINT_COUNT, SixValues
 from armui.sim.moves import Moves
 from armui.sim.protection import Protection
@@ -52,15 +52,6 @@ from armui.sim.upkeep import Upkeep
 
 _NS_PER_S: Final = 1_000_000_000
 _ALL_INDICES: Final = range(JOINT_COUNT)
-_CONTROL: Final = frozenset(
-    (
-        *("MotionCommand", "ModeControl", "ArcPoint", "GripperCommand", "MotorEnable"),
-        *("CartesianTarget1", "CartesianTarget2", "CartesianTarget3"),
-        *("JointTarget12", "JointTarget34", "JointTarget56"),
-    )
-)
-"""The host's commands, as opposed to its settings and questions."""
-_MIT_CONTROL: Final = tuple(f"MitControl{joint}" for joint in JOINTS)
 
 
 class Firmware(Readings):
@@ -80,9 +71,10 @@ class Firmware(Readings):
         protection: What watches the drivers.
         upkeep: What keeps the parts in step with the settings.
         feedback_stopped: Whether the arm, broken, tells nothing unless asked.
+        drivers_tell: Whether 0x251–0x266 go on while it is a teaching input, as on some arms.
         ignored: How many frames were not understood, by kind.
-        unsupported: How many were understood but ask for what this arm does not do, by what they
-            ask for: MIT control, and the transfer of trajectories, whose check sum is undocumented.
+        unsupported: How many were understood but ask for what it does not do: the transfer of
+            trajectories, whose check sum is undocumented.
     """
 
     def __init__(
@@ -119,6 +111,7 @@ class Firmware(Readings):
         self._version = version
         self.kinematics = Kinematics(geometry_of(version))
         self._silent = False
+        self._off = False
         self._now_ns = 0
         self._schedule = Schedule(generation)
         self._linkage_waits = False
@@ -130,6 +123,7 @@ class Firmware(Readings):
             self.body, self.drivers, self.condition, self.settings, self._moves.cut_short
         )
         self.feedback_stopped = False
+        self.drivers_tell = False
         self.upkeep = Upkeep(
             self.settings,
             self.body,
@@ -147,7 +141,6 @@ class Firmware(Readings):
             "MotorEnable": self._motor_enable,
             "BusSilence": self._bus_silence,
             "FirmwareVersion": self._firmware_version,
-            **dict.fromkeys(_MIT_CONTROL, self._mit_control),
         }
 
     @property
@@ -184,19 +177,22 @@ class Firmware(Readings):
         Returns:
             The answers, in order.
         """
+        if self._off:
+            return []
         message = self._codec.decode(frame)
         if isinstance(message, Oddity):
             self.ignored[message.kind] += 1
             return []
-        if self._leader is not None and message.name in _CONTROL:
+        if self._leader is not None and message.name in CONTROL:
             return []  # a teaching input obeys the hand alone
-        handler = self._handlers.get(message.name)
+        name, signals = message
+        handler = self._handlers.get(name)
         if handler is not None:
-            answers = handler(message.signals)
-        elif self._moves.take(message.name, message.signals):
+            answers = handler(signals)
+        elif self._moves.take(name, signals):
             answers = []
         else:
-            answers = self._desk.handle(message.name, message.signals) or []
+            answers = self._desk.handle(name, signals) or []
         return [] if self._silent else answers
 
     def step(self, dt_s: float) -> list[Frame]:
@@ -219,7 +215,7 @@ class Firmware(Readings):
             self._advance(self._schedule.next_ns)
             names = self._schedule.pop()
             self._measure(names)
-            if not (self._silent or self.feedback_stopped):
+            if not (self._silent or self.feedback_stopped or self._off):
                 frames += self._periodic(names)
         self._advance(end_ns)
         return frames
@@ -231,12 +227,22 @@ class Firmware(Readings):
             self._moves.cut_short()
 
     def power_cycle(self) -> None:
-        """Takes the power away and gives it back: the arm drops, settings come from the flash."""
+        """Takes the power away and gives it back: see `switch_off` and `switch_on`."""
+        self.switch_off()
+        self.switch_on()
+
+    def switch_off(self) -> None:
+        """Takes the power away: the arm drops, hears nothing and says nothing."""
+        self._off = True
         self._drop_work()
         self.teaching.entered = False
         self.teaching.recording.clear()
         self.body.power_off(_ALL_INDICES, Limp.FREE)
         self.gripper.release()
+
+    def switch_on(self) -> None:
+        """Gives the power back: standby, motors off; only what the flash holds is still known."""
+        self._off = False
         self.upkeep.restart()
         self.condition.start_anew()
         self._silent = False
@@ -262,9 +268,10 @@ class Firmware(Readings):
         """What is due under these names; a teaching input leads instead of telling of itself."""
         if self._leader is None:
             return self._feedback.frames(names)
-        if "ArmStatus" not in names:
-            return []
-        return self._leader.frames(self.body.positions_deg, self.gripper)
+        drivers = [name for name in names if self.drivers_tell and name.startswith("Driver")]
+        leads = "ArmStatus" in names
+        told = self._leader.frames(self.body.positions_deg, self.gripper) if leads else []
+        return told + self._feedback.frames(drivers)
 
     def _measure(self, names: list[str]) -> None:
         """Lets the drivers measure before the frames of these names are made."""
@@ -317,17 +324,13 @@ class Firmware(Readings):
             return [self._desk.answer(SettingIndex.MOTION_COMMAND)]
         return []
 
-    def _mit_control(self, _: Signals) -> list[Frame]:
-        self.unsupported["MIT control"] += 1
-        return []
-
     def _mode_control(self, signals: Signals) -> list[Frame]:
         if self.condition.stopped or self.teaching.entered:
             return []
         self.condition.move_mode = MoveMode(int(signals["MoveMode"]))
         self.condition.speed_percent = int(signals["SpeedPercent"])
         self._enter(ControlMode(int(signals["ControlMode"])))
-        self._moves.mode_changed()
+        self._moves.mode_word(signals)
         return []
 
     def _enter(self, control_mode: ControlMode) -> None:
@@ -356,7 +359,7 @@ class Firmware(Readings):
         if self.condition.stopped:
             pass  # the motors stay off and damped until the stop is resumed
         elif signals["Action"] == MotorAction.ENABLE:
-            self.body.power_on(i for i in indices if self.protection.may_power(i))
+            self._moves.power_on(i for i in indices if self.protection.may_power(i))
         else:
             self._drop_work()
             self._moves.cut_short()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Final
 
 from armui.arm.limits import JOINTS, check_joint
@@ -24,10 +24,18 @@ class JointMoves:
     its motors nor ending a stop ever sets it in motion.
     """
 
-    def __init__(self, travel: Travel, condition: Condition, settings: Settings) -> None:
+    def __init__(
+        self,
+        travel: Travel,
+        condition: Condition,
+        settings: Settings,
+        follow: Callable[[SixValues], None],
+    ) -> None:
+        """Moves one arm; `follow` takes the targets that are not planned (high-follow)."""
         self._travel = travel
         self._condition = condition
         self._settings = settings
+        self._follow = follow
         self._staged = list(travel.targets_deg)
         self._fresh: set[frozenset[int]] = set()
         self._waiting: SixValues | None = None
@@ -53,6 +61,10 @@ class JointMoves:
     def forget(self) -> None:
         """Drops every target, whole or in parts."""
         self._waiting = None
+        self.drop_parts()
+
+    def drop_parts(self) -> None:
+        """Drops what has come of a target that is not complete."""
         self._fresh.clear()
 
     def _pursue(self, target_deg: SixValues) -> None:
@@ -61,6 +73,10 @@ class JointMoves:
         if any(beyond):
             trouble = Trouble(ArmStatusCode.TARGET_BEYOND_LIMIT, beyond)
             self._travel.refuse(target_deg, trouble)
+        elif self._condition.direct:
+            self._travel.forget()
+            self._condition.accept_target()
+            self._follow(target_deg)
         else:
             self._travel.begin(target_deg, [target_deg], MoveMode.MOVE_J, target_deg)
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import random
-from collections import deque
-from collections.abc import Iterable
+from collections import Counter, deque
+from collections.abc import Collection, Iterable
 
 from armui.protocol.frame import Frame
 
@@ -20,6 +20,8 @@ class Line:
         loss: Share of the frames that get lost, each way, 0–1.
         latency_s: How much later frames arrive, each way.
         garbage_per_s: Frames a second that nobody sent, with any identifier and content.
+        deaf_to: Arbitration IDs of which no frame reaches the arm.
+        mute_on: Arbitration IDs of which no frame of the arm's reaches the bus.
     """
 
     def __init__(self, seed: int = 0) -> None:
@@ -27,17 +29,30 @@ class Line:
         self.loss = 0.0
         self.latency_s = 0.0
         self.garbage_per_s = 0.0
+        self.deaf_to: set[int] = set()
+        self.mute_on: set[int] = set()
+        self._lost_to_arm: Counter[int] = Counter()
+        self._lost_to_bus: Counter[int] = Counter()
         self._chance = random.Random(seed)  # noqa: S311 - the same seed gives the same faults
         self._coming: deque[tuple[float, Frame]] = deque()
         self._going: deque[tuple[float, Frame]] = deque()
         self._garbage_due = 0.0
+
+    def lose_to_arm(self, arbitration_id: int, count: int = 1) -> None:
+        """Loses the next frames of one identifier on their way to the arm."""
+        self._lost_to_arm[arbitration_id] += count
+
+    def lose_to_bus(self, arbitration_id: int, count: int = 1) -> None:
+        """Loses the next frames of one identifier that the arm sends."""
+        self._lost_to_bus[arbitration_id] += count
 
     def to_arm(self, frames: list[Frame], now_s: float) -> list[Frame]:
         """The frames that reach the arm now, of those that come in and those under way."""
         if self.off:
             self._coming.clear()
             return []
-        return self._delayed(self._coming, self._kept(frames), now_s)
+        kept = self._kept(_without(frames, self.deaf_to, self._lost_to_arm))
+        return self._delayed(self._coming, kept, now_s)
 
     def to_bus(self, frames: list[Frame], now_s: float, dt_s: float) -> tuple[list[Frame], int]:
         """The frames that reach the bus now, and how many never will.
@@ -51,7 +66,7 @@ class Line:
             lost = len(frames) + len(self._going)
             self._going.clear()
             return [], lost
-        kept = self._kept(frames)
+        kept = self._kept(_without(frames, self.mute_on, self._lost_to_bus))
         lost = len(frames) - len(kept)
         return self._delayed(self._going, kept, now_s) + self._garbage(dt_s), lost
 
@@ -82,3 +97,19 @@ class Line:
             Frame(chance.randrange(_STANDARD_IDS), chance.randbytes(chance.randint(0, _LONGEST)))
             for _ in range(count)
         ]
+
+
+def _without(frames: list[Frame], never: Collection[int], lost: Counter[int]) -> list[Frame]:
+    """The frames but those that get lost; `lost` counts down how many still will, by identifier."""
+    if not (never or lost):
+        return frames
+    kept: list[Frame] = []
+    for frame in frames:
+        arbitration_id = frame.arbitration_id
+        if lost[arbitration_id] > 0:
+            lost[arbitration_id] -= 1
+        elif arbitration_id not in never:
+            kept.append(frame)
+    for arbitration_id in [each for each, count in lost.items() if count <= 0]:
+        del lost[arbitration_id]
+    return kept

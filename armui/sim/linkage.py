@@ -15,6 +15,16 @@ from armui.sim.frame_cache import FrameCache
 from armui.sim.gripper import Gripper
 from armui.sim.motion import SixValues
 
+CONTROL: Final = frozenset(
+    (
+        *("MotionCommand", "ModeControl", "ArcPoint", "GripperCommand", "MotorEnable"),
+        *("CartesianTarget1", "CartesianTarget2", "CartesianTarget3"),
+        *("JointTarget12", "JointTarget34", "JointTarget56"),
+        *(f"MitControl{joint}" for joint in JOINTS),
+    )
+)
+"""The host's commands, as opposed to its settings and questions: a teaching input obeys none."""
+
 _FULL_SPEED_PERCENT: Final = 100
 _GRIPPER_TORQUE_NM: Final = 1.0
 _GRIPPER_SPEED_RAD_S: Final = math.pi

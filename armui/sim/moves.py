@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Final
 
 from armui.arm.kinematics import Kinematics
@@ -10,6 +10,7 @@ from armui.protocol.codes import ArcPointNumber, TrajectoryCommand
 from armui.sim.body import Body
 from armui.sim.condition import Condition
 from armui.sim.joint_moves import JointMoves
+from armui.sim.mit import DirectControl
 from armui.sim.motion import SixValues
 from armui.sim.settings import Settings
 from armui.sim.tool_moves import ToolMoves
@@ -26,8 +27,9 @@ class Moves:
         self, body: Body, condition: Condition, settings: Settings, kinematics: Kinematics
     ) -> None:
         self._body = body
+        self._direct = DirectControl(body, condition)
         self._travel = Travel(body, condition, settings)
-        self._joints = JointMoves(self._travel, condition, settings)
+        self._joints = JointMoves(self._travel, condition, settings, self._direct.follow)
         self._tool = ToolMoves(self._travel, condition, settings, kinematics)
         self._takers: dict[str, Callable[[dict[str, float]], None]] = {
             **dict.fromkeys(_JOINT_TARGETS, self._take_joints),
@@ -38,9 +40,9 @@ class Moves:
         self._commands: dict[TrajectoryCommand, Callable[[], None]] = {
             TrajectoryCommand.PAUSE: travel.pause,
             TrajectoryCommand.CONTINUE: travel.go_on,
-            TrajectoryCommand.CLEAR_CURRENT: travel.cut_short,
+            TrajectoryCommand.CLEAR_CURRENT: self._abort,
             TrajectoryCommand.CLEAR_ALL: self._clear_all,
-            TrajectoryCommand.ABORT: travel.cut_short,
+            TrajectoryCommand.ABORT: self._abort,
         }
 
     @property
@@ -57,14 +59,17 @@ class Moves:
         """Takes a frame that is part of a target; whether it was one."""
         taker = self._takers.get(name)
         if taker is None:
-            return False
+            return self._direct.take(name, signals)
         taker(signals)
         return True
 
     def command(self, command: TrajectoryCommand) -> bool:
         """Obeys 0x150 byte 1; whether it is a command about motions the arm knows.
 
-        A pause holds back new targets too, until the motion is continued or cleared.
+        A pause holds back new targets too, until the motion is continued or cleared. The protocol
+        text says no more than the names of the commands. Assumed: «abort» and «clear current» drop
+        the motion under way and what has come of the next target's frames; a complete target that
+        waits for its mode (frames before 0x151) is no motion yet, and only «clear all» drops it.
         """
         obey = self._commands.get(command)
         if obey is None:
@@ -72,8 +77,17 @@ class Moves:
         obey()
         return True
 
-    def mode_changed(self) -> None:
-        """Starts, ends or changes motions as the mode and speed in the condition now ask."""
+    def power_on(self, indices: Iterable[int]) -> None:
+        """Powers motors (0–5)."""
+        self._direct.power_on(indices)
+
+    def mode_word(self, signals: dict[str, float]) -> None:
+        """Takes a 0x151 whose modes and speed are in the condition already.
+
+        It starts, ends or changes motions as they now ask. It brings back nothing that was cut
+        short: an aborted target is gone, and one frame of its three does not complete it either.
+        """
+        self._direct.mode_word(signals)
         self._travel.mode_changed()
         self._joints.mode_changed()
         self._tool.mode_changed(self._body.positions_deg)
@@ -91,6 +105,11 @@ class Moves:
     def time_passed(self) -> None:
         """Notices what is reached."""
         self._travel.time_passed()
+
+    def _abort(self) -> None:
+        self._joints.drop_parts()
+        self._tool.drop_parts()
+        self._travel.cut_short()
 
     def _clear_all(self) -> None:
         self.forget()

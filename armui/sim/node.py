@@ -34,6 +34,7 @@ class Node:
     Attributes:
         firmware: The arm. While the thread runs, only read it.
         faults: What is broken; while the thread runs, plan it beforehand.
+        line: What happens to the frames on their way; while the thread runs, leave it alone.
         heard: The frames the arm received, newest last.
         sent: How many frames went out.
         lost: How many frames the bus did not take (full, down, unplugged, a fault of the line).
@@ -59,8 +60,8 @@ class Node:
             faults: What breaks when.
             seed: Of the faults that are a matter of chance.
         """
-        self._line = Line(seed)
-        self.faults = Faults(firmware, self._line, faults)
+        self.line = Line(seed)
+        self.faults = Faults(firmware, self.line, faults)
         self.firmware = firmware
         self.heard: deque[Frame] = deque(maxlen=remember)
         self.sent = 0
@@ -92,7 +93,7 @@ class Node:
         Args:
             dt_s: How much time passes.
         """
-        arm, line = self.firmware, self._line
+        arm, line = self.firmware, self.line
         self.faults.at(arm.time_s)
         frames: list[Frame] = []
         reached = line.to_arm(self._receive(), arm.time_s)

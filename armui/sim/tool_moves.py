@@ -92,9 +92,13 @@ class ToolMoves:
 
     def forget(self) -> None:
         """Drops every pose, whole or in parts, and every point of an arc."""
-        self._fresh.clear()
+        self.drop_parts()
         self._latest = self._waiting = None
         self._arc.clear()
+
+    def drop_parts(self) -> None:
+        """Drops what has come of a pose that is not complete."""
+        self._fresh.clear()
 
     def _pursue(self, order: Order, joints_deg: SixValues) -> None:
         """Takes on an order, or refuses it and stays."""

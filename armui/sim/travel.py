@@ -137,7 +137,7 @@ class Travel:
             return
         leg = self._legs[0]
         if isinstance(leg, tuple):
-            if self._body.positions_deg == leg:
+            if self._body.setpoints_deg == leg:
                 self._next_leg()
         elif self._running is None:
             self.drive()
@@ -169,7 +169,7 @@ class Travel:
                 self._brake()
                 return
             try:
-                path = leg if isinstance(leg, PathMotion) else leg(self._body.positions_deg)
+                path = leg if isinstance(leg, PathMotion) else leg(self._body.setpoints_deg)
             except Trouble as trouble:
                 self.refuse(self._order, trouble)
                 return

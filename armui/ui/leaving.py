@@ -76,12 +76,12 @@ def _question(situation: Situation) -> tuple[str, str, str] | None:
             ),
             end_it,
         )
-    if situation.plan_paused:
+    if situation.holds:
         return (
-            QCoreApplication.translate("Leaving", "A motion is paused"),
+            QCoreApplication.translate("Leaving", "A motion is held back"),
             QCoreApplication.translate(
                 "Leaving",
-                "The arm holds a motion that was paused here. If you go on, the arm is told to "
+                "The arm holds back a motion. If you go on, the arm is told to "
                 "drop it and stays where it is; its motors stay enabled.",
             ),
             end_it,
@@ -107,7 +107,7 @@ class _Ending(QObject):
 
     def _look(self, situation: Situation) -> None:
         stopping = situation.stop is not StopState.RUNNING
-        if not stopping and (situation.running or situation.plan_paused):
+        if not stopping and (situation.running or situation.holds):
             return
         self._controller.situation_changed.disconnect(self._look)
         self.deleteLater()

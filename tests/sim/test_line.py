@@ -120,3 +120,31 @@ def test_an_arm_that_is_bus_off_hears_nothing() -> None:
         host.send(message)
         node.poll(0.005)
         assert node.firmware.enabled == (True,) * 6
+
+
+def test_the_next_frames_of_one_identifier_get_lost_and_no_others() -> None:
+    line = Line()
+    modes = [Frame(0x151, bytes((number,) * 8)) for number in range(3)]
+    others = [Frame(0x155, bytes(8))]
+    line.lose_to_arm(0x151)
+    assert line.to_arm(modes[:1] + others, 0.0) == others
+    assert line.to_arm(modes, 0.0) == modes
+    line.lose_to_bus(0x2A1, 2)
+    told = [Frame(0x2A1, bytes((number,) * 8)) for number in range(3)]
+    assert line.to_bus(told[:1], 0.0, 0.005) == ([], 1)
+    assert line.to_bus(told, 0.0, 0.005) == (told[1:], 1)
+    assert line.to_bus(told, 0.0, 0.005) == (told, 0)
+
+
+def test_one_identifier_is_silent_until_it_is_not() -> None:
+    line = Line()
+    line.mute_on |= {0x2A5, 0x2A6}
+    line.deaf_to.add(0x150)
+    told = [Frame(identifier, bytes(8)) for identifier in (0x2A1, 0x2A5, 0x2A6)]
+    for _ in range(3):
+        assert line.to_bus(told, 0.0, 0.005) == (told[:1], 2)
+        assert line.to_arm([frame("150#0100000000000000"), *FRAMES], 0.0) == FRAMES
+    line.mute_on.clear()
+    line.deaf_to.clear()
+    assert line.to_bus(told, 0.0, 0.005) == (told, 0)
+    assert line.to_arm([frame("150#0100000000000000")], 0.0)

@@ -204,8 +204,6 @@ def test_the_current_trajectory_is_asked_for_in_vain() -> None:
     [
         ("150#0007000100020000", {"TRANSFER": 1}),
         ("150#0008000100020000", {"TRANSFER_ENDS": 1}),
-        ("15A#7FFF7FF000000000", {"MIT control": 1}),
-        ("15F#7FFF7FF000000000", {"MIT control": 1}),
     ],
 )
 def test_what_the_arm_understands_and_does_not_do_is_counted(

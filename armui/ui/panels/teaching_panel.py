@@ -20,6 +20,7 @@ from armui.ui.freshness import is_stale
 from armui.ui.panels.panel import Panel
 from armui.ui.panels.way_out import WayOut
 from armui.ui.widgets.card import scrolled
+from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.offer import offer
 
 if TYPE_CHECKING:
@@ -77,6 +78,9 @@ class TeachingPanel(Panel):
             for row in _PLANS
             for command in row
         }
+        # a motion that was held back is never set going by a slip
+        self._plan_buttons[TrajectoryCommand.CONTINUE] = HoldButton()
+        self._name(self._plan_buttons[TrajectoryCommand.CONTINUE], "plan_continue")
         self._lay_out()
         self._connect()
         self.retranslate_ui()
@@ -84,9 +88,13 @@ class TeachingPanel(Panel):
     @staticmethod
     def _make_button(name: str) -> QPushButton:
         button = QPushButton()
+        TeachingPanel._name(button, name)
+        return button
+
+    @staticmethod
+    def _name(button: QPushButton, name: str) -> None:
         button.setObjectName(name)
         button.setMinimumHeight(_BUTTON_PX)
-        return button
 
     # -- layout -------------------------------------------------------------------------------
 
@@ -117,7 +125,10 @@ class TeachingPanel(Panel):
         for command, button in self._buttons.items():
             button.clicked.connect(lambda _checked, which=command: self._on_command(which))
         for plan, button in self._plan_buttons.items():
-            button.clicked.connect(lambda _checked, which=plan: self._on_plan(which))
+            if isinstance(button, HoldButton):
+                button.held.connect(lambda which=plan: self._on_plan(which))
+            else:
+                button.clicked.connect(lambda _checked, which=plan: self._on_plan(which))
         controller = self._controller
         controller.state_changed.connect(self._on_state_changed)
         controller.situation_changed.connect(self._on_situation_changed)
@@ -186,7 +197,6 @@ class TeachingPanel(Panel):
             self._situation,
             controller.recovery.step,
             controller.teaching.pending,
-            controller.planned_motion.paused,
         )
 
     def _phase_now(self) -> Phase | None:
@@ -233,8 +243,8 @@ class TeachingPanel(Panel):
             self._message.show_message(text.format(command=command))
         elif self._unanswered is not None:
             self._message.show_message(words.notice(self._unanswered), Level.FAULT)
-        elif controller.planned_motion.paused:
-            text = self.tr("Paused from here: new targets wait until Continue or Clear.")
+        elif self._situation.holds:
+            text = self.tr("A motion is held back: hold Continue, or give it up by Terminate.")
             self._message.show_message(text, Level.WARNING)
         else:
             self._message.show_message("")

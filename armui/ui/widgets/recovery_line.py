@@ -15,6 +15,7 @@ from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import icons, painting
+from armui.ui.widgets.hold_button import HoldButton
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -75,16 +76,26 @@ class RecoveryLine(QWidget):
         policy = self._button.sizePolicy()
         policy.setRetainSizeWhenHidden(True)
         self._button.setSizePolicy(policy)
+        self._hold_button = HoldButton()
+        self._hold_button.setObjectName("recovery_hold_button")
+        self._hold_button.setMinimumWidth(_BUTTON_PX)
+        self._other_button = StepButton()
+        self._other_button.setObjectName("recovery_other_button")
         layout = QHBoxLayout(self)
         side = _MARGIN_PX + _GAP_PX
         layout.setContentsMargins(side, _TOP_PX + _PADDING_PX, side, _PADDING_PX)
         layout.setSpacing(_GAP_PX)
         layout.addWidget(self._icon)
         layout.addWidget(self._text, 1)
+        layout.addWidget(self._other_button, 0, Qt.AlignmentFlag.AlignVCenter)
+        layout.addWidget(self._hold_button, 0, Qt.AlignmentFlag.AlignVCenter)
         layout.addWidget(self._button, 0, Qt.AlignmentFlag.AlignVCenter)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self._button.pressed.connect(self._on_pressed)
+        for button in (self._button, self._hold_button, self._other_button):
+            button.pressed.connect(self._on_pressed)
         self._button.clicked.connect(self._on_clicked)
+        self._hold_button.held.connect(lambda: self._act(self._pressed.action))
+        self._other_button.clicked.connect(lambda: self._act(self._pressed.alternative))
         controller.step_changed.connect(self._on_step_changed)
         controller.situation_changed.connect(self._on_situation_changed)
         self._show_step()
@@ -109,8 +120,12 @@ class RecoveryLine(QWidget):
                 on_confirmed=lambda: self._controller.recovery.act(step),
                 hold=True,
             )
-        elif step.action is not None:
-            self._controller.recovery.act(step)
+        else:
+            self._act(step.action)
+
+    def _act(self, action: Action | None) -> None:
+        if action is not None:
+            self._controller.recovery.act(self._pressed, action)
 
     # -- appearance ---------------------------------------------------------------------------
 
@@ -119,7 +134,7 @@ class RecoveryLine(QWidget):
         self._show_step()
 
     def _on_situation_changed(self, _situation: Situation) -> None:
-        if self._button.isVisible():
+        if self._button.isVisible() or self._hold_button.isVisible():
             self._show_button()
 
     def _show_step(self) -> None:
@@ -139,16 +154,23 @@ class RecoveryLine(QWidget):
         step = self._step
         action = None if step.kind in _CALM else step.action
         blocked = self._controller.recovery.why_not(step)
-        self._button.setVisible(action is not None)
-        self._button.setEnabled(not step.waiting and blocked is None)
-        self._button.setAccessibleName(self.tr("Next step"))
+        button = self._hold_button if step.held else self._button
+        self._button.setVisible(action is not None and not step.held)
+        self._hold_button.setVisible(action is not None and step.held)
+        button.setEnabled(not step.waiting and blocked is None)
+        button.setAccessibleName(self.tr("Next step"))
         if action is not None:
             label = self.tr("Waiting…") if step.waiting else words.step_action(action)
-            self._button.setText(label)
-            self._button.setAccessibleName(label)
+            button.setText(label)
+            button.setAccessibleName(label)
             use = words.step_danger(action) if step.dangerous else words.step(step)
             use = use if blocked is None else words.refusal(blocked)
-            self._button.setToolTip(self.tr("Waiting for the arm") if step.waiting else use)
+            button.setToolTip(self.tr("Waiting for the arm") if step.waiting else use)
+        self._other_button.setVisible(step.alternative is not None)
+        if step.alternative is not None:
+            label = words.step_action(step.alternative)
+            self._other_button.setText(label)
+            self._other_button.setAccessibleName(label)
 
     def _draw_icon(self) -> None:
         colors = colors_of(self)

@@ -35,6 +35,18 @@ _NOTICES: Final[Mapping[str, object]] = {
     "sent_arc": QT_TRANSLATE_NOOP("Notice", "Sent MOVE C through the three captured poses"),
     "stepped_tool": QT_TRANSLATE_NOOP("Notice", "Sent a step of {step} along {axis}"),
     "sent_speed": QT_TRANSLATE_NOOP("Notice", "Sent speed {percent} %"),
+    "speed_waits": QT_TRANSLATE_NOOP(
+        "Notice", "{percent} % is kept: the arm gets it when the motion held back goes on"
+    ),
+    "other_host_moves": QT_TRANSLATE_NOOP("Notice", "Another program controls the arm ({frames})."),
+    "leader_arm_moves": QT_TRANSLATE_NOOP("Notice", "A leader arm moves this arm ({frames})."),
+    "other_host_gone": QT_TRANSLATE_NOOP("Notice", "Nobody else controls the arm any more."),
+    "taken_over": QT_TRANSLATE_NOOP("Notice", "Taken over: this program may move the arm."),
+    "cancel_unheeded": QT_TRANSLATE_NOOP(
+        "Notice",
+        "The arm was told to end its motion and still moves. Stop it, or cut its power.",
+    ),
+    "motion_too_fast": QT_TRANSLATE_NOOP("Notice", "Motion ended: too fast. {reason}"),
     "sent_lamp": QT_TRANSLATE_NOOP("Notice", "Sent to lamp {lamp} of joint {joint}: {color}"),
     "sent_lamps": QT_TRANSLATE_NOOP("Notice", "Sent to all lamps of joint {joint}: {color}"),
     "stop_sent": QT_TRANSLATE_NOOP(

@@ -12,6 +12,7 @@ from armui.ui.words import status
 from armui.ui.words.backup_refusals import BACKUP_REFUSALS
 from armui.ui.words.gripper import gripper_figure
 from armui.ui.words.motor_refusals import MOTOR_REFUSALS
+from armui.ui.words.other_hosts import OTHER_HOST_REFUSALS, other_mode
 from armui.ui.words.robot_refusals import ROBOT_REFUSALS
 from armui.ui.words.run_refusals import RUN_REFUSALS
 from armui.ui.words.setting_refusals import SETTING_REFUSALS, with_units
@@ -278,6 +279,7 @@ _ALL: Final[Mapping[str, object]] = {
     **BACKUP_REFUSALS,
     **ROBOT_REFUSALS,
     **RUN_REFUSALS,
+    **OTHER_HOST_REFUSALS,
     **MOTOR_REFUSALS,
     **TRAJECTORY_REFUSALS,
 }
@@ -321,6 +323,8 @@ def refusal(reason: Refusal) -> str:
     params = with_figures(reason.code, with_units(dict(reason.params)))
     if isinstance(mode := params.get("mode"), int):
         params["mode"] = status.control_mode(mode)
+    if isinstance(other := params.get("other_mode"), str):
+        params["other_mode"] = other_mode(other)
     if isinstance(code := params.get("status"), int):
         params["status"] = status.arm_status(code)
     if isinstance(what := params.get("what"), str):

@@ -9,6 +9,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
 from armui.control.recovery_steps import Action, Kind, Step
 from armui.ui.words import status
+from armui.ui.words.other_hosts import other_mode
 from armui.ui.words.refusals import refusal, under_way
 from armui.ui.words.text import sentence
 
@@ -127,6 +128,31 @@ _SENTENCES: Final[Mapping[Kind, object]] = {
         "RecoveryStep",
         "The arm takes its commands from elsewhere: {mode}. Take the command.",
     ),
+    Kind.CANCEL_UNHEEDED: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The arm was told to end its motion and still moves. Stop it, or cut its power.",
+    ),
+    Kind.OTHER_MODE: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "Another program drives the arm in {other_mode} mode. Nothing is sent: a mode word would "
+        "let the arm fall.",
+    ),
+    Kind.OTHER_HOST: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "Another program controls the arm since {since} ({frames}, {rate} frames/s).",
+    ),
+    Kind.LEADER_ARM: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "A leader arm moves this arm since {since} ({frames}, {rate} frames/s).",
+    ),
+    Kind.PAUSED: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The arm holds back a paused motion. Hold Continue, or give it up.",
+    ),
+    Kind.HELD_AT_ZERO: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "The arm holds back a motion at 0 %. Set a speed and hold Continue, or give it up.",
+    ),
     Kind.MOTORS_UNKNOWN: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "Not every motor has reported. If it stays so, check power and cable, and connect again.",
@@ -206,6 +232,10 @@ _BUTTONS: Final[Mapping[Action, object]] = {
     Action.ABORT_REPLAY: QT_TRANSLATE_NOOP("RecoveryAction", "Terminate"),
     Action.LEAD_BY_HAND: QT_TRANSLATE_NOOP("RecoveryAction", "Lead by hand…"),
     Action.STANDBY: QT_TRANSLATE_NOOP("RecoveryAction", "Take command…"),
+    Action.STOP: QT_TRANSLATE_NOOP("RecoveryAction", "Emergency stop"),
+    Action.GO_ON: QT_TRANSLATE_NOOP("RecoveryAction", "Continue"),
+    Action.GIVE_UP: QT_TRANSLATE_NOOP("RecoveryAction", "Give up"),
+    Action.TAKE_OVER: QT_TRANSLATE_NOOP("RecoveryAction", "Take over"),
 }
 
 _QUESTIONS: Final[Mapping[Action, object]] = {
@@ -244,6 +274,8 @@ def step(this: Step) -> str:
     params: dict[str, object] = dict(this.params)
     if isinstance(mode := params.get("mode"), int):
         params["mode"] = status.control_mode(mode)
+    if isinstance(other := params.get("other_mode"), str):
+        params["other_mode"] = other_mode(other)
     if isinstance(code := params.get("status"), int):
         params["status"] = f"0x{code:02X}"
     if isinstance(what := params.get("what"), str):

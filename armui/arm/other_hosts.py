@@ -1,0 +1,152 @@
+"""What other hosts on the bus send: which frames, since when, how often.
+
+A frame that this program did not send and that no arm sends as feedback is another host's, or a
+leader arm's (0x470). Fed by the bus thread with raw frames, so that a frame no codec understands
+counts as well.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Final
+
+from armui.protocol.addressing import OFFSETS
+
+_MOTION_BASE: Final = range(0x150, 0x160)
+_SPEEDS_AND_POSITIONS: Final = range(0x181, 0x188)
+_CHANGES: Final = (0x470, 0x471, 0x475)
+MOTION_IDS: Final = frozenset(
+    {base + offset for base in _MOTION_BASE for offset in OFFSETS}
+    | {*_SPEEDS_AND_POSITIONS, *_CHANGES}
+)
+"""Frames that move an arm, switch its motors or change what its motions count on."""
+
+OTHER_COMMAND_IDS: Final = frozenset(
+    {0x121, 0x191, 0x422, 0x472, 0x474, 0x477, 0x479, 0x47A, 0x47D, 0x487}
+)
+"""Lamps, questions and settings: they are named, and stand against nothing."""
+
+_MODE: Final = 0x151
+_MIT: Final = range(0x15A, 0x160)
+_LEADER: Final = (0x151, 0x155, 0x156, 0x157, 0x159)
+"""What a teaching-input arm sends, in lockstep (0x470)."""
+
+_FORGOTTEN_S: Final = 2.0
+"""Frames of one identifier that pause for longer begin a new series."""
+_LEADER_RATE_HZ: Final = 20.0
+_LOCKSTEP: Final = 3
+"""So many frames may the identifiers of a leader differ: one cycle is under way, one was lost."""
+
+
+@dataclass(frozen=True, slots=True)
+class FrameSeries:
+    """Frames of one identifier that another host sends.
+
+    Attributes:
+        arbitration_id: As seen on the wire.
+        count: How many, without a pause of more than two seconds.
+        since_s, last_s: Monotonic time of the first and the last of them.
+        data: The last payload.
+    """
+
+    arbitration_id: int
+    count: int
+    since_s: float
+    last_s: float
+    data: bytes
+
+    @property
+    def rate_hz(self) -> float:
+        """How often they come; 0 for a single frame."""
+        span_s = self.last_s - self.since_s
+        return (self.count - 1) / span_s if span_s > 0.0 else 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class OtherTraffic:
+    """What other hosts were heard to send; a frozen snapshot.
+
+    Attributes:
+        series: By identifier on the wire, each as last heard.
+    """
+
+    series: Mapping[int, FrameSeries] = field(default_factory=lambda: _NOTHING)
+
+    def motion(self, offsets: tuple[int, ...]) -> tuple[FrameSeries, ...]:
+        """The series that concern an arm under these control offsets (0x470), by identifier."""
+        mine = {base + offset for base in _MOTION_BASE for offset in offsets}
+        mine.update(_SPEEDS_AND_POSITIONS, _CHANGES)
+        return tuple(self.series[each] for each in sorted(self.series) if each in mine)
+
+    def last_motion_s(self, offsets: tuple[int, ...]) -> float | None:
+        """When the last frame of :meth:`motion` was heard."""
+        return max((each.last_s for each in self.motion(offsets)), default=None)
+
+    def mode_word(self, offsets: tuple[int, ...]) -> FrameSeries | None:
+        """The newest 0x151 of another host."""
+        return self._newest(_MODE + offset for offset in offsets)
+
+    def mit_frames(self, offsets: tuple[int, ...]) -> FrameSeries | None:
+        """The newest joint setpoint in MIT mode (0x15A–0x15F) of another host."""
+        return self._newest(base + offset for base in _MIT for offset in offsets)
+
+    def cpv_frames(self) -> FrameSeries | None:
+        """The newest setpoint in CPV mode (0x181–0x187) of another host."""
+        return self._newest(_SPEEDS_AND_POSITIONS)
+
+    def motion_command(self, offsets: tuple[int, ...]) -> FrameSeries | None:
+        """The newest 0x150 of another host: stop, resume, pause, drag teaching."""
+        return self._newest(_MOTION_BASE[0] + offset for offset in offsets)
+
+    def leads(self, offsets: tuple[int, ...]) -> bool:
+        """Whether these are the frames of a leader arm (0x470), or of a program that acts as one.
+
+        A leader sends 0x151, its joint angles and its gripper in lockstep, and nothing else.
+        """
+        for offset in offsets:
+            wanted = {each + offset for each in _LEADER}
+            series = [each for each in self.motion((offset,)) if each.count > 0]
+            counts = [each.count for each in series]
+            if {each.arbitration_id for each in series} != wanted:
+                continue
+            even = max(counts) - min(counts) <= _LOCKSTEP
+            if even and min(each.rate_hz for each in series) >= _LEADER_RATE_HZ:
+                return True
+        return False
+
+    def _newest(self, identifiers: Iterable[int]) -> FrameSeries | None:
+        known = [self.series[each] for each in identifiers if each in self.series]
+        return max(known, key=lambda each: each.last_s, default=None)
+
+
+_NOTHING: Final[Mapping[int, FrameSeries]] = MappingProxyType({})
+
+
+class OtherHosts:
+    """Counts the frames of other hosts; used by the bus thread, its snapshots by anybody."""
+
+    def __init__(self) -> None:
+        self._series: dict[int, FrameSeries] = {}
+        self._traffic = OtherTraffic()
+        self._changed = False
+
+    def note(self, arbitration_id: int, data: bytes, at_s: float) -> None:
+        """Take in a frame that this program did not send, heard at a monotonic time."""
+        if arbitration_id not in MOTION_IDS and arbitration_id not in OTHER_COMMAND_IDS:
+            return
+        before = self._series.get(arbitration_id)
+        if before is None or at_s - before.last_s > _FORGOTTEN_S:
+            series = FrameSeries(arbitration_id, 1, at_s, at_s, data)
+        else:
+            series = FrameSeries(arbitration_id, before.count + 1, before.since_s, at_s, data)
+        self._series[arbitration_id] = series
+        self._changed = True
+
+    def traffic(self) -> OtherTraffic:
+        """What was heard up to now; the same object as before if nothing new was."""
+        if self._changed:
+            self._changed = False
+            self._traffic = OtherTraffic(MappingProxyType(dict(self._series)))
+        return self._traffic

@@ -1,0 +1,367 @@
+"""Who moves the arm, and what our own command is: pure, fed by what is heard and what is sent.
+
+Everything that moves the arm asks here first and tells here what it has sent. A command of ours is
+the place the next step starts from as long as it is the last command given to the arm. What ends it
+is listed in :class:`armui.control.motion_command.End`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.refusal import Refusal
+from armui.control.hearing import limp, taught, why_silent
+from armui.control.motion_command import (
+    CommandKind,
+    End,
+    Hold,
+    MotionCommand,
+    Mover,
+    Observation,
+)
+from armui.control.other_command import OtherCommand
+from armui.control.overspeed import OverspeedWatch
+from armui.control.rest import RestWatch
+from armui.protocol.codes import ArmStatusCode, ControlMode, MoveMode
+
+if TYPE_CHECKING:
+    from armui.arm.kinematics import Matrix
+    from armui.arm.limits import JointLimits
+    from armui.arm.state import ArmState
+
+ARRIVED_DEG: Final = 0.5
+"""Measured this close to its target a joint has arrived: it may sag by that much under load."""
+
+_TAKEN_IN_S: Final = 0.3
+"""So long after it was sent the arm's last word may still be about what was before."""
+_SHOWN_S: Final = 0.05
+"""A status this much after a mode word was made after it."""
+_CANCEL_WITHIN_S: Final = 1.0
+"""After a cancel the arm is measured at rest within this time."""
+
+
+_OURS: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})
+_PLANNED: Final = frozenset({MoveMode.MOVE_P, MoveMode.MOVE_J, MoveMode.MOVE_L, MoveMode.MOVE_C})
+
+
+class Authority:
+    """Knows who moves the arm and whether this program may.
+
+    Attributes:
+        command: Our own command, as long as its target is one to start from.
+        ended: What ended the last command of ours.
+        holds: What holds back the motion in the arm; it stays there until it is cancelled.
+        arm_percent: The speed percentage this program gave the arm last; ``None`` if another host
+            may have changed it since.
+        cancel_unheeded: A cancel was sent, and the arm is not at rest a second later.
+        other: What another host does to the arm.
+        overspeed: The measured speed and the speed shown, where our motion is far too fast.
+    """
+
+    def __init__(self) -> None:
+        self._number = 0
+        self._rest = RestWatch()
+        self._overspeed = OverspeedWatch()
+        self._seen: Observation | None = None
+        self._cancelled_s: float | None = None
+        self._mode_sent: tuple[MoveMode, float] | None = None
+        self._limits: tuple[JointLimits | None, ...] = (None,) * 6
+        self.other = OtherCommand()
+        self.command: MotionCommand | None = None
+        self.ended: End | None = None
+        self.holds: frozenset[Hold] = frozenset()
+        self.arm_percent: int | None = None
+        self.cancel_unheeded = False
+        self.overspeed: Refusal | None = None
+
+    # What is heard ------------------------------------------------------------------------------
+
+    def observe(self, seen: Observation) -> None:
+        """Take in what is known now; ends our command where something has ended it."""
+        self._seen = seen
+        state, now_s = seen.state, seen.now_s
+        self._rest.observe(state, now_s)
+        if self.other.observe(seen.traffic, seen.offsets, state, now_s, at_rest=self.at_rest):
+            self.arm_percent = self._mode_sent = None
+            self.holds = frozenset()
+        end = self._what_ends(seen)
+        if end is not None:
+            self._end(end)
+        self._follow_hold(seen)
+        self._follow_cancel(now_s)
+        self.overspeed = self._overspeed.observe(state, self._percent_shown)
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether the joints are measured to stand still."""
+        return self._rest.at_rest
+
+    @property
+    def under_way(self) -> bool:
+        """Whether our command moves the arm, or may be about to."""
+        seen, command = self._seen, self.command
+        if seen is None or command is None:
+            return False
+        if seen.now_s - command.sent_s < _TAKEN_IN_S:
+            return True
+        status = seen.state.status
+        return status is not None and not status.value.reached and not self.at_rest
+
+    @property
+    def mover(self) -> Mover:
+        """Who moves the arm now."""
+        seen = self._seen
+        if seen is None or not seen.online or why_silent(seen.state, seen.now_s) is not None:
+            return Mover.UNKNOWN
+        no_power = limp(seen.state, seen.now_s)
+        if no_power is not False:
+            return Mover.GRAVITY if no_power else Mover.UNKNOWN
+        if taught(seen.state):
+            return Mover.HAND
+        if self.other.commands:
+            return Mover.LEADER if self.other.is_leader else Mover.OTHER_HOST
+        if self.under_way or self.holds:
+            return Mover.OURS
+        return Mover.NOBODY if self.at_rest else Mover.UNKNOWN
+
+    def why_not(self) -> Refusal | None:
+        """The reason against any motion frame of ours now, or ``None``."""
+        return self.why_silent() or self.other.why_not() or self.why_held()
+
+    def why_silent(self) -> Refusal | None:
+        """The feedback that a motion counts on and that is not heard, or ``None``."""
+        seen = self._seen
+        return Refusal("not_connected") if seen is None else why_silent(seen.state, seen.now_s)
+
+    def why_held(self) -> Refusal | None:
+        """The motion that is held back in the arm, as a reason against another one."""
+        if Hold.PAUSE in self.holds:
+            return Refusal("plan_paused")
+        return Refusal("held_at_zero") if self.holds else None
+
+    def joint_base_deg(self) -> tuple[float, ...] | None:
+        """Six angles a step or a jog of a joint starts from; ``None``: they are not known.
+
+        Our own target while it is the last command and the arm is on its way or there, so that
+        steps add up and a sagging arm does not creep; otherwise where the arm is measured.
+        """
+        measured_deg = None if self._seen is None else self._seen.state.angles_deg()
+        command = self.command
+        if measured_deg is None or command is None or command.joints_deg is None:
+            return measured_deg
+        return command.joints_deg
+
+    def tool_base(self) -> Matrix | None:
+        """The last target of the tool while it is ours, whether or not the tool is there."""
+        return None if self.command is None else self.command.tool
+
+    def lowers_speed(self, percent: float) -> bool:
+        """Whether a percentage is below the arm's, so that it must arrive before the target."""
+        seen = self._seen
+        status = None if seen is None else seen.state.status
+        told = None if status is None else status.value.speed_percent
+        known = [each for each in (told, self.arm_percent) if each is not None]
+        return not known or percent < max(known)
+
+    def mode_in_force(self) -> tuple[ControlMode, MoveMode] | None:
+        """The modes the arm is in, by its own word or by ours that it has had no time to show.
+
+        ``None`` where a mode word with them cannot be sent: nobody knows them, or somebody else
+        has the command.
+        """
+        seen = self._seen
+        status = None if seen is None else seen.state.status
+        if status is None:
+            return None
+        sent = self._mode_sent
+        if sent is not None and status.at_s < sent[1] + _SHOWN_S:
+            return ControlMode.CAN_CONTROL, sent[0]
+        told = status.value
+        if told.control_mode not in _OURS or told.move_mode not in _PLANNED:
+            return None
+        return ControlMode(told.control_mode), MoveMode(told.move_mode)
+
+    # What is sent -------------------------------------------------------------------------------
+
+    def begin(
+        self,
+        kind: CommandKind,
+        *,
+        now_s: float,
+        move_mode: MoveMode,
+        speed_percent: int,
+        joints_deg: Sequence[float] | None = None,
+        tool: Matrix | None = None,
+    ) -> MotionCommand:
+        """A new command of ours takes the place of whatever was before.
+
+        Args:
+            kind: What it is.
+            now_s: Monotonic time.
+            move_mode: Which kind of motion its mode word asks for.
+            speed_percent: What it is sent with.
+            joints_deg: Six target angles, where it names them.
+            tool: The target of the tool centre point, where it names it.
+        """
+        self._end(End.REPLACED)
+        self._number += 1
+        target_deg = None if joints_deg is None else tuple(joints_deg)
+        self.command = MotionCommand(self._number, kind, now_s, speed_percent, target_deg, tool)
+        self.arm_percent, self._mode_sent = speed_percent, (move_mode, now_s)
+        self._cancelled_s, self.cancel_unheeded = None, False
+        self._limits = (None,) * 6
+        self._overspeed.restart()
+        return self.command
+
+    def is_current(self, command: MotionCommand) -> bool:
+        """Whether a command is still the last one given to the arm."""
+        return self.command is not None and self.command.number == command.number
+
+    def extend(
+        self, command: MotionCommand, joints_deg: Sequence[float], now_s: float
+    ) -> MotionCommand | None:
+        """The next setpoint of a stream; ``None`` if the command is not ours to go on with."""
+        if not self.is_current(command):
+            return None
+        self.command = replace(command, joints_deg=tuple(joints_deg), sent_s=now_s)
+        return self.command
+
+    def told_percent(self, percent: int) -> None:
+        """The arm has been told another speed percentage."""
+        moves = self.under_way or self._moves_unasked
+        self.arm_percent = percent
+        if percent == 0 and moves:
+            self.holds |= {Hold.SPEED_ZERO}
+        if self.command is not None and percent > 0:
+            self.command = replace(self.command, speed_percent=percent)
+            self._overspeed.restart()
+
+    def paused(self) -> None:
+        """The arm was told to hold its motion back (0x150 byte 1 = 1)."""
+        self.holds |= {Hold.PAUSE}
+
+    def went_on(self, now_s: float) -> None:
+        """The arm was told to go on with what was held back."""
+        self.holds = frozenset()
+        if self.command is not None:
+            self.command = replace(self.command, sent_s=now_s)
+
+    def cancelled(self, now_s: float) -> None:
+        """The arm was told to end its motion: what was asked for before never comes back."""
+        self._end(End.CANCELLED)
+        self.holds = frozenset()
+        self._cancelled_s, self.cancel_unheeded = now_s, False
+
+    def end(self, reason: End) -> None:
+        """Our target is none to start from any more."""
+        self._end(reason)
+        if reason in {End.STOPPED, End.DISABLED, End.FORGOTTEN}:
+            self.holds = frozenset()
+            self._cancelled_s, self.cancel_unheeded = None, False
+        if reason is End.FORGOTTEN:
+            self._forget()
+
+    @property
+    def number(self) -> int:
+        """Of the newest command; frames of lower ones are outdated."""
+        return self._number
+
+    # How it is judged ---------------------------------------------------------------------------
+
+    def _end(self, reason: End) -> None:
+        if self.command is None:
+            return
+        self.command = None
+        self.ended = reason
+        self._number += 1
+
+    def _forget(self) -> None:
+        self.other = OtherCommand()
+        self.arm_percent = self._mode_sent = None
+        self._rest.forget()
+        self._seen = None
+
+    @property
+    def _percent_shown(self) -> int | None:
+        """What our motion may be compared with; replays are watched by how far they lag."""
+        command = self.command
+        if command is None or command.kind is CommandKind.REPLAY or not self.under_way:
+            return None
+        return command.speed_percent
+
+    @property
+    def _moves_unasked(self) -> bool:
+        seen = self._seen
+        status = None if seen is None else seen.state.status
+        return status is not None and not status.value.reached and not self.at_rest
+
+    def _what_ends(self, seen: Observation) -> End | None:
+        command = self.command
+        if command is None:
+            return None
+        if self.other.last_s is not None and self.other.last_s >= command.sent_s:
+            return End.OTHER_HOST
+        if why_silent(seen.state, seen.now_s) is not None:
+            return End.SILENT
+        return (
+            self._what_arm_says(seen.state, command, seen.now_s)
+            or self._whether_limits_changed(seen.state)
+            or self._whether_moved(seen.state, command)
+        )
+
+    def _whether_limits_changed(self, state: ArmState) -> End | None:
+        known = tuple(None if each is None else each.value for each in state.limits)
+        before, self._limits = self._limits, known
+        changed = any(
+            a is not None and b is not None and a != b for a, b in zip(before, known, strict=True)
+        )
+        return End.LIMITS_CHANGED if changed else None
+
+    def _what_arm_says(self, state: ArmState, command: MotionCommand, now_s: float) -> End | None:
+        status = state.status
+        if status is None:
+            return End.SILENT
+        if status.value.arm_status == ArmStatusCode.EMERGENCY_STOP:
+            return End.STOPPED
+        if limp(state, now_s):
+            return End.DISABLED
+        if taught(state):
+            return End.TAUGHT
+        late = status.at_s - command.sent_s > _TAKEN_IN_S
+        if late and status.value.control_mode != ControlMode.CAN_CONTROL:
+            return End.OTHER_MODE
+        return None
+
+    def _whether_moved(self, state: ArmState, command: MotionCommand) -> End | None:
+        measured_deg = state.angles_deg()
+        if self.under_way or self.holds or measured_deg is None:
+            return None
+        if command.joints_deg is None:
+            # a pose: which angles the arm takes there is its own choice
+            self.command = replace(command, joints_deg=measured_deg)
+            return None
+        away_deg = max(
+            abs(asked - measured)
+            for asked, measured in zip(command.joints_deg, measured_deg, strict=True)
+        )
+        return End.MOVED_AWAY if away_deg > ARRIVED_DEG else None
+
+    def _follow_hold(self, seen: Observation) -> None:
+        """What the arm itself drops is held back no more."""
+        status = seen.state.status
+        if not self.holds or status is None or not status.fresh(seen.now_s):
+            return
+        left = status.value.control_mode != ControlMode.CAN_CONTROL
+        stopped = status.value.arm_status == ArmStatusCode.EMERGENCY_STOP
+        if left or stopped or limp(seen.state, seen.now_s):
+            self.holds = frozenset()
+
+    def _follow_cancel(self, now_s: float) -> None:
+        if self._cancelled_s is None:
+            return
+        if self.at_rest or self.other.commands:
+            self._cancelled_s, self.cancel_unheeded = None, False
+        elif now_s - self._cancelled_s > _CANCEL_WITHIN_S:
+            self.cancel_unheeded = True

@@ -1,0 +1,168 @@
+"""What another host does to the arm, and when this program may move it again: pure."""
+
+from __future__ import annotations
+
+import enum
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.refusal import Refusal
+from armui.protocol.codes import ArmStatusCode, ControlMode, MitMode, MoveMode
+
+if TYPE_CHECKING:
+    from armui.arm.other_hosts import FrameSeries, OtherTraffic
+    from armui.arm.state import ArmState, Status
+
+_GONE_AFTER_S: Final = 2.0
+"""So long after its last motion frame another host counts as moving the arm."""
+_TAKE_OVER_AFTER_S: Final = 0.5
+_TAKEN_IN_S: Final = 0.3
+"""A status this much after a mode word was made after it."""
+_MODE_BYTE: Final = 1
+_MIT_BYTE: Final = 3
+_MOVE_M_NEW: Final = 0x06
+"""MOVE M from firmware S-V1.8-8 on; 0x04 before."""
+
+
+class OtherMode(enum.Enum):
+    """A mode in which any new mode word leaves the joints limp until their next setpoint."""
+
+    MIT = "mit"
+    CPV = "cpv"
+    HIGH_FOLLOW = "high_follow"
+
+
+_MODES: Final = {
+    int(MoveMode.MOVE_M): OtherMode.MIT,
+    int(MoveMode.MOVE_CPV): OtherMode.CPV,
+    _MOVE_M_NEW: OtherMode.MIT,
+}
+
+
+class OtherCommand:
+    """Follows the motion frames of other hosts.
+
+    Attributes:
+        commands: Whether another host moves the arm: until two seconds after its last motion frame
+            and until the arm is at rest, unless the operator has taken over.
+        is_leader: Whether it is a leader arm, or streams as one.
+        last_s: When its last motion frame was heard.
+        since_s: When it began.
+        series: Its motion frames of late.
+        mode: The mode it has left the arm in, where a mode word of ours would make it fall.
+    """
+
+    def __init__(self) -> None:
+        self.commands = False
+        self.is_leader = False
+        self.last_s: float | None = None
+        self.since_s: float | None = None
+        self.series: tuple[FrameSeries, ...] = ()
+        self.mode: OtherMode | None = None
+        self._now_s = 0.0
+        self._void_before_s = 0.0
+
+    def observe(
+        self,
+        traffic: OtherTraffic,
+        offsets: tuple[int, ...],
+        state: ArmState,
+        now_s: float,
+        *,
+        at_rest: bool,
+    ) -> bool:
+        """Take in what was heard; whether another host has sent a motion frame since.
+
+        Args:
+            traffic: What other hosts send.
+            offsets: The control offsets under which the arm may listen (0x470).
+            state: The arm as heard.
+            now_s: Monotonic time.
+            at_rest: Whether the arm is measured to stand still.
+        """
+        self._now_s = now_s
+        motion = traffic.motion(offsets)
+        last_s = max((each.last_s for each in motion), default=None)
+        new = last_s is not None and (self.last_s is None or last_s > self.last_s)
+        if new:
+            self.last_s = last_s
+            if not self.commands:
+                self.commands, self.since_s = True, last_s
+        elif self.commands and last_s is not None and now_s - last_s >= _GONE_AFTER_S and at_rest:
+            self.commands = False
+        self.series = tuple(each for each in motion if now_s - each.last_s < _GONE_AFTER_S)
+        self.is_leader = traffic.leads(offsets)
+        self.mode = self._mode_of(traffic, offsets, state)
+        return new
+
+    def _mode_of(
+        self, traffic: OtherTraffic, offsets: tuple[int, ...], state: ArmState
+    ) -> OtherMode | None:
+        """By 0x2A1 byte 2, or by a mode word that the arm has had no time to show, or cannot show.
+
+        0x2A1 shows high-follow as MOVE J: it lasts until the arm is seen to have left it.
+        """
+        shown = _shown(state, self._now_s)
+        word = traffic.mode_word(offsets)
+        if word is None or len(word.data) <= _MIT_BYTE or word.last_s <= self._void_before_s:
+            return shown
+        move_mode, mit = word.data[_MODE_BYTE], word.data[_MIT_BYTE]
+        follows = move_mode == MoveMode.MOVE_J and mit == MitMode.MIT
+        status = state.status
+        if status is None or status.at_s < word.last_s + _TAKEN_IN_S:
+            return _MODES.get(move_mode) or (OtherMode.HIGH_FOLLOW if follows else shown)
+        if follows and _has_left(status.value):
+            self._void_before_s = word.last_s
+            return shown
+        return OtherMode.HIGH_FOLLOW if follows else shown
+
+    @property
+    def may_be_taken_over(self) -> bool:
+        """Whether the operator may take the arm over: against a stream only the stop wins."""
+        if not self.commands or self.last_s is None:
+            return False
+        return self._now_s - self.last_s >= _TAKE_OVER_AFTER_S
+
+    def take_over(self) -> Refusal | None:
+        """The operator takes the arm: ``None``, or why not."""
+        if not self.commands:
+            return Refusal("nobody_else")
+        if not self.may_be_taken_over:
+            return Refusal("other_host_streams", {"frames": self.frames})
+        self.commands = False
+        return None
+
+    @property
+    def frames(self) -> str:
+        """The identifiers of its motion frames, for a sentence."""
+        return ", ".join(f"0x{each.arbitration_id:03X}" for each in self.series)
+
+    @property
+    def rate_hz(self) -> int:
+        """How often its most frequent motion frame comes, in two digits."""
+        rate_hz = max((each.rate_hz for each in self.series), default=0.0)
+        return 10 * round(rate_hz / 10.0) if rate_hz >= 20.0 else round(rate_hz)
+
+    def why_not(self) -> Refusal | None:
+        """The reason against a motion of ours, or ``None``."""
+        if self.mode is not None:
+            return Refusal("other_mode", {"other_mode": self.mode.value})
+        if not self.commands:
+            return None
+        code = "leader_arm" if self.is_leader else "other_host"
+        return Refusal(code, {"frames": self.frames})
+
+
+def _shown(state: ArmState, now_s: float) -> OtherMode | None:
+    status = state.status
+    if status is None or not status.fresh(now_s):
+        return None
+    return _MODES.get(status.value.move_mode)
+
+
+def _has_left(status: Status) -> bool:
+    """Whether the arm is seen to have left the mode that a mode word with MOVE J put it in."""
+    return (
+        status.control_mode != ControlMode.CAN_CONTROL
+        or status.arm_status == ArmStatusCode.EMERGENCY_STOP
+        or status.move_mode != MoveMode.MOVE_J
+    )
