@@ -19,6 +19,7 @@ from armui.bus.adapters import explain
 from armui.bus.echo import is_own_echo
 from armui.bus.link import BusReport, BusState
 from armui.bus.outbox import Outbox
+from armui.bus.receive_queue import ReceiveQueue
 from armui.bus.samples import SampleRing
 from armui.protocol.codec import Codec, Message, Oddity, OddityKind
 from armui.protocol.frame import Frame
@@ -95,6 +96,7 @@ class BusWorker(QThread):
         self._traffic = OtherTraffic()
         self._pictured_s = 0.0
         self._outbox = Outbox(clock)
+        self._queue = ReceiveQueue()
         self.samples = SampleRing()
         self._closing = threading.Event()
 
@@ -112,6 +114,11 @@ class BusWorker(QThread):
     def traffic(self) -> OtherTraffic:
         """What other hosts were heard to send; may be read from any thread."""
         return self._traffic
+
+    @property
+    def frames_dropped(self) -> int:
+        """Frames lost before the program could read them, as far as the system tells."""
+        return self._queue.dropped
 
     def send(self, frames: Sequence[Frame], keep_s: float | None = None) -> bool:
         """Queue frames in order; false if the device is not open; see :meth:`Outbox.put`."""
@@ -148,6 +155,7 @@ class BusWorker(QThread):
         self._report(BusState.CLOSED)
 
     def _use(self, bus: can.BusABC) -> None:
+        self._queue.attach(bus)
         self._outbox.attach(bus)
         self._report(BusState.OPEN)
         try:
@@ -157,6 +165,7 @@ class BusWorker(QThread):
                 self._receive_burst(bus)
         finally:
             self._outbox.detach()
+            self._queue.detach()
 
     def _receive_burst(self, bus: can.BusABC) -> None:
         message = bus.recv(_RECEIVE_S)
@@ -172,11 +181,14 @@ class BusWorker(QThread):
             self._pictured_s = now_s
             self._state = self._tracker.picture()
             self._traffic = self._others.traffic()
+            self._queue.look(now_s)
 
     def _take_in(self, message: can.Message, now_s: float) -> None:
         if is_own_echo(message, self._device.interface):
             return
         self._others.note(message.arbitration_id, bytes(message.data), now_s)
+        if message.is_error_frame:
+            self._queue.note_error(message)
         heard = _oddity(message) or self._codec.decode(
             Frame(message.arbitration_id, bytes(message.data))
         )

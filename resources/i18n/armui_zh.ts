@@ -188,12 +188,32 @@
         <translation>正在加载 3D 模型…</translation>
     </message>
     <message>
-        <source>The 3D view is not available: this computer offers no OpenGL. Install a graphics driver or Mesa (on Debian the packages libegl1 and libgl1-mesa-dri) and start the program again.</source>
-        <translation>3D 视图不可用：此计算机没有 OpenGL。请安装显卡驱动或 Mesa（Debian 上为软件包 libegl1 和 libgl1-mesa-dri），然后重新启动本程序。</translation>
+        <source>Picture delayed</source>
+        <translation>画面滞后</translation>
     </message>
     <message>
-        <source>The 3D view has stopped ({text}). Start the program again.</source>
-        <translation>3D 视图已停止（{text}）。请重新启动本程序。</translation>
+        <source>Start the 3D view again</source>
+        <translation>重新启动3D 视图</translation>
+    </message>
+    <message>
+        <source>The 3D view is not available: this computer offers no OpenGL. Install a graphics driver or Mesa (on Debian the packages libegl1 and libgl1-mesa-dri) and start the 3D view again.</source>
+        <translation>3D 视图不可用：这台电脑没有 OpenGL。请安装显卡驱动或 Mesa（Debian 上为软件包 libegl1 和 libgl1-mesa-dri），然后重新启动3D 视图。</translation>
+    </message>
+    <message>
+        <source>The 3D view did not answer any more.</source>
+        <translation>3D 视图没有响应。</translation>
+    </message>
+    <message>
+        <source>The 3D view has ended ({text}).</source>
+        <translation>3D 视图意外结束（{text}）。</translation>
+    </message>
+    <message>
+        <source>It is being started again; the arm is not affected.</source>
+        <translation>正在重新启动；机械臂不受影响。</translation>
+    </message>
+    <message>
+        <source>It ended three times in a minute; the arm is not affected.</source>
+        <translation>一分钟内结束了三次；机械臂不受影响。</translation>
     </message>
 </context>
 <context>
@@ -1979,12 +1999,12 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>轨迹或录制正在运行或已暂停。继续的话，机械臂将就地结束运动，电机保持使能，其余部分不再执行。</translation>
     </message>
     <message>
-        <source>A motion is paused</source>
-        <translation>运动已暂停</translation>
+        <source>A motion is held back</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm holds a motion that was paused here. If you go on, the arm is told to drop it and stays where it is; its motors stay enabled.</source>
-        <translation>机械臂保留着一个由本程序暂停的运动。继续的话，将放弃该运动，机械臂停在原处，电机保持使能。</translation>
+        <source>The arm holds back a motion. If you go on, the arm is told to drop it and stays where it is; its motors stay enabled.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2708,6 +2728,38 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>已发送 {axis} 步进 {step}</translation>
     </message>
     <message>
+        <source>{percent} % is kept: the arm gets it when the motion held back goes on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program controls the arm ({frames}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A leader arm moves this arm ({frames}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody else controls the arm any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taken over: this program may move the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm was told to end its motion and still moves. Stop it, or cut its power.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion ended: too fast. {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} frames were lost before the program could read them ({total} since connecting): the computer is too busy, or the adapter too slow.</source>
+        <translation>有 {count} 帧在程序读取之前丢失（连接以来共 {total} 帧）：电脑太忙，或适配器太慢。</translation>
+    </message>
+    <message>
         <source>Sent to lamp {lamp} of joint {joint}: {color}</source>
         <translation>已发送关节 {joint} 灯珠 {lamp}：{color}</translation>
     </message>
@@ -3022,6 +3074,21 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>Event: {code}</source>
         <translation>事件：{code}</translation>
+    </message>
+</context>
+<context>
+    <name>OtherMode</name>
+    <message>
+        <source>MIT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>high-follow</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3599,6 +3666,22 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <source>Take command…</source>
         <translation>待机…</translation>
     </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation type="unfinished">急停</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RecoveryDanger</name>
@@ -3775,6 +3858,30 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>The arm takes its commands from elsewhere: {mode}. Take the command.</source>
         <translation>机械臂由其他方式控制：{mode}。请切换到待机模式。</translation>
+    </message>
+    <message>
+        <source>The arm was told to end its motion and still moves. Stop it, or cut its power.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program drives the arm in {other_mode} mode. Nothing is sent: a mode word would let the arm fall.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program controls the arm since {since} ({frames}, {rate} frames/s).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A leader arm moves this arm since {since} ({frames}, {rate} frames/s).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm holds back a paused motion. Hold Continue, or give it up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm holds back a motion at 0 %. Set a speed and hold Continue, or give it up.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Not every motor has reported. If it stays so, check power and cable, and connect again.</source>
@@ -4188,6 +4295,14 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机器人模型：网格文件 {mesh} 中没有任何表面。请重新导出。</translation>
     </message>
     <message>
+        <source>Robot description: {path} ended the 3D view while it was loaded ({text}). It is put aside; choose another one.</source>
+        <translation>机器人描述：加载 {path} 时3D 视图意外结束（{text}）。该文件已停用，请另选一个。</translation>
+    </message>
+    <message>
+        <source>Robot description: loading {path} does not come to an end. It is put aside; choose another one.</source>
+        <translation>机器人描述：{path} 一直加载不完。该文件已停用，请另选一个。</translation>
+    </message>
+    <message>
         <source>Not possible now: {reason}.</source>
         <translation>现在无法执行：{reason}。</translation>
     </message>
@@ -4574,6 +4689,46 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Column {column}: {field} is not given in “{value}”. Choose one of {choices}.</source>
         <translation>第 {column} 列：{field}不能使用单位“{value}”。请选择 {choices} 之一。</translation>
+    </message>
+    <message>
+        <source>{frames} of the arm has not been heard for {seconds} s: nobody knows where it is. Check its power and the CAN cable; nothing is sent until it is heard again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program controls the arm ({frames}). Wait until it has been quiet for 2 s and the arm rests, or take over when it pauses. The stop works at any time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A leader arm moves this arm ({frames}). Switch the leader off, or make it a motion output. The stop works at any time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program drives the arm in {other_mode} mode: any mode word would leave its joints limp and it would fall. End that program, support the arm and reset it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The other program is still sending ({frames}): it can be taken over half a second after its last frame. Against a stream only the stop wins.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No other program moves the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm holds back a motion at 0 %. Hold Continue or press Give up in the line above the panels first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No motion is held back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Something else has ended this motion. Look at the arm, then start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint {joint} moves at {value} °/s, where {maximum} °/s is shown. Set the speed again before the next motion.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5031,8 +5186,8 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>等待机械臂：{command}</translation>
     </message>
     <message>
-        <source>Paused from here: new targets wait until Continue or Clear.</source>
-        <translation>已由本程序暂停：继续或清除之前，新目标不会执行。</translation>
+        <source>A motion is held back: hold Continue, or give it up by Terminate.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Drag teaching</source>
