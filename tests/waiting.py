@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QEventLoop, QTimer
 
-LIMIT_MS = 50_000
+LIMIT_MS = 120_000
 
 
 def wait_until(condition: Callable[[], object], limit_ms: int = LIMIT_MS) -> None:

@@ -23,7 +23,7 @@ class Limits:
 
 
 LIMITS: Final = {
-    Phase.STARTING: Limits(20.0, 60.0),  # a cold disk
+    Phase.STARTING: Limits(60.0, 120.0),  # a cold disk, a busy computer
     Phase.OPENING: Limits(5.0, 5.0),  # a graphics card that wakes up
     Phase.LOADING: Limits(5.0, 20.0),  # large meshes
     Phase.FIRST_DRAWING: Limits(5.0, 5.0),  # a driver compiles its shaders

@@ -19,9 +19,12 @@ from armui.viewport.view import ArmView
 from armui.viewport.watch import LIMITS, Limits
 from tests.viewport.bad_meshes import write_glb_beyond_its_vertices
 from tests.viewport.foreign import mesh, write_arm
-from tests.waiting import wait_until
+from tests.waiting import LIMIT_MS, wait_until
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals")
+pytestmark = [
+    pytest.mark.skipif(sys.platform == "win32", reason="signals"),
+    pytest.mark.timeout(300),  # each loses a process and waits for the next
+]
 
 BALL = '<visual><geometry><sphere radius="0.06"/></geometry></visual>'
 SWING = tuple((angle, 70.0, -60.0, 20.0, 40.0, 10.0) for angle in range(-60, 60))
@@ -95,7 +98,7 @@ def test_the_model_comes_back_though_its_file_is_gone(view, losses, tmp_path):
 
 
 def test_a_question_is_not_asked_again_of_the_next_process(view, losses, qtbot):
-    with qtbot.waitSignal(view._client.joint_picked, timeout=50_000):
+    with qtbot.waitSignal(view._client.joint_picked, timeout=LIMIT_MS):
         qtbot.mouseDClick(view, Qt.MouseButton.LeftButton, pos=QPoint(440, 10))
     answers = []
     view._client.joint_picked.connect(answers.append)
@@ -183,7 +186,7 @@ def test_a_file_that_crashes_the_process_is_put_aside(view, losses, qtbot, tmp_p
     before = image_of(view)
     write_glb_beyond_its_vertices(tmp_path / "bad.glb")
     bad = write_arm(tmp_path, visual=mesh("bad.glb"))
-    with qtbot.waitSignal(view.load_failed, timeout=50_000) as failed:
+    with qtbot.waitSignal(view.load_failed, timeout=LIMIT_MS) as failed:
         view.set_robot(bad)
     assert failed.args == [Refusal("urdf_ends_view", {"path": str(bad), "text": "SIGSEGV"})]
     wait_until(lambda: view.is_settled)
@@ -196,7 +199,7 @@ def test_a_file_that_never_ends_is_put_aside(view, losses, qtbot, tmp_path, monk
     before = image_of(view)
     endless = tmp_path / "pipe.urdf"
     os.mkfifo(endless)
-    with qtbot.waitSignal(view.load_failed, timeout=50_000) as failed:
+    with qtbot.waitSignal(view.load_failed, timeout=LIMIT_MS) as failed:
         view.set_robot(endless)
     assert failed.args == [Refusal("urdf_hangs_view", {"path": str(endless)})]
     wait_until(lambda: view.is_settled)
@@ -233,7 +236,7 @@ def test_without_opengl_the_widget_says_so(qtbot):
     view = ArmView(client=client)
     qtbot.addWidget(view)
     loading_text = view._notice()
-    with qtbot.waitSignal(client.lost, timeout=50_000) as lost:
+    with qtbot.waitSignal(client.lost, timeout=LIMIT_MS) as lost:
         view.show()
     assert (lost.args[0].reason, lost.args[0].comes_back) == (Refusal(NO_OPENGL), False)
     assert "OpenGL" in view._notice() != loading_text
