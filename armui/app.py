@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 
     import can
 
+    from armui.viewport.client import PictureClient
+
 _SWITCH_INTERVAL_S: Final = 0.0005
 """How long a thread may keep Python's lock while another wants it. The default of 5 ms, once for
 the bus thread and once for the simulated arm's, is what a pressed stop would wait."""
@@ -46,6 +48,8 @@ class Program:
         controller: Who speaks to the arm.
         workers: Who does what takes long; ended with the program.
         trajectories: The folder of the library; the user's own by default.
+        pictures: Has the 3D picture drawn, and is ended by whoever gives it; one of the program's
+            own by default.
 
     Attributes:
         controller, view, window: What its parts are.
@@ -58,6 +62,8 @@ class Program:
         controller: ArmController,
         workers: Executor,
         trajectories: Path | None = None,
+        *,
+        pictures: PictureClient | None = None,
     ) -> None:
         self._app = app
         self._translator = Translator(app)
@@ -66,7 +72,8 @@ class Program:
         apply_theme(app, Theme(settings.theme))
         self.controller = controller
         self._workers = workers
-        self.view = ArmView(Path(settings.urdf_path) if settings.urdf_path else None)
+        urdf = Path(settings.urdf_path) if settings.urdf_path else None
+        self.view = ArmView(urdf, client=pictures)
         self.window = MainWindow(self.controller, self.view, store, workers, trajectories)
         self._stop_shortcut = StopShortcut(app, self.controller)
         self._unsubscribe = store.subscribe(self._on_settings_changed)

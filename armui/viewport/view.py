@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -40,6 +41,7 @@ if TYPE_CHECKING:
     from armui.viewport.news import Lost
     from armui.viewport.path_picture import Preview
 
+_VIEWERS = itertools.count()
 _START_MS = 20
 _SAME_ANGLE_DEG = 0.005
 """Less moves nothing by a pixel: an arm at rest that reports the last digit is not drawn anew."""
@@ -64,7 +66,7 @@ class ArmView(QWidget):
     Args:
         robot: URDF file to begin with; None: the project's own arm.
         palette: colours to begin with.
-        client: has the pictures drawn; one of its own by default.
+        client: has the pictures drawn; whoever gives one ends it. One of its own by default.
     """
 
     joint_picked = Signal(int)
@@ -83,7 +85,7 @@ class ArmView(QWidget):
     ) -> None:
         super().__init__(parent)
         robot_choice = BUILT_IN_ROBOT if robot is None else RobotChoice(robot)
-        self._state = ViewState(robot_choice, palette=palette)
+        self._state = ViewState(robot_choice, palette=palette, viewer=next(_VIEWERS))
         self._hud = HudValues()
         self._hud_painter = Hud()
         self._picture: Picture | None = None
@@ -93,6 +95,7 @@ class ArmView(QWidget):
         self._pick_serial = 0
         self._is_started = False
         self._is_shut_down = False
+        self._owns_client = client is None
         self._client = client or PictureClient(parent=self)
         self._client.frame_ready.connect(self._on_frame_ready)
         self._client.joint_picked.connect(self._on_joint_picked)
@@ -199,7 +202,8 @@ class ArmView(QWidget):
     def shutdown(self) -> None:
         """End drawing for good and wait for it; may be called twice."""
         self._is_shut_down = True
-        self._client.stop()
+        if self._owns_client:
+            self._client.stop()
 
     def _show(self, state: ViewState) -> None:
         self._state = state

@@ -53,6 +53,7 @@ class ViewState:
         preview: what is shown beside the arm.
         pick: a question to answer along the way.
         mark_pick: likewise, about a mark of the preview.
+        viewer: tells views apart that have their pictures drawn by one process, one after another.
     """
 
     robot: RobotChoice
@@ -68,3 +69,4 @@ class ViewState:
     preview: Preview = NOTHING
     pick: PickRequest | None = None
     mark_pick: PickRequest | None = None
+    viewer: int = 0

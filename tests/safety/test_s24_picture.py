@@ -12,7 +12,9 @@ from PySide6.QtWidgets import QPushButton
 
 from armui.control.jog_ways import JointJog
 from armui.protocol.generation import Generation
+from armui.viewport.client import PictureClient
 from armui.viewport.path_picture import PathPicture, Preview
+from armui.viewport.watch import Restarts
 from tests.control.jogger import bend, hold
 from tests.control.under_way import run_moving
 from tests.desk import Desk
@@ -27,13 +29,27 @@ TARGET_DEG = (60.0, 90.0, -60.0, 40.0, 30.0, 60.0)
 STOP = (0x150, "0100000000000000")
 
 
+@pytest.fixture(scope="module")
+def pictures(qapp):
+    """One client for all: its process is lost and comes back in each test."""
+    client = PictureClient()
+    yield client
+    client.stop()
+
+
+@pytest.fixture(autouse=True)
+def no_thread_outlives_the_test():
+    """The client is the module's: its threads change with each process, and end with it."""
+
+
 @pytest.fixture
-def drawing(qapp, request, tmp_path):
+def drawing(qapp, request, tmp_path, pictures):
     """The whole window before an enabled arm, with the picture on the screen."""
     settings = tmp_path / "settings.json"
-    desk = Desk(qapp, request.node.nodeid, settings, Generation.TWO, draws=True)
+    desk = Desk(qapp, request.node.nodeid, settings, Generation.TWO, draws=True, pictures=pictures)
     bend(desk)
     wait_until(lambda: desk.program.view.is_settled)
+    pictures._link._restarts = Restarts()  # each test loses as many as it likes
     yield desk
     desk.close()
 
@@ -114,5 +130,5 @@ def test_nothing_waits_for_a_picture_that_does_not_come(drawing):
     hold(drawing, 0.1)
     assert drawing.controller.jogging.active
     assert press_stop(drawing)[0] == STOP
-    drawing.program.shutdown()
+    view._client.stop()
     assert view._client.pid is None
