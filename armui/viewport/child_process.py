@@ -17,9 +17,6 @@ if TYPE_CHECKING:
 
     from armui.viewport.messages import Answer, Draw
 
-ENTRY: Final = "armui.viewport.process.main:run"
-"""Module and function that the process runs; by name, so that the program does not load it."""
-
 _END_LIMIT_S: Final = 1.0
 _SMALL_BYTES: Final = 32_768
 """A message of this size fits into the pipe: sending it waits for nobody."""

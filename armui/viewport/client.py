@@ -10,12 +10,10 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QImage
 
-from armui.viewport.child_process import ENTRY
-from armui.viewport.frame_memory import BYTES_PER_PIXEL
-from armui.viewport.messages import JointPicked, LoadFailed, MarkPicked
+from armui.viewport.messages import BYTES_PER_PIXEL, JointPicked, LoadFailed, MarkPicked
 from armui.viewport.news import Frame, Lost, UpToDate, Wanted
 from armui.viewport.picture_age import LONGEST_S, PictureAge
-from armui.viewport.process_link import ProcessLink
+from armui.viewport.process_link import ENTRY, ProcessLink
 
 if TYPE_CHECKING:
     from armui.viewport.view_state import ViewState
@@ -54,7 +52,7 @@ class PictureClient(QObject):
         aged: the picture has begun or ceased to look old.
 
     Args:
-        entry: What the process runs; see :data:`armui.viewport.child_process.ENTRY`.
+        entry: What the process runs; see :data:`armui.viewport.process_link.ENTRY`.
     """
 
     frame_ready = Signal(object)

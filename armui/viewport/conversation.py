@@ -9,8 +9,17 @@ from typing import TYPE_CHECKING, TypeVar
 
 from armui.arm.refusal import Refusal
 from armui.viewport.errors import PROCESS_ENDED, PROCESS_HUNG
-from armui.viewport.frame_memory import BYTES_PER_PIXEL, SLOTS, FrameMemory
-from armui.viewport.messages import Busy, Draw, Drawn, Failed, Phase, Ready, RobotRead
+from armui.viewport.frame_memory import SLOTS, FrameMemory
+from armui.viewport.messages import (
+    BYTES_PER_PIXEL,
+    Busy,
+    Draw,
+    Drawn,
+    Failed,
+    Phase,
+    Ready,
+    RobotRead,
+)
 from armui.viewport.news import Frame, UpToDate, Wanted
 from armui.viewport.watch import LIMITS, is_stuck
 
@@ -25,22 +34,6 @@ if TYPE_CHECKING:
 _LOG = logging.getLogger(__name__)
 
 A = TypeVar("A", Ready, Drawn)
-
-
-class RobotStore:
-    """The robot that was read last, for the next process."""
-
-    def __init__(self) -> None:
-        self._choice: RobotChoice | None = None
-        self._content = b""
-
-    def put(self, choice: RobotChoice | None, content: bytes) -> None:
-        """Keep a robot instead of the one before."""
-        self._choice, self._content = choice, content
-
-    def get(self, choice: RobotChoice) -> bytes | None:
-        """A robot that is kept."""
-        return self._content if choice == self._choice else None
 
 
 class ProcessLostError(Exception):
@@ -69,7 +62,7 @@ class Conversation:
         mailbox: Mailbox[Wanted],
         tell: Callable[[object], None],
         asked_serial: int,
-        robots: RobotStore,
+        robots: dict[RobotChoice, bytes],
     ) -> None:
         self._robots = robots
         self._child = child
@@ -169,6 +162,12 @@ class Conversation:
         self._memory, self._path = memory, path
         self._child.send(message)
 
+    def _keep(self, content: bytes) -> None:
+        """Keep the robot that was read, and no other, for the next process."""
+        self._robots.clear()
+        if self.robot is not None:
+            self._robots[self.robot] = content
+
     def _unasked(self, state: ViewState) -> ViewState:
         """The state without questions that an earlier process was asked."""
 
@@ -195,7 +194,7 @@ class Conversation:
                 if is_stuck(message, time.monotonic() - since_s):
                     raise ProcessLostError(Refusal(PROCESS_HUNG))
             elif isinstance(message, RobotRead):
-                self._robots.put(self.robot, message.content)
+                self._keep(message.content)
             elif isinstance(message, Failed):
                 _LOG.error("The 3D view stopped\n%s", message.traceback)
                 raise ProcessLostError(message.reason)

@@ -17,7 +17,6 @@ from typing import Final
 from armui.viewport.messages import MemoryName
 
 SLOTS: Final = 3
-BYTES_PER_PIXEL: Final = 4
 _ROUND_UP_BYTES: Final = 1 << 20
 _TOO_LARGE: Final = 4
 _PLACE: Final = Path("/dev/shm")  # noqa: S108 - where Linux keeps shared memory; nothing is opened

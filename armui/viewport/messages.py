@@ -8,12 +8,15 @@ from __future__ import annotations
 
 import enum
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 if TYPE_CHECKING:
     from armui.arm.refusal import Refusal
     from armui.viewport.path_picture import PathPicture
     from armui.viewport.view_state import ViewState
+
+
+BYTES_PER_PIXEL: Final = 4
 
 
 class Phase(enum.Enum):

@@ -2,7 +2,7 @@
 
 A thread of the program sends one request after another and waits for each answer. It shares
 nothing with the one that draws: a process that crashes, hangs or is killed costs pictures, and
-nothing else. No Qt here.
+nothing else. No Qt here. What starts processes is imported by that thread, so that no window waits.
 """
 
 from __future__ import annotations
@@ -14,8 +14,6 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
-from armui.viewport.child_process import ENTRY, ChildProcess
-from armui.viewport.conversation import Conversation, ProcessLostError, RobotStore
 from armui.viewport.errors import NO_OPENGL, PROCESS_ENDED, PROCESS_HUNG
 from armui.viewport.mailbox import Mailbox
 from armui.viewport.messages import LoadFailed, Phase
@@ -26,7 +24,12 @@ from armui.viewport.watch import Restarts
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from armui.viewport.child_process import ChildProcess
+    from armui.viewport.conversation import Conversation
     from armui.viewport.view_state import ViewState
+
+ENTRY: Final = "armui.viewport.process.main:run"
+"""Module and function that the process runs; by name, so that the program does not load it."""
 
 _LOG = logging.getLogger(__name__)
 _REST_S: Final = 0.15
@@ -55,7 +58,7 @@ class ProcessLink:
         self._proven: RobotChoice = BUILT_IN_ROBOT
         self._put_aside: RobotChoice | None = None
         self._asked_serial = 0
-        self._robot_read = RobotStore()
+        self._robot_read: dict[RobotChoice, bytes] = {}
         self._thread = threading.Thread(target=self._run, name="armui-viewport", daemon=True)
 
     @property
@@ -103,6 +106,9 @@ class ProcessLink:
 
     def _draw_in_one_process(self) -> Refusal | None:
         """Draw until the process is lost; why. None: a robot was to blame, and is put aside."""
+        from armui.viewport.child_process import ChildProcess  # noqa: PLC0415 - see above
+        from armui.viewport.conversation import Conversation, ProcessLostError  # noqa: PLC0415
+
         self._mailbox.resume()
         self._mailbox.forget_results()
         try:

@@ -25,7 +25,7 @@ from armui.viewport.messages import (
 )
 from armui.viewport.process.frame_painter import FramePainter
 from armui.viewport.process.heartbeat import Heartbeat
-from armui.viewport.process.settle_in import settle_in
+from armui.viewport.process.settle_in import settle_in, stand_back
 
 if TYPE_CHECKING:
     from multiprocessing.connection import Connection
@@ -70,11 +70,15 @@ class _Drawing:
         with self._heart.beating(Phase.STARTING):
             self._painter.open()
         self._say(Ready())
+        stands_back = False
         while True:
             request: Draw = connection.recv()
             with self._heart.beating(Phase.DRAWING):
                 answer = self._answer(request)
             self._say(answer)
+            if not stands_back:
+                stands_back = True
+                stand_back()
 
     def _say(self, answer: Answer) -> None:
         self._heart.send(answer)

@@ -21,10 +21,8 @@ _PR_SET_PDEATHSIG: Final = 1
 
 
 def settle_in() -> None:
-    """Leave Ctrl-C to the program, stand back, do not outlive it, say where a crash was."""
+    """Leave Ctrl-C to the program, do not outlive it, say where a crash was."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    if hasattr(os, "nice"):
-        os.nice(_NICER_BY)
     if sys.stderr is not None:
         faulthandler.enable()
     if sys.platform == "linux":
@@ -35,6 +33,12 @@ def settle_in() -> None:
         with contextlib.suppress(OSError):
             ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
     threading.Thread(target=_end_with_the_program, daemon=True).start()
+
+
+def stand_back() -> None:
+    """Draw behind the others, once the picture stands: to begin with, it is waited for."""
+    if hasattr(os, "nice"):
+        os.nice(_NICER_BY)
 
 
 def _end_with_the_program() -> None:
