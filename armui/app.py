@@ -76,6 +76,7 @@ class Program:
         self.view = ArmView(urdf, client=pictures)
         self.window = MainWindow(self.controller, self.view, store, workers, trajectories)
         self._stop_shortcut = StopShortcut(app, self.controller)
+        controller.stop_again_when_undone(settings.stop_again)
         self._unsubscribe = store.subscribe(self._on_settings_changed)
 
     def shutdown(self) -> None:
@@ -91,6 +92,7 @@ class Program:
         apply_theme(self._app, Theme(settings.theme))
         if settings.language != self._settings.language:
             self._translator.set_language(settings.language)
+        self.controller.stop_again_when_undone(settings.stop_again)
         self._settings = settings
 
 

@@ -38,6 +38,7 @@ class Choices(TypedDict, total=False):
     jog_step_deg: float
     urdf_path: str | None
     tool: tuple[float, ...]
+    stop_again: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,6 +51,7 @@ class Settings:
         jog_step_deg: How far − and + move a joint.
         urdf_path: The robot description in the 3D picture; ``None`` for the built-in one.
         tool: The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees.
+        stop_again: An emergency stop that another host undoes is sent again by itself.
     """
 
     language: Language = "zh"
@@ -57,6 +59,7 @@ class Settings:
     jog_step_deg: float = 1.0
     urdf_path: str | None = None
     tool: tuple[float, ...] = (0.0,) * 6
+    stop_again: bool = False
 
 
 Subscriber = Callable[[Settings], None]
@@ -76,6 +79,7 @@ def check(name: str, value: object) -> Refusal | None:
     allowed = {
         "language": value in get_args(Language),
         "theme": value in get_args(ThemeName),
+        "stop_again": isinstance(value, bool),
         "urdf_path": value is None or (isinstance(value, str) and value != ""),
     }
     if allowed.get(name, False):

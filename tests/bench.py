@@ -4,12 +4,13 @@ The firmware's clock is the only clock: the bus thread and the controller read i
 second of silence takes no half second, and nothing ever sleeps.
 """
 
-import threading
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Protocol
 
 import can
+from can.interfaces.virtual import VirtualBus
 from PySide6.QtCore import QCoreApplication, QDeadlineTimer
 
 from armui.arm.device import Device
@@ -20,11 +21,12 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
+from tests.bench_bus import ArmBus, HostBus
 
 STEP_S = 0.02
 TIMEOUT_MS = 5000
 _POLL_S = 0.0005
-_LOOKS = 2
+_REST_S = 0.1
 
 
 class Company(Protocol):
@@ -50,15 +52,13 @@ class Bench:
         self.channel = channel
         self.time_s = 1000.0
         self.firmware = Firmware(generation)
-        self._arm_bus = can.Bus(interface="virtual", channel=channel)
+        self._ear = VirtualBus(channel)
+        self._arm_bus = ArmBus(channel, deaf=[self._ear])
         self.node = Node(self.firmware, self._arm_bus)
         self.powered = True
         self.company: list[Company] = []
         self.broken: Exception | None = None
-        self._host_bus: can.BusABC | None = None
-        self._empty_looks = 0
-        self._looked = threading.Event()
-        self._ear = can.Bus(interface="virtual", channel=channel)
+        self._host_bus: HostBus | None = None
         self._codec = Codec(generation)
         self.device = Device("virtual", channel, None, simulated=True, generation=int(generation))
         self.controller = ArmController(
@@ -71,21 +71,12 @@ class Bench:
     def _open(self, device: Device) -> Iterator[can.BusABC]:
         if self.broken is not None:
             raise self.broken
-        with can.Bus(interface="virtual", channel=device.channel) as bus:
+        with HostBus(device.channel) as bus:
             self._listen_closely(bus)
             yield bus
 
-    def _listen_closely(self, bus: can.BusABC) -> None:
-        """Have the bus tell how often the bus thread has found it empty."""
-        receive = bus.recv
-
-        def recv(timeout: float | None = None) -> can.Message | None:
-            message = receive(timeout and _POLL_S)
-            self._empty_looks = 0 if message is not None else self._empty_looks + bool(timeout)
-            self._looked.set()
-            return message
-
-        bus.recv = recv
+    def _listen_closely(self, bus: HostBus) -> None:
+        """The program has opened its bus."""
         self._host_bus = bus
 
     def unplug(self, error: Exception) -> None:
@@ -121,19 +112,25 @@ class Bench:
 
     def _settle(self) -> None:
         """Until nothing is on its way any more, in either direction."""
-        self._empty_looks = 0
         deadline = QDeadlineTimer(TIMEOUT_MS)
-        # One empty look may be from before; after the second all is taken in and shown.
-        while not (self._empty_looks >= _LOOKS and self.controller._connection.idle):
+        at_rest = False
+        while not at_rest:
             # asked each time: what happens meanwhile may close the device
             if self._adrift:
                 return
-            # whoever waits without a pause takes the processor from the one it waits for
-            self._looked.wait(_POLL_S)
-            self._looked.clear()
+            at_rest = self._bus_rests() and self.controller._connection.idle
             QCoreApplication.processEvents()
+            # what was heard may have been answered at once
+            at_rest = at_rest and self.controller._connection.idle
             assert not deadline.hasExpired(), "the bus thread does not come to rest"
-        QCoreApplication.processEvents()
+
+    def _bus_rests(self) -> bool:
+        """Give the bus thread the time to take in and send what there is; whether it has."""
+        bus = self._host_bus
+        if bus is None or not bus.is_open:
+            time.sleep(_POLL_S)  # it is being opened
+            return False
+        return bus.rest(_REST_S)
 
     @property
     def _adrift(self) -> bool:
@@ -165,7 +162,7 @@ class Bench:
         return [notice.code for notice in self.notices]
 
     def heard(self) -> list[Frame]:
-        """What went over the bus towards the arm since the last call."""
+        """The commands that went over the bus since the last call; the arm's own are not heard."""
         frames = []
         while (message := self._ear.recv(0)) is not None:
             decoded = self._codec.decode(Frame(message.arbitration_id, bytes(message.data)))

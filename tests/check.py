@@ -6,10 +6,14 @@ Needs no display. Ends at the first check that fails, with its exit code.
 import subprocess
 import sys
 import sysconfig
+import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 SCRIPTS = Path(sysconfig.get_path("scripts"))
+
+SCENES = ("online", "run", "library", "settings-refused")
+"""Of the gallery: the 3D picture, a motion, a window with files, a dialog."""
 
 CHECKS = (
     (SCRIPTS / "ruff", "check"),
@@ -22,12 +26,14 @@ CHECKS = (
 
 def main() -> int:
     """Run the checks; returns the exit code of the first that fails, or 0."""
-    for command in CHECKS:
-        words = [str(word) for word in command]
-        print("$", Path(words[0]).name, *words[1:], flush=True)
-        code = subprocess.run(words, cwd=ROOT, check=False).returncode
-        if code:
-            return code
+    with tempfile.TemporaryDirectory() as pictures:
+        gallery = (sys.executable, "-m", "tests.gallery", pictures, "--quick", *SCENES)
+        for command in (*CHECKS, gallery):
+            words = [str(word) for word in command]
+            print("$", Path(words[0]).name, *words[1:], flush=True)
+            code = subprocess.run(words, cwd=ROOT, check=False).returncode
+            if code:
+                return code
     return 0
 
 

@@ -23,6 +23,7 @@ class Device:
         serial: The adapter's serial number, where it tells one.
         simulated: An arm made of software inside this program.
         generation: Which protocol the simulated arm speaks.
+        listen_only: Nothing is sent on it but an operator's stop.
         options: Further arguments of python-can's constructor.
     """
 
@@ -33,6 +34,7 @@ class Device:
     serial: str | None = None
     simulated: bool = False
     generation: int | None = None
+    listen_only: bool = False
     options: tuple[tuple[str, Any], ...] = ()
 
     @property
@@ -44,6 +46,14 @@ class Device:
     def name(self) -> str:
         """A short name for the top bar and messages."""
         return self.label or f"{self.interface} {self.channel}"
+
+    def same(self, other: Device) -> bool:
+        """Whether both are one device, whatever bit rate and options were chosen."""
+        return (self.interface, str(self.channel), self.serial or other.serial) == (
+            other.interface,
+            str(other.channel),
+            other.serial or self.serial,
+        ) and (self.simulated, self.generation) == (other.simulated, other.generation)
 
 
 def bitrate_is_ours(interface: str) -> bool:

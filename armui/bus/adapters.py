@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import errno
 import logging
+import socket
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Any, Final
 
 import can
@@ -62,7 +63,21 @@ def open_bus(device: Device) -> can.BusABC:
     if device.bitrate is not None and bitrate_is_ours(device.interface):
         arguments["bitrate"] = device.bitrate
     with _quiet():
-        return can.Bus(**arguments, **dict(device.options))
+        bus = can.Bus(**arguments, **dict(device.options))
+    _keep_kernel_queue_short(bus)
+    return bus
+
+
+def _keep_kernel_queue_short(bus: can.BusABC) -> None:
+    """Let socketcan hold as few frames of ours as the kernel allows.
+
+    What lies in the kernel cannot be recalled and goes out when a cable is plugged in again. With
+    the smallest buffer the socket tells early that it takes no more, and the rest waits here, where
+    a stop, age or a loss drops it.
+    """
+    if device_socket := getattr(bus, "socket", None):
+        with suppress(OSError, AttributeError):
+            device_socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 0)
 
 
 def explain(device: Device, error: BaseException) -> Refusal:

@@ -14,6 +14,8 @@ class BusState(enum.Enum):
 
     OPENING = enum.auto()
     OPEN = enum.auto()
+    BLOCKED = enum.auto()
+    """It is open, and no frame gets out; it goes on trying."""
     LOST = enum.auto()
     """It was open and is gone; the thread keeps trying to open it again."""
     FAILED = enum.auto()
@@ -28,7 +30,7 @@ class BusReport:
     Attributes:
         state: What it is doing.
         device: The device.
-        problem: Why it is ``LOST`` or ``FAILED``.
+        problem: Why it is ``BLOCKED``, ``LOST`` or ``FAILED``.
     """
 
     state: BusState

@@ -1,7 +1,9 @@
 """Frames on their way to the bus: an ordinary lane, and the stop's, which passes it.
 
-Every frame goes out under one lock, taken frame by frame. The stop is written by the thread that
-asks for it: it waits for no other thread but the frame being written at that moment.
+Two locks, never taken together by a thread that waits. The queue's lock is held for microseconds,
+while frames are put in or taken out; every thread may wait for it. The driver's lock is held while
+one frame is in the driver, which may take any time: only the sending thread waits for it without a
+limit.
 """
 
 from __future__ import annotations
@@ -10,166 +12,319 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
 from typing import Final
 
 import can
 
+from armui.bus.send_errors import flush_transmit_queue, obeys_its_timeout, queue_is_full
 from armui.protocol.frame import Frame
 
 KEEP_S: Final = 0.5
-"""An ordinary frame that could not be sent for so long is dropped: a command must not act late."""
+"""A batch of which nothing could be sent for so long is dropped: a command must not act late."""
 
-_URGENT_LOCK_S: Final = 0.05
+BLOCKED_S: Final = 0.5
+"""So long nothing must have gone out before the bus counts as blocked."""
+
+_PATIENCE_S: Final = 0.02
+"""How long a stop's caller waits for the frame that is in the driver, or for the sending thread."""
 _SEND_TIMEOUT_S: Final = 0.05
 
 
+@dataclass(eq=False, slots=True)
+class _Batch:
+    """The frames of one call of :meth:`Outbox.put`: all go out, or none.
+
+    Attributes:
+        frames: Those that are not out yet.
+        until_s: After this time none of it may begin.
+        command: The number of the command it belongs to; ``None``: of none.
+        begun: Its first frame is out: the rest belongs to it.
+    """
+
+    frames: deque[Frame]
+    until_s: float
+    command: int | None
+    begun: bool = False
+
+
+class _Port:
+    """One open bus: its driver, and who may be held up by it.
+
+    Attributes:
+        driver: Held while a frame is in the driver.
+        in_driver_since_s: Since when one is.
+        direct: A stop is written by the thread that asks for it; else by the sending thread.
+    """
+
+    def __init__(self, bus: can.BusABC, *, direct: bool) -> None:
+        self.bus = bus
+        self.direct = direct
+        self.driver = threading.Lock()
+        self.in_driver_since_s: float | None = None
+
+
 class Outbox:
-    """What waits to be sent on one bus; used by the bus thread and by the threads that send.
+    """What waits to be sent on one bus; used by the sending thread and by the threads that send.
 
     Args:
         clock: Monotonic time in seconds.
+        listen_only: Nothing is sent but what is urgent.
     """
 
-    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+    def __init__(
+        self, clock: Callable[[], float] = time.monotonic, *, listen_only: bool = False
+    ) -> None:
         self._clock = clock
-        self._lock = threading.Lock()
-        self._bus: can.BusABC | None = None
-        self._waiting: deque[tuple[float, Frame]] = deque()
+        self._listen_only = listen_only
+        self._changed = threading.Condition(threading.Lock())
+        self._port: _Port | None = None
+        self._batches: deque[_Batch] = deque()
         self._urgent: deque[Frame] = deque()
         self._dropped = 0
+        self._failing_since_s: float | None = None
+        self._last_failure_s = 0.0
 
     @property
     def dropped(self) -> int:
-        """How many ordinary frames were given up, by a stop or by age."""
+        """How many ordinary frames were given up, by a stop, by age or as outdated."""
         return self._dropped
 
     @property
     def empty(self) -> bool:
-        """Whether nothing waits."""
-        return not self._waiting and not self._urgent
+        """Whether nothing waits and nothing is in the driver."""
+        port = self._port
+        return not (self._batches or self._urgent or (port is not None and port.driver.locked()))
 
-    def attach(self, bus: can.BusABC) -> None:
-        """Frames may go out on this bus from now on. What was left from before is dropped."""
-        with self._lock:
+    @property
+    def blocked(self) -> bool:
+        """Whether nothing has gone out for half a second, though something should have."""
+        with self._changed:
+            return self._is_blocked(self._clock())
+
+    def attach(self, bus: can.BusABC, *, threaded: bool = False) -> None:
+        """Frames may go out on this bus from now on. What was left from before is dropped.
+
+        Args:
+            bus: Where to.
+            threaded: A sending thread serves it. Then a stop goes through that thread unless the
+                back-end is known to return in time: a driver may block for seconds.
+        """
+        with self._changed:
             self._drop_waiting()
-            self._bus = bus
+            self._urgent.clear()
+            self._failing_since_s = None
+            self._port = _Port(bus, direct=not threaded or obeys_its_timeout(bus))
+            self._changed.notify_all()
 
     def detach(self) -> None:
         """No frame goes out any more; nothing that waits survives."""
-        with self._lock:
-            self._bus = None
+        with self._changed:
+            self._port = None
             self._drop_waiting()
             self._urgent.clear()
+            self._failing_since_s = None
+            self._changed.notify_all()
 
-    def put(self, frames: Iterable[Frame], keep_s: float = KEEP_S) -> bool:
-        """Queue frames in order; false if there is no bus, and then nothing is queued.
+    def put(
+        self, frames: Iterable[Frame], keep_s: float = KEEP_S, command: int | None = None
+    ) -> bool:
+        """Queue frames in order, as one batch: all of them go out, or none.
+
+        A batch is dropped as a whole before its first frame is out. Afterwards the rest follows,
+        unless a stop, a newer command, a loss, or half a second in which nothing goes out drops it.
 
         Args:
             frames: What to send.
-            keep_s: Frames that could not be sent within this time are dropped.
+            keep_s: A batch that could not begin within this time is dropped.
+            command: The number of the command it belongs to; see :meth:`void`.
+
+        Returns:
+            Whether they are queued: not without a bus, and not if it is only listened to.
         """
-        until_s = self._clock() + keep_s
-        with self._lock:
-            if self._bus is None:
+        now_s = self._clock()
+        batch = _Batch(deque(frames), now_s + keep_s, command)
+        with self._changed:
+            if self._port is None or self._listen_only:
                 return False
-            self._waiting.extend((until_s, frame) for frame in frames)
+            self._drop_old(now_s)
+            if batch.frames:
+                self._batches.append(batch)
+                self._changed.notify_all()
             return True
 
+    def void(self, newest: int) -> None:
+        """Drop every waiting batch that belongs to a command older than this one."""
+        with self._changed:
+            outdated = [
+                batch
+                for batch in self._batches
+                if batch.command is not None and batch.command < newest
+            ]
+            for batch in outdated:
+                self._batches.remove(batch)
+                self._dropped += len(batch.frames)
+
     def put_urgent(self, frames: Sequence[Frame]) -> bool:
-        """Drop every ordinary frame still waiting and send these at once, from this very thread.
+        """Queue these before everything else, drop every ordinary frame, and send at once.
+
+        Returns within some 20 ms whatever the driver does.
 
         Returns:
             Whether all of them are on the bus. Otherwise those that are not stay first in line
-            for the bus thread's next round, as long as there is a bus.
+            for the sending thread, as long as there is a bus.
         """
-        if not self._lock.acquire(timeout=_URGENT_LOCK_S):
-            # Another frame hangs in the driver. Both deques are safe to touch without the lock:
-            # what waits is emptied and the stop is the next thing the bus thread sends.
+        with self._changed:
+            port = self._port
+            if port is not None:
+                self._urgent.extend(frame for frame in frames if frame not in self._urgent)
             self._drop_waiting()
-            self._urgent.extend(frames)
-            return False
-        try:
-            self._drop_waiting()
-            if self._bus is None:
+            if port is None:
                 return False
-            self._urgent.extend(frames)
-            return self._send_urgent(self._bus)
-        finally:
-            self._lock.release()
+        if port.direct:
+            self._send_urgent(port)
+        with self._changed:
+            if not self._are_out(frames):
+                self._changed.notify_all()
+                self._await(frames, port)
+            return self._port is port and self._are_out(frames)
 
-    def send_waiting(self) -> None:
-        """Send what waits, stop frames first; called by the bus thread.
+    def wait_for_work(self, bus: can.BusABC) -> bool:
+        """Wait until something is to be sent on this bus; false once it is attached no more."""
+        with self._changed:
+            self._changed.wait_for(lambda: not self._is_on(bus) or self._batches or self._urgent)
+            return self._is_on(bus)
 
-        A full transmit queue leaves the rest for the next call.
+    def send_waiting(self) -> bool:
+        """Send what waits, stop frames first; called by the sending thread.
+
+        Returns:
+            Whether nothing is left: a full transmit queue leaves the rest for the next call.
 
         Raises:
             can.CanError, OSError: The bus is gone.
         """
+        port = self._port
+        if port is None:
+            return True
         while True:
-            with self._lock:
-                if self._bus is None or not self._send_urgent(self._bus):
-                    return
-                self._drop_old()
-                if not self._waiting:
-                    return
-                waited = self._waiting.popleft()
-                if not _sent(self._bus, waited[1]):
-                    self._put_back(waited)
-                    return
-
-    def _send_urgent(self, bus: can.BusABC) -> bool:
-        while self._urgent:
-            try:
-                if not _sent(bus, self._urgent[0]):
-                    return False
-            except Exception:  # noqa: BLE001 - drivers of others raise anything; who stops goes on
-                # The bus thread finds out for itself that the bus is gone and reports it.
+            with port.driver:
+                frame, batch = self._next(port)
+                if frame is None:
+                    return True
+                if self._send(port, frame, batch, _SEND_TIMEOUT_S):
+                    continue
+                if self.blocked:
+                    # what the driver still holds would go out late, when the cable is back
+                    flush_transmit_queue(port.bus)
                 return False
-            self._urgent.popleft()
-        return True
 
-    def _put_back(self, waited: tuple[float, Frame]) -> None:
-        # A stop that could not get the lock has emptied the lane meanwhile: stay out of it then.
-        if not self._urgent:
-            self._waiting.appendleft(waited)
+    # With the queue's lock held -------------------------------------------------------------------
+
+    def _is_on(self, bus: can.BusABC) -> bool:
+        return self._port is not None and self._port.bus is bus
+
+    def _are_out(self, frames: Sequence[Frame]) -> bool:
+        return not any(frame in self._urgent for frame in frames)
+
+    def _await(self, frames: Sequence[Frame], port: _Port) -> None:
+        """Give the sending thread a moment, unless the driver is known to be held up."""
+        now_s = self._clock()
+        since_s = [port.in_driver_since_s, self._failing_since_s]
+        if all(each is None or now_s - each <= _PATIENCE_S for each in since_s):
+            self._changed.wait_for(
+                lambda: self._port is not port or self._are_out(frames), _PATIENCE_S
+            )
+
+    def _is_blocked(self, now_s: float) -> bool:
+        in_driver_s = self._port.in_driver_since_s if self._port is not None else None
+        if in_driver_s is not None and now_s - in_driver_s >= BLOCKED_S:
+            return True
+        since_s = self._failing_since_s
+        # one frame with a short time to live that met a full queue tells nothing
+        return since_s is not None and self._last_failure_s - since_s >= 0.8 * BLOCKED_S
 
     def _drop_waiting(self) -> None:
-        while self._waiting:
-            self._waiting.popleft()
-            self._dropped += 1
+        self._dropped += sum(len(batch.frames) for batch in self._batches)
+        self._batches.clear()
 
-    def _drop_old(self) -> None:
-        now_s = self._clock()
-        while self._waiting and self._waiting[0][0] < now_s:
-            self._waiting.popleft()
-            self._dropped += 1
+    def _drop_old(self, now_s: float) -> None:
+        blocked = self._is_blocked(now_s)
+        while self._batches and (
+            blocked if self._batches[0].begun else self._batches[0].until_s < now_s
+        ):
+            self._dropped += len(self._batches.popleft().frames)
 
+    # One frame ------------------------------------------------------------------------------------
 
-def _sent(bus: can.BusABC, frame: Frame) -> bool:
-    """Put one frame on the bus; false if the transmit queue is full just now."""
-    message = can.Message(
-        arbitration_id=frame.arbitration_id, data=frame.data, is_extended_id=False, check=False
-    )
-    try:
-        bus.send(message, timeout=_SEND_TIMEOUT_S)
-    except (can.CanError, OSError) as error:
-        if _queue_is_full(error):
+    def _send_urgent(self, port: _Port) -> None:
+        """Write the stop from this very thread; the driver's lock is waited for a moment only."""
+        if port.driver.acquire(timeout=_PATIENCE_S):
+            try:
+                while True:
+                    frame, batch = self._next(port)
+                    if frame is None or batch is not None:
+                        break
+                    if not self._send(port, frame, batch, 0.0):
+                        break
+            except Exception:  # noqa: BLE001, S110 - drivers of others raise anything; who stops goes on
+                pass  # the sending thread meets the same and reports that the bus is gone
+            finally:
+                port.driver.release()
+
+    def _next(self, port: _Port) -> tuple[Frame | None, _Batch | None]:
+        """What is to be sent next, and the batch it is of; it stays queued until it is out."""
+        with self._changed:
+            if self._port is not port:
+                return None, None
+            if self._urgent:
+                return self._urgent[0], None
+            self._drop_old(self._clock())
+            if not self._batches:
+                return None, None
+            return self._batches[0].frames[0], self._batches[0]
+
+    def _send(self, port: _Port, frame: Frame, batch: _Batch | None, timeout_s: float) -> bool:
+        """Put one frame on the bus; false if the transmit queue is full just now."""
+        message = can.Message(
+            arbitration_id=frame.arbitration_id, data=frame.data, is_extended_id=False, check=False
+        )
+        port.in_driver_since_s = began_s = self._clock()
+        try:
+            port.bus.send(message, timeout=timeout_s)
+        except Exception as error:
+            if not queue_is_full(error):
+                raise
+            self._failed(port, began_s)
             return False
-        raise
-    return True
-
-
-def _queue_is_full(error: BaseException) -> bool:
-    if isinstance(error, can.CanTimeoutError):
+        finally:
+            port.in_driver_since_s = None
+        self._is_out(port, frame, batch, began_s)
         return True
-    cause: BaseException | None = error
-    while cause is not None:
-        number = getattr(cause, "error_code", None) or getattr(cause, "errno", None)
-        if number in _FULL_ERRNOS:
-            return True
-        cause = cause.__cause__ or cause.__context__
-    return False
 
+    def _failed(self, port: _Port, began_s: float) -> None:
+        with self._changed:
+            if self._port is port:
+                self._last_failure_s = self._clock()
+                if self._failing_since_s is None:
+                    self._failing_since_s = began_s
 
-_FULL_ERRNOS: Final = frozenset({11, 105})
-"""EAGAIN and ENOBUFS of Linux, what socketcan answers when nobody acknowledges."""
+    def _is_out(self, port: _Port, frame: Frame, batch: _Batch | None, began_s: float) -> None:
+        """Take a frame that is out from its queue, unless the queue has been emptied meanwhile."""
+        with self._changed:
+            if self._port is not port:
+                return
+            since_s = began_s if self._failing_since_s is None else self._failing_since_s
+            self._failing_since_s = None
+            if batch is None:
+                if self._urgent and self._urgent[0] is frame:
+                    self._urgent.popleft()
+            elif self._batches and self._batches[0] is batch:
+                batch.begun = True
+                batch.frames.popleft()
+                late = self._clock() - since_s >= BLOCKED_S
+                if late:
+                    self._dropped += len(batch.frames)
+                if late or not batch.frames:
+                    self._batches.popleft()
+            self._changed.notify_all()

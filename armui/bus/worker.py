@@ -1,4 +1,8 @@
-"""The thread that owns the bus: it receives, decodes and folds; the GUI thread only reads."""
+"""The thread that owns the bus: it receives, decodes and folds; the GUI thread only reads.
+
+Sending has a thread of its own (:mod:`armui.bus.sending`): a driver that blocks in ``send`` holds
+up neither the receiving nor the window.
+"""
 
 from __future__ import annotations
 
@@ -13,14 +17,17 @@ from PySide6.QtCore import QObject, QThread, Signal
 
 from armui.arm.device import Device
 from armui.arm.other_hosts import OtherHosts, OtherTraffic
+from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.arm.tracker import Tracker
 from armui.bus.adapters import explain
 from armui.bus.echo import is_own_echo
+from armui.bus.health import BusHealth
 from armui.bus.link import BusReport, BusState
-from armui.bus.outbox import Outbox
+from armui.bus.outbox import KEEP_S, Outbox
 from armui.bus.receive_queue import ReceiveQueue
 from armui.bus.samples import SampleRing
+from armui.bus.sending import SendingThread
 from armui.protocol.codec import Codec, Message, Oddity, OddityKind
 from armui.protocol.frame import Frame
 
@@ -28,10 +35,10 @@ Opener = Callable[[Device], AbstractContextManager[can.BusABC]]
 """Opens a device; the bus is closed when the context ends."""
 
 _RECEIVE_S: Final = 0.005
-"""How long to wait for a frame before looking for something to send."""
+"""How long to wait for a frame before looking at what else is to be done."""
 
 _BURST: Final = 256
-"""At most so many frames are taken in before the next look at what waits to be sent."""
+"""At most so many frames are taken in before the next look at what else is to be done."""
 
 _PICTURE_S: Final = 0.005
 """A new picture of the arm at most so often: the screen shows one every 16 ms."""
@@ -63,6 +70,7 @@ class BusWorker(QThread):
         opener: How to open it.
         codec: Protocol to begin with; see :meth:`use_codec`.
         clock: Monotonic time in seconds.
+        listen_only: Nothing is sent but what is urgent: the operator's stop.
 
     Attributes:
         samples: Every joint feedback, while somebody wants them.
@@ -82,6 +90,8 @@ class BusWorker(QThread):
         codec: Codec,
         clock: Callable[[], float] = time.monotonic,
         parent: QObject | None = None,
+        *,
+        listen_only: bool = False,
     ) -> None:
         super().__init__(parent)
         self.setObjectName(f"bus {device.name}")
@@ -95,7 +105,9 @@ class BusWorker(QThread):
         self._others = OtherHosts()
         self._traffic = OtherTraffic()
         self._pictured_s = 0.0
-        self._outbox = Outbox(clock)
+        self._outbox = Outbox(clock, listen_only=listen_only)
+        self._health = BusHealth(device)
+        self._problem: Refusal | None = None
         self._queue = ReceiveQueue()
         self.samples = SampleRing()
         self._closing = threading.Event()
@@ -120,9 +132,15 @@ class BusWorker(QThread):
         """Frames lost before the program could read them, as far as the system tells."""
         return self._queue.dropped
 
-    def send(self, frames: Sequence[Frame], keep_s: float | None = None) -> bool:
+    def send(
+        self, frames: Sequence[Frame], keep_s: float | None = None, command: int | None = None
+    ) -> bool:
         """Queue frames in order; false if the device is not open; see :meth:`Outbox.put`."""
-        return self._outbox.put(frames) if keep_s is None else self._outbox.put(frames, keep_s)
+        return self._outbox.put(frames, KEEP_S if keep_s is None else keep_s, command)
+
+    def void(self, newest: int) -> None:
+        """Drop what waits of commands older than this one; see :meth:`Outbox.void`."""
+        self._outbox.void(newest)
 
     def send_urgent(self, frames: Sequence[Frame]) -> bool:
         """Send at once from the calling thread, past everything that waits; see :class:`Outbox`."""
@@ -156,16 +174,30 @@ class BusWorker(QThread):
 
     def _use(self, bus: can.BusABC) -> None:
         self._queue.attach(bus)
-        self._outbox.attach(bus)
+        self._outbox.attach(bus, threaded=True)
+        self._health, self._problem = BusHealth(self._device), None
+        sender = SendingThread(self._outbox, bus)
+        sender.start()
         self._report(BusState.OPEN)
         try:
             while not self._closing.is_set():
                 self._take_codec()
-                self._outbox.send_waiting()
                 self._receive_burst(bus)
+                if sender.failure is not None:
+                    raise sender.failure
+                self._look_after_bus()
         finally:
             self._outbox.detach()
+            sender.end()
             self._queue.detach()
+
+    def _look_after_bus(self) -> None:
+        """Report when frames get out no more, and when they do again."""
+        problem = self._health.problem(self._clock(), blocked=self._outbox.blocked)
+        if problem != self._problem:
+            self._problem = problem
+            state = BusState.OPEN if problem is None else BusState.BLOCKED
+            self.reported.emit(BusReport(state, self._device, problem))
 
     def _receive_burst(self, bus: can.BusABC) -> None:
         message = bus.recv(_RECEIVE_S)
@@ -186,9 +218,12 @@ class BusWorker(QThread):
     def _take_in(self, message: can.Message, now_s: float) -> None:
         if is_own_echo(message, self._device.interface):
             return
-        self._others.note(message.arbitration_id, bytes(message.data), now_s)
         if message.is_error_frame:
+            self._health.on_error_frame(message.arbitration_id)
             self._queue.note_error(message)
+        else:
+            self._health.on_frame(now_s)
+            self._others.note(message.arbitration_id, bytes(message.data), now_s)
         heard = _oddity(message) or self._codec.decode(
             Frame(message.arbitration_id, bytes(message.data))
         )

@@ -21,6 +21,7 @@ from armui.control import reports
 from armui.control.arm_settings import ArmSettings
 from armui.control.assessment import Activity, Circumstances, assess
 from armui.control.authority import Authority
+from armui.control.authority_watch import AuthorityWatch
 from armui.control.cartesian import Cartesian
 from armui.control.connection import Connection
 from armui.control.context import Context, Part
@@ -33,7 +34,7 @@ from armui.control.joint_errors import JointErrors
 from armui.control.lights import Lights
 from armui.control.linkage import Linkage
 from armui.control.motion import Motion
-from armui.control.motion_command import End, Observation
+from armui.control.motion_command import End
 from armui.control.motors import Motors
 from armui.control.notices import CODES
 from armui.control.orders import OrderLine
@@ -44,14 +45,12 @@ from armui.control.recorder import Recorder
 from armui.control.recovery import Recovery
 from armui.control.replayer import Replayer
 from armui.control.run_end import cut_short
-from armui.control.situation import Busy, LinkState, Notice, OtherHostReport, Situation
-from armui.control.stop import StopKeeper, is_stopped
+from armui.control.situation import Busy, LinkState, Notice, Situation
+from armui.control.stop import is_stopped
+from armui.control.stopping import Stopping
 from armui.control.teaching import Teaching
 from armui.control.zeroing import Zeroing
-from armui.protocol import commands
-from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import TrajectoryCommand
-from armui.protocol.frame import Frame
 
 if TYPE_CHECKING:
     from armui.bus.worker import Opener
@@ -122,8 +121,11 @@ class ArmController(QObject):
         self._finder.searching_changed.connect(self.searching_changed)
         self._connection = Connection(opener, clock, self)
         self._connection.changed.connect(self._on_connection)
-        self._stop = StopKeeper(self._connection.send_urgent)
+        self._stop = Stopping(self._connection, self._notice, clock, self._end_everything)
         self._authority = Authority()
+        self._watch = AuthorityWatch(
+            self._authority, self._connection, self._notice, self._end_too_fast
+        )
         context = Context(
             self._connection,
             self._notice,
@@ -158,6 +160,7 @@ class ArmController(QObject):
             joint_errors=self.joint_errors,
             teaching=self.teaching,
             stop=self.emergency_stop,
+            withdraw_stop=self.withdraw_stop,
             planned_motion=self.planned_motion,
             take_over=self.take_over,
             announce=self.step_changed.emit,
@@ -184,11 +187,8 @@ class ArmController(QObject):
             self.recovery,  # the last: it looks at what the others are doing
         )
         self._parts = Parts(parts, self._notice)
-        self._other_since: tuple[float, datetime] | None = None
         self._was_online = False
         self._was_stopped = False
-        self._was_unconfirmed = False
-        self._was_commanded = self._was_unheeded = False
         self._limits_told = False
         self._state = ArmState()
         self._situation = Situation(speed_percent=self.motion.speed_percent)
@@ -223,6 +223,7 @@ class ArmController(QObject):
     def connect_device(self, device: Device) -> None:
         """Leave the present device, if any, and open this one."""
         self.disconnect_device()
+        self._stop.on_connecting(device)
         self.cartesian.prepare()
         self._connection.open(device)
         self._timer.start()
@@ -259,23 +260,23 @@ class ArmController(QObject):
 
     def emergency_stop(self) -> None:
         """Stop the arm at once: past every other frame, whatever else is under way (0x150)."""
-        if self._connection.device is None:
-            self._notice("stop_not_sent")
-            return
-        codec, offsets = self._connection.codec, self._connection.offsets
-        frames = commands.emergency_stop(codec)
-        everywhere = [
-            Frame(shifted, frame.data)
-            for frame in frames
-            for shifted in codec.addressing.on_every_offset(frame.arbitration_id)
-        ]
-        doubtful = offsets.wished is not None or not offsets.certain
-        on_the_bus = self._stop.request(
-            everywhere if doubtful else frames, self._clock(), everywhere
-        )
-        self._parts.halt()
-        self._notice("stop_sent" if on_the_bus else "stop_not_sent")
+        self._stop.stop()
         self._refresh()
+
+    def withdraw_stop(self) -> None:
+        """A stop that the arm has not confirmed is wanted no more."""
+        self._stop.withdraw()
+        self._refresh()
+
+    def halt_and_hold(self) -> Refusal | None:
+        """End any motion with power on: the joints hold where they come to rest (0x150)."""
+        refusal = self._stop.halt(self._end_all_motion)
+        self._refresh()
+        return refusal
+
+    def stop_again_when_undone(self, on: bool) -> None:
+        """Whether a stop that another host undoes is sent again by itself."""
+        self._stop.stop_again = on
 
     def _notice(self, code: str, **params: object) -> None:
         self.noticed.emit(Notice(datetime.now().astimezone(), CODES[code], code, params))
@@ -291,7 +292,7 @@ class ArmController(QObject):
             self._follow_online()
         finally:
             self._follow_stop(now_s)  # a stop is repeated whatever else fails
-        self._follow_authority(now_s)
+        self._watch.advance(now_s)
         self._parts.advance()
         self._follow_handshake()
         self._refresh()
@@ -308,12 +309,8 @@ class ArmController(QObject):
                 self._notice("online" if online else "offline")
 
     def _follow_stop(self, now_s: float) -> None:
-        if self._stop.advance(self._state, now_s):
-            self._notice("stop_confirmed")
-        unconfirmed = self._stop.unconfirmed(now_s)
-        if unconfirmed and not self._was_unconfirmed:
-            self._notice("stop_unconfirmed")
-        self._was_unconfirmed = unconfirmed
+        resuming = self.motors.busy is Busy.RESUMING
+        self._stop.advance(self._state, now_s, resuming=resuming, still=self._authority.at_rest)
         stopped = is_stopped(self._state)
         if stopped and not self._was_stopped:
             self._parts.halt()
@@ -327,65 +324,18 @@ class ArmController(QObject):
         for code, figures in reports.on_handshake(self._state, handshake.generation):
             self._notice(code, **figures)
 
-    def _follow_authority(self, now_s: float) -> None:
-        """Tell who else moves the arm, and end a motion of ours that is too fast."""
-        self._observe(now_s)
-        authority = self._authority
-        commands_now = authority.other.commands
-        if commands_now is not self._was_commanded:
-            self._was_commanded = commands_now
-            code = "leader_arm_moves" if authority.other.is_leader else "other_host_moves"
-            self._notice(code if commands_now else "other_host_gone", frames=authority.other.frames)
-        if authority.cancel_unheeded and not self._was_unheeded:
-            self._notice("cancel_unheeded")
-        self._was_unheeded = authority.cancel_unheeded
-        if authority.overspeed is not None:
-            reason = authority.overspeed
-            self._end_run_because(reason)
-            self.jogging.stop()
-            cut_short(self._context)
-            self._notice("motion_too_fast", reason=reason)
-
-    def _observe(self, now_s: float) -> None:
-        connection = self._connection
-        if connection.device is None:
-            return
-        offsets = connection.offsets
-        self._authority.observe(
-            Observation(
-                state=connection.newest,
-                traffic=connection.traffic,
-                offsets=(offsets.addressing.control_offset,) if offsets.certain else OFFSETS,
-                online=connection.link is LinkState.ONLINE,
-                now_s=now_s,
-            )
-        )
-
     def take_over(self) -> Refusal | None:
-        """Take the arm from another host that pauses: ``None``, or why not.
-
-        Its last motion goes on until a motion of ours replaces it.
-        """
-        self._observe(self._clock())
-        refusal = self._authority.other.take_over()
+        """Take the arm from another host that pauses: ``None``, or why not."""
+        refusal = self._watch.take_over(self._clock())
         if refusal is not None:
             return self._context.refuse(refusal)
-        self._notice("taken_over")
         self._refresh()
         return None
 
-    def _other_host(self) -> OtherHostReport | None:
-        other = self._authority.other
-        reason = other.why_not()
-        if reason is None:
-            self._other_since = None
-            return None
-        began_s = other.since_s or 0.0
-        if self._other_since is None or self._other_since[0] != began_s:
-            self._other_since = (began_s, datetime.now().astimezone())
-        return OtherHostReport(
-            other.frames, self._other_since[1], other.rate_hz, reason, other.may_be_taken_over
-        )
+    def _end_too_fast(self, reason: Refusal) -> None:
+        self._end_run_because(reason)
+        self.jogging.stop()
+        cut_short(self._context)
 
     def _on_connection(self, report: BusReport, code: str) -> None:
         if code == "link_lost":
@@ -398,11 +348,10 @@ class ArmController(QObject):
         self.recovery.advance()
 
     def _forget_arm(self) -> None:
-        self._stop.forget()
         self._parts.forget()
         self._authority.end(End.FORGOTTEN)
+        self._watch.forget()
         self._was_online = self._was_stopped = False
-        self._was_commanded = self._was_unheeded = False
 
     # What ends what is under way ----------------------------------------------------------------
 
@@ -421,6 +370,15 @@ class ArmController(QObject):
         self.replayer.stop()
         self.jogging.stop()
 
+    def _end_everything(self) -> None:
+        """A stop is on its way: every part gives up what would move the arm."""
+        self._parts.halt()
+
+    def _end_all_motion(self) -> None:
+        """No part goes on with what a halt has ended, and no target comes back."""
+        self._end_driven()
+        self._authority.cancelled(self._clock())
+
     def _end_run_because(self, reason: Refusal) -> None:
         self.player.end(reason)
         self.replayer.end(reason)
@@ -432,7 +390,7 @@ class ArmController(QObject):
 
     def _refresh(self) -> Situation:
         now_s = self._clock()
-        self._observe(now_s)
+        self._watch.observe(now_s)
         situation = self._assess(now_s)
         if situation != self._situation:
             self._situation = situation
@@ -445,18 +403,15 @@ class ArmController(QObject):
             link=self._connection.link,
             device=self._connection.device,
             link_problem=self._connection.problem,
-            stop=self._stop.state(
-                self._state,
-                online=self._connection.link is LinkState.ONLINE,
-                resuming=busy is Busy.RESUMING,
-            ),
-            stop_unconfirmed=self._stop.unconfirmed(now_s),
+            stop=self._stop.state(self._state, now_s, resuming=busy is Busy.RESUMING),
+            stop_unconfirmed=self._stop.keeper.unconfirmed(now_s),
+            stop_lapsed=self._stop.keeper.lapsed,
             busy=busy,
             speed_percent=self.motion.speed_percent,
             generation=self._connection.generation,
             offsets=self._connection.offsets,
             authority=self._authority,
-            other_host=self._other_host(),
+            other_host=self._watch.report(),
             activity=Activity(
                 running=self.player.running or self.replayer.running,
                 jogging=self.jogging.active,

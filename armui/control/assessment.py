@@ -48,6 +48,7 @@ class Circumstances:
     authority: Authority
     other_host: OtherHostReport | None = None
     activity: Activity = Activity()
+    stop_lapsed: bool = False
     offsets: OffsetFollower = field(default_factory=OffsetFollower)
 
 
@@ -77,6 +78,7 @@ def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
         link_problem=around.link_problem,
         stop=around.stop,
         stop_unconfirmed=around.stop_unconfirmed,
+        stop_lapsed=around.stop_lapsed,
         enabled=enabled,
         busy=around.busy,
         cannot_move=_first(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Signal
 
@@ -22,6 +22,11 @@ if TYPE_CHECKING:
     from armui.bus.worker import BusWorker, Opener
     from armui.control.handshake import Handshake
     from armui.protocol.codec import Codec
+
+
+_IS_OPEN: Final = frozenset({BusState.OPEN, BusState.BLOCKED})
+_OPEN_CODES: Final = {BusState.LOST: "reconnected", BusState.BLOCKED: "bus_unblocked"}
+"""The notice that an open bus is worth, by what it was before."""
 
 
 class Connection(QObject):
@@ -102,7 +107,14 @@ class Connection(QObject):
         self._codec = Codec(Generation.TWO)
         self.offsets = OffsetFollower()
         self._bus_state = BusState.OPENING
-        self._worker = BusWorker(device, self._opener, self._codec, self._clock, self)
+        self._worker = BusWorker(
+            device,
+            self._opener,
+            self._codec,
+            self._clock,
+            self,
+            listen_only=device.listen_only,
+        )
         self._worker.reported.connect(self._on_report)
         self._worker.answered.connect(self.answered)
         self._worker.start()
@@ -131,14 +143,22 @@ class Connection(QObject):
         """What other hosts were heard to send until this very moment."""
         return OtherTraffic() if self._worker is None else self._worker.traffic
 
-    def send(self, frames: Sequence[Frame], keep_s: float | None = None) -> bool:
-        """Queue frames in order; false if no device is open.
+    def send(
+        self, frames: Sequence[Frame], keep_s: float | None = None, command: int | None = None
+    ) -> bool:
+        """Queue frames in order, as one batch; false if no device is open or it is listen-only.
 
         Args:
             frames: What to say.
-            keep_s: Frames that could not be sent within this time are dropped.
+            keep_s: A batch that could not begin within this time is dropped.
+            command: The number of the command it belongs to; see :meth:`void`.
         """
-        return self._worker is not None and self._worker.send(frames, keep_s)
+        return self._worker is not None and self._worker.send(frames, keep_s, command)
+
+    def void(self, newest: int) -> None:
+        """Drop what waits to be sent of commands older than this one."""
+        if self._worker is not None:
+            self._worker.void(newest)
 
     def send_urgent(self, frames: Sequence[Frame]) -> bool:
         """Send at once, past everything that waits."""
@@ -151,9 +171,10 @@ class Connection(QObject):
         state = self._worker.state
         # A handshake starts with an empty picture of the arm: that is no silence.
         self._last_feedback_s = state.last_feedback_s or self._last_feedback_s
-        online = self._bus_state is BusState.OPEN and is_fresh(self._last_feedback_s, now_s)
+        is_open = self._bus_state in _IS_OPEN
+        online = is_open and is_fresh(self._last_feedback_s, now_s)
         came = online and not self._online
-        moved = self._bus_state is BusState.OPEN and self.offsets.advance(state, now_s, came=came)
+        moved = is_open and self.offsets.advance(state, now_s, came=came)
         if came or moved:
             self.handshake = self._begin_handshake(self._worker, now_s)
         self._online = online
@@ -173,7 +194,10 @@ class Connection(QObject):
         before, self._bus_state = self._bus_state, report.state
         if report.state is BusState.OPEN:
             self.problem = None
-            self.changed.emit(report, "reconnected" if before is BusState.LOST else "connected")
+            self.changed.emit(report, _OPEN_CODES.get(before, "connected"))
+        elif report.state is BusState.BLOCKED:
+            self.problem = report.problem
+            self.changed.emit(report, "bus_blocked")
         elif report.state is BusState.LOST:
             self.problem = report.problem
             self._online = False

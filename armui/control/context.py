@@ -94,7 +94,8 @@ class Context:
             joints_deg=joints_deg,
             tool=tool,
         )
-        if not self.connection.send([*lead, *frames], keep_s):
+        self.connection.void(command.number)
+        if not self.connection.send([*lead, *frames], keep_s, command.number):
             self.authority.end(End.NOT_SENT)
             return Refusal("link_lost")
         return command
@@ -121,7 +122,7 @@ class Context:
         further = self.authority.extend(command, joints_deg, self.clock())
         if further is None:
             return Refusal("command_over")
-        if not self.connection.send(frames, keep_s):
+        if not self.connection.send(frames, keep_s, further.number):
             return Refusal("link_lost")
         return further
 

@@ -76,7 +76,9 @@ class Linkage:
         )
         # from the first frame on the arm may have moved, answered or not
         context.connection.offsets.wish(
-            Addressing(feedback_offset, control_offset), context.clock()
+            Addressing(feedback_offset, control_offset),
+            context.clock(),
+            ends_input=context.situation().teaching_input,
         )
         context.tell("linkage_sent")
         self._orders.submit(
@@ -110,7 +112,9 @@ class Linkage:
         self._busy = False
         if refusal is not None:
             self._context.tell("linkage_failed", reason=refusal)
-        elif role is LinkageRole.TEACHING_INPUT:
+            return
+        self._context.connection.offsets.answered(self._context.clock())
+        if role is LinkageRole.TEACHING_INPUT:
             self._context.tell("linkage_answered_input")
         else:
             self._context.tell("linkage_answered")

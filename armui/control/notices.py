@@ -34,6 +34,14 @@ CODES: Final[Mapping[str, Level]] = {
     "sent_lamps": Level.INFO,  # joint, color
     "stop_sent": Level.WARNING,
     "stop_not_sent": Level.FAULT,
+    "stop_reaches_other": Level.WARNING,  # feedback
+    "stop_lapsed": Level.FAULT,
+    "stop_withdrawn": Level.WARNING,
+    "stop_abandoned": Level.FAULT,  # device
+    "stop_undone": Level.FAULT,
+    "halt_sent": Level.INFO,
+    "halt_not_out": Level.FAULT,
+    "halt_at_rest": Level.DONE,
     "stop_confirmed": Level.WARNING,
     "stop_unconfirmed": Level.FAULT,
     "resume_sent": Level.INFO,
@@ -106,6 +114,8 @@ CODES: Final[Mapping[str, Level]] = {
     "disconnected": Level.INFO,  # device
     "link_lost": Level.FAULT,  # device, reason
     "reconnected": Level.DONE,  # device
+    "bus_blocked": Level.FAULT,  # device, reason
+    "bus_unblocked": Level.DONE,  # device
     "online": Level.DONE,
     "offline": Level.WARNING,
     "generation": Level.INFO,  # generation, firmware
@@ -124,6 +134,7 @@ REFUSALS: Final = frozenset(
         "link_lost",
         "stopped",
         "stop_requested",
+        "halt_listen_only",
         "not_stopped",
         "busy",  # what
         "step_gone",
@@ -237,6 +248,9 @@ REFUSALS: Final = frozenset(
         "bus_busy",
         "bus_down",
         "bus_permission",
+        "bus_off",  # + channel
+        "bus_unacknowledged",
+        "bus_send_blocked",
         "bus_backend_missing",  # + package
         "bus_driver_missing",
         "bus_bad_argument",  # + text

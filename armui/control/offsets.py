@@ -6,7 +6,7 @@ commands cannot be heard or asked for, so it is known only from what was set and
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 from armui.arm.state import ArmState, is_fresh
@@ -21,10 +21,19 @@ _SETTLED_S: Final = 0.05
 
 @dataclass(frozen=True, slots=True)
 class Wished:
-    """Offsets that were sent to the arm and have not been seen in use."""
+    """Offsets that were sent to the arm and have not been seen in use.
+
+    Attributes:
+        addressing: What was sent.
+        since_s: When.
+        answered_s: When 0x476 has said that the arm keeps them; ``None``: it has not.
+        ends_input: Sent to a teaching input: that it gives feedback shows that it has heard.
+    """
 
     addressing: Addressing
     since_s: float
+    answered_s: float | None = None
+    ends_input: bool = False
 
 
 class OffsetFollower:
@@ -60,10 +69,16 @@ class OffsetFollower:
         )
         return self.control_known and not moves_unseen
 
-    def wish(self, addressing: Addressing, now_s: float) -> None:
+    def wish(self, addressing: Addressing, now_s: float, *, ends_input: bool = False) -> None:
         """Offsets have been sent to the arm: it may use them from now on, or later."""
         same = addressing == self.addressing and self.control_known
-        self.wished = None if same and self.wished is None else Wished(addressing, now_s)
+        wished = Wished(addressing, now_s, ends_input=ends_input)
+        self.wished = None if same and self.wished is None else wished
+
+    def answered(self, now_s: float) -> None:
+        """The arm has answered that it keeps what was sent to it last (0x476)."""
+        if self.wished is not None:
+            self.wished = replace(self.wished, answered_s=now_s)
 
     def advance(self, state: ArmState, now_s: float, *, came: bool) -> bool:
         """Take in what was heard; whether other identifiers are in use from now on.
@@ -95,11 +110,18 @@ class OffsetFollower:
         return self._use(Addressing(heard[0], self.addressing.control_offset), now_s, known=False)
 
     def _taken_unseen(self, wished: Wished, state: ArmState, *, came: bool) -> bool:
-        """Only the commands move: the arm takes that in standby, or when it is switched on."""
+        """Only the commands move: the arm takes that in standby, or when it is switched on.
+
+        Nothing it sends shows that it has, so it must have said that it keeps it: a setting that
+        got lost would be taken for one in use, and every motion after it would vanish.
+        """
         if wished.addressing.feedback_offset != self.addressing.feedback_offset:
             return False
+        if wished.answered_s is None and not (came and wished.ends_input):
+            return False
+        since_s = wished.since_s if wished.answered_s is None else wished.answered_s
         status = state.status
-        if status is None or status.at_s < wished.since_s + _SETTLED_S:
+        if status is None or status.at_s < since_s + _SETTLED_S:
             return False
         standby = status.value.control_mode == ControlMode.STANDBY
         return came or (standby and status.value.arm_status != ArmStatusCode.EMERGENCY_STOP)

@@ -99,15 +99,21 @@ class OtherCommand:
     ) -> OtherMode | None:
         """By 0x2A1 byte 2, or by a mode word that the arm has had no time to show, or cannot show.
 
-        0x2A1 shows high-follow as MOVE J: it lasts until the arm is seen to have left it.
+        0x2A1 shows high-follow as MOVE J: it lasts until the arm is seen to have left it. A stop
+        ends any of them, though 0x2A1 goes on showing the mode that was asked for last.
         """
-        shown = _shown(state, self._now_s)
-        word = traffic.mode_word(offsets)
+        status = state.status
+        if status is not None and status.value.arm_status == ArmStatusCode.EMERGENCY_STOP:
+            self._void_before_s = self._now_s
+        asked = (traffic.mode_word(offsets), traffic.mit_frames(offsets), traffic.cpv_frames())
+        newest_s = max((each.last_s for each in asked if each is not None), default=0.0)
+        ended = self._void_before_s > newest_s
+        shown = None if ended else _shown(state, self._now_s)
+        word = asked[0]
         if word is None or len(word.data) <= _MIT_BYTE or word.last_s <= self._void_before_s:
             return shown
         move_mode, mit = word.data[_MODE_BYTE], word.data[_MIT_BYTE]
         follows = move_mode == MoveMode.MOVE_J and mit == MitMode.MIT
-        status = state.status
         if status is None or status.at_s < word.last_s + _TAKEN_IN_S:
             return _MODES.get(move_mode) or (OtherMode.HIGH_FOLLOW if follows else shown)
         if follows and _has_left(status.value):

@@ -54,7 +54,14 @@ _NEEDS_IDENTIFIERS: Final = frozenset(
 """What is said on 0x150 and 0x151, which another arm may listen to (0x470)."""
 
 _AT_ONCE: Final = frozenset(
-    {Action.RESET, Action.STOP, Action.GO_ON, Action.GIVE_UP, Action.TAKE_OVER}
+    {
+        Action.RESET,
+        Action.WITHDRAW_STOP,
+        Action.STOP,
+        Action.GO_ON,
+        Action.GIVE_UP,
+        Action.TAKE_OVER,
+    }
 )
 """Nothing is waited for: what comes of them is another step."""
 
@@ -83,6 +90,7 @@ class Recovery:
         joint_errors: Clears the errors of the drivers.
         teaching: Commands drag teaching.
         stop: The emergency stop.
+        withdraw_stop: Gives up a stop that is outstanding.
         planned_motion: Goes on with a motion held back, or drops it.
         take_over: Takes the arm from another host.
         announce: Called with each new step.
@@ -99,6 +107,7 @@ class Recovery:
         joint_errors: JointErrors,
         teaching: Teaching,
         stop: Callable[[], None],
+        withdraw_stop: Callable[[], None],
         planned_motion: PlannedMotion,
         take_over: Callable[[], Refusal | None],
         announce: Callable[[Step], object],
@@ -108,6 +117,7 @@ class Recovery:
         self._joint_errors = joint_errors
         self._teaching = teaching
         self._stop = stop
+        self._withdraw_stop = withdraw_stop
         self._announce = announce
         self._attempt: _Attempt | None = None
         self._in_vain: dict[Kind, int] = {}
@@ -125,6 +135,7 @@ class Recovery:
             Action.ABORT_REPLAY: self._teach(TeachingState.ABORT),
             Action.LEAD_BY_HAND: self._teach(TeachingState.START_RECORDING),
             Action.STANDBY: self._take_command,
+            Action.WITHDRAW_STOP: self._give_up_stop,
             Action.STOP: self._reset,
             Action.GO_ON: lambda _step: planned_motion.command(TrajectoryCommand.CONTINUE),
             Action.GIVE_UP: lambda _step: planned_motion.command(TrajectoryCommand.ABORT),
@@ -149,7 +160,7 @@ class Recovery:
             return self._context.refuse(Refusal("step_gone"))
         if self._attempt is not None:
             return self._context.refuse(Refusal("busy", {"what": "recovery"}))
-        refusal = self.why_not(now)
+        refusal = self.why_not(now, wanted)
         if refusal is not None:
             return self._context.refuse(refusal)
         self._give_up()
@@ -159,16 +170,22 @@ class Recovery:
         self.advance()
         return refusal
 
-    def why_not(self, step: Step) -> Refusal | None:
-        """The reason against taking a step now that does not lie in the step, or ``None``."""
-        if step.action is Action.CLEAR_ERRORS:
+    def why_not(self, step: Step, action: Action | None = None) -> Refusal | None:
+        """The reason against taking a step now that does not lie in the step, or ``None``.
+
+        Args:
+            step: What is shown.
+            action: Its alternative, where that is meant.
+        """
+        action = action or step.action
+        if action is Action.CLEAR_ERRORS:
             return self._joint_errors.why_not()
-        if step.action is Action.GO_ON:
+        if action is Action.GO_ON:
             return self._planned_motion.why_not(TrajectoryCommand.CONTINUE)
-        if step.action is Action.TAKE_OVER:
+        if action is Action.TAKE_OVER:
             return self._why_not_take_over()
         uncertain = not self._context.situation().control_certain
-        if uncertain and step.action in _NEEDS_IDENTIFIERS:
+        if uncertain and action in _NEEDS_IDENTIFIERS:
             return Refusal("control_offset_unknown")
         return None
 
@@ -264,6 +281,10 @@ class Recovery:
         self._stop()
         return None
 
+    def _give_up_stop(self, _step: Step) -> Refusal | None:
+        self._withdraw_stop()
+        return None
+
     def _clear_errors(self, step: Step) -> Refusal | None:
         self._to_clear = list(step.joints) or [ALL_JOINTS]
         return None
@@ -283,7 +304,7 @@ class Recovery:
 
     def _leave_teaching_input(self, _step: Step) -> Refusal | None:
         frames = commands.set_linkage(self._context.connection.codec, LinkageRole.MOTION_OUTPUT)
-        self._context.connection.offsets.wish(Addressing(), self._context.clock())
+        self._context.connection.offsets.wish(Addressing(), self._context.clock(), ends_input=True)
         return self._send("motion_output_sent", frames)
 
     def _send(self, code: str, frames: Sequence[Frame]) -> Refusal | None:

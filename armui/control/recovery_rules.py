@@ -149,9 +149,17 @@ def _status_flags(flags: Callable[[Status], tuple[bool, ...]]) -> Callable[[_Vie
     return lambda view: [False] * len(JOINTS) if view.status is None else list(flags(view.status))
 
 
+_AWAY: Final = frozenset({LinkState.NO_DEVICE, LinkState.OPENING, LinkState.LOST})
+"""No device is open: nothing can be sent."""
+
+
 def _stop_waits(view: _View) -> bool:
     situation = view.situation
-    return situation.link is LinkState.LOST and situation.stop is StopState.REQUESTED
+    return situation.link in _AWAY and situation.stop is StopState.REQUESTED
+
+
+def _stop_lapsed_away(view: _View) -> bool:
+    return view.situation.stop_lapsed and view.situation.link in _AWAY
 
 
 def _is_teaching_input(view: _View) -> bool:
@@ -230,10 +238,17 @@ _overspeed = _code(ArmStatusCode.OVERSPEED_WHILE_TEACHING)
 
 
 _RULES: Final = (
+    _Rule(Kind.STOP_LAPSED_AWAY, Level.FAULT, Action.CONNECT, _when(_stop_lapsed_away)),
+    _Rule(Kind.STOP_WAITS_FOR_DEVICE, Level.FAULT, Action.CONNECT, _when(_stop_waits)),
     _Rule(Kind.NO_DEVICE, Level.INFO, Action.CONNECT, _link(LinkState.NO_DEVICE)),
     _Rule(Kind.OPENING, Level.INFO, None, _link(LinkState.OPENING)),
-    _Rule(Kind.STOP_WAITS_FOR_DEVICE, Level.FAULT, Action.CONNECT, _when(_stop_waits)),
     _Rule(Kind.DEVICE_LOST, Level.FAULT, Action.CONNECT, _link(LinkState.LOST)),
+    _Rule(
+        Kind.STOP_LAPSED,
+        Level.FAULT,
+        Action.WITHDRAW_STOP,
+        _when(lambda view: view.situation.stop_lapsed),
+    ),
     # it obeys nothing but this: neither a stop nor a resume
     _Rule(
         Kind.TEACHING_INPUT,

@@ -35,9 +35,19 @@ class Action(enum.Enum):
     """The arm is taken from another host."""
     STANDBY = "standby"
     """The command is taken from whoever has it; nothing moves in standby."""
+    WITHDRAW_STOP = "withdraw_stop"
+    """The stop button stands beside it: this is the other answer."""
 
 
-DANGEROUS: Final = frozenset({Action.RESUME, Action.RESET, Action.LEAD_BY_HAND, Action.STANDBY})
+DANGEROUS: Final = frozenset(
+    {
+        Action.RESUME,
+        Action.RESET,
+        Action.LEAD_BY_HAND,
+        Action.STANDBY,
+        Action.WITHDRAW_STOP,
+    }
+)
 """What the arm does then may surprise: the operator is asked first."""
 
 HELD: Final = frozenset({Action.GO_ON, Action.TAKE_OVER})
@@ -51,6 +61,8 @@ class Kind(enum.Enum):
     OPENING = "opening"
     DEVICE_LOST = "device_lost"
     STOP_WAITS_FOR_DEVICE = "stop_waits_for_device"
+    STOP_LAPSED_AWAY = "stop_lapsed_away"
+    STOP_LAPSED = "stop_lapsed"
     TEACHING_INPUT = "teaching_input"
     STOP_UNCONFIRMED = "stop_unconfirmed"
     STOP_REQUESTED = "stop_requested"

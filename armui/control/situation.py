@@ -83,6 +83,7 @@ class Situation:
     Attributes:
         link_problem: Why the device could not be opened or was lost.
         stop_unconfirmed: A stop was asked for over half a second ago and the arm has not said so.
+        stop_lapsed: That stop is not sent by itself any more: the operator is asked.
         enabled: Each motor by the arm's word; ``None`` where it has not been heard of late.
         cannot_move, cannot_enable: Why not, or ``None``: it may.
         cannot_run: Why a trajectory cannot be run, or the one that runs cannot go on.
@@ -113,6 +114,7 @@ class Situation:
     link_problem: Refusal | None = None
     stop: StopState = StopState.RUNNING
     stop_unconfirmed: bool = False
+    stop_lapsed: bool = False
     enabled: Six[bool | None] = (None, None, None, None, None, None)
     busy: Busy | None = None
     cannot_move: Refusal | None = field(default_factory=lambda: Refusal("not_connected"))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import enum
 from difflib import get_close_matches
+from functools import cache
 from typing import TYPE_CHECKING, NamedTuple
 
 from armui.protocol.addressing import Addressing
@@ -86,7 +87,7 @@ class Codec:
     def __init__(self, generation: Generation, addressing: Addressing = Addressing()) -> None:  # noqa: B008 - frozen
         self.generation = generation
         self.addressing = addressing
-        layouts = [message_layout(message) for message in load_database(generation).messages]
+        layouts = _layouts(generation)
         self._by_name = {layout.name: layout for layout in layouts}
         self._by_wire_id = {addressing.to_wire(layout.arbitration_id): layout for layout in layouts}
 
@@ -239,6 +240,12 @@ class Codec:
                 f"0x{arbitration_id:03X} is not in the tables of generation {int(self.generation)}"
             )
         return Oddity(OddityKind.UNKNOWN_ID, arbitration_id, detail)
+
+
+@cache
+def _layouts(generation: Generation) -> tuple[MessageLayout, ...]:
+    """Every message of a generation, prepared once: a codec is made for each arm and handshake."""
+    return tuple(message_layout(message) for message in load_database(generation).messages)
 
 
 def _wrong_length(layout: MessageLayout, frame: Frame) -> Oddity:

@@ -1,4 +1,4 @@
-"""Regions 1, 3, 4 and 5: communication, speed, enable, emergency stop."""
+"""Regions 1, 3, 4 and 5: communication, speed, enable, halt and emergency stop."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.widgets.communication_button import CommunicationButton
 from armui.ui.widgets.enable_button import EnableButton
+from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.speed_control import SpeedControl
 from armui.ui.widgets.stop_button import StopButton
 
@@ -47,6 +48,7 @@ class TopBar(QWidget):
         layout.addWidget(SpeedControl(controller), 1)
         layout.addStretch(0)
         layout.addWidget(self._enable)
+        layout.addWidget(HaltButton(controller))
         layout.addWidget(StopButton(controller, ask_to_resume=self._ask_to_resume))
         self._communication.clicked.connect(open_connection)
         self._enable.clicked.connect(self._on_enable)

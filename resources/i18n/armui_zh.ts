@@ -8,15 +8,15 @@
         <translation>给电机上电，电机保持当前位置。</translation>
     </message>
     <message>
-        <source>Takes the motor&apos;s power: the arm drops. Asks first.</source>
+        <source>Takes the motor's power: the arm drops. Asks first.</source>
         <translation>切断电机动力，机械臂会下落。执行前会询问。</translation>
     </message>
     <message>
-        <source>Makes the present position the joint&apos;s zero. Asks first.</source>
+        <source>Makes the present position the joint's zero. Asks first.</source>
         <translation>将关节当前位置设为零点。执行前会询问。</translation>
     </message>
     <message>
-        <source>Clears the error of the joint&apos;s driver; nothing moves.</source>
+        <source>Clears the error of the joint's driver; nothing moves.</source>
         <translation>清除关节驱动器的错误，机械臂不会运动。</translation>
     </message>
     <message>
@@ -215,6 +215,14 @@
         <source>It ended three times in a minute; the arm is not affected.</source>
         <translation>一分钟内结束了三次；机械臂不受影响。</translation>
     </message>
+<message>
+        <source>The 3D view is not available: this computer offers no OpenGL. Install a graphics driver or Mesa (on Debian the packages libegl1 and libgl1-mesa-dri) and start the program again.</source>
+        <translation>3D 视图不可用：此计算机没有 OpenGL。请安装显卡驱动或 Mesa（Debian 上为软件包 libegl1 和 libgl1-mesa-dri），然后重新启动本程序。</translation>
+    </message>
+    <message>
+        <source>The 3D view has stopped ({text}). Start the program again.</source>
+        <translation>3D 视图已停止（{text}）。请重新启动本程序。</translation>
+    </message>
 </context>
 <context>
     <name>BackupDialog</name>
@@ -299,7 +307,7 @@
         <translation>{count} 个参数中有 {failed} 个未恢复。</translation>
     </message>
     <message>
-        <source>No file is open; the arm&apos;s own values are shown.</source>
+        <source>No file is open; the arm's own values are shown.</source>
         <translation>未打开文件；显示的是机械臂当前的值。</translation>
     </message>
     <message>
@@ -637,7 +645,7 @@
         <translation>正在打开 CAN 设备。</translation>
     </message>
     <message>
-        <source>The CAN device is open, but no arm is heard on it. Check the arm&apos;s power, the cable and the bit rate.</source>
+        <source>The CAN device is open, but no arm is heard on it. Check the arm's power, the cable and the bit rate.</source>
         <translation>CAN 设备已打开，但没有收到机械臂的反馈。请检查机械臂电源、线缆和波特率。</translation>
     </message>
     <message>
@@ -1823,7 +1831,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>6 个关节的角度限位、速度和加速度都将恢复为出厂值。为现场设置的限位（包括更窄的限位）会丢失：如以后还需要，请先保存参数备份。</translation>
     </message>
     <message>
-        <source>This arm&apos;s protocol (generation 1) has no command for it. Enter the values, or restore a backup.</source>
+        <source>This arm's protocol (generation 1) has no command for it. Enter the values, or restore a backup.</source>
         <translation>该机械臂的协议（第 1 代）没有此指令。请手动输入数值，或从备份恢复。</translation>
     </message>
 </context>
@@ -2000,11 +2008,11 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
     <message>
         <source>A motion is held back</source>
-        <translation type="unfinished"></translation>
+        <translation>有运动被保留</translation>
     </message>
     <message>
         <source>The arm holds back a motion. If you go on, the arm is told to drop it and stays where it is; its motors stay enabled.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂保留着一个未完成的运动。继续操作时，将命令机械臂放弃该运动并停在原处；电机保持使能。</translation>
     </message>
 </context>
 <context>
@@ -2566,7 +2574,7 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
     <message>
         <source>The limits move with the zero, and so does every stored trajectory. With a wrong zero the arm runs into its stops.
-Set it only at the mark of the joint&apos;s zero, with the arm standing still. The arm keeps it; there is no way back but to set it again.</source>
+Set it only at the mark of the joint's zero, with the arm standing still. The arm keeps it; there is no way back but to set it again.</source>
         <translation>限位和已存轨迹会随零点一起改变；零点设错，机械臂会撞上机械限位。
 请仅在关节对准零位标记且机械臂静止时设置。机械臂会保存该零点，只能通过重新设置更改。</translation>
     </message>
@@ -2680,7 +2688,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>急停已发送。电机失去力矩，机械臂会缓慢下沉，请扶住机械臂。</translation>
     </message>
     <message>
-        <source>The emergency stop could NOT be sent: no device is open. Cut the arm&apos;s power if it moves.</source>
+        <source>The emergency stop could NOT be sent: no device is open. Cut the arm's power if it moves.</source>
         <translation>急停未能发送：没有打开的设备。若机械臂在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -2688,7 +2696,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>机械臂已确认急停。</translation>
     </message>
     <message>
-        <source>The arm has NOT confirmed the emergency stop; it is sent again and again. Cut the arm&apos;s power if it moves.</source>
+        <source>The arm has NOT confirmed the emergency stop; it is sent again and again. Cut the arm's power if it moves.</source>
         <translation>机械臂尚未确认急停，正在反复发送。若机械臂仍在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -2728,34 +2736,6 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>已发送 {axis} 步进 {step}</translation>
     </message>
     <message>
-        <source>{percent} % is kept: the arm gets it when the motion held back goes on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Another program controls the arm ({frames}).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A leader arm moves this arm ({frames}).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nobody else controls the arm any more.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Taken over: this program may move the arm.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm was told to end its motion and still moves. Stop it, or cut its power.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Motion ended: too fast. {reason}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{count} frames were lost before the program could read them ({total} since connecting): the computer is too busy, or the adapter too slow.</source>
         <translation>有 {count} 帧在程序读取之前丢失（连接以来共 {total} 帧）：电脑太忙，或适配器太慢。</translation>
     </message>
@@ -2780,7 +2760,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>6 个电机均已使能。</translation>
     </message>
     <message>
-        <source>These joints did not enable: {joints}. Press Enable again; if that fails, check their drivers and the arm&apos;s power.</source>
+        <source>These joints did not enable: {joints}. Press Enable again; if that fails, check their drivers and the arm's power.</source>
         <translation>以下关节未能使能：{joints}。请再按一次“使能”；若仍失败，请检查其驱动器和机械臂电源。</translation>
     </message>
     <message>
@@ -2836,7 +2816,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>末端负载未得到确认。{reason}</translation>
     </message>
     <message>
-        <source>Switching the feedback of the end&apos;s motion</source>
+        <source>Switching the feedback of the end's motion</source>
         <translation>正在切换末端速度/加速度反馈</translation>
     </message>
     <message>
@@ -2848,7 +2828,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>机械臂已停止上报末端速度/加速度。</translation>
     </message>
     <message>
-        <source>The feedback of the end&apos;s motion is not switched. {reason}</source>
+        <source>The feedback of the end's motion is not switched. {reason}</source>
         <translation>末端速度/加速度反馈未切换成功。{reason}</translation>
     </message>
     <message>
@@ -3012,7 +2992,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>回放中止。{reason}</translation>
     </message>
     <message>
-        <source>Recording the arm&apos;s motion</source>
+        <source>Recording the arm's motion</source>
         <translation>开始录制机械臂运动</translation>
     </message>
     <message>
@@ -3060,7 +3040,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>未读到以下关节的限位：{joints}。现按出厂限位检查；重新连接可再次读取。</translation>
     </message>
     <message>
-        <source>Joint {joint}: the limits stored in the arm cannot be true. The factory limits hold; set the joint&apos;s limits anew.</source>
+        <source>Joint {joint}: the limits stored in the arm cannot be true. The factory limits hold; set the joint's limits anew.</source>
         <translation>关节 {joint}：机械臂中保存的限位不合理。现按出厂限位检查；请重新设置该关节的限位。</translation>
     </message>
     <message>
@@ -3075,20 +3055,92 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <source>Event: {code}</source>
         <translation>事件：{code}</translation>
     </message>
+<message>
+        <source>{percent} % is kept: the arm gets it when the motion held back goes on</source>
+        <translation>{percent} % 已记下：被保留的运动继续时才发送给机械臂</translation>
+    </message>
+    <message>
+        <source>Another program controls the arm ({frames}).</source>
+        <translation>另一个程序正在控制机械臂（{frames}）。</translation>
+    </message>
+    <message>
+        <source>A leader arm moves this arm ({frames}).</source>
+        <translation>主臂正在带动本机械臂（{frames}）。</translation>
+    </message>
+    <message>
+        <source>Nobody else controls the arm any more.</source>
+        <translation>已没有其他程序控制机械臂。</translation>
+    </message>
+    <message>
+        <source>Taken over: this program may move the arm.</source>
+        <translation>已接管：本程序可以移动机械臂。</translation>
+    </message>
+    <message>
+        <source>The arm was told to end its motion and still moves. Stop it, or cut its power.</source>
+        <translation>已命令机械臂终止运动，但它仍在动。请急停，或切断其电源。</translation>
+    </message>
+    <message>
+        <source>Motion ended: too fast. {reason}</source>
+        <translation>运动已终止：速度过快。{reason}</translation>
+    </message>
+    <message>
+        <source>The emergency stop is NOT on the bus: no CAN device is open, or it does not take the frame. Cut the arm's power if it moves.</source>
+        <translation>急停没有发到总线上：没有打开 CAN 设备，或设备不接收该帧。若机械臂在运动，请切断其电源。</translation>
+    </message>
+    <message>
+        <source>A second arm is heard on this bus (feedback at {feedback}): the stop reaches it, too.</source>
+        <translation>总线上还有第二台机械臂（反馈 {feedback}）：急停也会到达它。</translation>
+    </message>
+    <message>
+        <source>A stop is outstanding: the arm was away for more than 10 seconds and has not confirmed it. It is not sent by itself any more. Press the emergency stop if the arm must stop.</source>
+        <translation>有一次急停未完成：机械臂离线超过 10 秒，没有确认。程序不再自动发送。若机械臂必须停止，请按急停。</translation>
+    </message>
+    <message>
+        <source>The outstanding emergency stop was withdrawn; the arm has not stopped.</source>
+        <translation>未完成的急停已撤回；机械臂没有停止。</translation>
+    </message>
+    <message>
+        <source>The arm on {device} has never confirmed its emergency stop, and another device is connected now. Cut that arm's power if it moves.</source>
+        <translation>{device} 上的机械臂一直没有确认急停，而现在连接的是另一设备。若那台机械臂在运动，请切断其电源。</translation>
+    </message>
+    <message>
+        <source>The emergency stop was undone, and not by this program: another host has resumed the arm, or it was switched off and on. Press the emergency stop again if it must stay.</source>
+        <translation>急停被解除，但不是本程序所为：另一个程序恢复了机械臂，或机械臂断电后重新上电。若必须保持停止，请再按急停。</translation>
+    </message>
+    <message>
+        <source>Halt sent: the motion ends, the motors keep their power.</source>
+        <translation>已发送停住：运动结束，电机保持上电。</translation>
+    </message>
+    <message>
+        <source>The halt is NOT on the bus yet: the adapter does not take it. It goes out as soon as that is possible. Press the emergency stop if the arm moves.</source>
+        <translation>停住还没有发到总线上：适配器不接收。一旦可能就会发出。若机械臂在运动，请按急停。</translation>
+    </message>
+    <message>
+        <source>The arm stands still and holds.</source>
+        <translation>机械臂已静止并保持。</translation>
+    </message>
+    <message>
+        <source>{device} sends nothing. {reason}</source>
+        <translation>{device} 发不出任何帧。{reason}</translation>
+    </message>
+    <message>
+        <source>{device} sends again. What had waited was dropped, but for a stop.</source>
+        <translation>{device} 又能发送了。此前等待的帧已丢弃，急停除外。</translation>
+    </message>
 </context>
 <context>
     <name>OtherMode</name>
     <message>
         <source>MIT</source>
-        <translation type="unfinished"></translation>
+        <translation>MIT（力位混合）</translation>
     </message>
     <message>
         <source>CPV</source>
-        <translation type="unfinished"></translation>
+        <translation>CPV（速度位置）</translation>
     </message>
     <message>
         <source>high-follow</source>
-        <translation type="unfinished"></translation>
+        <translation>高跟随</translation>
     </message>
 </context>
 <context>
@@ -3668,19 +3720,23 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
     <message>
         <source>Emergency stop</source>
-        <translation type="unfinished">急停</translation>
+        <translation>急停</translation>
     </message>
     <message>
         <source>Continue</source>
-        <translation type="unfinished"></translation>
+        <translation>继续</translation>
     </message>
     <message>
         <source>Give up</source>
-        <translation type="unfinished"></translation>
+        <translation>放弃</translation>
     </message>
     <message>
         <source>Take over</source>
-        <translation type="unfinished"></translation>
+        <translation>接管</translation>
+    </message>
+    <message>
+        <source>Withdraw…</source>
+        <translation>撤回…</translation>
     </message>
 </context>
 <context>
@@ -3721,6 +3777,14 @@ Lead it near its rest pose, then stop recording.</source>
         <source>The arm will no longer follow the other control; a motion under way ends. Make sure that nobody relies on it.</source>
         <translation>机械臂将不再由其他方式控制，正在进行的运动会停止。请确认无人正在使用。</translation>
     </message>
+<message>
+        <source>Withdraw the stop</source>
+        <translation>撤回急停</translation>
+    </message>
+    <message>
+        <source>The arm is not stopped: it goes on with whatever it is doing, and obeys again. Look at the arm before.</source>
+        <translation>机械臂不会停止：它将继续正在做的动作，并重新服从指令。请先看清机械臂。</translation>
+    </message>
 </context>
 <context>
     <name>RecoveryLine</name>
@@ -3752,7 +3816,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>CAN 设备已断开。请重新插好，或选择其他设备。</translation>
     </message>
     <message>
-        <source>The CAN device is gone; the stop goes out once it is back. Cut the arm&apos;s power if it moves.</source>
+        <source>The CAN device is gone; the stop goes out once it is back. Cut the arm's power if it moves.</source>
         <translation>CAN 设备已断开，恢复连接后会立即发送急停。若机械臂仍在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -3808,7 +3872,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>关节 {joints} 堵转。请解除卡阻，然后清除错误。</translation>
     </message>
     <message>
-        <source>Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint&apos;s encoder.</source>
+        <source>Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint's encoder.</source>
         <translation>关节 {joints} 传感器异常。请清除错误；若再次出现，请检查该关节编码器。</translation>
     </message>
     <message>
@@ -3824,7 +3888,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂报告关节状态异常。请查看关节状态，然后清除错误。</translation>
     </message>
     <message>
-        <source>A joint&apos;s brake is not released. Hold the arm, then reset it.</source>
+        <source>A joint's brake is not released. Hold the arm, then reset it.</source>
         <translation>关节抱闸未打开。请扶住机械臂，然后复位。</translation>
     </message>
     <message>
@@ -3858,30 +3922,6 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>The arm takes its commands from elsewhere: {mode}. Take the command.</source>
         <translation>机械臂由其他方式控制：{mode}。请切换到待机模式。</translation>
-    </message>
-    <message>
-        <source>The arm was told to end its motion and still moves. Stop it, or cut its power.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Another program drives the arm in {other_mode} mode. Nothing is sent: a mode word would let the arm fall.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Another program controls the arm since {since} ({frames}, {rate} frames/s).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A leader arm moves this arm since {since} ({frames}, {rate} frames/s).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm holds back a paused motion. Hold Continue, or give it up.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm holds back a motion at 0 %. Set a speed and hold Continue, or give it up.</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Not every motor has reported. If it stays so, check power and cable, and connect again.</source>
@@ -3943,6 +3983,42 @@ Lead it near its rest pose, then stop recording.</source>
         <source>The arm has hit something. Remove it, then clear the errors.</source>
         <translation>机械臂发生碰撞。请移开障碍物，然后清除错误。</translation>
     </message>
+<message>
+        <source>The arm was told to end its motion and still moves. Stop it, or cut its power.</source>
+        <translation>已命令机械臂终止运动，但它仍在动。请急停，或切断其电源。</translation>
+    </message>
+    <message>
+        <source>Another program drives the arm in {other_mode} mode. Nothing is sent: a mode word would let the arm fall.</source>
+        <translation>另一个程序以 {other_mode} 模式驱动机械臂。本程序不发送任何运动指令：新的模式指令会使机械臂失力坠落。</translation>
+    </message>
+    <message>
+        <source>Another program controls the arm since {since} ({frames}, {rate} frames/s).</source>
+        <translation>另一个程序正在控制机械臂：自 {since} 起（{frames}，{rate} 帧/秒）。</translation>
+    </message>
+    <message>
+        <source>A leader arm moves this arm since {since} ({frames}, {rate} frames/s).</source>
+        <translation>主臂正在带动本机械臂：自 {since} 起（{frames}，{rate} 帧/秒）。</translation>
+    </message>
+    <message>
+        <source>The arm holds back a paused motion. Hold Continue, or give it up.</source>
+        <translation>机械臂保留着已暂停的运动。按住“继续”，或放弃它。</translation>
+    </message>
+    <message>
+        <source>The arm holds back a motion at 0 %. Set a speed and hold Continue, or give it up.</source>
+        <translation>速度为 0 %，机械臂保留着未完成的运动。请先设定速度再按住“继续”，或放弃它。</translation>
+    </message>
+    <message>
+        <source>A stop is outstanding: it goes out once the CAN device is back. Cut the arm's power if it moves.</source>
+        <translation>有一次急停未完成：CAN 设备恢复后立即发出。若机械臂在运动，请切断其电源。</translation>
+    </message>
+    <message>
+        <source>A stop is outstanding, and the arm is away. Cut its power if it moves, or connect to it and press the emergency stop.</source>
+        <translation>有一次急停未完成，机械臂不在线。若它在运动，请切断其电源，或连接后按急停。</translation>
+    </message>
+    <message>
+        <source>A stop is outstanding: the arm was away and has not confirmed it. Press the emergency stop to send it now, or withdraw it.</source>
+        <translation>有一次急停未完成：机械臂曾离线，没有确认。按急停立即发送，或撤回。</translation>
+    </message>
 </context>
 <context>
     <name>Refusal</name>
@@ -3971,7 +4047,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>以下关节的电机未使能：{joints}。请先按“使能”。</translation>
     </message>
     <message>
-        <source>Not every motor has reported yet whether it is enabled. Wait a moment; if it stays so, check the arm&apos;s power and the CAN cable.</source>
+        <source>Not every motor has reported yet whether it is enabled. Wait a moment; if it stays so, check the arm's power and the CAN cable.</source>
         <translation>尚未收到全部电机的使能状态。请稍候；若一直如此，请检查机械臂电源和 CAN 线。</translation>
     </message>
     <message>
@@ -4079,7 +4155,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>{axis}：“{value}”不是数值。请输入毫米或度的数字，例如 12.5。</translation>
     </message>
     <message>
-        <source>The target is {missing} mm out of the arm&apos;s reach. Choose one nearer to the arm, or turn the tool.</source>
+        <source>The target is {missing} mm out of the arm's reach. Choose one nearer to the arm, or turn the tool.</source>
         <translation>目标超出可达范围 {missing} mm。请选择更近的位置，或改变末端姿态。</translation>
     </message>
     <message>
@@ -4111,7 +4187,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>尚未记录：{point}。请把机械臂移到该处并按对应按钮。</translation>
     </message>
     <message>
-        <source>The pose the arm reports does not fit its joint angles: the program cannot compute its way. Check the joints&apos; zeros; the joints can still be moved one by one.</source>
+        <source>The pose the arm reports does not fit its joint angles: the program cannot compute its way. Check the joints' zeros; the joints can still be moved one by one.</source>
         <translation>机械臂上报的位姿与关节角度不符，程序无法计算路径。请检查各关节零点；仍可单独移动各关节。</translation>
     </message>
     <message>
@@ -4167,7 +4243,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>{gripper}：“{value}”不是数字，请输入 {minimum} 至 {maximum} {unit} 之间的值。</translation>
     </message>
     <message>
-        <source>Whether these joints stand still is not known: {joints}. Their drivers report no speed: check the arm&apos;s power and the CAN cable.</source>
+        <source>Whether these joints stand still is not known: {joints}. Their drivers report no speed: check the arm's power and the CAN cable.</source>
         <translation>无法确认以下关节是否静止：{joints}。其驱动器未上报速度，请检查机械臂电源和 CAN 线缆。</translation>
     </message>
     <message>
@@ -4199,11 +4275,11 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>设备 {device} 正被其它程序占用。请关闭该程序后重新连接。</translation>
     </message>
     <message>
-        <source>{device} is switched off in the system. Switch it on in a terminal (with your interface&apos;s name for can0): sudo ip link set can0 up type can bitrate 1000000</source>
+        <source>{device} is switched off in the system. Switch it on in a terminal (with your interface's name for can0): sudo ip link set can0 up type can bitrate 1000000</source>
         <translation>设备 {device} 在系统中未启用。请在终端中启用（将 can0 换成实际的接口名）：sudo ip link set can0 up type can bitrate 1000000</translation>
     </message>
     <message>
-        <source>You may not open {device}. On Linux add your account to the group dialout (serial adapters) or install the adapter&apos;s udev rule (USB adapters), then log in again.</source>
+        <source>You may not open {device}. On Linux add your account to the group dialout (serial adapters) or install the adapter's udev rule (USB adapters), then log in again.</source>
         <translation>没有权限打开设备 {device}。Linux 下：串口适配器请将当前用户加入 dialout 组，USB 适配器请安装其 udev 规则，然后重新登录。</translation>
     </message>
     <message>
@@ -4211,7 +4287,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>设备 {device} 需要的 Python 软件包尚未安装。请在终端中安装：pip install {package}</translation>
     </message>
     <message>
-        <source>The driver for {device} ({interface}) is missing. Install the driver of the adapter&apos;s maker; for socketcan load the kernel&apos;s modules: sudo modprobe can_raw</source>
+        <source>The driver for {device} ({interface}) is missing. Install the driver of the adapter's maker; for socketcan load the kernel's modules: sudo modprobe can_raw</source>
         <translation>缺少设备 {device}（{interface}）的驱动。请安装适配器厂家的驱动；使用 socketcan 时请加载内核模块：sudo modprobe can_raw</translation>
     </message>
     <message>
@@ -4323,7 +4399,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>{parameter}：不能设为 {value}，请从 {choices} 中选择。</translation>
     </message>
     <message>
-        <source>This arm&apos;s protocol (generation {generation}) has no such settings; generation 2 has.</source>
+        <source>This arm's protocol (generation {generation}) has no such settings; generation 2 has.</source>
         <translation>本机械臂的协议（第 {generation} 代）没有这些参数，第 2 代才有。</translation>
     </message>
     <message>
@@ -4367,7 +4443,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>未运行：检查之后机械臂又移动了 {value}°。请再次点击发送。</translation>
     </message>
     <message>
-        <source>Not run: the arm&apos;s joint limits are others than those of the check. Send again.</source>
+        <source>Not run: the arm's joint limits are others than those of the check. Send again.</source>
         <translation>未运行：机械臂的关节限位与检查时不同。请再次点击发送。</translation>
     </message>
     <message>
@@ -4443,7 +4519,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂尚未反馈末端位姿，圆弧没有起点，请稍候。</translation>
     </message>
     <message>
-        <source>Row {row}: this arm&apos;s protocol moves the gripper by other figures (generation 1 by an angle, generation 2 by an opening). Change the gripper&apos;s action.</source>
+        <source>Row {row}: this arm's protocol moves the gripper by other figures (generation 1 by an angle, generation 2 by an opening). Change the gripper's action.</source>
         <translation>第 {row} 行：本机械臂协议的夹爪参数不同（第一代用角度，第二代用开度），请修改夹爪动作。</translation>
     </message>
     <message>
@@ -4667,11 +4743,11 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>“{name}”未保存：{text}。原有内容未变。请检查磁盘后重新保存。</translation>
     </message>
     <message>
-        <source>Not deleted: {name}: {text}. Check the rights to the library&apos;s folder.</source>
+        <source>Not deleted: {name}: {text}. Check the rights to the library's folder.</source>
         <translation>未删除：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
     </message>
     <message>
-        <source>Not brought back: {name}: {text}. Check the rights to the library&apos;s folder.</source>
+        <source>Not brought back: {name}: {text}. Check the rights to the library's folder.</source>
         <translation>未恢复：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
     </message>
     <message>
@@ -4691,44 +4767,64 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>第 {column} 列：{field}不能使用单位“{value}”。请选择 {choices} 之一。</translation>
     </message>
     <message>
+        <source>{device} is bus off: too many errors on the CAN bus, so its controller takes no part any more. Check CAN_H and CAN_L, both terminating resistors (120 Ω) and the bit rate, then disconnect and connect again; on socketcan run «sudo ip link set {channel} type can restart» before.</source>
+        <translation>{device} 处于总线关闭（bus off）：CAN 总线错误过多，其控制器已退出总线。请检查 CAN_H、CAN_L、两端 120 Ω 终端电阻和波特率，然后断开并重新连接；socketcan 请先执行 sudo ip link set {channel} type can restart。</translation>
+    </message>
+    <message>
         <source>{frames} of the arm has not been heard for {seconds} s: nobody knows where it is. Check its power and the CAN cable; nothing is sent until it is heard again.</source>
-        <translation type="unfinished"></translation>
+        <translation>已有 {seconds} 秒未收到机械臂的 {frames}：无法得知其位置。请检查电源与 CAN 线；重新收到之前不发送任何运动指令。</translation>
     </message>
     <message>
         <source>Another program controls the arm ({frames}). Wait until it has been quiet for 2 s and the arm rests, or take over when it pauses. The stop works at any time.</source>
-        <translation type="unfinished"></translation>
+        <translation>另一个程序正在控制机械臂（{frames}）。请等它静默 2 秒且机械臂静止，或在它停顿时接管。急停随时有效。</translation>
     </message>
     <message>
         <source>A leader arm moves this arm ({frames}). Switch the leader off, or make it a motion output. The stop works at any time.</source>
-        <translation type="unfinished"></translation>
+        <translation>主臂正在带动本机械臂（{frames}）。请关闭主臂，或将其设为运动输出臂。急停随时有效。</translation>
     </message>
     <message>
         <source>Another program drives the arm in {other_mode} mode: any mode word would leave its joints limp and it would fall. End that program, support the arm and reset it.</source>
-        <translation type="unfinished"></translation>
+        <translation>另一个程序以 {other_mode} 模式驱动机械臂：任何新的模式指令都会使关节失力，机械臂坠落。请结束该程序，托住机械臂后复位。</translation>
     </message>
     <message>
         <source>The other program is still sending ({frames}): it can be taken over half a second after its last frame. Against a stream only the stop wins.</source>
-        <translation type="unfinished"></translation>
+        <translation>另一个程序仍在发送（{frames}）：其最后一帧过后半秒才能接管。对持续的数据流只有急停有效。</translation>
     </message>
     <message>
         <source>No other program moves the arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有其他程序在移动机械臂。</translation>
     </message>
     <message>
         <source>The arm holds back a motion at 0 %. Hold Continue or press Give up in the line above the panels first.</source>
-        <translation type="unfinished"></translation>
+        <translation>速度为 0 %，机械臂保留着未完成的运动。请先在面板上方的提示行按住“继续”或点击“放弃”。</translation>
     </message>
     <message>
         <source>No motion is held back.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有被保留的运动。</translation>
     </message>
     <message>
         <source>Something else has ended this motion. Look at the arm, then start again.</source>
-        <translation type="unfinished"></translation>
+        <translation>该运动已被其他事件终止。请查看机械臂后重新开始。</translation>
     </message>
     <message>
         <source>Joint {joint} moves at {value} °/s, where {maximum} °/s is shown. Set the speed again before the next motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 {joint} 实测 {value} °/s，而显示的速度为 {maximum} °/s。下次运动前请重新设定速度。</translation>
+    </message>
+    <message>
+        <source>This connection only listens: nothing is sent on it but the emergency stop.</source>
+        <translation>此连接为只听：除急停外不发送任何帧。</translation>
+    </message>
+    <message>
+        <source>Whether the arm takes commands on the identifiers in use is not proven, so it is not moved; stop and halt reach it. To prove it, set the offsets again in Linkage with the arm in standby: they count once the arm has answered.</source>
+        <translation>机械臂是否在当前标识符上接收指令尚未证实，因此不让它运动；急停和停住仍能到达。证实方法：让机械臂处于待机，在联动控制中重新设置偏移，得到应答后即生效。</translation>
+    </message>
+    <message>
+        <source>For half a second {device} could send nothing, because nobody on the bus acknowledges. Check the arm's power, the CAN cable, the terminating resistors and the bit rate (1 Mbit/s).</source>
+        <translation>{device} 已有半秒发不出任何帧，因为总线上无人应答。请检查机械臂电源、CAN 线、终端电阻和波特率（1 Mbit/s）。</translation>
+    </message>
+    <message>
+        <source>For half a second {device} has taken no frame to send, though frames are heard. Unplug the adapter and plug it in again; if that does not help, check its driver.</source>
+        <translation>{device} 已有半秒不接收要发送的帧，但仍能收到帧。请拔下适配器再插上；若无效，请检查其驱动。</translation>
     </message>
 </context>
 <context>
@@ -4833,7 +4929,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>速度</translation>
     </message>
     <message>
-        <source>Of each point&apos;s own speed</source>
+        <source>Of each point's own speed</source>
         <translation>相对于各点自身速度的百分比</translation>
     </message>
     <message>
@@ -4949,6 +5045,14 @@ Lead it near its rest pose, then stop recording.</source>
         <source>Robot description</source>
         <translation>机器人模型</translation>
     </message>
+<message>
+        <source>Stop again if another host undoes an emergency stop</source>
+        <translation>急停被其他程序解除时自动再次急停</translation>
+    </message>
+    <message>
+        <source>Such a stop is always told as a fault. With this, it is also sent again by itself.</source>
+        <translation>这种情况总会作为故障提示。勾选后还会自动再次发送急停。</translation>
+    </message>
 </context>
 <context>
     <name>SideMenu</name>
@@ -5004,7 +5108,7 @@ Lead it near its rest pose, then stop recording.</source>
 <context>
     <name>SpeedControl</name>
     <message>
-        <source>This arm&apos;s firmware does not report its speed percentage.</source>
+        <source>This arm's firmware does not report its speed percentage.</source>
         <translation>该机械臂的固件不反馈速度百分比。</translation>
     </message>
     <message>
@@ -5012,7 +5116,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂反馈的速度百分比</translation>
     </message>
     <message>
-        <source>Speed of motions, 0–100 % of the arm&apos;s highest; 0 % means no motion.</source>
+        <source>Speed of motions, 0–100 % of the arm's highest; 0 % means no motion.</source>
         <translation>运动速度，为最大速度的 0～100 %；0 % 时不运动。</translation>
     </message>
     <message>
@@ -5104,6 +5208,14 @@ Lead it near its rest pose, then stop recording.</source>
         <source>Hold the arm</source>
         <translation>请扶住机械臂</translation>
     </message>
+<message>
+        <source>Stop outstanding</source>
+        <translation>急停未完成</translation>
+    </message>
+    <message>
+        <source>Press to send it</source>
+        <translation>按下即发送</translation>
+    </message>
 </context>
 <context>
     <name>Teaching</name>
@@ -5186,10 +5298,6 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>等待机械臂：{command}</translation>
     </message>
     <message>
-        <source>A motion is held back: hold Continue, or give it up by Terminate.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Drag teaching</source>
         <translation>示教</translation>
     </message>
@@ -5209,7 +5317,11 @@ Lead it near its rest pose, then stop recording.</source>
         <source>Works on motions under way. The arm does not report it: watch the arm.</source>
         <translation>对正在进行的运动有效。机械臂不反馈此指令，请观察机械臂。</translation>
     </message>
-</context>
+<message>
+        <source>A motion is held back: hold Continue, or give it up by Terminate.</source>
+        <translation>有运动被保留：按住“继续”，或用“终止”放弃它。</translation>
+    </message>
+    </context>
 <context>
     <name>TeachingPhase</name>
     <message>
@@ -5323,7 +5435,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>录制</translation>
     </message>
     <message>
-        <source>reading or saving the arm&apos;s settings</source>
+        <source>reading or saving the arm's settings</source>
         <translation>读取或保存机械臂参数</translation>
     </message>
     <message>
@@ -5339,7 +5451,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>设置零点</translation>
     </message>
     <message>
-        <source>clearing a joint&apos;s error</source>
+        <source>clearing a joint's error</source>
         <translation>清除关节错误</translation>
     </message>
     <message>
@@ -5415,4 +5527,12 @@ Afterwards the motors must be enabled again.</source>
         <translation>退出示教模式，请按顶部提示逐步操作：</translation>
     </message>
 </context>
-</TS>
+<context><name>HaltButton</name><message>
+        <source>Halt</source>
+        <translation>停住</translation>
+    </message>
+    <message>
+        <source>Ends any motion; the motors keep their power and the arm holds where it comes to rest. Key: {key}</source>
+        <translation>结束一切运动；电机保持上电，机械臂停在哪里就保持在哪里。按键：{key}</translation>
+    </message>
+</context></TS>

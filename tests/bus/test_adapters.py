@@ -1,4 +1,5 @@
 import errno
+import socket
 
 import can
 import pytest
@@ -82,3 +83,18 @@ def test_a_device_that_is_not_there_cannot_be_opened():
     with pytest.raises((can.CanError, OSError)) as failure:
         open_bus(device)
     assert explain(device, failure.value).code in {"bus_gone", "bus_backend_missing"}
+
+
+def test_the_kernel_keeps_as_few_frames_as_it_can(monkeypatch):
+    options = []
+
+    class Socket:
+        def setsockopt(self, *option):
+            options.append(option)
+
+    class Bus:
+        socket = Socket()
+
+    monkeypatch.setattr(can, "Bus", lambda **_options: Bus())
+    open_bus(CAN0)
+    assert options == [(socket.SOL_SOCKET, socket.SO_SNDBUF, 0)]

@@ -142,3 +142,89 @@ def test_nothing_is_queued_without_a_bus_and_nothing_survives_one(outbox, wire):
     outbox.attach(wire)
     outbox.send_waiting()
     assert wire.sent == []
+
+
+def test_what_waited_for_another_bus_is_dropped(outbox, wire):
+    outbox.put(frames(1))
+    other = Wire()
+    outbox.attach(other)
+    outbox.send_waiting()
+    assert (wire.sent, other.sent, outbox.dropped) == ([], [], 1)
+
+
+def test_a_batch_goes_out_whole_or_not_at_all(outbox, wire, time_s):
+    wire.failure = can.CanTimeoutError("full")
+    outbox.put(frames(1, 2))
+    outbox.send_waiting()
+    time_s[0] += 0.51
+    wire.failure = None
+    outbox.send_waiting()
+    assert wire.sent == []  # none of it had begun
+
+
+def test_what_has_begun_goes_on_after_its_time(outbox, wire, time_s):
+    def be_slow():
+        time_s[0] += 0.1
+
+    wire.on_send = be_slow
+    outbox.put(frames(1, 2, 3), keep_s=0.05)
+    outbox.send_waiting()
+    assert wire.sent == frames(1, 2, 3)
+
+
+def test_what_has_begun_does_not_go_on_after_half_a_second_in_which_nothing_went_out(
+    outbox, wire, time_s
+):
+    def fill_up():
+        if len(wire.sent) == 1:
+            wire.failure = can.CanTimeoutError("full")
+
+    wire.on_send = fill_up
+    outbox.put(frames(1, 2))
+    outbox.send_waiting()
+    assert not outbox.blocked
+    time_s[0] += 0.51
+    outbox.send_waiting()
+    assert outbox.blocked
+    wire.failure, wire.on_send = None, lambda: None
+    outbox.send_waiting()
+    assert wire.sent == frames(1)
+
+
+def test_a_frame_that_hung_takes_the_rest_of_its_batch_with_it(outbox, wire, time_s):
+    def hang():
+        wire.on_send = lambda: None
+        time_s[0] += 3
+
+    wire.on_send = hang
+    outbox.put(frames(1, 2))
+    outbox.send_waiting()
+    assert wire.sent == frames(1)
+
+
+def test_outdated_commands_are_dropped_and_nothing_else(outbox, wire):
+    outbox.put(frames(1), command=1)
+    outbox.put(frames(2))
+    outbox.put(frames(3), command=2)
+    outbox.void(2)
+    outbox.send_waiting()
+    assert wire.sent == frames(2, 3)
+
+
+def test_on_a_bus_only_listened_to_nothing_goes_out_but_the_stop(wire):
+    outbox = Outbox(listen_only=True)
+    outbox.attach(wire)
+    assert not outbox.put(frames(1))
+    outbox.send_waiting()
+    assert wire.sent == []
+    assert outbox.put_urgent([STOP])
+    assert wire.sent == [STOP]
+
+
+def test_a_stop_asked_for_again_while_it_waits_is_one(outbox, wire):
+    wire.failure = can.CanTimeoutError("full")
+    for _ in range(5):
+        assert not outbox.put_urgent([STOP])
+    wire.failure = None
+    outbox.send_waiting()
+    assert wire.sent == [STOP]

@@ -62,8 +62,7 @@ def test_it_moves_under_the_new_identifiers(arm):
     arm.ear.heard.clear()
     arm.controller.emergency_stop()
     arm.run_until(lambda: "stop_confirmed" in arm.codes())
-    assert arm.ear.heard[0] == Frame(0x160, STOP)
-    assert with_id(arm, 0x150) == with_id(arm, 0x170) == []
+    assert arm.ear.heard[:3] == [Frame(each, STOP) for each in (0x160, 0x150, 0x170)]
 
 
 def test_only_the_commands_move(arm):
@@ -73,7 +72,7 @@ def test_only_the_commands_move(arm):
     assert arm.firmware.addressing == Addressing(0x00, 0x10)
 
 
-def test_until_standby_it_is_not_sure_and_the_stop_goes_everywhere(any_bench):
+def test_until_standby_it_is_not_sure(any_bench):
     arm = any_bench
     arm.ready()
     arm.controller.motion.jog(1, 0.1)  # CAN control
@@ -83,12 +82,6 @@ def test_until_standby_it_is_not_sure_and_the_stop_goes_everywhere(any_bench):
     arm.run(0.5)
     assert arm.controller.situation.cannot_move.code == "control_offset_unknown"
     assert used(arm) == Addressing()
-    arm.ear.heard.clear()
-    arm.controller.emergency_stop()
-    arm.run(0.05)
-    assert [frame.arbitration_id for frame in arm.ear.heard] == [0x150, 0x160, 0x170]
-    assert all(frame.data == STOP for frame in arm.ear.heard)
-    arm.run_until(lambda: "stop_confirmed" in arm.codes())
 
 
 def test_a_stop_that_is_not_confirmed_goes_everywhere(arm):
@@ -143,7 +136,7 @@ def test_an_answer_that_got_lost_does_not_lose_the_arm(arm):
 
 
 def test_another_arm_on_the_bus_is_not_mixed_in(arm, request):
-    with can.Bus(interface="virtual", channel=arm._channel) as other:
+    with can.Bus(interface="virtual", channel=arm.channel) as other:
         for _ in range(60):
             other.send(can.Message(arbitration_id=0x2B1, data=bytes(8), is_extended_id=False))
             other.send(can.Message(arbitration_id=0x2B5, data=b"\x7f" * 8, is_extended_id=False))

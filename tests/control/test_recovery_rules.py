@@ -9,9 +9,12 @@ from dataclasses import replace
 import pytest
 
 from armui.arm.device import Device
+from armui.arm.other_hosts import OtherTraffic
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, DriverSlow, Heard, Status
 from armui.control.assessment import Circumstances, assess
+from armui.control.authority import Authority
+from armui.control.motion_command import Observation
 from armui.control.recovery_rules import next_step
 from armui.control.recovery_steps import Action, Kind, Step
 from armui.control.situation import Busy, Level, LinkState, Situation, StopState
@@ -99,6 +102,8 @@ def arm(heard: Status, enabled=ENABLED[0], protection=None, pose_deg=POSES_DEG[0
 
 def situation(state: ArmState, link=LinkState.ONLINE, **changes) -> Situation:
     stopped = state.status is not None and state.status.value.arm_status == 1
+    authority = Authority()
+    authority.observe(Observation(state, OtherTraffic(), (0,), link is LinkState.ONLINE, NOW_S))
     around = Circumstances(
         link=link,
         device=Device("virtual", "test"),
@@ -108,6 +113,7 @@ def situation(state: ArmState, link=LinkState.ONLINE, **changes) -> Situation:
         busy=None,
         speed_percent=30,
         generation=Generation.TWO,
+        authority=authority,
     )
     return assess(state, replace(around, **changes), NOW_S)
 
@@ -126,6 +132,9 @@ def without_link() -> Iterator[tuple[ArmState, Situation]]:
         for stop in (StopState.RUNNING, StopState.REQUESTED):
             unheard = unconfirmed and stop is StopState.REQUESTED
             yield state, situation(state, link=link, stop=stop, stop_unconfirmed=unheard)
+            if unheard:
+                lapsed = {"stop_unconfirmed": True, "stop_lapsed": True}
+                yield state, situation(state, link=link, stop=stop, **lapsed)
 
 
 def online() -> Iterator[tuple[ArmState, Situation]]:
@@ -171,6 +180,8 @@ def is_valid(action: Action, state: ArmState, now: Situation) -> bool:
         return now.link in {LinkState.OFFLINE, LinkState.ONLINE}
     if action in {Action.CLEAR_ERRORS, Action.STANDBY, Action.RESET}:
         return now.link is LinkState.ONLINE and now.busy is None
+    if action is Action.WITHDRAW_STOP:
+        return now.stop is StopState.REQUESTED
     return action is Action.CONNECT
 
 

@@ -18,7 +18,7 @@ WINDOW_SCENES = (
     Scene("joint-settings-corrupt", arm_settings.joint_settings_corrupt),
     Scene("end-limits", arm_settings.end_limits),
     Scene("collision-levels", arm_settings.levels),
-    Scene("moving", arm.moving),
+    Scene("moving", arm.moving, panels=True),
     Scene("refused", arm.refused),
     Scene("tool", panels.tool),
     Scene("tool-refused", panels.tool_refused),
@@ -31,7 +31,7 @@ WINDOW_SCENES = (
     Scene("teaching", arm.teaching),
     Scene("way-out", arm.way_out),
 )
-"""In the order they follow one another."""
+"""Each from a window that has just opened: no scene needs another to have been played."""
 
 DIALOG_SCENES = (
     DialogScene("connect-searching", "no-device", dialogs.connect_searching),

@@ -12,7 +12,9 @@ from armui.control.situation import LinkState, StopState
 from armui.protocol.codes import MoveMode
 from armui.sim.faults import fault
 from armui.trajectory.program import Waypoint
+from armui.ui.operation_area import OperationArea
 from tests.desk import Desk
+from tests.gallery_scenes.scene import settled
 
 _PUSH = fault("collision", 2)
 
@@ -24,11 +26,22 @@ def no_device(_desk: Desk) -> None:
 
 
 def online(desk: Desk) -> None:
+    """Connected, every motor off."""
     desk.connect()
 
 
 def moving(desk: Desk) -> None:
-    desk.click("collision_cancel_button")
+    """On the way to a target, slowly; every panel has been shown, and what it reads is read."""
+    desk.connect()
+    area = desk.window.findChild(OperationArea, "operation_area")
+    for place in range(area.count()):
+        area.show_panel(place)
+        desk.step()
+        settled(desk)
+    _set_off(desk)
+
+
+def _set_off(desk: Desk) -> None:
     desk.click("menu_motion")
     desk.enable_by_hand()
     desk.controller.motion.set_speed_percent(20)
@@ -39,16 +52,23 @@ def moving(desk: Desk) -> None:
     desk.run(1.2)
 
 
-def refused(desk: Desk) -> None:
+def reached_out(desk: Desk) -> None:
+    """At rest, at the target of `moving`."""
+    desk.connect()
+    _set_off(desk)
     desk.run_until(lambda: not desk.controller.situation.moving, seconds=60.0)
+
+
+def refused(desk: Desk) -> None:
+    """A target beyond the limits of a joint."""
+    reached_out(desk)
     desk.type_into("target_field_2", "200")
     desk.click("send_button")
 
 
 def stopped(desk: Desk) -> None:
-    desk.plug_in()
-    desk.wait(lambda: desk.controller.situation.link is not LinkState.LOST)
-    desk.run_until(lambda: desk.controller.situation.cannot_enable is None)
+    """After the emergency stop."""
+    reached_out(desk)
     desk.click("load_button")
     desk.click("stop_button")
     desk.run_until(lambda: desk.controller.situation.stop is StopState.STOPPED)
@@ -57,45 +77,41 @@ def stopped(desk: Desk) -> None:
 
 def run(desk: Desk) -> None:
     """A run dwells, and the panel of the motors says what it keeps from being done."""
+    reached_out(desk)
     point = Waypoint(MoveMode.MOVE_J, tuple(desk.firmware.joints_deg), dwell_s=600.0)
     player = desk.controller.player
-    player.start(Run("Pick up", (point,), (600.0,)))
+    refusal = player.start(Run("Pick up", (point,), (600.0,)))
+    assert refusal is None, refusal
     desk.run_until(lambda: player.progress.phase is Phase.DWELLING)
     desk.click("menu_motor")
 
 
 def offline(desk: Desk) -> None:
-    desk.controller.end_motion()
-    desk.run_until(lambda: not desk.controller.player.running)
-    desk.click("menu_motion")
+    """The arm has fallen silent while the jog keys were switched on."""
+    reached_out(desk)
     desk.click("jog_keys_button")
     desk.find("jog_step").setCurrentIndex(1)
-    desk.run(0.2)  # what a dialog's scene did to the arm is over before it falls silent
     desk.powered = False
     desk.run_until(lambda: "offline" in desk.codes())
-    desk.powered = True
 
 
 def lost(desk: Desk) -> None:
+    """The adapter has been pulled."""
+    reached_out(desk)
     desk.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
     desk.wait(lambda: desk.controller.situation.link is LinkState.LOST)
 
 
 def collision(desk: Desk) -> None:
-    desk.click("recovery_button")
-    desk.confirm()
-    _until(desk, Kind.MOTORS_OFF)
-    desk.click("recovery_button")
-    _until(desk, Kind.READY)
+    """Something has been pushed against a joint."""
+    _enabled(desk)
     desk.node.faults.start(_PUSH)
     _until(desk, Kind.COLLISION)
 
 
 def teaching(desk: Desk) -> None:
-    desk.node.faults.end(_PUSH)
-    desk.run(0.1)
-    desk.click("recovery_button")
-    _until(desk, Kind.READY)
+    """The arm is led by hand and recorded."""
+    _enabled(desk)
     desk.click("menu_teaching")
     desk.click("teaching_start_recording")
     desk.confirm()
@@ -105,9 +121,17 @@ def teaching(desk: Desk) -> None:
 
 
 def way_out(desk: Desk) -> None:
+    """The recording has ended; the arm is still led by hand."""
+    teaching(desk)
     desk.click("teaching_stop_recording")
     _until(desk, Kind.DRAG_MODE)
     desk.run(0.2)
+
+
+def _enabled(desk: Desk) -> None:
+    desk.connect()
+    desk.click("menu_motion")
+    desk.enable_by_hand()
 
 
 def _until(desk: Desk, kind: Kind) -> None:

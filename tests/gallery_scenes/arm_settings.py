@@ -21,6 +21,8 @@ def _open(desk: Desk, panel: str) -> None:
 
 
 def joint_settings(desk: Desk) -> None:
+    """Two limits are being edited, one of them out of range."""
+    desk.connect()
     _open(desk, "joint_settings")
     desk.click("joint_settings_edit_button")
     desk.type_into("max_angle_deg_2", "170")
@@ -28,6 +30,8 @@ def joint_settings(desk: Desk) -> None:
 
 
 def joint_settings_refused(desk: Desk) -> None:
+    """What the arm did not take on."""
+    joint_settings(desk)
     desk.type_into("max_angle_deg_1", "150")
     desk.type_into("max_speed_deg_s_3", "300")  # more than the motors can do
     desk.click("joint_settings_save_button")
@@ -35,7 +39,9 @@ def joint_settings_refused(desk: Desk) -> None:
 
 
 def joint_settings_corrupt(desk: Desk) -> None:
-    desk.click("joint_settings_cancel_button")
+    """Limits that read back as 0xFFFF."""
+    desk.connect()
+    _open(desk, "joint_settings")
     desk.firmware.corrupt_limits(2)
     desk.click("joint_settings_read_button")
     settled(desk)
@@ -44,8 +50,8 @@ def joint_settings_corrupt(desk: Desk) -> None:
 
 
 def end_limits(desk: Desk) -> None:
-    desk.click("joint_settings_read_button")
-    settled(desk)
+    """A limit of the tool saved."""
+    desk.connect()
     _open(desk, "end_limits")
     desk.click("end_limits_edit_button")
     desk.type_into("max_linear_speed_m_s", "0.5")
@@ -54,6 +60,8 @@ def end_limits(desk: Desk) -> None:
 
 
 def levels(desk: Desk) -> None:
+    """Two collision levels chosen and not saved."""
+    desk.connect()
     _open(desk, "collision")
     desk.click("collision_edit_button")
     desk.click("collision_level_2_level_0")

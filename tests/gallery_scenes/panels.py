@@ -6,11 +6,12 @@ from PySide6.QtWidgets import QDialog
 
 from armui.ui.dialogs.confirm import ConfirmDialog
 from tests.desk import Desk
-from tests.gallery_scenes.scene import close_dialogs
+from tests.gallery_scenes import arm
 
 
 def lights(desk: Desk) -> None:
-    close_dialogs()
+    """The lamp of one joint set."""
+    desk.connect()
     desk.click("menu_light")
     desk.click("light_joint_3")
     for channel, value in (("red", 255), ("green", 140), ("blue", 26)):
@@ -20,17 +21,23 @@ def lights(desk: Desk) -> None:
 
 
 def lights_refused(desk: Desk) -> None:
+    """A brightness out of range."""
+    lights(desk)
     desk.click("all_lamps")
     desk.type_into("lamp_field", "300")
 
 
 def motors(desk: Desk) -> None:
+    """One motor enabled."""
+    desk.connect()
     desk.click("menu_motor")
     desk.click("enable_motor_2")
     desk.run(0.4)
 
 
 def tool(desk: Desk) -> None:
+    """A tool is given, the start of an arc captured."""
+    arm.reached_out(desk)
     desk.click("menu_cartesian")
     desk.type_into("tool_field_Z", "80")
     desk.click("capture_start")
@@ -38,15 +45,15 @@ def tool(desk: Desk) -> None:
 
 def tool_refused(desk: Desk) -> None:
     """Out of reach, with the keys switched on."""
+    tool(desk)
     desk.click("tool_keys_button")
     desk.type_into("pose_field_X", "900")
     desk.click("move_l_button")
 
 
 def joint_keys(desk: Desk) -> None:
-    desk.click("tool_keys_button")
-    desk.type_into("tool_field_Z", "0")
-    desk.click("menu_motion")
+    """The jog keys of the joints, with the largest step."""
+    arm.reached_out(desk)
     desk.click("load_button")
     desk.click("jog_keys_button")
     step_box = desk.find("jog_step")
@@ -54,10 +61,14 @@ def joint_keys(desk: Desk) -> None:
 
 
 def linkage(desk: Desk) -> None:
+    """What links two arms."""
+    desk.connect()
     desk.click("menu_linkage")
 
 
 def end_load(desk: Desk) -> None:
+    """Half load, and the arm tells of its flange."""
+    desk.connect()
     desk.click("menu_end_load")
     desk.click("load_half")
     desk.click("end_feedback_button")
@@ -65,6 +76,8 @@ def end_load(desk: Desk) -> None:
 
 
 def gripper(desk: Desk) -> None:
+    """Something gripped."""
+    desk.connect()
     desk.click("menu_gripper")
     desk.run(0.3)
     desk.firmware.gripper.object_width = 24.0

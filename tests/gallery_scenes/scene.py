@@ -17,11 +17,13 @@ class Scene:
 
     Attributes:
         name: For the file.
-        play: Brings the window from the scene before to this one.
+        play: Brings a window that has just opened, with no device, to this state.
+        panels: Whether each panel of the operation area is a picture, too.
     """
 
     name: str
     play: Callable[[Desk], None]
+    panels: bool = False
 
 
 @dataclass(frozen=True)
@@ -30,8 +32,8 @@ class DialogScene:
 
     Attributes:
         name: For the file.
-        during: The scene of the window in which it is opened.
-        open: Opens it.
+        during: The name of the scene of the window in which it is opened.
+        open: Opens it; called once for each language and theme.
     """
 
     name: str

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import tempfile
 from dataclasses import replace
 from pathlib import Path
@@ -18,6 +19,8 @@ from armui.ui.trajectory.library_window import LibraryWindow
 from tests.desk import Desk
 from tests.gallery_scenes.trajectories import library
 from tests.shelf import SHELF
+
+_CHANGED_S = 1_768_478_400.0
 
 
 def empty(desk: Desk) -> QDialog:
@@ -48,6 +51,8 @@ def deleted(desk: Desk) -> QDialog:
         desk.click(window.findChild(QWidget, "library_delete"))
     if "Palletizing" not in shelf.drafts():
         shelf.save_draft("Palletizing", SHELF[0])
+        for path in desk.library_folder.rglob("*"):
+            os.utime(path, (_CHANGED_S, _CHANGED_S))  # the list shows when a draft was changed
     window.refresh()
     return window
 

@@ -84,6 +84,8 @@ def columns_offered(desk: Desk) -> QDialog:
 
 
 def preview(desk: Desk) -> None:
+    """The path of a trajectory in the 3D picture."""
+    desk.connect()
     window = editor(desk)
     desk.wait(window.isActiveWindow)
     QTest.keyClick(window, Qt.Key.Key_E, Qt.KeyboardModifier.ControlModifier)

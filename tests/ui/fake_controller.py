@@ -87,6 +87,12 @@ class FakeController(QObject):
     def emergency_stop(self) -> None:
         self.calls.append(("emergency_stop",))
 
+    def withdraw_stop(self) -> None:
+        self.calls.append(("withdraw_stop",))
+
+    def halt_and_hold(self) -> Refusal | None:
+        return self._asked("halt_and_hold")
+
     def _asked(self, *call: Any) -> Refusal | None:
         self.calls.append(call)
         return self.answer

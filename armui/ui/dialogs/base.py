@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
+from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.stop_button import StopButton
 
 if TYPE_CHECKING:
@@ -17,7 +18,7 @@ _GAP_PX: Final = 14
 
 
 class ArmDialog(QDialog):
-    """A dialog with its title and an emergency stop at the top.
+    """A dialog with its title, halt and emergency stop at the top.
 
     It never blocks the main window: the stop there stays within reach too. Escape closes it.
 
@@ -37,11 +38,13 @@ class ArmDialog(QDialog):
         self._heading.setProperty("rank", "title")
         self._heading.setTextFormat(Qt.TextFormat.PlainText)
         self._heading.setWordWrap(True)
+        self.halt_button = HaltButton(controller, self)
         self.stop_button = StopButton(controller, self)
 
         header = QHBoxLayout()
         header.setSpacing(_GAP_PX)
         header.addWidget(self._heading, 1)
+        header.addWidget(self.halt_button, 0, Qt.AlignmentFlag.AlignTop)
         header.addWidget(self.stop_button, 0, Qt.AlignmentFlag.AlignTop)
         self._body = QVBoxLayout()
         self._body.setSpacing(_GAP_PX)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import (
+    QCheckBox,
     QComboBox,
     QGridLayout,
     QHBoxLayout,
@@ -59,6 +60,7 @@ class SettingsDialog(ArmDialog):
         self.language_box.activated.connect(self._on_language)
         self.theme_box.activated.connect(self._on_theme)
         self.jog_step_edit.editingFinished.connect(self._on_jog_step)
+        self.stop_again_box.clicked.connect(self._on_stop_again)
         self.browse_button.clicked.connect(self._on_browse)
         self.built_in_button.clicked.connect(self._on_built_in)
         self.close_button.clicked.connect(self.close)
@@ -76,6 +78,8 @@ class SettingsDialog(ArmDialog):
         self._theme_label, self.theme_box = QLabel(), QComboBox()
         self._jog_label, self.jog_step_edit, self._jog_hint = QLabel(), QLineEdit(), QLabel()
         self._urdf_label, self._urdf_name = QLabel(), ElidedLabel()
+        self.stop_again_box = QCheckBox()
+        self.stop_again_box.setObjectName("stop_again_box")
         self.browse_button, self.built_in_button = QPushButton(), QPushButton()
         self.close_button = QPushButton()
         for code, name in _LANGUAGES:
@@ -102,6 +106,7 @@ class SettingsDialog(ArmDialog):
         row.addWidget(self.built_in_button)
         row.addStretch(1)
         grid.addLayout(row, grid.rowCount(), 1)
+        grid.addWidget(self.stop_again_box, grid.rowCount(), 1)
         self._message = MessageLine()
         self.body.addLayout(grid)
         self.body.addStretch(1)
@@ -123,6 +128,13 @@ class SettingsDialog(ArmDialog):
             )
         )
         self._urdf_label.setText(self.tr("Robot description (URDF)"))
+        self.stop_again_box.setText(self.tr("Stop again if another host undoes an emergency stop"))
+        self.stop_again_box.setAccessibleName(self.stop_again_box.text())
+        self.stop_again_box.setToolTip(
+            self.tr(
+                "Such a stop is always told as a fault. With this, it is also sent again by itself."
+            )
+        )
         self.browse_button.setText(self.tr("Browse…"))
         self.built_in_button.setText(self.tr("Use the built-in one"))
         self.close_button.setText(self.tr("Close"))
@@ -145,6 +157,7 @@ class SettingsDialog(ArmDialog):
         now = self._store.settings
         self.language_box.setCurrentIndex(self.language_box.findData(now.language))
         self.theme_box.setCurrentIndex(self.theme_box.findData(now.theme))
+        self.stop_again_box.setChecked(now.stop_again)
         if not self._jog_step_wrong:
             self.jog_step_edit.setText(f"{now.jog_step_deg:g}°")
         self._urdf_name.show_text(now.urdf_path or self.tr("Built-in model of the PiPER"))
@@ -166,6 +179,9 @@ class SettingsDialog(ArmDialog):
 
     def _on_theme(self) -> None:
         self._show_problem(self._store.change(theme=self.theme_box.currentData()))
+
+    def _on_stop_again(self) -> None:
+        self._show_problem(self._store.change(stop_again=self.stop_again_box.isChecked()))
 
     def _on_jog_step(self) -> None:
         text = self.jog_step_edit.text()

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Final
 
 from PySide6.QtCore import QByteArray, QRectF, QSize, Qt
-from PySide6.QtGui import QIcon, QPainter, QPixmap
+from PySide6.QtGui import QIcon, QPainter, QPixmap, QPixmapCache
 from PySide6.QtSvg import QSvgRenderer
 
 _FOLDER: Final = Path(__file__).parent.parent / "icons"
@@ -15,7 +15,7 @@ _PIXEL_RATIOS: Final = (1.0, 1.5, 2.0, 3.0)
 
 
 def pixmap(name: str, color: str, size: int, pixel_ratio: float) -> QPixmap:
-    """One icon as a picture.
+    """One icon as a picture, drawn once and kept in Qt's own cache.
 
     Args:
         name: File name in ``armui/ui/icons`` without its ending.
@@ -23,6 +23,15 @@ def pixmap(name: str, color: str, size: int, pixel_ratio: float) -> QPixmap:
         size: Edge in device-independent pixels.
         pixel_ratio: Screen pixels to one of those.
     """
+    key = f"armui {name} {color} {size} {pixel_ratio}"
+    drawn = QPixmap()
+    if not QPixmapCache.find(key, drawn):
+        drawn = _draw(name, color, size, pixel_ratio)
+        QPixmapCache.insert(key, drawn)
+    return drawn
+
+
+def _draw(name: str, color: str, size: int, pixel_ratio: float) -> QPixmap:
     drawing = (_FOLDER / f"{name}.svg").read_text(encoding="utf-8").replace(_DRAWN_IN, color)
     result = QPixmap(QSize(size, size) * pixel_ratio)
     result.setDevicePixelRatio(pixel_ratio)

@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QMouseEvent, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QApplication, QPushButton, QSizePolicy, QWidget
+from PySide6.QtWidgets import QApplication, QWidget
 
 from armui.control.situation import Situation, StopState
 from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import painting
+from armui.ui.widgets.press_button import PressButton
 from armui.ui.widgets.stop_shortcut import STOP_KEY_NAME
 
 if TYPE_CHECKING:
@@ -27,7 +28,7 @@ _CAPTION_SCALE: Final = 0.82
 _SIGN_GAP_PX: Final = 12.0
 
 
-class StopButton(QPushButton):
+class StopButton(PressButton):
     """Stops the arm when pressed down; pressed again once the arm has stopped, it recovers it.
 
     Only a press on an arm that says it is stopped leads to recovery, which is asked about first
@@ -53,9 +54,6 @@ class StopButton(QPushButton):
         self._situation = controller.situation
         self._last_press_ms: int | None = None
         self._hurried = False
-        self.setAutoDefault(False)
-        self.setCursor(Qt.CursorShape.PointingHandCursor)
-        self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         self.pressed.connect(self._on_pressed)
         controller.situation_changed.connect(self._on_situation_changed)
         self.retranslate_ui()
@@ -71,6 +69,13 @@ class StopButton(QPushButton):
         super().mousePressEvent(event)
         self._hurried = False
 
+    def press_behind_popup(self) -> bool:
+        """Stop, whatever popup is open; recovery is asked about only once none is."""
+        if self._offers_recovery():
+            return False
+        self._controller.emergency_stop()
+        return True
+
     def _on_pressed(self) -> None:
         if self._ask_to_resume is not None and self._offers_recovery() and not self._hurried:
             self._ask_to_resume()
@@ -84,7 +89,7 @@ class StopButton(QPushButton):
 
     def _on_situation_changed(self, situation: Situation) -> None:
         old, self._situation = self._situation, situation
-        if (old.stop, old.stop_unconfirmed) != (situation.stop, situation.stop_unconfirmed):
+        if _shown(old) != _shown(situation):
             self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
@@ -106,6 +111,8 @@ class StopButton(QPushButton):
         if self._offers_recovery():
             return self.tr("Resume")
         if stop is StopState.REQUESTED:
+            if self._situation.stop_lapsed:
+                return self.tr("Stop outstanding")
             if self._situation.stop_unconfirmed:
                 return self.tr("Stop unconfirmed")
             return self.tr("Stopping…")
@@ -115,6 +122,8 @@ class StopButton(QPushButton):
         """What stands below the word, smaller."""
         if self._offers_recovery():
             return self.tr("The arm is stopped")
+        if self._situation.stop_lapsed:
+            return self.tr("Press to send it")
         return {
             StopState.REQUESTED: self.tr("Waiting for the arm"),
             StopState.RESUMING: self.tr("Hold the arm"),
@@ -125,6 +134,7 @@ class StopButton(QPushButton):
             self.tr("Emergency stop"),
             self.tr("Stopping…"),
             self.tr("Stop unconfirmed"),
+            self.tr("Stop outstanding"),
             self.tr("Resume"),
             self.tr("Resuming…"),
         ]
@@ -213,3 +223,8 @@ class StopButton(QPushButton):
         tip = center + QPointF(radius * 0.55, -radius * 0.85)
         painter.drawLine(tip, tip + QPointF(-5.5, -1.0))
         painter.drawLine(tip, tip + QPointF(-1.5, 5.2))
+
+
+def _shown(situation: Situation) -> tuple[object, ...]:
+    """What its words depend on."""
+    return (situation.stop, situation.stop_unconfirmed, situation.stop_lapsed)

@@ -1,23 +1,32 @@
-"""The keys that stop the arm from every window of the program."""
+"""The keys that stop and halt the arm from every window, and stop buttons behind open popups."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, Qt, QTimer
+from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtWidgets import QApplication
+
+from armui.ui.widgets.press_button import PressButton
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
 STOP_KEYS: Final = frozenset({Qt.Key.Key_F12, Qt.Key.Key_Pause})
 STOP_KEY_NAME: Final = "F12, Pause"
+HALT_KEY: Final = Qt.Key.Key_F9
+"""In the same group of keys as F12, and not beside it: the one must not be hit for the other."""
+HALT_KEY_NAME: Final = "F9"
+
+_PRESSES: Final = frozenset({QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonDblClick})
 
 
 class StopShortcut(QObject):
     """Listens to the whole application, below any dialog that holds the other keys back.
 
-    A key only ever stops; recovery needs the button and its question.
+    A key only ever stops or halts; recovery needs the button and its question. A press that Qt
+    would only take to close a popup (of a combo box, a menu) reaches the stop button it lies on.
 
     Args:
         app: The application to listen to; the listener lives and dies with it.
@@ -26,16 +35,60 @@ class StopShortcut(QObject):
 
     def __init__(self, app: QCoreApplication, controller: ArmController) -> None:
         super().__init__(app)
+        self._app = app
         self._controller = controller
         app.installEventFilter(self)
 
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
-        """Take the stop keys, whichever window they were meant for."""
+        """Take the keys, whichever window they were meant for, and presses behind a popup."""
         # A key press passes its window first and its widgets after; the first one is taken.
-        if event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent):
-            if event.key() not in STOP_KEYS:
-                return False
+        kind = event.type()
+        if kind == QEvent.Type.KeyPress and isinstance(event, QKeyEvent):
+            return self._on_key(event)
+        if kind in _PRESSES and isinstance(event, QMouseEvent):
+            return _press_behind_popup(event)
+        if kind == QEvent.Type.DragEnter:
+            # a drag has a filter of its own that takes every key: go before it
+            QTimer.singleShot(0, self, self._go_first)
+        return False
+
+    def _on_key(self, event: QKeyEvent) -> bool:
+        if event.key() in STOP_KEYS:
             if not event.isAutoRepeat():
                 self._controller.emergency_stop()
             return True
+        if event.key() == HALT_KEY:
+            if not event.isAutoRepeat():
+                self._controller.halt_and_hold()
+            return True
         return False
+
+    def _go_first(self) -> None:
+        self._app.removeEventFilter(self)
+        self._app.installEventFilter(self)
+
+
+def _press_behind_popup(event: QMouseEvent) -> bool:
+    """Have the button under the pointer act, and close the popups, if that is to be."""
+    if QApplication.activePopupWidget() is None or event.button() != Qt.MouseButton.LeftButton:
+        return False
+    button = _button_at(event.globalPosition().toPoint())
+    if button is None or not button.press_behind_popup():
+        return False
+    while (popup := QApplication.activePopupWidget()) is not None:
+        if not popup.close():
+            break
+    return True
+
+
+def _button_at(place: QPoint) -> PressButton | None:
+    """The button under a place of the desktop that no other window covers."""
+    widget = QApplication.widgetAt(place)
+    if widget is None:  # off every screen, as far as the window system tells
+        popup = QApplication.activePopupWidget()
+        if popup is not None and popup.geometry().contains(place):
+            return None
+        windows = [each for each in QApplication.topLevelWidgets() if each.isVisible()]
+        under = [each.childAt(each.mapFromGlobal(place)) for each in windows]
+        widget = next((each for each in under if isinstance(each, PressButton)), None)
+    return widget if isinstance(widget, PressButton) else None

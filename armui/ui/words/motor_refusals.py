@@ -17,8 +17,9 @@ MOTOR_REFUSALS: Final[Mapping[str, object]] = {
     ),
     "control_offset_unknown": QT_TRANSLATE_NOOP(
         "Refusal",
-        "On which identifiers the arm takes commands is not known. Set the offsets under Linkage "
-        "control; the emergency stop is sent on all of them.",
+        "Whether the arm takes commands on the identifiers in use is not proven, so it is not "
+        "moved; stop and halt reach it. To prove it, set the offsets again in Linkage with the "
+        "arm in standby: they count once the arm has answered.",
     ),
     "offset_not_possible": QT_TRANSLATE_NOOP(
         "Refusal", "An offset of {value} is not possible. Choose 0x00, 0x10 or 0x20."

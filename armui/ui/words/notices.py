@@ -59,8 +59,40 @@ _NOTICES: Final[Mapping[str, object]] = {
     ),
     "stop_not_sent": QT_TRANSLATE_NOOP(
         "Notice",
-        "The emergency stop could NOT be sent: no device is open. Cut the arm's power if it moves.",
+        "The emergency stop is NOT on the bus: no CAN device is open, or it does not take the "
+        "frame. Cut the arm's power if it moves.",
     ),
+    "stop_reaches_other": QT_TRANSLATE_NOOP(
+        "Notice",
+        "A second arm is heard on this bus (feedback at {feedback}): the stop reaches it, too.",
+    ),
+    "stop_lapsed": QT_TRANSLATE_NOOP(
+        "Notice",
+        "A stop is outstanding: the arm was away for more than 10 seconds and has not confirmed "
+        "it. It is not sent by itself any more. Press the emergency stop if the arm must stop.",
+    ),
+    "stop_withdrawn": QT_TRANSLATE_NOOP(
+        "Notice", "The outstanding emergency stop was withdrawn; the arm has not stopped."
+    ),
+    "stop_abandoned": QT_TRANSLATE_NOOP(
+        "Notice",
+        "The arm on {device} has never confirmed its emergency stop, and another device is "
+        "connected now. Cut that arm's power if it moves.",
+    ),
+    "stop_undone": QT_TRANSLATE_NOOP(
+        "Notice",
+        "The emergency stop was undone, and not by this program: another host has resumed the "
+        "arm, or it was switched off and on. Press the emergency stop again if it must stay.",
+    ),
+    "halt_sent": QT_TRANSLATE_NOOP(
+        "Notice", "Halt sent: the motion ends, the motors keep their power."
+    ),
+    "halt_not_out": QT_TRANSLATE_NOOP(
+        "Notice",
+        "The halt is NOT on the bus yet: the adapter does not take it. It goes out as soon as that "
+        "is possible. Press the emergency stop if the arm moves.",
+    ),
+    "halt_at_rest": QT_TRANSLATE_NOOP("Notice", "The arm stands still and holds."),
     "stop_confirmed": QT_TRANSLATE_NOOP("Notice", "The arm has confirmed the emergency stop."),
     "stop_unconfirmed": QT_TRANSLATE_NOOP(
         "Notice",
@@ -214,6 +246,10 @@ _NOTICES: Final[Mapping[str, object]] = {
         "Connection to {device} lost; the program keeps trying to reconnect. {reason}",
     ),
     "reconnected": QT_TRANSLATE_NOOP("Notice", "Connected to {device} again"),
+    "bus_blocked": QT_TRANSLATE_NOOP("Notice", "{device} sends nothing. {reason}"),
+    "bus_unblocked": QT_TRANSLATE_NOOP(
+        "Notice", "{device} sends again. What had waited was dropped, but for a stop."
+    ),
     "online": QT_TRANSLATE_NOOP("Notice", "The arm is online."),
     "offline": QT_TRANSLATE_NOOP(
         "Notice",

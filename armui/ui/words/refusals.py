@@ -37,6 +37,10 @@ _REFUSALS: Final[Mapping[str, object]] = {
         "Refusal",
         "The arm is in emergency stop. Hold the arm, press Resume, then enable the motors.",
     ),
+    "halt_listen_only": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "This connection only listens: nothing is sent on it but the emergency stop.",
+    ),
     "stop_requested": QT_TRANSLATE_NOOP(
         "Refusal",
         "The emergency stop has been sent and the arm has not confirmed it yet. Wait for the "
@@ -225,6 +229,24 @@ _REFUSALS: Final[Mapping[str, object]] = {
         "Refusal",
         "You may not open {device}. On Linux add your account to the group dialout (serial "
         "adapters) or install the adapter's udev rule (USB adapters), then log in again.",
+    ),
+    "bus_off": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "{device} is bus off: too many errors on the CAN bus, so its controller takes no part any "
+        "more. Check CAN_H and CAN_L, both terminating resistors (120 Ω) and the bit rate, then "
+        "disconnect and connect again; on socketcan run «sudo ip link set {channel} type can "
+        "restart» before.",
+    ),
+    "bus_unacknowledged": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "For half a second {device} could send nothing, because nobody on the bus acknowledges. "
+        "Check the arm's power, the CAN cable, the terminating resistors and the bit rate "
+        "(1 Mbit/s).",
+    ),
+    "bus_send_blocked": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "For half a second {device} has taken no frame to send, though frames are heard. "
+        "Unplug the adapter and plug it in again; if that does not help, check its driver.",
     ),
     "bus_backend_missing": QT_TRANSLATE_NOOP(
         "Refusal",

@@ -22,8 +22,18 @@ _SENTENCES: Final[Mapping[Kind, object]] = {
     ),
     Kind.STOP_WAITS_FOR_DEVICE: QT_TRANSLATE_NOOP(
         "RecoveryStep",
-        "The CAN device is gone; the stop goes out once it is back. Cut the arm's power if "
+        "A stop is outstanding: it goes out once the CAN device is back. Cut the arm's power if "
         "it moves.",
+    ),
+    Kind.STOP_LAPSED_AWAY: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "A stop is outstanding, and the arm is away. Cut its power if it moves, or connect to it "
+        "and press the emergency stop.",
+    ),
+    Kind.STOP_LAPSED: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "A stop is outstanding: the arm was away and has not confirmed it. Press the emergency "
+        "stop to send it now, or withdraw it.",
     ),
     Kind.TEACHING_INPUT: QT_TRANSLATE_NOOP(
         "RecoveryStep",
@@ -232,6 +242,7 @@ _BUTTONS: Final[Mapping[Action, object]] = {
     Action.ABORT_REPLAY: QT_TRANSLATE_NOOP("RecoveryAction", "Terminate"),
     Action.LEAD_BY_HAND: QT_TRANSLATE_NOOP("RecoveryAction", "Lead by hand…"),
     Action.STANDBY: QT_TRANSLATE_NOOP("RecoveryAction", "Take command…"),
+    Action.WITHDRAW_STOP: QT_TRANSLATE_NOOP("RecoveryAction", "Withdraw…"),
     Action.STOP: QT_TRANSLATE_NOOP("RecoveryAction", "Emergency stop"),
     Action.GO_ON: QT_TRANSLATE_NOOP("RecoveryAction", "Continue"),
     Action.GIVE_UP: QT_TRANSLATE_NOOP("RecoveryAction", "Give up"),
@@ -243,6 +254,7 @@ _QUESTIONS: Final[Mapping[Action, object]] = {
     Action.RESET: QT_TRANSLATE_NOOP("RecoveryDanger", "Reset the arm"),
     Action.LEAD_BY_HAND: QT_TRANSLATE_NOOP("RecoveryDanger", "Lead the arm by hand"),
     Action.STANDBY: QT_TRANSLATE_NOOP("RecoveryDanger", "Take the command"),
+    Action.WITHDRAW_STOP: QT_TRANSLATE_NOOP("RecoveryDanger", "Withdraw the stop"),
 }
 
 _DANGERS: Final[Mapping[Action, object]] = {
@@ -265,6 +277,11 @@ _DANGERS: Final[Mapping[Action, object]] = {
         "RecoveryDanger",
         "The arm will no longer follow the other control; a motion under way ends. Make sure "
         "that nobody relies on it.",
+    ),
+    Action.WITHDRAW_STOP: QT_TRANSLATE_NOOP(
+        "RecoveryDanger",
+        "The arm is not stopped: it goes on with whatever it is doing, and obeys again. Look at "
+        "the arm before.",
     ),
 }
 

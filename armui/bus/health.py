@@ -1,0 +1,64 @@
+"""Whether frames get through: what error frames and the outbox tell of a bus that is open. Pure."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from armui.arm.device import Device
+from armui.arm.refusal import Refusal
+
+HEARD_S: Final = 0.5
+"""Frames heard not longer ago than this: the receiving side works."""
+
+_LINUX_ERROR_FRAMES: Final = frozenset({"socketcan", "gs_usb", "candle"})
+"""Back-ends whose error frames have the classes of ``linux/can/error.h`` as their identifier."""
+
+_BUS_OFF: Final = 0x040
+_RESTARTED: Final = 0x100
+
+
+class BusHealth:
+    """Watches one open bus.
+
+    Args:
+        device: Whose bus it is.
+    """
+
+    def __init__(self, device: Device) -> None:
+        self._device = device
+        self._bus_off = False
+        self._heard_s: float | None = None
+
+    def on_frame(self, now_s: float) -> None:
+        """A data frame was received: the controller takes part in the bus."""
+        self._bus_off = False
+        self._heard_s = now_s
+
+    def on_error_frame(self, arbitration_id: int) -> None:
+        """The adapter reports an error of the bus."""
+        if self._device.interface not in _LINUX_ERROR_FRAMES:
+            return
+        if arbitration_id & _BUS_OFF:
+            self._bus_off = True
+        elif arbitration_id & _RESTARTED:
+            self._bus_off = False
+
+    def problem(self, now_s: float, *, blocked: bool) -> Refusal | None:
+        """What is wrong with the bus, or ``None``: frames get through as far as can be seen.
+
+        Args:
+            now_s: Monotonic time.
+            blocked: Nothing has gone out for half a second, though something should have.
+        """
+        device = self._device
+        params = {
+            "device": device.name,
+            "interface": device.interface,
+            "channel": str(device.channel),
+        }
+        if self._bus_off:
+            return Refusal("bus_off", params)
+        if not blocked:
+            return None
+        heard = self._heard_s is not None and now_s - self._heard_s < HEARD_S
+        return Refusal("bus_send_blocked" if heard else "bus_unacknowledged", params)

@@ -1,0 +1,110 @@
+"""Feeds the authority with what the link hears, and tells the operator what it finds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from datetime import datetime
+from typing import TYPE_CHECKING
+
+from armui.arm.refusal import Refusal
+from armui.control.motion_command import Observation
+from armui.control.situation import LinkState, OtherHostReport
+from armui.protocol.addressing import OFFSETS
+
+if TYPE_CHECKING:
+    from armui.control.authority import Authority
+    from armui.control.connection import Connection
+    from armui.control.context import Tell
+
+
+class AuthorityWatch:
+    """Looks at the arm and at other hosts on behalf of the authority.
+
+    Args:
+        authority: Knows who moves the arm.
+        connection: The way to the arm.
+        tell: Takes the notices.
+        end_motion: Ends our motion with a reason.
+    """
+
+    def __init__(
+        self,
+        authority: Authority,
+        connection: Connection,
+        tell: Tell,
+        end_motion: Callable[[Refusal], None],
+    ) -> None:
+        self._authority = authority
+        self._connection = connection
+        self._tell = tell
+        self._end_motion = end_motion
+        self._began: tuple[float, datetime] | None = None
+        self._was_commanded = False
+        self._was_unheeded = False
+        self._voided = 0
+
+    def observe(self, now_s: float) -> None:
+        """Let the authority know what is heard by now; frames that are outdated are dropped."""
+        connection = self._connection
+        if connection.device is None:
+            return
+        offsets = connection.offsets
+        self._authority.observe(
+            Observation(
+                state=connection.newest,
+                traffic=connection.traffic,
+                offsets=(offsets.addressing.control_offset,) if offsets.certain else OFFSETS,
+                online=connection.link is LinkState.ONLINE,
+                now_s=now_s,
+            )
+        )
+        if self._authority.number != self._voided:
+            self._voided = self._authority.number
+            connection.void(self._voided)
+
+    def advance(self, now_s: float) -> None:
+        """Tell who else moves the arm, and end a motion of ours that is too fast."""
+        self.observe(now_s)
+        authority = self._authority
+        commanded = authority.other.commands
+        if commanded is not self._was_commanded:
+            self._was_commanded = commanded
+            code = "leader_arm_moves" if authority.other.is_leader else "other_host_moves"
+            self._tell(code if commanded else "other_host_gone", frames=authority.other.frames)
+        if authority.cancel_unheeded and not self._was_unheeded:
+            self._tell("cancel_unheeded")
+        self._was_unheeded = authority.cancel_unheeded
+        if authority.overspeed is not None:
+            reason = authority.overspeed
+            self._end_motion(reason)
+            self._tell("motion_too_fast", reason=reason)
+
+    def take_over(self, now_s: float) -> Refusal | None:
+        """Take the arm from another host that pauses: ``None``, or why not.
+
+        Its last motion goes on until a motion of ours replaces it.
+        """
+        self.observe(now_s)
+        refusal = self._authority.other.take_over()
+        if refusal is None:
+            self._tell("taken_over")
+        return refusal
+
+    def report(self) -> OtherHostReport | None:
+        """Who else moves the arm, for the operator."""
+        other = self._authority.other
+        reason = other.why_not()
+        if reason is None:
+            self._began = None
+            return None
+        began_s = other.since_s or 0.0
+        if self._began is None or self._began[0] != began_s:
+            self._began = (began_s, datetime.now().astimezone())
+        return OtherHostReport(
+            other.frames, self._began[1], other.rate_hz, reason, other.may_be_taken_over
+        )
+
+    def forget(self) -> None:
+        """Another connection begins."""
+        self._was_commanded = self._was_unheeded = False
+        self._began = None

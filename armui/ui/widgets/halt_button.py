@@ -1,0 +1,118 @@
+"""Halt and hold 停住: ends any motion with power on; beside the emergency stop, and smaller."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QWidget
+
+from armui.ui.theme import colors_of, scaled_font
+from armui.ui.widgets import painting
+from armui.ui.widgets.press_button import PressButton
+from armui.ui.widgets.stop_shortcut import HALT_KEY_NAME
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_SIGN_PX: Final = 8.0
+_SIGN_GAP_PX: Final = 9.0
+_PADDING_PX: Final = 14.0
+_LEAST_PADDING_PX: Final = 8.0
+_HEIGHT_PX: Final = 52
+_WORD_SCALE: Final = 1.15
+_CAPTION_SCALE: Final = 0.82
+
+
+class HaltButton(PressButton):
+    """Ends the arm's motion when pressed down; the joints hold where they come to rest.
+
+    Args:
+        controller: Whom to tell.
+    """
+
+    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("halt_button")
+        self._controller = controller
+        self.pressed.connect(self._on_pressed)
+        self.retranslate_ui()
+
+    def _on_pressed(self) -> None:
+        self._controller.halt_and_hold()
+
+    def press_behind_popup(self) -> bool:
+        """Halt, whatever popup is open."""
+        self._on_pressed()
+        return True
+
+    def retranslate_ui(self) -> None:
+        """Put the word into the operator's language."""
+        self.setText(self.tr("Halt"))
+        self.setAccessibleName(self.text())
+        self.setToolTip(
+            self.tr(
+                "Ends any motion; the motors keep their power and the arm holds where it comes to "
+                "rest. Key: {key}"
+            ).format(key=HALT_KEY_NAME)
+        )
+        self.updateGeometry()
+        self.update()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)
+
+    def sizeHint(self) -> QSize:
+        """Room for sign, word and key."""
+        return self._size(_PADDING_PX)
+
+    def minimumSizeHint(self) -> QSize:
+        """The same with less room around."""
+        return self._size(_LEAST_PADDING_PX)
+
+    def _size(self, padding_px: float) -> QSize:
+        width = 2 * _SIGN_PX + _SIGN_GAP_PX + self._text_width() + 2 * padding_px
+        return QSize(int(width), _HEIGHT_PX)
+
+    def _text_width(self) -> int:
+        word = QFontMetrics(scaled_font(self, _WORD_SCALE, bold=True))
+        caption = QFontMetrics(scaled_font(self, _CAPTION_SCALE))
+        return max(word.horizontalAdvance(self.text()), caption.horizontalAdvance(HALT_KEY_NAME))
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw two bars, the word, and the key below it."""
+        colors = colors_of(self)
+        painter = painting.begin(self)
+        pressed = self.isDown() or self.underMouse()
+        ground = colors.stop_pale if pressed else colors.surface
+        painting.panel(painter, QRectF(self.rect()), ground, colors.stop, 2)
+        if self.hasFocus():
+            painter.setPen(QPen(QColor(colors.stop), 1.0))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.drawRoundedRect(QRectF(self.rect()).adjusted(4, 4, -4, -4), 5, 5)
+        word_font = scaled_font(self, _WORD_SCALE, bold=True)
+        caption_font = scaled_font(self, _CAPTION_SCALE)
+        word, caption = QFontMetrics(word_font), QFontMetrics(caption_font)
+        left = (self.width() - (2 * _SIGN_PX + _SIGN_GAP_PX + self._text_width())) / 2
+        self._draw_bars(painter, QPointF(left + _SIGN_PX, self.height() / 2), colors.stop)
+        text_left = left + 2 * _SIGN_PX + _SIGN_GAP_PX
+        top = (self.height() - word.height() - caption.height()) / 2
+        painter.setPen(QColor(colors.stop))
+        painter.setFont(word_font)
+        painter.drawText(QPointF(text_left, top + word.ascent()), self.text())
+        painter.setFont(caption_font)
+        painter.setPen(QColor(colors.muted))
+        baseline = top + word.height() + caption.ascent()
+        painter.drawText(QPointF(text_left, baseline), HALT_KEY_NAME)
+        painter.end()
+
+    @staticmethod
+    def _draw_bars(painter: QPainter, center: QPointF, ink: str) -> None:
+        painter.setPen(QPen(QColor(ink), 4.4, c=Qt.PenCapStyle.FlatCap))
+        for side in (-1, 1):
+            x = side * _SIGN_PX * 0.5
+            painter.drawLine(center + QPointF(x, -_SIGN_PX), center + QPointF(x, _SIGN_PX))

@@ -1,0 +1,276 @@
+"""Takes the pictures of one scene: a program that has just opened, played to its state."""
+
+from __future__ import annotations
+
+import datetime as dt
+import itertools
+import sys
+import tempfile
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from types import TracebackType
+from typing import Final
+
+from PySide6.QtCore import (
+    QCoreApplication,
+    QDeadlineTimer,
+    QElapsedTimer,
+    QEvent,
+    QEventLoop,
+    QMessageLogContext,
+    QSize,
+    QTimer,
+    QtMsgType,
+    qInstallMessageHandler,
+)
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QApplication, QWidget
+
+from armui.protocol.generation import Generation
+from armui.ui.operation_area import OperationArea
+from tests.desk import Desk
+from tests.gallery_scenes import DIALOG_SCENES, WINDOW_SCENES
+from tests.gallery_scenes.scene import DialogScene, Scene, close_dialogs
+
+_NOON: Final = dt.datetime(2026, 1, 15, 12, 0)
+
+_UNCHANGED_MS: Final = 300
+"""The 3D view refines a picture 150 ms after the last change; how long it then needs for drawing is
+measured, see `_slowest_ms`."""
+
+_OTHER_SIZE: Final = (1100, 720)
+_LOOK_MS: Final = 20
+_LONGEST_MS: Final = 20_000
+
+
+@dataclass(frozen=True)
+class Looks:
+    """How each scene is shown.
+
+    Attributes:
+        languages, themes: Every pair of them.
+        sizes: Of the window, in pixels.
+    """
+
+    languages: tuple[str, ...] = ("zh", "en")
+    themes: tuple[str, ...] = ("light", "dark")
+    sizes: tuple[tuple[int, int], ...] = ((1280, 800), (1920, 1080))
+
+
+def prepare() -> None:
+    """Make Qt ready in this process, with a clock that stands still and a caret that is steady."""
+    qInstallMessageHandler(_pass_on)
+    app = QApplication(sys.argv[:1])
+    app.setCursorFlashTime(0)
+    # kept by the module: Qt ends with the last reference
+    globals()["_app"] = app
+
+
+def take(scene: Scene | DialogScene, folder: Path, looks: Looks) -> int:
+    """Play a scene on a program of its own and write its pictures.
+
+    Args:
+        scene: What to show.
+        folder: Where the pictures go.
+        looks: How.
+
+    Returns:
+        The number of pictures.
+
+    Raises:
+        Exception: Whatever went wrong in the scene, or in a slot of Qt meanwhile.
+    """
+    app = QApplication.instance()
+    assert isinstance(app, QApplication), "call prepare() first"
+    _stop_the_clock()
+    draws = isinstance(scene, Scene)
+    with tempfile.TemporaryDirectory() as settings, _SlotErrors() as errors:
+        file = Path(settings) / "settings.json"
+        desk = Desk(app, f"gallery-{scene.name}", file, Generation.TWO, draws=draws)
+        try:
+            if isinstance(scene, Scene):
+                count = _WindowPictures(desk, folder, looks).take(scene)
+            else:
+                count = _take_dialog(desk, scene, folder, looks)
+        finally:
+            desk.close()
+            QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
+        errors.raise_first()
+    return count
+
+
+class _WindowPictures:
+    """The main window, with the arm drawn in 3D."""
+
+    def __init__(self, desk: Desk, folder: Path, looks: Looks) -> None:
+        self._desk = desk
+        self._folder = folder
+        self._looks = looks
+        self._slowest_ms = 0
+
+    def take(self, scene: Scene) -> int:
+        """Every picture of a scene; returns how many."""
+        longest = QDeadlineTimer(_LONGEST_MS)
+        while self._frame() is None and not longest.hasExpired():
+            _let_work()
+        self._desk.window.resize(*_OTHER_SIZE)  # so that the first picture is waited for, too
+        scene.play(self._desk)
+        count = 0
+        for size, theme in itertools.product(self._looks.sizes, self._looks.themes):
+            self._change(size, theme)
+            for language in self._looks.languages:
+                self._desk.store.change(language=language)
+                look = f"{language}-{theme}"
+                for name, widget in self._subjects(scene, look, size):
+                    _save(_steady(widget), self._folder, name)
+                    count += 1
+        return count
+
+    def _subjects(
+        self, scene: Scene, look: str, size: tuple[int, int]
+    ) -> Iterator[tuple[str, QWidget]]:
+        window = self._desk.window
+        yield f"window-{scene.name}-{look}-{size[0]}x{size[1]}", window
+        if scene.panels and size == self._looks.sizes[0]:
+            for panel, widget in _panels(window).items():
+                yield f"panel-{panel}-{scene.name}-{look}", widget
+
+    def _change(self, size: tuple[int, int], theme: str) -> None:
+        """Take another size and theme, and wait for the 3D picture of them."""
+        window, store = self._desk.window, self._desk.store
+        before = self._frame()
+        due = QSize(*size) != window.size() or theme != store.settings.theme
+        window.resize(*size)
+        store.change(theme=theme)
+        if before is None:
+            _let_work()  # a computer that can't draw shows why
+            return
+        if due:
+            self._wait_for_frame(before, _LONGEST_MS)
+        while self._wait_for_frame(self._frame(), _UNCHANGED_MS + 4 * self._slowest_ms):
+            pass
+
+    def _wait_for_frame(self, last: object, longest_ms: int) -> bool:
+        """Until another frame than this is shown; false if none came."""
+        waited, deadline = QElapsedTimer(), QDeadlineTimer(longest_ms)
+        waited.start()
+        while not deadline.hasExpired():
+            _let_work()
+            if self._frame() is not last:
+                self._slowest_ms = max(self._slowest_ms, waited.elapsed())
+                return True
+        return False
+
+    def _frame(self) -> object:
+        """The frame that the 3D view shows; a new one is another object."""
+        return self._desk.program.view._image
+
+
+def _take_dialog(desk: Desk, scene: DialogScene, folder: Path, looks: Looks) -> int:
+    next(window for window in WINDOW_SCENES if window.name == scene.during).play(desk)
+    count = 0
+    for language, theme in itertools.product(looks.languages, looks.themes):
+        desk.store.change(language=language, theme=theme)
+        _let_work()
+        _save(_steady(scene.open(desk)), folder, f"dialog-{scene.name}-{language}-{theme}")
+        count += 1
+        close_dialogs()
+    return count
+
+
+def every_scene() -> tuple[Scene | DialogScene, ...]:
+    """All there is to be seen, the scenes of the window first."""
+    return (*WINDOW_SCENES, *DIALOG_SCENES)
+
+
+def _panels(window: QWidget) -> dict[str, QWidget]:
+    """The panels of the operation area by their names."""
+    area = window.findChild(OperationArea, "operation_area")
+    return {type(panel).__name__.removesuffix("Panel").lower(): panel for panel in area.panels}
+
+
+def _steady(widget: QWidget) -> QImage:
+    """A picture of a widget whose layout has settled: two in a row are the same."""
+    _let_work()
+    last, longest = widget.grab().toImage(), QDeadlineTimer(_LONGEST_MS)
+    while not longest.hasExpired():
+        _let_work()
+        now = widget.grab().toImage()
+        if now == last:
+            break
+        last = now
+    return last
+
+
+def _save(picture: QImage, folder: Path, name: str) -> None:
+    path = folder / f"{name}.png"
+    if not picture.save(str(path)):
+        raise OSError(f"could not write {path}")
+
+
+def _let_work() -> None:
+    """Let Qt and the other threads work for a moment (QTest.qWait would keep Python's lock)."""
+    loop = QEventLoop()
+    QTimer.singleShot(_LOOK_MS, loop.quit)
+    loop.exec()
+
+
+class _StoppedClock(dt.datetime):
+    """Noon of one day: two galleries show the same times."""
+
+    @classmethod
+    def now(cls, tz: dt.tzinfo | None = None) -> dt.datetime:
+        return _NOON if tz is None else _NOON.astimezone(tz)
+
+
+def _stop_the_clock() -> None:
+    """Put the stopped clock in the place of `datetime` in every module of the program."""
+    for name, module in list(sys.modules.items()):
+        if name.startswith("armui.") and getattr(module, "datetime", None) is dt.datetime:
+            module.datetime = _StoppedClock
+
+
+class _SlotErrors:
+    """Keeps what is raised in the slots of Qt, which PySide only prints."""
+
+    def __init__(self) -> None:
+        self._errors: list[BaseException] = []
+
+    def __enter__(self) -> _SlotErrors:
+        self._before = sys.excepthook
+        sys.excepthook = self._keep
+        return self
+
+    def __exit__(self, *_reason: object) -> None:
+        sys.excepthook = self._before
+
+    def _keep(
+        self, _kind: type[BaseException], error: BaseException, _trace: TracebackType | None
+    ) -> None:
+        self._errors.append(error)
+
+    def raise_first(self) -> None:
+        """Raise the first of them, if there is one."""
+        if self._errors:
+            raise self._errors[0]
+
+
+def _pass_on(kind: QtMsgType, _context: QMessageLogContext, message: str) -> None:
+    """Qt's messages, but for the off-screen platform's regret that it has no window manager."""
+    if not message.startswith("This plugin does not support"):
+        print(f"{kind.name}: {message}", file=sys.stderr)
+
+
+def chosen(names: Iterable[str]) -> list[Scene | DialogScene]:
+    """The scenes of these names; a window and a dialog of the same name both.
+
+    Raises:
+        ValueError: No scene has one of the names.
+    """
+    scenes = every_scene()
+    names = list(names)
+    unknown = sorted(set(names) - {scene.name for scene in scenes})
+    if unknown:
+        raise ValueError(f"no scene is called {', '.join(unknown)}; --list shows the names")
+    return [scene for scene in scenes if not names or scene.name in names]

@@ -1,0 +1,216 @@
+"""S1: the first press stops, on the press, whatever is open; without a display.
+
+Presses are given to the window system's queue of the window that holds the mouse, as the system
+does it, not to the widget: with a popup open, that is the popup's.
+"""
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QMenu, QToolTip
+
+from armui.ui.dialogs.confirm import confirm
+from armui.ui.dialogs.files import choose_file
+from armui.ui.dialogs.settings import SettingsDialog
+from armui.ui.widgets.halt_button import HaltButton
+from armui.ui.widgets.stop_button import StopButton
+from armui.ui.widgets.stop_shortcut import HALT_KEY
+
+LEFT = Qt.MouseButton.LeftButton
+
+
+@pytest.fixture
+def presses(desk):
+    """How often the arm was stopped and halted, as (stops, halts)."""
+    desk.connect_by_hand()
+    counts = {"stop": 0, "halt": 0}
+    stop, halt = desk.controller.emergency_stop, desk.controller.halt_and_hold
+
+    def count(name, act):
+        def counted():
+            counts[name] += 1
+            return act()
+
+        return counted
+
+    desk.controller.emergency_stop = count("stop", stop)
+    desk.controller.halt_and_hold = count("halt", halt)
+    return lambda: (counts["stop"], counts["halt"])
+
+
+def with_the_mouse(button):
+    """The window that holds the mouse: the caller keeps it, its handle does not."""
+    return QApplication.activePopupWidget() or button.window()
+
+
+def press(button):
+    """Press over a button, by way of the window that holds the mouse; do not let go."""
+    window = with_the_mouse(button)
+    handle = window.windowHandle()
+    where = button.mapToGlobal(button.rect().center())
+    QTest.mousePress(handle, LEFT, pos=handle.mapFromGlobal(where))
+
+
+def let_go(button):
+    window = with_the_mouse(button)
+    handle = window.windowHandle()
+    where = button.mapToGlobal(button.rect().center())
+    QTest.mouseRelease(handle, LEFT, pos=handle.mapFromGlobal(where))
+
+
+def away_from(button) -> QPoint:
+    """A place on the screen where a popup does not cover the button."""
+    return button.window().mapToGlobal(QPoint(40, button.window().height() // 2))
+
+
+def combo_box(desk, _button):
+    desk.window.open_settings_dialog()
+    dialog = desk.dialog(SettingsDialog)
+    dialog.move(desk.window.mapToGlobal(QPoint(100, 200)))
+    box = dialog.findChild(QComboBox)
+    box.showPopup()
+    assert QApplication.activePopupWidget() is not None
+
+
+def menu(desk, button):
+    opened = QMenu(desk.window)
+    opened.addAction("one")
+    opened.popup(away_from(button))
+    assert QApplication.activePopupWidget() is opened
+
+
+def menu_with_a_submenu(desk, button):
+    opened = QMenu(desk.window)
+    inner = opened.addMenu("more")
+    inner.addAction("two")
+    opened.popup(away_from(button))
+    inner.popup(away_from(button) + QPoint(80, 0))
+    assert QApplication.activePopupWidget() is inner
+
+
+def context_menu(desk, button):
+    field = QLineEdit(desk.window)
+    opened = field.createStandardContextMenu()
+    opened.popup(away_from(button))
+    assert QApplication.activePopupWidget() is opened
+
+
+def tool_tip(desk, button):
+    QToolTip.showText(away_from(button), "a tip", desk.window)
+
+
+def file_dialog(desk, _button):
+    dialog = choose_file(
+        desk.window, desk.controller, title="t", name_filter="* (*)", on_chosen=lambda _path: None
+    )
+    box = dialog.findChild(QComboBox, "fileTypeCombo") or dialog.findChild(QComboBox)
+    box.showPopup()
+
+
+def question_being_held(desk, _button):
+    dialog = confirm(
+        desk.window,
+        desk.controller,
+        title="t",
+        text="t",
+        action_label="a",
+        on_confirmed=lambda: None,
+        hold=True,
+    )
+    desk.press(dialog.action_button)
+
+
+def field_being_edited(desk, _button):
+    field = desk.window.findChild(QLineEdit)
+    field.setFocus()
+    QTest.keyClicks(field, "12")
+
+
+OPEN = [
+    combo_box,
+    menu,
+    menu_with_a_submenu,
+    context_menu,
+    tool_tip,
+    file_dialog,
+    question_being_held,
+    field_being_edited,
+]
+
+
+@pytest.fixture(autouse=True)
+def no_popup_is_left():
+    yield
+    while (popup := QApplication.activePopupWidget()) is not None:
+        popup.close()
+    QToolTip.hideText()
+
+
+@pytest.mark.parametrize("open_it", OPEN, ids=lambda each: each.__name__)
+def test_the_first_press_stops_on_the_press(desk, presses, open_it):
+    button = desk.find("stop_button")
+    open_it(desk, button)
+    press(button)
+    assert presses() == (1, 0)
+    assert QApplication.activePopupWidget() is None
+    let_go(button)
+    assert presses() == (1, 0)
+
+
+@pytest.mark.parametrize("open_it", [combo_box, menu, file_dialog], ids=lambda each: each.__name__)
+def test_the_first_press_halts(desk, presses, open_it):
+    button = desk.find("halt_button")
+    open_it(desk, button)
+    press(button)
+    assert presses() == (0, 1)
+    let_go(button)
+    assert presses() == (0, 1)
+
+
+@pytest.mark.parametrize("open_it", [combo_box, file_dialog], ids=lambda each: each.__name__)
+def test_the_buttons_of_the_dialog_itself_work_with_its_list_open(desk, presses, open_it):
+    open_it(desk, None)
+    dialog = QApplication.activePopupWidget().parentWidget().window()
+    press(dialog.findChild(StopButton))
+    assert presses() == (1, 0)
+
+
+def test_a_press_on_the_popup_is_the_popups(desk, presses):
+    button = desk.find("stop_button")
+    chosen = []
+    opened = QMenu(desk.window)
+    action = opened.addAction("x" * 60)
+    action.triggered.connect(lambda: chosen.append(1))
+    opened.popup(button.mapToGlobal(QPoint(0, 0)))  # it covers the button
+    handle = opened.windowHandle()
+    middle = opened.actionGeometry(action).center()
+    QTest.mouseMove(handle, middle)
+    QTest.mouseClick(handle, LEFT, pos=middle)
+    assert presses() == (0, 0)
+    assert chosen == [1]
+
+
+def test_a_press_beside_the_button_only_closes_the_popup(desk, presses):
+    button = desk.find("stop_button")
+    menu(desk, button)
+    window = with_the_mouse(button)
+    handle = window.windowHandle()
+    where = button.mapToGlobal(QPoint(-button.window().width() // 3, 120))
+    QTest.mouseClick(handle, LEFT, pos=handle.mapFromGlobal(where))
+    assert presses() == (0, 0)
+    assert QApplication.activePopupWidget() is None
+
+
+@pytest.mark.parametrize("key", [Qt.Key.Key_F12, Qt.Key.Key_Pause, HALT_KEY])
+@pytest.mark.parametrize("open_it", OPEN, ids=lambda each: each.__name__)
+def test_the_keys_act_at_the_first_press(desk, presses, open_it, key):
+    open_it(desk, desk.find("stop_button"))
+    QTest.keyPress(desk.window.windowHandle(), key)
+    assert presses() == ((0, 1) if key == HALT_KEY else (1, 0))
+
+
+def test_every_window_with_a_stop_has_its_halt_or_the_key(desk):
+    desk.window.open_settings_dialog()
+    dialog = desk.dialog(SettingsDialog)
+    assert dialog.findChild(HaltButton).isVisible()
+    assert dialog.findChild(StopButton).isVisible()

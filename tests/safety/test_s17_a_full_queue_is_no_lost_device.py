@@ -1,0 +1,195 @@
+"""S17: a full transmit queue is waited for, said, and called what it is; only a loss is a loss."""
+
+import errno
+
+import can
+import pytest
+from can.interfaces.kvaser import constants as kvaser
+
+from armui.arm.device import Device
+from armui.bus.health import BusHealth
+from armui.bus.link import BusState
+from armui.bus.send_errors import queue_is_full
+from armui.control.situation import LinkState
+from armui.ui import words
+
+
+class USBTimeoutError(OSError):
+    """As pyusb has it; the package itself is not needed for the tests."""
+
+
+def caused(error, cause):
+    error.__cause__ = cause
+    return error
+
+
+FULL = [
+    can.CanOperationError("Transmit buffer full"),  # socketcan, after its time-out
+    can.CanOperationError("Failed to transmit: No buffer space available", errno.ENOBUFS),
+    can.CanOperationError("Failed to transmit", errno.EAGAIN),
+    caused(
+        can.CanOperationError("The message could not be sent"),  # gs_usb
+        OSError(errno.ETIMEDOUT, "Operation timed out"),
+    ),
+    caused(
+        can.CanOperationError("The message could not be sent"), USBTimeoutError(-116, "timeout")
+    ),
+    can.CanTimeoutError("Send timed out after 0.05 seconds"),  # canalystii, serial, ixxat
+    can.CanOperationError("Failed to send: The transmit queue is full"),  # PCAN
+    can.CanOperationError("Failed to send: The CAN controller is in bus-off state."),
+    can.CanOperationError("Could not send message to one or more recipients"),  # virtual
+]
+
+GONE = [
+    can.CanOperationError("Failed to transmit: No such device", errno.ENODEV),
+    can.CanOperationError("Failed to transmit: Network is down", errno.ENETDOWN),
+    caused(
+        can.CanOperationError("The message could not be sent"), OSError(errno.ENODEV, "unplugged")
+    ),
+    can.CanOperationError("writing to closed port"),
+    can.CanOperationError("Cannot operate on a closed bus"),
+    ValueError("something else"),
+]
+
+
+@pytest.mark.parametrize("error", FULL, ids=str)
+def test_a_full_queue_is_told_from(error):
+    assert queue_is_full(error)
+
+
+@pytest.mark.parametrize("error", GONE, ids=str)
+def test_a_device_that_is_gone(error):
+    assert not queue_is_full(error)
+
+
+def test_the_makers_numbers_are_not_taken_for_those_of_the_operating_system():
+    class CANLIBOperationError(can.CanOperationError):
+        __module__ = "can.interfaces.kvaser.canlib"
+
+    assert queue_is_full(CANLIBOperationError("x", kvaser.canERR_TXBUFOFL))
+    assert not queue_is_full(CANLIBOperationError("x", kvaser.canERR_NOTFOUND))
+
+
+def fill(bench, error=FULL[0]):
+    """From now on no frame of the program gets out; answers a list that grows with each try."""
+    tries = []
+
+    def full(*_args, **_kwargs):
+        tries.append(bench.time_s)
+        raise error
+
+    bench._host_bus.send = full
+    return tries
+
+
+def empty(bench):
+    del bench._host_bus.send
+
+
+def step_blocked(bench, qtbot, tries, seconds):
+    """Let time pass although something waits; the bench's own step waits until nothing does."""
+    connection = bench.controller._connection
+    for _ in range(round(seconds / 0.1)):
+        before = len(tries)
+        # the sending thread looks at the queue at each moment of the arm's time
+        qtbot.waitUntil(lambda before=before: len(tries) > before or connection.idle)
+        for _ in range(5):
+            bench.time_s += 0.02
+            bench.node.poll(0.02)
+            bench.controller.tick()
+
+
+@pytest.mark.parametrize("error", [FULL[0], FULL[3]], ids=["socketcan", "gs_usb"])
+def test_it_is_waited_for_and_after_half_a_second_called_what_it_is(bench, qtbot, error):
+    bench.ready()
+    tries = fill(bench, error)
+    assert bench.controller.motion.send_joints((10.0, 0.0, 0.0, 0.0, 0.0, 0.0)) is None
+    step_blocked(bench, qtbot, tries, 0.7)
+    qtbot.waitUntil(lambda: "bus_blocked" in bench.codes())
+    told = next(each for each in bench.notices if each.code == "bus_blocked")
+    assert told.params["reason"].code == "bus_send_blocked"  # the arm is heard all the while
+    assert "link_lost" not in bench.codes()
+    assert bench.controller.situation.link is LinkState.ONLINE
+    assert "Unplug the adapter" in words.notice(told)
+    empty(bench)
+    bench.heard()
+    bench.step()
+    assert bench.heard() == []  # too old: it would act late
+    assert bench.controller.motors.enable() is None
+    qtbot.waitUntil(lambda: "bus_unblocked" in bench.codes())
+
+
+def test_a_stop_waits_in_front_and_goes_out_when_the_queue_takes_it(bench, qtbot):
+    bench.ready()
+    tries = fill(bench)
+    bench.controller.motion.send_joints((10.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    bench.controller.emergency_stop()
+    assert bench.codes()[-1] == "stop_not_sent"
+    step_blocked(bench, qtbot, tries, 1.0)
+    assert not bench.firmware.stopped
+    bench.heard()
+    empty(bench)
+    qtbot.waitUntil(lambda: bench.controller._connection.idle)
+    assert {each.arbitration_id for each in bench.heard()} == {0x150}
+    bench.run_until(lambda: "stop_confirmed" in bench.codes())
+
+
+def test_nothing_that_waited_is_sent_after_a_loss(bench, qtbot):
+    bench.ready()
+    fill(bench)
+    bench.controller.motion.send_joints((10.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    bench.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
+    qtbot.waitUntil(lambda: bench.controller.situation.link is LinkState.LOST)
+    bench.heard()
+    bench.plug_in()
+    qtbot.waitUntil(lambda: "reconnected" in bench.codes())
+    bench.run(1.0)
+    assert not {0x155, 0x156, 0x157} & {each.arbitration_id for each in bench.heard()}
+
+
+# Error frames -------------------------------------------------------------------------------------
+
+BUS_OFF, WARNING, RESTARTED = 0x040, 0x004, 0x100
+
+
+def test_bus_off_is_said_until_frames_are_heard_again():
+    health = BusHealth(Device("socketcan", "can0", None))
+    health.on_error_frame(WARNING)
+    assert health.problem(1.0, blocked=False) is None
+    health.on_error_frame(BUS_OFF)
+    problem = health.problem(1.0, blocked=False)
+    assert (problem.code, problem.params["channel"]) == ("bus_off", "can0")
+    health.on_frame(2.0)
+    assert health.problem(2.0, blocked=False) is None
+    health.on_error_frame(BUS_OFF)
+    health.on_error_frame(RESTARTED)
+    assert health.problem(3.0, blocked=False) is None
+
+
+def test_who_is_to_blame_is_told_by_what_is_heard():
+    health = BusHealth(Device("socketcan", "can0", None))
+    assert health.problem(1.0, blocked=True).code == "bus_unacknowledged"
+    health.on_frame(1.0)
+    assert health.problem(1.4, blocked=True).code == "bus_send_blocked"
+    assert health.problem(1.6, blocked=True).code == "bus_unacknowledged"
+
+
+def test_error_frames_of_another_layout_are_not_read():
+    health = BusHealth(Device("pcan", "PCAN_USBBUS1"))
+    health.on_error_frame(BUS_OFF)
+    assert health.problem(1.0, blocked=False) is None
+
+
+def test_bus_off_reaches_the_operator(bench, qtbot, monkeypatch):
+    monkeypatch.setattr("armui.bus.health._LINUX_ERROR_FRAMES", frozenset({"virtual"}))
+    bench.connect()
+    bench._arm_bus.send(
+        can.Message(arbitration_id=BUS_OFF, is_error_frame=True, data=bytes(8), is_extended_id=True)
+    )
+    qtbot.waitUntil(lambda: "bus_blocked" in bench.codes())
+    told = next(each for each in bench.notices if each.code == "bus_blocked")
+    assert told.params["reason"].code == "bus_off"
+    assert bench.controller.situation.link_problem.code == "bus_off"
+    bench.run(0.1)
+    qtbot.waitUntil(lambda: "bus_unblocked" in bench.codes())
+    assert BusState.BLOCKED is not bench.controller._connection._bus_state

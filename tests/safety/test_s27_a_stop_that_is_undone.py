@@ -1,0 +1,62 @@
+"""S27: an operator's stop that another host undoes is a fault, said at once."""
+
+import pytest
+from PySide6.QtWidgets import QCheckBox
+
+from armui.control.situation import Level, StopState
+from armui.ui.dialogs.settings import SettingsDialog
+from tests.sim.talk import RESUME
+
+
+@pytest.fixture
+def stopped(bench):
+    bench.ready()
+    bench.controller.emergency_stop()
+    bench.run_until(lambda: bench.controller.situation.stop is StopState.STOPPED)
+    return bench
+
+
+def test_it_is_said_at_once_and_not_stopped_again(stopped, other_host):
+    other_host.say(RESUME)
+    stopped.run(0.5)
+    told = [each for each in stopped.notices if each.code == "stop_undone"]
+    assert [each.level for each in told] == [Level.FAULT]
+    assert not stopped.firmware.stopped
+    assert stopped.controller.situation.stop is StopState.RUNNING
+
+
+def test_as_a_setting_it_stops_again(stopped, other_host):
+    stopped.controller.stop_again_when_undone(True)
+    other_host.say(RESUME)
+    stopped.run(0.5)
+    assert "stop_undone" in stopped.codes()
+    assert stopped.firmware.stopped
+    other_host.say(RESUME)  # as often as it takes
+    stopped.run(0.5)
+    assert stopped.firmware.stopped
+
+
+def test_a_resume_from_here_is_none(stopped):
+    stopped.controller.stop_again_when_undone(True)
+    assert stopped.controller.motors.resume() is None
+    stopped.run_until(lambda: "resumed" in stopped.codes())
+    stopped.run(1.0)
+    assert "stop_undone" not in stopped.codes()
+    assert not stopped.firmware.stopped
+
+
+def test_another_hosts_stop_may_be_undone_by_it(bench, other_host):
+    bench.ready()
+    other_host.say("150#0100000000000000")
+    bench.run_until(lambda: bench.controller.situation.stop is StopState.STOPPED)
+    other_host.say(RESUME)
+    bench.run(0.5)
+    assert "stop_undone" not in bench.codes()
+
+
+def test_the_setting_is_off_until_the_operator_chooses_it(desk):
+    assert desk.store.settings.stop_again is False
+    desk.window.open_settings_dialog()
+    desk.click(desk.dialog(SettingsDialog).findChild(QCheckBox, "stop_again_box"))
+    assert desk.store.settings.stop_again is True
+    assert desk.controller._stop.stop_again is True
