@@ -16,15 +16,17 @@ LIMIT_MS = 120_000
 PROGRAM = """
 import json, sys
 from pathlib import Path
-from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QApplication
-from armui.app import SIMULATED, Program, open_device
-from armui.control.arm_controller import ArmController
-from armui.control.situation import LinkState
-from armui.helper_process import HelperProcess
-from armui.settings import SettingsStore
 
 def main():
+    # not above: the picture's process imports this file, too
+    from PySide6.QtCore import QTimer
+    from PySide6.QtWidgets import QApplication
+    from armui.app import SIMULATED, Program, open_device
+    from armui.control.arm_controller import ArmController
+    from armui.control.situation import LinkState
+    from armui.helper_process import HelperProcess
+    from armui.settings import SettingsStore
+
     app = QApplication([])
     controller = ArmController(open_device, SIMULATED)
     folder = Path(sys.argv[1])

@@ -18,7 +18,13 @@ from armui.viewport.client import Picture, PictureClient
 from armui.viewport.hud import Hud, HudValues
 from armui.viewport.overlay import FADED_OPACITY, lost_text, paint_plate
 from armui.viewport.palette import LIGHT, ScenePalette
-from armui.viewport.view_state import BUILT_IN_ROBOT, PickRequest, RobotChoice, ViewState
+from armui.viewport.view_state import (
+    BUILT_IN_ROBOT,
+    PickRequest,
+    RobotChoice,
+    ViewState,
+    look_alike,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -43,8 +49,6 @@ if TYPE_CHECKING:
 
 _VIEWERS = itertools.count()
 _START_MS = 20
-_SAME_ANGLE_DEG = 0.005
-"""Less moves nothing by a pixel: an arm at rest that reports the last digit is not drawn anew."""
 
 
 class ArmView(QWidget):
@@ -141,6 +145,11 @@ class ArmView(QWidget):
         return self._picture is not None and not self._is_frame_new and self._client.is_settled
 
     @property
+    def has_given_up(self) -> bool:
+        """Whether there is no picture, and none will come by itself."""
+        return self._lost is not None and not self._lost.comes_back
+
+    @property
     def highlighted_joint(self) -> int | None:
         """Number of the joint whose links carry the accent colour."""
         return self._state.highlighted_joint
@@ -163,7 +172,7 @@ class ArmView(QWidget):
             raise ValueError(f"{len(angles_deg)} joint angles instead of {len(JOINTS)}")
         angles = None if angles_deg is None else tuple(angles_deg)
         self._set_hud(replace(self._hud, angles_deg=angles, angles_stale=stale))
-        if _are_close(angles, self._state.angles_deg):
+        if look_alike(angles, self._state.angles_deg):
             angles = self._state.angles_deg
         self._show(replace(self._state, angles_deg=angles, gripper_mm=gripper_mm, stale=stale))
 
@@ -386,10 +395,3 @@ class ArmView(QWidget):
     def _look_through(self, camera: OrbitCamera | None) -> None:
         if camera is not None:
             self._show(replace(self._state, camera=camera))
-
-
-def _are_close(one: tuple[float, ...] | None, other: tuple[float, ...] | None) -> bool:
-    """Whether two poses of the arm look the same."""
-    if one is None or other is None:
-        return False
-    return all(abs(a - b) < _SAME_ANGLE_DEG for a, b in zip(one, other, strict=True))

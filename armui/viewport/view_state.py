@@ -13,6 +13,9 @@ from armui.viewport.path_picture import NOTHING, Preview
 if TYPE_CHECKING:
     from pathlib import Path
 
+_SAME_ANGLE_DEG: Final = 0.005
+"""Less moves nothing by a pixel: an arm at rest that reports the last digit is not drawn anew."""
+
 
 @dataclass(frozen=True)
 class PickRequest:
@@ -70,3 +73,10 @@ class ViewState:
     pick: PickRequest | None = None
     mark_pick: PickRequest | None = None
     viewer: int = 0
+
+
+def look_alike(one: tuple[float, ...] | None, other: tuple[float, ...] | None) -> bool:
+    """Whether two poses of the arm, six angles in degrees each, can't be told apart on a screen."""
+    if one is None or other is None:
+        return False
+    return all(abs(a - b) < _SAME_ANGLE_DEG for a, b in zip(one, other, strict=True))

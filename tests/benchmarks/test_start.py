@@ -10,6 +10,7 @@ import statistics
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import pytest
 
@@ -29,19 +30,21 @@ print("usable", flush=True)
 OURS = """
 import os, sys
 from pathlib import Path
-from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QApplication
-from armui.app import Program, SIMULATED, open_device
-from armui.control.arm_controller import ArmController
-from armui.control.situation import LinkState
-from armui.helper_process import HelperProcess
-from armui.settings import SettingsStore
 
 def pss_mb(pid):
     lines = Path(f"/proc/{pid}/smaps_rollup").read_text().splitlines()
     return next(int(line.split()[1]) / 1024 for line in lines if line.startswith("Pss:"))
 
 def main():
+    # not above: the picture's process imports this file, too
+    from PySide6.QtCore import QTimer
+    from PySide6.QtWidgets import QApplication
+    from armui.app import Program, SIMULATED, open_device
+    from armui.control.arm_controller import ArmController
+    from armui.control.situation import LinkState
+    from armui.helper_process import HelperProcess
+    from armui.settings import SettingsStore
+
     app = QApplication([])
     controller = ArmController(open_device, SIMULATED)
     program = Program(app, SettingsStore(Path(sys.argv[1])), controller, HelperProcess())
@@ -93,7 +96,7 @@ def seconds_to(words, script, cache, *arguments):
     with subprocess.Popen(
         [sys.executable, str(path), *arguments],
         stdout=subprocess.PIPE,
-        env=environment | {"PYTHONPATH": os.getcwd()},
+        env=environment | {"PYTHONPATH": str(Path.cwd())},
         text=True,
     ) as process:
         while len(took_s) < len(words):
