@@ -67,8 +67,7 @@ def test_memory(qapp, tmp_path, capsys, benchmark):
     benchmark.extra_info["grown_mb"] = mb[1] - mb[0]
     benchmark.pedantic(lambda: None, rounds=1)
     with capsys.disabled():
-        print(
-            f"\nwindow's process (and the tests) after {EARLY_MINUTES:g} / {MINUTES:g} minutes' worth "
-            f"of 8,100 frames/s: {mb[0]:.0f} / {mb[1]:.0f} MB; picture's {picture_mb:.0f} MB"
-        )
+        print(f"\nafter {EARLY_MINUTES:g} / {MINUTES:g} minutes' worth of 8,100 frames/s:")
+        print(f"  window's process, and the tests: {mb[0]:.0f} / {mb[1]:.0f} MB")
+        print(f"  picture's process: {picture_mb:.0f} MB")
     assert feeder.sent > 0
