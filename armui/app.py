@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import gc
+import logging
+import os
 import signal
 import sys
 from collections.abc import Iterator
@@ -10,12 +12,17 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QCoreApplication, QTimer
+from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 from PySide6.QtWidgets import QApplication
 
+from armui import failures, paths, preload
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.control.arm_controller import ArmController
-from armui.helper_process import HelperProcess
+from armui.control.neighbours import Neighbours
+from armui.control.part_failure import end_motion_of
+from armui.failures import Failure, FailureHandler
+from armui.helper_process import FileThread, HelperProcess
+from armui.log_file import log_to
 from armui.protocol.generation import Generation
 from armui.settings import Choices, Settings, SettingsStore, default_path
 from armui.start import StartOptions
@@ -39,6 +46,12 @@ the bus thread and once for the simulated arm's, is what a pressed stop would wa
 _CONNECTED_MS: Final = 5000
 
 
+class _FailureRelay(QObject):
+    """Carries failures from the threads where they happen to the window's."""
+
+    failed = Signal(object)
+
+
 class Program:
     """Everything that makes up one running program.
 
@@ -50,9 +63,13 @@ class Program:
         trajectories: The folder of the library; the user's own by default.
         pictures: Has the 3D picture drawn, and is ended by whoever gives it; one of the program's
             own by default.
+        meeting_place: Where running copies of the program find each other; by default nowhere.
+        files: Who does what waits for a disk, in a thread of this process; ended with the program.
+            The workers by default.
 
     Attributes:
         controller, view, window: What its parts are.
+        ended: Whether, after `shutdown`, no thread of ours runs any more.
     """
 
     def __init__(
@@ -64,6 +81,8 @@ class Program:
         trajectories: Path | None = None,
         *,
         pictures: PictureClient | None = None,
+        meeting_place: Path | None = None,
+        files: Executor | None = None,
     ) -> None:
         self._app = app
         self._translator = Translator(app)
@@ -71,22 +90,50 @@ class Program:
         self._translator.set_language(settings.language)
         apply_theme(app, Theme(settings.theme))
         self.controller = controller
+        self.ended = False
         self._workers = workers
+        self._files = files
         urdf = Path(settings.urdf_path) if settings.urdf_path else None
         self.view = ArmView(urdf, client=pictures)
-        self.window = MainWindow(self.controller, self.view, store, workers, trajectories)
+        self.window = MainWindow(
+            self.controller, self.view, store, workers, trajectories, files=files
+        )
         self._stop_shortcut = StopShortcut(app, self.controller)
         controller.stop_again_when_undone(settings.stop_again)
         self._unsubscribe = store.subscribe(self._on_settings_changed)
+        self._relay = _FailureRelay()
+        self._relay.failed.connect(self._on_failed)
+        self._failure_handler = FailureHandler(self._relay.failed.emit)
+        logging.getLogger("armui").addHandler(self._failure_handler)
+        self._neighbours = (
+            None if meeting_place is None else Neighbours(controller, store.path, meeting_place)
+        )
+        for problem in store.problems:
+            self.window.show_problem(problem)
 
     def shutdown(self) -> None:
-        """End every thread; the arm goes on with what it was told last."""
+        """End the motion and every thread.
+
+        A driver may keep a thread of ours for longer than anybody waits: see `ended`.
+        """
         self._unsubscribe()
+        logging.getLogger("armui").removeHandler(self._failure_handler)
         self._app.removeEventFilter(self._stop_shortcut)
         self._stop_shortcut.deleteLater()
-        self.controller.shutdown()
+        self.ended = self.controller.shutdown()
         self._workers.shutdown()
+        if self._files is not None:
+            self._files.shutdown()
+        if isinstance(self._files, FileThread):
+            self.ended = self.ended and self._files.ended
         self.view.shutdown()
+        if self._neighbours is not None:
+            self._neighbours.close()
+
+    def _on_failed(self, failure: Failure) -> None:
+        """What the failed part moved ends first; then it is told."""
+        end_motion_of(self.controller, failure.modules)
+        self.window.show_failure(failure)
 
     def _on_settings_changed(self, settings: Settings) -> None:
         apply_theme(self._app, Theme(settings.theme))
@@ -98,22 +145,44 @@ class Program:
 
 def run(options: StartOptions) -> int:
     """Open the window and stay until it is closed; returns the exit code."""
+    with failures.hooks(), log_to(paths.logs()):
+        return _run(options)
+
+
+def _run(options: StartOptions) -> int:
     sys.setswitchinterval(_SWITCH_INTERVAL_S)
     QCoreApplication.setApplicationName("armui")
     QApplication.setDesktopFileName("armui")
     app = QApplication(sys.argv[:1])
     chosen: Choices = {} if options.language is None else {"language": options.language}
     store = SettingsStore(default_path(), for_this_run=chosen)
-    program = Program(app, store, ArmController(open_device, SIMULATED), HelperProcess())
+    controller = ArmController(open_device, SIMULATED)
+    program = Program(
+        app, store, controller, HelperProcess(), meeting_place=paths.runtime(), files=FileThread()
+    )
     app.aboutToQuit.connect(program.shutdown)
     _end_on_ctrl_c(app)
     program.window.show()
+    _preload_when_idle(app)
     device = chosen_device(options)
     if device is not None:
         # the bus waits for nothing: the picture is loaded in a process of its own
         program.controller.connect_device(device)
     keep_from_collector()
-    return app.exec()
+    code = app.exec()
+    if not program.ended:
+        # a driver hangs: what it holds can be neither waited for nor destroyed
+        logging.shutdown()
+        os._exit(code)
+    return code
+
+
+def _preload_when_idle(app: QApplication) -> None:
+    """Load the rest of the program while the operator has not asked for anything yet."""
+    left = preload.steps()
+    timer = QTimer(app, interval=0)
+    timer.timeout.connect(lambda: timer.stop() if next(left, None) is None else None)
+    timer.start()
 
 
 def keep_from_collector() -> None:

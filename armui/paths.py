@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import getpass
+import os
+import tempfile
 from pathlib import Path
 
 import platformdirs
@@ -19,6 +22,22 @@ RESOURCES = _data_folder("resources")
 
 URDF = _data_folder("urdf")
 """The robot description with its meshes."""
+
+
+def runtime() -> Path:
+    """Where running programs of one user meet: locks, which mean nothing after the program ends.
+
+    The system's folder for that where there is one, else one in the user's temporary files.
+    """
+    folder = Path(os.environ.get("XDG_RUNTIME_DIR") or "")
+    if folder.is_absolute() and os.access(folder, os.W_OK):
+        return folder / "armui"
+    return Path(tempfile.gettempdir()) / f"armui-{getpass.getuser()}"
+
+
+def logs() -> Path:
+    """Where the operating system keeps the logs of a user's programs."""
+    return platformdirs.user_log_path("armui", appauthor=False)
 
 
 def trajectories() -> Path:

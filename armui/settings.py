@@ -1,26 +1,41 @@
 """What the operator has chosen for the program itself, kept between its runs.
 
 One small JSON file in the user's configuration folder. A setting that is not possible falls back
-to its first value by itself; a file that is no JSON is put aside, never overwritten unseen.
+to its first value by itself; a file that is no JSON is put aside, never overwritten unseen. No file
+keeps the program from starting, whatever it holds (safety S22). Two programs may use one file: a
+change writes the settings that were changed and leaves the others as they are in the file (S21).
 """
 
 from __future__ import annotations
 
 import contextlib
+import errno
+import hashlib
 import json
 import math
+import stat
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 from typing import Any, Final, Literal, TypedDict, Unpack, get_args
 
 import platformdirs
+from filelock import FileLock, Timeout
 
+from armui import paths
 from armui.arm.refusal import Refusal
 from armui.atomic import write_whole
 
 Language = Literal["zh", "en"]
 ThemeName = Literal["light", "dark", "system"]
+
+_MOST_BYTES: Final = 1_000_000
+"""A thousand times what the settings need: a larger file is something else."""
+_MOST_SHOWN: Final = 60
+"""Characters of a value that is told to be wrong."""
+_LONGEST_PATH: Final = 4096
+_LOCK_S: Final = 0.05
+"""So long a change waits for another program that is writing the same file."""
 
 JOG_STEP_MIN_DEG: Final = 0.001
 """The resolution of an angle on the bus."""
@@ -80,20 +95,46 @@ def check(name: str, value: object) -> Refusal | None:
         "language": value in get_args(Language),
         "theme": value in get_args(ThemeName),
         "stop_again": isinstance(value, bool),
-        "urdf_path": value is None or (isinstance(value, str) and value != ""),
+        "urdf_path": value is None or _is_path(value),
     }
     if allowed.get(name, False):
         return None
-    return Refusal("setting_bad", {"field": name, "value": str(value)})
+    return Refusal("setting_bad", {"field": name, "value": _shown(value)})
+
+
+def _shown(value: object) -> str:
+    """A value for a sentence, whatever it is: cut where it is long."""
+    try:
+        text = str(value)
+    except (ValueError, RecursionError):  # a number of thousands of digits; lists in lists in lists
+        text = f"({type(value).__name__})"
+    return text if len(text) <= _MOST_SHOWN else text[:_MOST_SHOWN] + "…"
+
+
+def _is_path(value: object) -> bool:
+    """Whether a value can be the name of a file, here and in Qt."""
+    if not isinstance(value, str) or not 0 < len(value) <= _LONGEST_PATH or "\0" in value:
+        return False
+    try:
+        value.encode("utf-8")
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 def _check_jog_step(value: object) -> Refusal | None:
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return Refusal("jog_step_not_a_number", {"value": _shown(value)})
+    if isinstance(value, float) and not math.isfinite(value):
         return Refusal("jog_step_not_a_number", {"value": str(value)})
     if not JOG_STEP_MIN_DEG <= value <= JOG_STEP_MAX_DEG:
+        try:
+            figure: float | str = float(value)
+        except OverflowError:
+            figure = _shown(value)
         return Refusal(
             "jog_step_out_of_range",
-            {"value": float(value), "minimum": JOG_STEP_MIN_DEG, "maximum": JOG_STEP_MAX_DEG},
+            {"value": figure, "minimum": JOG_STEP_MIN_DEG, "maximum": JOG_STEP_MAX_DEG},
         )
     return None
 
@@ -107,7 +148,7 @@ def _check_tool(value: object) -> Refusal | None:
         good = isinstance(figure, int | float) and not isinstance(figure, bool)
         if not good or not abs(figure) <= longest:
             return Refusal(
-                "tool_not_possible", {"value": str(figure), "maximum": round(TOOL_LONGEST_MM)}
+                "tool_not_possible", {"value": _shown(figure), "maximum": round(TOOL_LONGEST_MM)}
             )
     return None
 
@@ -148,7 +189,7 @@ class SettingsStore:
         kept, before = self._kept, self._settings
         self._kept = replace(kept, **choices)
         self._settings = replace(before, **choices)
-        problem = self._save() if self._kept != kept else None
+        problem = self._save(choices) if self._kept != kept else None
         if self._settings != before:
             for subscriber in list(self._subscribers):
                 subscriber(self._settings)
@@ -168,24 +209,74 @@ class SettingsStore:
 
         return unsubscribe
 
-    def _save(self) -> Refusal | None:
+    @property
+    def path(self) -> Path:
+        """The file."""
+        return self._path
+
+    def _save(self, choices: Choices) -> Refusal | None:
+        """Write what was chosen; what another program has written meanwhile stays."""
+        params = {"path": str(self._path)}
         try:
-            write_whole(self._path, json.dumps(asdict(self._kept), indent=2) + "\n")
-        except OSError as error:
-            text = error.strerror or str(error)
-            return Refusal("settings_not_saved", {"path": str(self._path), "text": text})
+            with FileLock(_lock_path(self._path), timeout=_LOCK_S):
+                in_file = _entries(self._path)
+                kept = asdict(self._kept)
+                entries = kept | in_file | {name: kept[name] for name in choices}
+                write_whole(self._path, json.dumps(entries, indent=2) + "\n")
+        except Timeout:
+            return Refusal("settings_in_use", params)
+        except (OSError, ValueError, RecursionError) as error:
+            text = getattr(error, "strerror", None) or str(error)
+            return Refusal("settings_not_saved", params | {"text": text})
         return None
+
+
+def _lock_path(path: Path) -> Path:
+    """Where programs wait for each other to write a file; not beside it: that folder is not ours.
+
+    Raises:
+        OSError: The folder cannot be made.
+    """
+    folder = paths.runtime()
+    folder.mkdir(parents=True, exist_ok=True)
+    name = hashlib.sha256(str(path.absolute()).encode("utf-8", "surrogatepass")).hexdigest()[:16]
+    return folder / f"settings-{name}.lock"
+
+
+def _entries(path: Path) -> dict[str, Any]:
+    """What stands in a file now; nothing, if it is none of ours."""
+    try:
+        entries = _parsed(path)
+    except (OSError, ValueError, RecursionError):
+        return {}
+    return entries if isinstance(entries, dict) else {}
+
+
+def _parsed(path: Path) -> object:
+    """The JSON in a file.
+
+    Raises:
+        OSError: It cannot be read, or is no file: opening a pipe would wait for ever.
+        ValueError: It is no JSON, no UTF-8, or far too large.
+        RecursionError: Its lists are nested too deep.
+    """
+    found = path.stat()
+    if not stat.S_ISREG(found.st_mode):
+        raise IsADirectoryError(errno.EISDIR, "it is not a file", str(path))
+    if found.st_size > _MOST_BYTES:
+        raise ValueError("it is too large")
+    return json.loads(path.read_bytes().decode("utf-8"))
 
 
 def _read(path: Path) -> tuple[Settings, tuple[Refusal, ...]]:
     try:
-        entries = json.loads(path.read_text(encoding="utf-8"))
+        entries = _parsed(path)
     except FileNotFoundError:
         return Settings(), ()
     except OSError as error:
         params = {"path": str(path), "text": error.strerror or str(error)}
         return Settings(), (Refusal("settings_unreadable", params),)
-    except ValueError:  # no JSON, or no UTF-8
+    except (ValueError, RecursionError):
         return Settings(), (_put_aside(path),)
     if not isinstance(entries, dict):
         return Settings(), (_put_aside(path),)
@@ -203,7 +294,7 @@ def _from_entries(entries: Mapping[str, Any]) -> tuple[Settings, tuple[Refusal, 
         if check(field.name, value) is None:
             good[field.name] = tuple(value) if isinstance(value, list) else value
         else:
-            params = {"field": field.name, "value": str(value)}
+            params = {"field": field.name, "value": _shown(value)}
             problems.append(Refusal("setting_bad", params))
     return Settings(**good), tuple(problems)
 

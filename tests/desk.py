@@ -61,6 +61,7 @@ class Desk(Bench):
         settings: The file of the operator's settings; the library lies beside it.
         generation: Of the simulated arm's protocol.
         workers: Who does what takes long; whoever asks does it by default.
+        files: Who does what waits for a disk; whoever asks does it by default.
         draws: Whether the 3D view is seen: drawing it costs more than most tests.
         pictures: Has the 3D picture drawn; several desks one after another may share one.
 
@@ -79,6 +80,7 @@ class Desk(Bench):
         generation: Generation,
         workers: Executor | None = None,
         *,
+        files: Executor | None = None,
         draws: bool = False,
         pictures: PictureClient | None = None,
     ) -> None:
@@ -92,6 +94,7 @@ class Desk(Bench):
             self.controller,
             self.workers,
             self.library_folder,
+            files=files or AtOnce(),
             pictures=pictures,
         )
         self.window = self.program.window

@@ -1,7 +1,7 @@
 """The arm as last heard: a frozen picture, each value with the time it was heard.
 
 Nothing here is assumed: what has not been heard is ``None``. Times are those of
-:func:`time.monotonic`; joints stand in tuples of six, joint 1 first.
+:data:`armui.clock.steady_s`; joints stand in tuples of six, joint 1 first.
 """
 
 from __future__ import annotations
@@ -161,8 +161,12 @@ class ArmState:
     """Everything last heard from one arm.
 
     Attributes:
+        epoch: Of what was heard: everything in one state was heard and decoded since the bus thread
+            was last told to start anew, and every start has a number of its own.
         sequence: Grows with every picture in which something is new.
         last_feedback_s: When any frame of the arm's was last understood.
+        silences: How often in this epoch the arm was silent for longer than :data:`FRESH_FOR_S` and
+            then heard again: it may be another arm, or one that was switched off and on.
         joints_deg: Joint angles, 0x2A5–0x2A7.
         pose: X, Y, Z in mm and RX, RY, RZ in degrees of the flange, 0x2A2–0x2A4.
         limits: Angle range and highest speed of each joint, 0x473.
@@ -172,6 +176,7 @@ class ArmState:
         teaching_handle: 0x47E, generation 2.
         end_motion: Each joint's part in the motion of the end, 0x481–0x486.
         firmware: Version text of 0x4AF; generation 1 has none.
+        version_heard_s: When a part of an arm's answer to 0x4AF was last heard, readable or not.
         foreign_targets_s: When the joint targets of another sender, a teaching input or another
             host, were last heard in full (0x155–0x157, with any identifier offset).
         status_heard_s: When a status was heard under each identifier offset (0x470), whichever
@@ -180,8 +185,10 @@ class ArmState:
         oddities: How many frames of each kind were not understood.
     """
 
+    epoch: int = 0
     sequence: int = 0
     last_feedback_s: float | None = None
+    silences: int = 0
     status: Heard[Status] | None = None
     joints_deg: Six[Heard[float] | None] = _NOTHING
     pose: Six[Heard[float] | None] = _NOTHING
@@ -195,6 +202,7 @@ class ArmState:
     teaching_handle: Heard[TeachingHandle] | None = None
     end_motion: Six[Heard[EndMotion] | None] = _NOTHING
     firmware: str | None = None
+    version_heard_s: float | None = None
     status_heard_s: tuple[float | None, ...] = (None, None, None)
     foreign_targets_s: float | None = None
     frames: int = 0

@@ -14,6 +14,7 @@ from typing import Any, Final
 from armui.arm.gripper import Gripper, gripper_of
 from armui.arm.limits import JOINTS, JointLimits
 from armui.arm.state import (
+    FRESH_FOR_S,
     ArmState,
     DriverFast,
     DriverSlow,
@@ -27,6 +28,7 @@ from armui.arm.state import (
 from armui.arm.units import DEGREES_PER
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codec import Codec, Message, Oddity
+from armui.protocol.version import LONGEST, find_version, is_question
 
 _Signals = Mapping[str, float]
 
@@ -39,18 +41,23 @@ _TARGET_PLACES: Final = {
 """Where the joint targets of any sender belong, whatever its identifier offset (0x470)."""
 
 _STATUS_ID: Final = 0x2A1
-_VERSION_CHARACTERS: Final = 8
-_VERSION_START: Final = "S-V"
+_VERSION_MESSAGE: Final = "FirmwareVersion"
 
 
 class Tracker:
-    """Keeps what was last heard and makes an :class:`ArmState` of it on demand."""
+    """Keeps what was last heard and makes an :class:`ArmState` of it on demand.
 
-    def __init__(self, codec: Codec) -> None:
+    Args:
+        codec: What the arm speaks.
+        epoch: Goes into every state; see :class:`ArmState`.
+    """
+
+    def __init__(self, codec: Codec, epoch: int = 0) -> None:
         self._codec = codec
+        self._epoch = epoch
         self._sequence = 0
         self._published = 0
-        self._picture = ArmState()
+        self._picture = ArmState(epoch=epoch)
         self._frames = 0
         self._oddities: Counter[str] = Counter()
         self._last_feedback_s: float | None = None
@@ -68,6 +75,8 @@ class Tracker:
         self._end_motion: list[Heard[EndMotion] | None] = [None] * 6
         self._version_bytes = bytearray()
         self._firmware: str | None = None
+        self._version_heard_s: float | None = None
+        self._silences = 0
         self._foreign_targets_s: list[float | None] = [None] * len(_TARGET_MESSAGES)
         self._status_heard_s: list[float | None] = [None] * len(OFFSETS)
         self._handlers = self._make_handlers()
@@ -84,8 +93,10 @@ class Tracker:
                 return
             heard = heard.message
         handler = self._handlers.get(heard.name)
-        if handler is not None:
+        if handler is not None and not _is_asked_by_a_host(heard):
             handler(heard.signals, at_s)
+            if self._last_feedback_s is not None and at_s - self._last_feedback_s > FRESH_FOR_S:
+                self._silences += 1
             self._last_feedback_s = at_s
         elif heard.name in _TARGET_MESSAGES:
             self._note_foreign_target(_TARGET_MESSAGES.index(heard.name), at_s)
@@ -99,7 +110,9 @@ class Tracker:
 
     def _compose(self) -> ArmState:
         return ArmState(
+            epoch=self._epoch,
             sequence=self._sequence,
+            silences=self._silences,
             last_feedback_s=self._last_feedback_s,
             status=self._status,
             joints_deg=_six(self._joints),
@@ -114,6 +127,7 @@ class Tracker:
             teaching_handle=self._teaching_handle,
             end_motion=_six(self._end_motion),
             firmware=self._firmware,
+            version_heard_s=self._version_heard_s,
             status_heard_s=tuple(self._status_heard_s),
             foreign_targets_s=self._all_targets_s(),
             frames=self._frames,
@@ -222,16 +236,16 @@ class Tracker:
 
         return on_end_motion
 
-    def _on_firmware(self, signals: _Signals, _at_s: float) -> None:
-        self._version_bytes += bytes(int(signals[f"Byte{n}"]) for n in range(8))
-        text = self._version_bytes.decode("ascii", "replace")
-        start = text.find(_VERSION_START)
-        if start >= 0 and len(text) >= start + _VERSION_CHARACTERS:
-            self._firmware = text[start : start + _VERSION_CHARACTERS]
+    def _on_firmware(self, signals: _Signals, at_s: float) -> None:
+        self._version_heard_s = at_s
+        self._version_bytes += _version_payload(signals)
+        found = find_version(bytes(self._version_bytes))
+        if found is not None:
+            self._firmware = found
             self._version_bytes.clear()
-        elif start < 0:
-            # keep what may be the beginning of the text
-            del self._version_bytes[: -len(_VERSION_START)]
+        else:
+            # what may be the beginning of the text
+            del self._version_bytes[:-LONGEST]
 
     def _driver_fast_handler(self, joint: int) -> Callable[[_Signals, float], None]:
         name = f"DriverFast{joint}"
@@ -272,6 +286,15 @@ class Tracker:
 
     def _degrees_per(self, message: str, signal: str) -> float:
         return DEGREES_PER[self._codec.unit(message, signal)]
+
+
+def _version_payload(signals: _Signals) -> bytes:
+    return bytes(int(signals[f"Byte{n}"]) for n in range(8))
+
+
+def _is_asked_by_a_host(heard: Message) -> bool:
+    """Whether a message that an arm and a host may both send is the host's."""
+    return heard.name == _VERSION_MESSAGE and is_question(_version_payload(heard.signals))
 
 
 def _pair(

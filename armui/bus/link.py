@@ -31,8 +31,10 @@ class BusReport:
         state: What it is doing.
         device: The device.
         problem: Why it is ``BLOCKED``, ``LOST`` or ``FAILED``.
+        worker: The number of the thread that says so.
     """
 
     state: BusState
     device: Device
     problem: Refusal | None = None
+    worker: int = 0

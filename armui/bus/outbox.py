@@ -9,7 +9,6 @@ limit.
 from __future__ import annotations
 
 import threading
-import time
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
@@ -18,6 +17,7 @@ from typing import Final
 import can
 
 from armui.bus.send_errors import flush_transmit_queue, obeys_its_timeout, queue_is_full
+from armui.clock import steady_s
 from armui.protocol.frame import Frame
 
 KEEP_S: Final = 0.5
@@ -72,9 +72,7 @@ class Outbox:
         listen_only: Nothing is sent but what is urgent.
     """
 
-    def __init__(
-        self, clock: Callable[[], float] = time.monotonic, *, listen_only: bool = False
-    ) -> None:
+    def __init__(self, clock: Callable[[], float] = steady_s, *, listen_only: bool = False) -> None:
         self._clock = clock
         self._listen_only = listen_only
         self._changed = threading.Condition(threading.Lock())

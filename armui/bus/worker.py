@@ -6,8 +6,9 @@ up neither the receiving nor the window.
 
 from __future__ import annotations
 
+import logging
 import threading
-import time
+from collections import deque
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager
 from typing import Final
@@ -25,11 +26,16 @@ from armui.bus.echo import is_own_echo
 from armui.bus.health import BusHealth
 from armui.bus.link import BusReport, BusState
 from armui.bus.outbox import KEEP_S, Outbox
+from armui.bus.receive_clock import STAMPED, ReceiveClock
 from armui.bus.receive_queue import ReceiveQueue
 from armui.bus.samples import SampleRing
 from armui.bus.sending import SendingThread
+from armui.clock import steady_s
+from armui.failures import is_our_own
 from armui.protocol.codec import Codec, Message, Oddity, OddityKind
 from armui.protocol.frame import Frame
+
+_LOG: Final = logging.getLogger(__name__)
 
 Opener = Callable[[Device], AbstractContextManager[can.BusABC]]
 """Opens a device; the bus is closed when the context ends."""
@@ -71,6 +77,7 @@ class BusWorker(QThread):
         codec: Protocol to begin with; see :meth:`use_codec`.
         clock: Monotonic time in seconds.
         listen_only: Nothing is sent but what is urgent: the operator's stop.
+        number: Goes into its reports: one that comes late tells whose it is.
 
     Attributes:
         samples: Every joint feedback, while somebody wants them.
@@ -88,19 +95,22 @@ class BusWorker(QThread):
         device: Device,
         opener: Opener,
         codec: Codec,
-        clock: Callable[[], float] = time.monotonic,
+        clock: Callable[[], float] = steady_s,
         parent: QObject | None = None,
         *,
         listen_only: bool = False,
+        number: int = 0,
     ) -> None:
         super().__init__(parent)
         self.setObjectName(f"bus {device.name}")
+        self._number = number
         self._device = device
         self._opener = opener
         self._clock = clock
         self._codec = codec
         self._tracker = Tracker(codec)
-        self._next_codec: Codec | None = None
+        self._epoch = 0
+        self._next_codecs: deque[tuple[Codec, int]] = deque()
         self._state = ArmState()
         self._others = OtherHosts()
         self._traffic = OtherTraffic()
@@ -109,6 +119,7 @@ class BusWorker(QThread):
         self._health = BusHealth(device)
         self._problem: Refusal | None = None
         self._queue = ReceiveQueue()
+        self._received = ReceiveClock(clock, stamped=device.interface in STAMPED)
         self.samples = SampleRing()
         self._closing = threading.Event()
 
@@ -119,8 +130,9 @@ class BusWorker(QThread):
 
     @property
     def state(self) -> ArmState:
-        """The arm as last heard; may be read from any thread."""
-        return self._state
+        """The arm as heard since the last :meth:`use_codec`; may be read from any thread."""
+        state, epoch = self._state, self._epoch
+        return state if state.epoch == epoch else ArmState(epoch=epoch)
 
     @property
     def traffic(self) -> OtherTraffic:
@@ -147,13 +159,25 @@ class BusWorker(QThread):
         return self._outbox.put_urgent(frames)
 
     def use_codec(self, codec: Codec) -> None:
-        """Speak another generation, or shifted identifiers, from the next frame on."""
-        self._next_codec = codec
+        """Forget what was heard; speak this codec from the next frame on.
 
-    def close(self) -> None:
-        """Close the device and end the thread; returns when both are done."""
+        From this call on :attr:`state` holds nothing that was heard or decoded before it.
+        """
+        self._next_codecs.append((codec, self._epoch + 1))
+        self._epoch += 1
+
+    def close(self, within_ms: int) -> bool:
+        """Close the device and end the thread.
+
+        Args:
+            within_ms: How long to wait for it.
+
+        Returns:
+            Whether both are done. If not, a driver is busy: the device is closed as soon as it
+            lets go, and nothing more is sent to it.
+        """
         self._closing.set()
-        self.wait()
+        return self.wait(within_ms)
 
     def run(self) -> None:
         """Open, use, and after a loss reopen the device until :meth:`close`."""
@@ -165,6 +189,9 @@ class BusWorker(QThread):
                     was_open = True
                     self._use(bus)
             except Exception as error:  # noqa: BLE001 - drivers of others raise anything; the thread lives on
+                # a device that goes is no failure; an error of this program's is told as one
+                level = logging.ERROR if was_open and is_our_own(error) else logging.WARNING
+                _LOG.log(level, "%s is lost", self._device.name, exc_info=error)
                 state = BusState.LOST if was_open else BusState.FAILED
                 self._report(state, error)
                 if not was_open:
@@ -178,6 +205,7 @@ class BusWorker(QThread):
         self._health, self._problem = BusHealth(self._device), None
         sender = SendingThread(self._outbox, bus)
         sender.start()
+        self._received.emptied()  # what lies in a device that was just opened came just now
         self._report(BusState.OPEN)
         try:
             while not self._closing.is_set():
@@ -197,18 +225,22 @@ class BusWorker(QThread):
         if problem != self._problem:
             self._problem = problem
             state = BusState.OPEN if problem is None else BusState.BLOCKED
-            self.reported.emit(BusReport(state, self._device, problem))
+            self.reported.emit(BusReport(state, self._device, problem, self._number))
 
     def _receive_burst(self, bus: can.BusABC) -> None:
+        self._received.begin()
         message = bus.recv(_RECEIVE_S)
         now_s = self._clock()
         taken = 0
         while message is not None:
-            self._take_in(message, now_s)
+            self._take_codec()
+            self._take_in(message, self._received.at_s(message.timestamp, now_s))
             taken += 1
             if taken == _BURST:
                 break
             message = bus.recv(0)
+        else:
+            self._received.emptied()
         if now_s - self._pictured_s >= _PICTURE_S or taken == 0:
             self._pictured_s = now_s
             self._state = self._tracker.picture()
@@ -234,14 +266,13 @@ class BusWorker(QThread):
             self.answered.emit(heard)
 
     def _take_codec(self) -> None:
-        codec, self._next_codec = self._next_codec, None
-        if codec is not None:
-            self._codec = codec
-            self._tracker = Tracker(codec)
+        while self._next_codecs:
+            self._codec, epoch = self._next_codecs.popleft()
+            self._tracker = Tracker(self._codec, epoch)
 
     def _report(self, state: BusState, error: Exception | None = None) -> None:
         problem = None if error is None else explain(self._device, error)
-        self.reported.emit(BusReport(state, self._device, problem))
+        self.reported.emit(BusReport(state, self._device, problem, self._number))
 
 
 def _oddity(message: can.Message) -> Oddity | None:

@@ -6,7 +6,6 @@ heard and moves on whatever is under way.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Sequence
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
@@ -17,6 +16,7 @@ from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.bus.link import BusReport
+from armui.clock import steady_s
 from armui.control import reports
 from armui.control.arm_settings import ArmSettings
 from armui.control.assessment import Activity, Circumstances, assess
@@ -38,6 +38,7 @@ from armui.control.motion_command import End
 from armui.control.motors import Motors
 from armui.control.notices import CODES
 from armui.control.orders import OrderLine
+from armui.control.part_failure import end_motion_of
 from armui.control.parts import Parts
 from armui.control.planned_motion import PlannedMotion
 from armui.control.player import Player
@@ -56,6 +57,9 @@ if TYPE_CHECKING:
     from armui.bus.worker import Opener
 
 _TICK_MS: Final = 33
+_SENT_WITHIN_S: Final = 0.15
+_END_S: Final = 1.0
+"""The end of the program waits this long for the device, and for a search."""
 
 
 class ArmController(QObject):
@@ -111,7 +115,7 @@ class ArmController(QObject):
         opener: Opener,
         simulated: Sequence[Device] = (),
         find: Callable[[], list[Device]] | None = None,
-        clock: Callable[[], float] = time.monotonic,
+        clock: Callable[[], float] = steady_s,
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
@@ -121,6 +125,7 @@ class ArmController(QObject):
         self._finder.searching_changed.connect(self.searching_changed)
         self._connection = Connection(opener, clock, self)
         self._connection.changed.connect(self._on_connection)
+        self._connection.arm_came.connect(self._on_arm_came)
         self._stop = Stopping(self._connection, self._notice, clock, self._end_everything)
         self._authority = Authority()
         self._watch = AuthorityWatch(
@@ -186,10 +191,11 @@ class ArmController(QObject):
             DroppedFrames(context),
             self.recovery,  # the last: it looks at what the others are doing
         )
-        self._parts = Parts(parts, self._notice)
+        self._parts = Parts(parts, self._notice, lambda module: end_motion_of(self, [module]))
         self._was_online = False
         self._was_stopped = False
         self._limits_told = False
+        self._lets_finish = False
         self._state = ArmState()
         self._situation = Situation(speed_percent=self.motion.speed_percent)
         self._timer = QTimer(self)
@@ -251,10 +257,21 @@ class ArmController(QObject):
         self._refresh()
         self.recovery.advance()
 
-    def shutdown(self) -> None:
-        """Close the device as :meth:`disconnect_device` does, and end every thread."""
-        self._finder.wait()
+    def let_motion_finish(self) -> None:
+        """When the program ends, a single motion goes on to its target: the operator chose so."""
+        self._lets_finish = True
+
+    def shutdown(self) -> bool:
+        """End the motion, close the device as :meth:`disconnect_device` does, end every thread.
+
+        Returns:
+            Whether all threads have ended within two seconds: a driver may keep one.
+        """
+        if self._authority.under_way and not self._lets_finish and not cut_short(self._context):
+            self._connection.wait_until_sent(_SENT_WITHIN_S)
         self.disconnect_device()
+        closed = self._connection.end(_END_S)
+        return self._finder.end(_END_S) and closed
 
     # The stop ---------------------------------------------------------------------------------
 
@@ -347,6 +364,12 @@ class ArmController(QObject):
         self._refresh()
         self.recovery.advance()
 
+    def _on_arm_came(self) -> None:
+        """What was read and saved before was another arm's, for all that is known."""
+        self._limits_told = False
+        self._authority.end(End.FORGOTTEN)
+        self.settings.forget()
+
     def _forget_arm(self) -> None:
         self._parts.forget()
         self._authority.end(End.FORGOTTEN)
@@ -355,12 +378,17 @@ class ArmController(QObject):
 
     # What ends what is under way ----------------------------------------------------------------
 
-    def end_motion(self) -> None:
+    def end_motion(self, *, single: bool = False) -> None:
         """End what this program drives in good order: the arm comes to rest and stays powered.
 
         That is a run, a replay, a jog or a motion paused from here.
+
+        Args:
+            single: A single motion of this program, too.
         """
         self._end_driven()
+        if single and self._authority.under_way:
+            cut_short(self._context)
         if self._authority.holds:
             self.planned_motion.command(TrajectoryCommand.ABORT)
         self._refresh()

@@ -145,8 +145,7 @@ class ArmSettings(QObject):
             return self._context.refuse(refusal)
         self._context.tell("settings_sent", count=len(changes))
         self._saving = list(changes)
-        for batch in batches_of(changes):
-            self._save(codec, batch, changes)
+        self._submit(*(self._save(codec, batch, changes) for batch in batches_of(changes)))
         self.changed.emit()
         return None
 
@@ -180,7 +179,7 @@ class ArmSettings(QObject):
     def _why_unknown(self) -> Refusal | None:
         """Why the arm cannot be asked: it is not there, or its protocol is not known yet."""
         connection = self._context.connection
-        refusal = why_unreachable(connection.link)
+        refusal = why_unreachable(connection.link, connection.device)
         if refusal is None and connection.generation is None:
             return Refusal("generation_unknown")
         return refusal
@@ -189,18 +188,17 @@ class ArmSettings(QObject):
         self._mark(batch.parameters(), Cell(CellState.READING))
         self._submit(Order((), partial(self._after_reading, batch), read_back=self._back(batch)))
 
-    def _save(self, codec: Codec, batch: Batch, changes: Changes) -> None:
+    def _save(self, codec: Codec, batch: Batch, changes: Changes) -> Order:
         values = frame_values(codec, self._context.state(), batch, changes)
         wanted = {parameter: changes[parameter] for parameter in values if parameter in changes}
         self._mark(wanted, Cell(CellState.SAVING))
-        self._submit(
-            Order(
-                setting_frames(codec, batch, values),
-                partial(self._after_saving, wanted),
-                INDEX[batch.group],
-                read_back=self._back(batch, wanted),
-                alters="settings",
-            )
+        return Order(
+            setting_frames(codec, batch, values),
+            partial(self._after_saving, wanted),
+            INDEX[batch.group],
+            read_back=self._back(batch, wanted),
+            recheck=self._why_not_any_more,
+            alters="settings",
         )
 
     def _back(self, batch: Batch, wanted: Changes | None = None) -> ReadBack:
@@ -230,15 +228,20 @@ class ArmSettings(QObject):
                 command(codec),
                 partial(self._after_reset, batches),
                 SettingIndex.PARAMETER_COMMAND,
+                recheck=self._why_not_any_more,
                 alters="settings",
             )
         )
         self.changed.emit()
         return None
 
-    def _submit(self, order: Order) -> None:
-        self._open += 1
-        self._orders.submit(order)
+    def _why_not_any_more(self) -> Refusal | None:
+        """What has come up since the press against setting parameters."""
+        return self._context.situation().occupied or why_moving(self._context.state())
+
+    def _submit(self, *orders: Order) -> None:
+        self._open += len(orders)
+        self._orders.submit(*orders)
 
     # How it ends ------------------------------------------------------------------------------
 

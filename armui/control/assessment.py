@@ -12,7 +12,14 @@ from armui.arm.state import ArmState, Six, is_fresh
 from armui.control import gate
 from armui.control.authority import Authority
 from armui.control.offsets import OffsetFollower
-from armui.control.situation import Busy, LinkState, OtherHostReport, Situation, StopState
+from armui.control.situation import (
+    Busy,
+    LinkState,
+    OtherHostReport,
+    Situation,
+    StopState,
+    why_unreachable,
+)
 from armui.protocol.generation import Generation
 
 
@@ -56,7 +63,9 @@ def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
     """What the operator can do at monotonic time ``now_s``."""
     enabled = _fresh_enabled(state, now_s)
     activity, authority = around.activity, around.authority
-    no_command = gate.why_no_command(around.link, around.stop, around.busy)
+    no_command = gate.why_no_command(
+        why_unreachable(around.link, around.device), around.stop, around.busy
+    )
     cannot_run = _first(
         lambda: no_command,
         lambda: None if around.offsets.certain else Refusal("control_offset_unknown"),
@@ -109,9 +118,16 @@ def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
         generation=around.generation,
         addressing=around.offsets.addressing,
         control_certain=around.offsets.certain,
-        teaching_input=around.link is LinkState.OFFLINE
-        and is_fresh(state.foreign_targets_s, now_s),
+        teaching_input=around.link in {LinkState.OFFLINE, LinkState.ONLINE}
+        and is_fresh(state.foreign_targets_s, now_s)
+        and not _controller_heard(state, now_s),
     )
+
+
+def _controller_heard(state: ArmState, now_s: float) -> bool:
+    """Whether the arm's controller itself is heard, 0x2A1–0x2A7; drivers may go on without it."""
+    heard = (state.status, *state.joints_deg, *state.pose)
+    return any(each is not None and each.fresh(now_s) for each in heard)
 
 
 def _on_its_way(state: ArmState, authority: Authority) -> bool:

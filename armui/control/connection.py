@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Sequence
+from itertools import count
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Signal
 
 from armui.arm.device import Device
+from armui.arm.generations import common_to_generations
 from armui.arm.other_hosts import OtherTraffic
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, is_fresh
@@ -24,6 +27,8 @@ if TYPE_CHECKING:
     from armui.protocol.codec import Codec
 
 
+_CLOSE_MS: Final = 100
+"""The window waits this long for a device to be closed; a busy driver is left to end by itself."""
 _IS_OPEN: Final = frozenset({BusState.OPEN, BusState.BLOCKED})
 _OPEN_CODES: Final = {BusState.LOST: "reconnected", BusState.BLOCKED: "bus_unblocked"}
 """The notice that an open bus is worth, by what it was before."""
@@ -35,10 +40,13 @@ class Connection(QObject):
     Signals:
         changed: A :class:`BusReport` and the code of the notice it is worth.
         answered: A decoded message that answers a command.
+        arm_came: An arm has come online: another one, or one that was switched off and on, for all
+            that is known. Nothing that was read before holds for it.
     """
 
     changed = Signal(object, str)
     answered = Signal(object)
+    arm_came = Signal()
 
     def __init__(
         self, opener: Opener, clock: Callable[[], float], parent: QObject | None = None
@@ -47,9 +55,13 @@ class Connection(QObject):
         self._opener = opener
         self._clock = clock
         self._worker: BusWorker | None = None
+        self._ending: list[BusWorker] = []
         self._bus_state = BusState.CLOSED
         self._online = False
         self._last_feedback_s: float | None = None
+        self._worker_numbers = count(1)
+        self._worker_number = 0
+        self._arms = 0
         self.device: Device | None = None
         self.problem: Refusal | None = None
         self.handshake: Handshake | None = None
@@ -92,6 +104,14 @@ class Connection(QObject):
         return self._worker is None or self._worker.idle
 
     @property
+    def arm(self) -> int | None:
+        """The number of the arm that is online: it grows whenever one comes, the same or another.
+
+        ``None`` while no arm is online.
+        """
+        return self._arms if self.link is LinkState.ONLINE else None
+
+    @property
     def generation(self) -> Generation | None:
         """Which protocol the arm speaks, once it is known."""
         return self.handshake.generation if self.handshake is not None else None
@@ -99,6 +119,7 @@ class Connection(QObject):
     def open(self, device: Device) -> None:
         """Open a device; nothing may be open."""
         # python-can and cantools are loaded with the first device: the window starts without them
+        from armui.bus.opening import opener_after  # noqa: PLC0415
         from armui.bus.worker import BusWorker  # noqa: PLC0415
         from armui.protocol.codec import Codec  # noqa: PLC0415
 
@@ -107,13 +128,15 @@ class Connection(QObject):
         self._codec = Codec(Generation.TWO)
         self.offsets = OffsetFollower()
         self._bus_state = BusState.OPENING
+        self._worker_number = next(self._worker_numbers)
+        # without a parent: a thread that a driver keeps from ending must not be destroyed
         self._worker = BusWorker(
             device,
-            self._opener,
+            opener_after(tuple(self._ending), self._opener),
             self._codec,
             self._clock,
-            self,
             listen_only=device.listen_only,
+            number=self._worker_number,
         )
         self._worker.reported.connect(self._on_report)
         self._worker.answered.connect(self.answered)
@@ -123,8 +146,11 @@ class Connection(QObject):
         """Close the device and forget the arm."""
         if self._worker is not None:
             self._worker.reported.disconnect(self._on_report)
-            self._worker.close()
-            self._worker.deleteLater()
+            self._worker.answered.disconnect(self.answered)
+            self._worker.finished.connect(self._on_ended)
+            self._ending.append(self._worker)
+            self._worker.close(_CLOSE_MS)
+            self._on_ended()
         self._worker = None
         self._bus_state = BusState.CLOSED
         self._online = False
@@ -133,10 +159,32 @@ class Connection(QObject):
         self.problem = None
         self.handshake = None
 
+    def wait_until_sent(self, within_s: float) -> None:
+        """Give a driver that is busy a moment for what waits; only at the end of the program."""
+        deadline_s = time.monotonic() + within_s
+        while not self.idle and time.monotonic() < deadline_s:
+            time.sleep(0.005)
+
+    def end(self, within_s: float) -> bool:
+        """Close the device; returns whether every thread has ended within a time."""
+        self.close()
+        deadline_s = time.monotonic() + within_s
+        for worker in tuple(self._ending):
+            worker.wait(max(0, round(1e3 * (deadline_s - time.monotonic()))))
+        self._on_ended()
+        return not self._ending
+
+    def _on_ended(self) -> None:
+        """Let go of the threads that have ended; one that runs must not be destroyed."""
+        for worker in [one for one in self._ending if one.isFinished()]:
+            worker.wait()  # the signal comes a moment before the thread has ended
+            self._ending.remove(worker)
+            worker.deleteLater()
+
     @property
     def newest(self) -> ArmState:
         """The arm as heard until this very moment, newer than the controller's last tick."""
-        return ArmState() if self._worker is None else self._worker.state
+        return ArmState() if self._worker is None else self._understood(self._worker.state)
 
     @property
     def traffic(self) -> OtherTraffic:
@@ -169,28 +217,53 @@ class Connection(QObject):
         if self._worker is None:
             return ArmState()
         state = self._worker.state
+        if state.silences or self._another_answers(state):
+            # Off for one look at least: whatever is under way ends, and begins from nothing.
+            self._start_anew(self._worker, now_s)
+            return self.newest
         # A handshake starts with an empty picture of the arm: that is no silence.
         self._last_feedback_s = state.last_feedback_s or self._last_feedback_s
         is_open = self._bus_state in _IS_OPEN
         online = is_open and is_fresh(self._last_feedback_s, now_s)
         came = online and not self._online
         moved = is_open and self.offsets.advance(state, now_s, came=came)
-        if came or moved:
-            self.handshake = self._begin_handshake(self._worker, now_s)
         self._online = online
+        if came or moved:
+            self._begin_handshake(self._worker, now_s)
+        if came:
+            self._arms += 1
+            self.arm_came.emit()
         if self.handshake is not None and online:
-            self.handshake.advance(state, now_s)
+            self.handshake.advance(self._worker.state, now_s)
             self._codec = self.handshake.codec
-        return state
+        return self.newest
 
-    def _begin_handshake(self, worker: BusWorker, now_s: float) -> Handshake:
+    def _understood(self, state: ArmState) -> ArmState:
+        """What can be told of the arm as long as it is not known which protocol it speaks."""
+        return state if self.generation is not None else common_to_generations(state)
+
+    def _another_answers(self, state: ArmState) -> bool:
+        """Whether an arm has named another version than the one of the handshake."""
+        known = None if self.handshake is None else self.handshake.firmware
+        return known is not None and state.firmware not in {None, known}
+
+    def _start_anew(self, worker: BusWorker, now_s: float) -> None:
+        """Forget the arm: the next feedback is that of an arm that comes."""
+        self.handshake = None
+        self._online = False
+        self._last_feedback_s = None
+        self.offsets.listen_anew(now_s)
+        worker.use_codec(self.codec)
+
+    def _begin_handshake(self, worker: BusWorker, now_s: float) -> None:
         from armui.control.handshake import Handshake  # noqa: PLC0415 - see open()
 
-        handshake = Handshake(worker, now_s, self.offsets.addressing)
-        self._codec = handshake.codec
-        return handshake
+        self.handshake = Handshake(worker, now_s, self.offsets.addressing)
+        self._codec = self.handshake.codec
 
     def _on_report(self, report: BusReport) -> None:
+        if self._worker is None or report.worker != self._worker_number:
+            return  # a late word of a device that was left meanwhile
         before, self._bus_state = self._bus_state, report.state
         if report.state is BusState.OPEN:
             self.problem = None
@@ -200,7 +273,7 @@ class Connection(QObject):
             self.changed.emit(report, "bus_blocked")
         elif report.state is BusState.LOST:
             self.problem = report.problem
-            self._online = False
+            self._start_anew(self._worker, self._clock())
             if before is not BusState.LOST:
                 self.changed.emit(report, "link_lost")
         elif report.state is BusState.FAILED:

@@ -40,16 +40,16 @@ class DeviceFinder(QObject):
         """Search, unless a search is under way already."""
         if self._search is not None:
             return
-        self._search = DeviceSearch(self._simulated, self._find, parent=self)
+        # without a parent: a search that a driver keeps from ending must not be destroyed
+        self._search = DeviceSearch(self._simulated, self._find)
         self._search.found.connect(self.found)
         self._search.finished.connect(self._on_finished)
         self.searching_changed.emit(True)
         self._search.start()
 
-    def wait(self) -> None:
-        """Return when no search is under way."""
-        if self._search is not None:
-            self._search.wait()
+    def end(self, within_s: float) -> bool:
+        """Wait for a search to end; returns whether it has within a time."""
+        return self._search is None or self._search.wait(round(1e3 * within_s))
 
     def _on_finished(self) -> None:
         if self._search is not None:

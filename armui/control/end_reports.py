@@ -49,6 +49,7 @@ class EndReports:
                 commands.set_load(context.connection.codec, load),
                 partial(self._after_load, load),
                 SettingIndex.PARAMETER_COMMAND,
+                recheck=self.why_no_load,
                 ends_with_stop=True,
                 alters="end_reports",
             )
@@ -84,7 +85,7 @@ class EndReports:
 
     def _why_not(self) -> Refusal | None:
         connection = self._context.connection
-        refusal = why_unreachable(connection.link)
+        refusal = why_unreachable(connection.link, connection.device)
         if refusal is not None:
             return refusal
         if connection.generation is None:

@@ -6,7 +6,7 @@ from typing import Final
 
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Six
-from armui.control.situation import Busy, LinkState, StopState, why_unreachable
+from armui.control.situation import Busy, StopState
 from armui.protocol.codes import ArmStatusCode, ControlMode
 
 MOVABLE_MODES: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})
@@ -22,9 +22,16 @@ _MOVABLE_STATUSES: Final = frozenset(
 )
 
 
-def why_no_command(link: LinkState, stop: StopState, busy: Busy | None) -> Refusal | None:
-    """The reason against any command but the stop."""
-    unreachable = why_unreachable(link)
+def why_no_command(
+    unreachable: Refusal | None, stop: StopState, busy: Busy | None
+) -> Refusal | None:
+    """The reason against any command but the stop.
+
+    Args:
+        unreachable: Why nothing can be sent at all.
+        stop: Where the emergency stop stands.
+        busy: What the program is waiting for.
+    """
     if unreachable is not None:
         return unreachable
     if stop is StopState.REQUESTED:

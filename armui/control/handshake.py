@@ -14,7 +14,11 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 
 _VERSION_WAIT_S: Final = 0.5
-"""No version text within this time: generation 1 (see the table of the two generations)."""
+"""So long an answer is collected. A second question during it would shift its text."""
+_VERSION_ROUNDS: Final = 2
+"""Unanswered so often: generation 1 (see the table of the two generations)."""
+_FAST_PER_S: Final = 1500.0
+"""Between the frames a second of generation 1 (some 700) and of generation 2 (some 3,000)."""
 _ASK_AGAIN_S: Final = 0.2
 _LIMIT_ROUNDS: Final = 5
 
@@ -23,10 +27,10 @@ class Wire(Protocol):
     """What a handshake needs of the bus thread."""
 
     def send(self, frames: Sequence[Frame]) -> bool:
-        """Queue frames."""
+        """Queue frames; whether they may go out at all."""
 
     def use_codec(self, codec: Codec) -> None:
-        """Speak another generation from now on."""
+        """Forget what was heard, and speak another generation from now on."""
 
 
 class Phase(enum.Enum):
@@ -40,18 +44,23 @@ class Phase(enum.Enum):
 class Handshake:
     """Driven by :meth:`advance` from the first feedback on, until :attr:`phase` is ``DONE``.
 
+    It begins with nothing heard. The states it is given must have been heard since it began:
+    the bus thread sees to that (:meth:`armui.bus.worker.BusWorker.use_codec`).
+
     Attributes:
         generation: Which protocol the arm speaks, once known.
+        firmware: The version it named; ``None`` in generation 1, and where its text was unreadable.
         codec: What to speak now.
     """
 
     def __init__(self, wire: Wire, now_s: float, addressing: Addressing = Addressing()) -> None:  # noqa: B008 - frozen
         self.phase = Phase.GENERATION
         self.generation: Generation | None = None
+        self.firmware: str | None = None
         self.codec = Codec(Generation.TWO, addressing)
         self._wire = wire
-        self._started_s = now_s
-        self._next_s = now_s
+        self._asked = False
+        self._began_s = self._next_s = now_s
         self._rounds = 0
         wire.use_codec(self.codec)
 
@@ -69,19 +78,34 @@ class Handshake:
 
     def _find_generation(self, state: ArmState, now_s: float) -> None:
         if state.firmware is not None:
+            self.firmware = state.firmware
             self._settle(Generation.TWO, now_s)
-        elif now_s - self._started_s >= _VERSION_WAIT_S:
+        elif now_s < self._next_s:
+            return
+        elif self._rounds < _VERSION_ROUNDS:
+            self._rounds += 1
+            self._asked |= self._wire.send(commands.query_firmware(self.codec))
+            self._next_s = now_s + _VERSION_WAIT_S
+        elif state.version_heard_s is not None or self._speaks_fast(state, now_s):
+            # it answered, and only generation 2 does, though no version can be read in the answer
+            self._settle(Generation.TWO, now_s)
+        else:
             self.codec = Codec(Generation.ONE, self.codec.addressing)
             self._wire.use_codec(self.codec)
             self._settle(Generation.ONE, now_s)
-        elif now_s >= self._next_s:
-            self._wire.send(commands.query_firmware(self.codec))
-            self._next_s = now_s + _ASK_AGAIN_S
+
+    def _speaks_fast(self, state: ArmState, now_s: float) -> bool:
+        """Whether an arm that must not be asked speaks as often as generation 2.
+
+        On a connection that only listens its silence says nothing.
+        """
+        return not self._asked and state.frames / (now_s - self._began_s) > _FAST_PER_S
 
     def _settle(self, generation: Generation, now_s: float) -> None:
         self.generation = generation
         self.phase = Phase.LIMITS
         self._next_s = now_s
+        self._rounds = 0
 
     def _read_limits(self, state: ArmState, now_s: float) -> None:
         missing = state.joints_without_limits()

@@ -37,7 +37,10 @@ class JointErrors:
     def why_not(self) -> Refusal | None:
         """The reason against clearing an error now, or ``None``; one after the other may be."""
         context = self._context
-        return why_unreachable(context.connection.link) or context.situation().occupied
+        return (
+            why_unreachable(context.connection.link, context.connection.device)
+            or context.situation().occupied
+        )
 
     def clear(self, joint: int) -> Refusal | None:
         """Ask a joint (1–6, 7 all) to clear its error: ``None`` if it is on its way, or why not."""
@@ -54,6 +57,7 @@ class JointErrors:
                 commands.clear_joint_error(context.connection.codec, joint),
                 partial(self._on_finished, joint),
                 SettingIndex.JOINT_SETTING,
+                recheck=self.why_not,
                 alters="clearing_error",
             )
         )

@@ -86,6 +86,7 @@ class Linkage:
                 frames,
                 partial(self._on_finished, role),
                 SettingIndex.LINKAGE_SETTING,
+                recheck=self._why_in_use,
                 alters="linkage",
             )
         )
@@ -98,12 +99,18 @@ class Linkage:
     def why_not(self) -> Refusal | None:
         """The reason against a setting now, or ``None``: it may be made."""
         context = self._context
-        situation = context.situation()
         link = context.connection.link
+        if context.situation().listens_only:
+            return Refusal("listen_only")
         if link is not LinkState.OFFLINE and (refusal := why_unreachable(link)) is not None:
             return refusal
         if self._busy:
             return Refusal("busy", {"what": "linkage"})
+        return self._why_in_use()
+
+    def _why_in_use(self) -> Refusal | None:
+        """What the arm does that a change of its identifiers would cut off."""
+        situation = self._context.situation()
         if situation.occupied is not None:
             return situation.occupied
         return Refusal("linkage_while_moving") if situation.moving else None

@@ -53,7 +53,7 @@ class Motion:
         self.speed_percent = round(percent)
         situation = context.situation()
         tellable = situation.control_certain and not situation.jogging
-        tellable &= gate.why_no_command(situation.link, situation.stop, None) is None
+        tellable &= gate.why_no_command(situation.unreachable, situation.stop, None) is None
         if tellable and self.tell_speed():
             context.tell("sent_speed", percent=self.speed_percent)
         if context.authority.holds:
@@ -130,7 +130,7 @@ class Motion:
         occupied = situation.occupied is not None or authority.mode_in_force() is None
         if occupied or not situation.control_certain or not self._settled():
             return
-        if gate.why_no_command(situation.link, situation.stop, situation.busy) is None:
+        if gate.why_no_command(situation.unreachable, situation.stop, situation.busy) is None:
             self.tell_speed()
 
     def _settled(self) -> bool:

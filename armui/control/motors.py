@@ -65,6 +65,8 @@ class Motors:
         situation = self._context.situation()
         if situation.stop is not StopState.STOPPED:
             return Refusal("not_stopped")
+        if situation.listens_only:
+            return Refusal("listen_only")
         return None if situation.control_certain else Refusal("control_offset_unknown")
 
     def resume(self) -> Refusal | None:

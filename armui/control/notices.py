@@ -123,6 +123,8 @@ CODES: Final[Mapping[str, Level]] = {
     "limits_missing": Level.WARNING,  # joints
     "limits_corrupt": Level.WARNING,  # joint
     "part_failed": Level.FAULT,  # part
+    "settings_shared": Level.WARNING,  # path, count
+    "channel_shared": Level.WARNING,  # device, count
     "refused": Level.WARNING,  # reason
 }
 """Notice code to its level."""
@@ -135,6 +137,7 @@ REFUSALS: Final = frozenset(
         "stopped",
         "stop_requested",
         "halt_listen_only",
+        "listen_only",
         "not_stopped",
         "busy",  # what
         "step_gone",
@@ -206,6 +209,7 @@ REFUSALS: Final = frozenset(
         "run_not_ended",
         "replay_too_fast",  # joint, value, maximum, percent
         "replay_lagging",  # joint, away
+        "replay_gap",  # seconds
         "gripper_other_generation",  # row
         "setting_out_of_range",  # parameter, joint, value, minimum, maximum
         "setting_not_a_number",  # parameter, joint, value, minimum, maximum
@@ -241,6 +245,10 @@ REFUSALS: Final = frozenset(
         "joints_moving",  # joints
         "zero_not_set",  # joints
         "zero_not_taken",  # joints
+        "zero_moved",  # joints
+        "order_too_late",
+        "arm_changed",
+        "part_failed",
         "ended_by_stop",
         "other_control",  # mode
         "arm_fault",  # status

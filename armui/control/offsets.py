@@ -80,6 +80,10 @@ class OffsetFollower:
         if self.wished is not None:
             self.wished = replace(self.wished, answered_s=now_s)
 
+    def listen_anew(self, now_s: float) -> None:
+        """What was heard before is forgotten: give the known feedback time to be heard again."""
+        self._listening_since_s = now_s
+
     def advance(self, state: ArmState, now_s: float, *, came: bool) -> bool:
         """Take in what was heard; whether other identifiers are in use from now on.
 
@@ -88,11 +92,13 @@ class OffsetFollower:
             now_s: Monotonic time.
             came: It has come online just now: what it keeps is in use after a power cycle.
         """
-        if self._listening_since_s is None:
+        if self._listening_since_s is None or came:
             self._listening_since_s = now_s
         wished = self.wished
         if wished is not None and self._taken_unseen(wished, state, came=came):
             return self._use(wished.addressing, now_s, known=True)
+        if came and self.addressing.control_offset:
+            self.control_known = False  # nothing proves that it is the arm that was set
         own = OFFSETS.index(self.addressing.feedback_offset)
         last_s = max(state.status_heard_s[own] or 0.0, self._listening_since_s)
         if now_s - last_s < _SILENT_S:

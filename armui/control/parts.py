@@ -19,17 +19,27 @@ class Parts:
     Args:
         parts: In the order in which they act.
         tell: Takes the notices.
+        end_motion: Called with the module of a part that fails after it has worked: the motion it
+            is in charge of must not go on unwatched.
     """
 
-    def __init__(self, parts: Sequence[Part], tell: Tell) -> None:
+    def __init__(
+        self,
+        parts: Sequence[Part],
+        tell: Tell,
+        end_motion: Callable[[str], None] = lambda _module: None,
+    ) -> None:
         self._parts = parts
         self._tell = tell
+        self._end_motion = end_motion
         self._failed: set[str] = set()
+        self._out_of_order: set[str] = set()
 
     def advance(self) -> None:
         """Have each look at what was heard; see :meth:`Part.advance`."""
         for part in self._parts:
-            self._have(part, part.advance)
+            if self._have(part, part.advance):
+                self._out_of_order.discard(type(part).__name__)
 
     def halt(self) -> None:
         """Have each give up what would move the arm; see :meth:`Part.halt`."""
@@ -41,7 +51,7 @@ class Parts:
         for part in self._parts:
             self._have(part, part.forget)
 
-    def _have(self, part: Part, act: Callable[[], None]) -> None:
+    def _have(self, part: Part, act: Callable[[], None]) -> bool:
         name = type(part).__name__
         try:
             act()
@@ -50,3 +60,8 @@ class Parts:
             if name not in self._failed:
                 self._failed.add(name)
                 self._tell("part_failed", part=name)
+            if name not in self._out_of_order:
+                self._out_of_order.add(name)
+                self._end_motion(type(part).__module__)
+            return False
+        return True

@@ -42,7 +42,7 @@ class PlannedMotion:
     def why_not(self, command: TrajectoryCommand) -> Refusal | None:
         """The reason against a command now, or ``None``: it may be given."""
         situation = self._context.situation()
-        refusal = gate.why_no_command(situation.link, situation.stop, situation.busy)
+        refusal = gate.why_no_command(situation.unreachable, situation.stop, situation.busy)
         if refusal is None and not situation.control_certain:
             refusal = Refusal("control_offset_unknown")
         if refusal is not None or command in _ENDS:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-from datetime import datetime
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
@@ -13,8 +11,7 @@ from armui.control.context import Context
 from armui.control.situation import why_unreachable
 
 if TYPE_CHECKING:
-    from armui.bus.samples import Sample
-    from armui.trajectory.recording import Recording
+    from armui.control.sample_store import Recorded, SampleStore
 
 
 class Recorder(QObject):
@@ -34,7 +31,7 @@ class Recorder(QObject):
     def __init__(self, context: Context, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._context = context
-        self._samples: list[Sample] = []
+        self._samples: SampleStore | None = None
         self._recording = False
         self.dropped = 0
 
@@ -46,12 +43,12 @@ class Recorder(QObject):
     @property
     def count(self) -> int:
         """How many samples there are."""
-        return len(self._samples)
+        return 0 if self._samples is None else len(self._samples)
 
     @property
     def duration_s(self) -> float:
         """From the first sample to the last."""
-        return self._samples[-1].at_s - self._samples[0].at_s if self._samples else 0.0
+        return 0.0 if self._samples is None else self._samples.duration_s
 
     def start(self) -> Refusal | None:
         """Begin anew: ``None``, or why not."""
@@ -60,7 +57,9 @@ class Recorder(QObject):
             refusal = Refusal("busy", {"what": "recording"})
         if refusal is not None:
             return self._context.refuse(refusal)
-        self._samples = []
+        from armui.control.sample_store import SampleStore  # noqa: PLC0415 - numpy, faster start
+
+        self._samples = SampleStore()
         self.dropped = 0
         ring = self._context.connection.samples
         ring.take()
@@ -70,41 +69,27 @@ class Recorder(QObject):
         self.changed.emit()
         return None
 
-    def finish(self, name: str) -> Recording | None:
+    def finish(self, name: str) -> Recorded | None:
         """End recording.
 
         Args:
             name: What it is to be called.
 
         Returns:
-            What was recorded since :meth:`start`, ``None`` if that is nothing.
+            What was recorded since :meth:`start`, to be joined in another thread; ``None`` if
+            that is nothing.
         """
-        import numpy as np  # noqa: PLC0415 - loaded when there is something to keep
-
-        from armui.trajectory.recording import Recording  # noqa: PLC0415
-
         if self._recording:
             self._end()
-        if not self._samples:
-            return None
-        start_s = self._samples[0].at_s
-        rows = [
-            (
-                sample.at_s - start_s,
-                *sample.joints_deg,
-                math.nan if sample.gripper_mm is None else sample.gripper_mm,
-            )
-            for sample in self._samples
-        ]
-        return Recording(name, samples=np.array(rows), modified=datetime.now().astimezone())
+        return None if self._samples is None else self._samples.recorded(name)
 
     def advance(self) -> None:
         """Take in what has come; the controller's tick calls it."""
         if not self._recording:
             return
         taken = self._context.connection.samples.take()
-        if taken:
-            self._samples += taken
+        if taken and self._samples is not None:
+            self._samples.extend(taken)
             self.dropped = self._context.connection.samples.dropped
             self.changed.emit()
 

@@ -269,6 +269,12 @@ _RULES: Final = (
         _when(lambda view: view.situation.stop is StopState.REQUESTED),
     ),
     _Rule(Kind.OFFLINE, Level.WARNING, Action.CONNECT, _link(LinkState.OFFLINE)),
+    _Rule(
+        Kind.LISTEN_ONLY,
+        Level.INFO,
+        Action.CONNECT,
+        _when(lambda view: view.situation.listens_only),
+    ),
     _Rule(Kind.WORKING, Level.INFO, None, _working),
     _Rule(
         Kind.STOPPED,

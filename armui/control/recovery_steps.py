@@ -67,6 +67,7 @@ class Kind(enum.Enum):
     STOP_UNCONFIRMED = "stop_unconfirmed"
     STOP_REQUESTED = "stop_requested"
     OFFLINE = "offline"
+    LISTEN_ONLY = "listen_only"
     WORKING = "working"  # what
     STOPPED = "stopped"
     HANDSHAKE = "handshake"

@@ -7,18 +7,16 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Final
 
-import numpy as np
-
 from armui.arm.limits import JOINTS, check_joint
 from armui.arm.refusal import Refusal
+from armui.trajectory.replay_profile import ReplayProfile, replay_profile
+from armui.trajectory.sample_cursor import SampleCursor
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
     from armui.control.situation import Situation
-    from armui.trajectory.recording import Array, Recording
+    from armui.trajectory.recording import Recording
 
-_SPEED_OVER_S: Final = 0.1
-"""Speeds are taken over so long: samples carry the bus's jitter."""
 _SPEED_SLACK: Final = 1.02
 _LAG_SLACK_DEG: Final = 5.0
 _LAG_S: Final = 0.15
@@ -35,11 +33,13 @@ class Replay:
         recording: The samples.
         factor: On the recorded speed.
         laps: How often; :data:`armui.control.run.ENDLESS` until it is ended.
+        profile: What was worked out of the recording before; it takes long for a long one.
     """
 
     recording: Recording
     factor: float = 1.0
     laps: int = 1
+    profile: ReplayProfile | None = None
 
     @property
     def duration_s(self) -> float:
@@ -52,36 +52,26 @@ class Replay:
         return tuple(float(angle) for angle in self.recording.joints_deg[0])
 
     @cached_property
-    def _times_s(self) -> Array:
-        times: Array = self.recording.times_s - self.recording.times_s[0]
-        return times
+    def known(self) -> ReplayProfile:
+        """Extremes and speeds at the recorded speed."""
+        return replay_profile(self.recording) if self.profile is None else self.profile
 
     @cached_property
-    def speeds_deg_s(self) -> Array:
-        """(n, 6) how fast each joint is asked to turn at each sample."""
-        before, after = self._times_s - _SPEED_OVER_S / 2, self._times_s + _SPEED_OVER_S / 2
-        spans = np.clip(after, 0, self._times_s[-1]) - np.clip(before, 0, self._times_s[-1])
-        ways = np.column_stack(
-            [
-                np.interp(after, self._times_s, angles) - np.interp(before, self._times_s, angles)
-                for angles in self.recording.joints_deg.T
-            ]
-        )
-        speeds: Array = np.abs(ways) / np.maximum(spans, 1e-9)[:, None] * self.factor
-        return speeds
+    def _cursor(self) -> SampleCursor:
+        return SampleCursor(self.recording)
+
+    @cached_property
+    def _cursor_behind(self) -> SampleCursor:
+        """Follows the first one, :data:`_LAG_MEMORY_S` behind it."""
+        return SampleCursor(self.recording)
 
     def joints_deg_at(self, at_s: float) -> tuple[float, ...]:
         """Where the joints shall be, so long after the first sample of a lap."""
-        recorded_s = at_s * self.factor
-        return tuple(
-            float(np.interp(recorded_s, self._times_s, angles))
-            for angles in self.recording.joints_deg.T
-        )
+        return self._cursor.joints_deg_at(at_s * self.factor)
 
     def gripper_mm_at(self, at_s: float) -> float | None:
         """How far open the gripper shall be, ``None`` where that was not recorded."""
-        index = int(np.searchsorted(self._times_s, at_s * self.factor, side="right")) - 1
-        opening_mm = float(self.recording.gripper_mm[max(0, index)])
+        opening_mm = self._cursor.gripper_mm_at(at_s * self.factor)
         return None if math.isnan(opening_mm) else opening_mm
 
     def lag_allowed_deg(self, at_s: float, state: ArmState) -> tuple[float, ...]:
@@ -90,15 +80,14 @@ class Replay:
         An arm that brakes late for a target that has turned round already is no obstacle's work:
         the fastest of the last second counts.
         """
-        recorded_s = at_s * self.factor
-        last = int(np.searchsorted(self._times_s, recorded_s, side="right"))
-        first = int(np.searchsorted(self._times_s, recorded_s - _LAG_MEMORY_S * self.factor))
-        speeds = self.speeds_deg_s[min(first, last - 1) : last].max(axis=0)
+        last = self._cursor.index_at(at_s * self.factor)
+        first = self._cursor_behind.index_at((at_s - _LAG_MEMORY_S) * self.factor)
+        highest = self.known.speeds_deg_s[first : last + 1].max(axis=0)
+        speeds = (self.factor * highest).tolist()
         return tuple(
             _LAG_SLACK_DEG
-            + _LAG_S * float(speed)
-            + float(speed) ** 2
-            / (2.0 * (heard.value if heard is not None else _ACCELERATION_DEG_S2))
+            + _LAG_S * speed
+            + speed**2 / (2.0 * (heard.value if heard is not None else _ACCELERATION_DEG_S2))
             for speed, heard in zip(speeds, state.accelerations_deg_s2, strict=True)
         )
 
@@ -108,18 +97,20 @@ def why_not(replay: Replay, situation: Situation) -> Refusal | None:
     recording = replay.recording
     if len(recording.samples) < 2 or recording.duration_s <= 0.0:
         return Refusal("run_empty", {"name": recording.name})
-    for joint, limits, angles, speeds in zip(
+    known = replay.known
+    for joint, limits, low_deg, high_deg, recorded_deg_s in zip(
         JOINTS,
         situation.limits,
-        recording.joints_deg.T,
-        replay.speeds_deg_s.T,
+        known.low_deg,
+        known.high_deg,
+        known.fastest_deg_s,
         strict=True,
     ):
-        for angle_deg in (float(angles.min()), float(angles.max())):
+        for angle_deg in (low_deg, high_deg):
             refusal = check_joint(joint, angle_deg, limits)
             if refusal is not None:
                 return refusal
-        fastest = float(speeds.max())
+        fastest = recorded_deg_s * replay.factor
         if fastest > limits.max_speed_deg_s * _SPEED_SLACK:
             best = replay.factor * limits.max_speed_deg_s / fastest
             return Refusal(

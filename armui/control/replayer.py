@@ -28,6 +28,11 @@ _APPROACH_WITHIN_S: Final = 90.0
 _REST_WITHIN_S: Final = 3.0
 _GRIPPER_STEP_MM: Final = 0.5
 _GRIPPER_TORQUE_NM: Final = 1.0
+_GAP_S: Final = 0.08
+"""After a longer pause of the program the recorded time goes on by one period only, so that the arm
+is never asked to catch up; jogs end after the same time."""
+_LONGEST_GAP_S: Final = 0.5
+"""After a pause this long, or a sleep of the computer, a replay does not go on by itself."""
 
 
 class Replayer(Execution):
@@ -109,7 +114,7 @@ class Replayer(Execution):
         replay = self._replay
         if replay is None or not self.running:
             return
-        reason = self._context.situation().cannot_run
+        reason = self._why_late() or self._context.situation().cannot_run
         if reason is not None:
             self._fail(reason)
         elif self._phase is Phase.STOPPING:
@@ -165,14 +170,24 @@ class Replayer(Execution):
         self._command, self._watch = sent, None
         self._since_s, self._at_s = now_s, 0.0
 
+    def _why_late(self) -> Refusal | None:
+        """Why a stream of targets does not go on after a long pause of the program."""
+        if self._phase is not Phase.MOVING or self._watch is not None:
+            return None
+        gap_s = self._context.clock() - self._since_s
+        if gap_s < _LONGEST_GAP_S:
+            return None
+        return Refusal("replay_gap", {"seconds": round(gap_s, 1)})
+
     def _stream(self, replay: Replay) -> None:
         from armui.control.replay import why_behind  # noqa: PLC0415 - loaded by start()
 
         now_s = self._context.clock()
         if now_s <= self._since_s:
             return
-        self._at_s = min(self._at_s + now_s - self._since_s, replay.duration_s)
-        self._since_s = now_s
+        gap_s, self._since_s = now_s - self._since_s, now_s
+        gone_s = gap_s if gap_s <= _GAP_S else PERIOD_MS / 1e3
+        self._at_s = min(self._at_s + gone_s, replay.duration_s)
         behind = why_behind(replay, self._at_s, self._context.state())
         if behind is not None:
             self._fail(behind)

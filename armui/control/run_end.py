@@ -38,6 +38,8 @@ def cut_short(context: Context) -> bool:
     whether it is on the bus.
     """
     connection = context.connection
+    if connection.device is None or connection.device.listen_only:
+        return False
     frames = commands.trajectory_command(connection.codec, TrajectoryCommand.ABORT)
     context.authority.cancelled(context.clock())
     return connection.send_urgent(frames)

@@ -92,15 +92,18 @@ def crossed(state: ArmState, batch: Batch, changes: Changes) -> Refusal | None:
 def _unknown_neighbour(
     codec: Codec, state: ArmState, batch: Batch, changes: Changes
 ) -> Refusal | None:
-    """A value that must be sent along unchanged, and is not known."""
-    if can_leave_unchanged(codec, batch):
-        return None
+    """A value that is to stay as it is, and is not known.
+
+    Generation 2 can be told to leave it. Even so it must have been read from this very arm: to one
+    of generation 1 the mark for «leave it» is a value (0x7FFF, 32.767).
+    """
+    leaves = can_leave_unchanged(codec, batch)
     for parameter in batch.parameters():
         if parameter in changes:
             continue
         figures: dict[str, int | str] = {"parameter": parameter.name, "joint": parameter.joint}
         if heard(state, parameter) is None:
             return Refusal("setting_unknown", figures)
-        if is_corrupt(state, parameter):
+        if is_corrupt(state, parameter) and not leaves:
             return Refusal("setting_corrupt", figures)
     return None

@@ -29,8 +29,15 @@ class LinkState(enum.Enum):
     """The device is gone; the program keeps trying to reopen it."""
 
 
-def why_unreachable(link: LinkState) -> Refusal | None:
-    """The reason against sending anything at all: no arm is heard."""
+def why_unreachable(link: LinkState, device: Device | None = None) -> Refusal | None:
+    """The reason against sending anything at all: no arm is heard, or it is only listened to.
+
+    Args:
+        link: How the program stands to its arm.
+        device: What is open; ``None`` where something may be done to an arm that is listened to.
+    """
+    if device is not None and device.listen_only and link is LinkState.ONLINE:
+        return Refusal("listen_only")
     if link is LinkState.LOST:
         return Refusal("link_lost")
     if link is LinkState.OFFLINE:
@@ -142,7 +149,12 @@ class Situation:
     @property
     def unreachable(self) -> Refusal | None:
         """Why nothing can be sent to the arm, or ``None``: it is online."""
-        return why_unreachable(self.link)
+        return why_unreachable(self.link, self.device)
+
+    @property
+    def listens_only(self) -> bool:
+        """Whether the connection sends nothing but an operator's stop."""
+        return self.device is not None and self.device.listen_only
 
     @property
     def occupied(self) -> Refusal | None:

@@ -119,7 +119,7 @@ def farthest_from_rest(state: ArmState) -> tuple[int, float] | None:
 
 def why_not(command: TeachingState, state: ArmState, situation: Situation) -> Refusal | None:
     """The reason against a command of 0x150 byte 2 now, or ``None``: it makes sense."""
-    refusal = gate.why_no_command(situation.link, situation.stop, situation.busy)
+    refusal = gate.why_no_command(situation.unreachable, situation.stop, situation.busy)
     if refusal is None and not situation.control_certain:
         refusal = Refusal("control_offset_unknown")
     if refusal is not None:

@@ -14,7 +14,7 @@ from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control import teaching_phase
-from armui.control.gate import joint_list
+from armui.control.gate import joint_list, why_no_command
 from armui.control.joint_speeds import why_not_still
 from armui.control.orders import Order, OrderLine, ReadBack
 from armui.protocol import commands
@@ -30,6 +30,8 @@ ENDED: Final = frozenset({"zero_set", "zero_set_joint", "zero_failed"})
 """Notices after which the angles may be counted anew: places entered before are other places."""
 
 _AT_ZERO_DEG: Final = 0.5
+_SAME_PLACE_DEG: Final = 0.5
+"""A joint that has moved less since the press stands where the operator put it."""
 _LONGEST_S: Final = 0.3
 """By then the new zero must show in the angles; a moment after the answer they may be old ones."""
 
@@ -76,12 +78,13 @@ class Zeroing:
             ``None`` if it is on its way, or why nothing was sent.
         """
         context = self._context
-        refusal = self.why_not() or why_not_still(context.state())
+        state = context.state()
+        joints = JOINTS if joint == ALL_JOINTS else (joint,)
+        refusal = self.why_not() or why_not_still(state) or self._why_unheard(joints)
         if refusal is not None:
             return context.refuse(refusal)
         self._before_zeroing()
         self._busy = True
-        joints = JOINTS if joint == ALL_JOINTS else (joint,)
         context.tell("zero_sent" if joint == ALL_JOINTS else "zero_sent_joint", joint=joint)
         self._orders.submit(
             Order(
@@ -89,13 +92,35 @@ class Zeroing:
                 partial(self._on_finished, joint),
                 SettingIndex.JOINT_SETTING,
                 against=partial(_against_answer, joint_list(list(joints))),
-                read_back=ReadBack((), partial(_shown, joints), partial(_not_at_zero, joints)),
+                read_back=ReadBack(
+                    (),
+                    partial(_shown, joints),
+                    partial(_not_at_zero, joints),
+                    proves=bool(_off_zero(joints, state)),
+                ),
+                recheck=partial(self._why_not_any_more, joints, state),
+                # given again, it would make a zero of wherever the joint stands by then
+                attempts=1,
                 ends_with_stop=True,
                 alters="zeroing",
             )
         )
         context.situation()
         return None
+
+    def _why_unheard(self, joints: Sequence[int]) -> Refusal | None:
+        """The angles of the joints are not heard: what became of the zero could not be seen."""
+        state, now_s = self._context.state(), self._context.clock()
+        heard = [state.joints_deg[joint - 1] for joint in joints]
+        known = all(each is not None and each.fresh(now_s) for each in heard)
+        return None if known else Refusal("joints_unknown")
+
+    def _why_not_any_more(self, joints: Sequence[int], pressed: ArmState) -> Refusal | None:
+        """What has come up since the press: a stop, a motion, a joint that stands elsewhere."""
+        situation, state = self._context.situation(), self._context.state()
+        refusal = why_no_command(situation.unreachable, situation.stop, None)
+        refusal = refusal or situation.occupied or why_not_still(state)
+        return refusal or self._why_unheard(joints) or _why_elsewhere(joints, pressed, state)
 
     def _on_finished(self, joint: int, refusal: Refusal | None) -> None:
         self._busy = False
@@ -111,6 +136,18 @@ def _against_answer(joints: str, answer: Message) -> Refusal | None:
     if answer.signals["ZeroSet"] == 1:
         return None
     return Refusal("zero_not_set", {"joints": joints})
+
+
+def _why_elsewhere(joints: Sequence[int], before: ArmState, now: ArmState) -> Refusal | None:
+    """The joints that do not stand where they stood, as a reason."""
+    moved = [
+        joint
+        for joint in joints
+        if (old := before.joints_deg[joint - 1]) is None
+        or (new := now.joints_deg[joint - 1]) is None
+        or abs(new.value - old.value) > _SAME_PLACE_DEG
+    ]
+    return Refusal("zero_moved", {"joints": joint_list(moved)}) if moved else None
 
 
 def _off_zero(joints: Sequence[int], state: ArmState) -> list[int]:

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import re
 import statistics
 from typing import TYPE_CHECKING, NamedTuple
 
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
+from armui.protocol.version import LONGEST, VERSION_ID, find_version, is_question
 
 if TYPE_CHECKING:
     from armui.protocol.frame import Frame
 
-_VERSION_ID = 0x4AF
-_VERSION_TEXT = re.compile(rb"S-V\d+\.\d+-\d+")
-_VERSION_QUERY = bytes((1, 0, 0, 0, 0, 0, 0, 0))
 _CLEAR_LEAD = 20
 """So many frames of one generation more than of the other leave no doubt."""
 _CYCLIC_IDS = (0x2A1, 0x2A5, 0x251)
@@ -64,7 +61,7 @@ class GenerationDetector:
             frame: The frame.
             time_s: When it was recorded; only differences matter.
         """
-        if frame.arbitration_id == _VERSION_ID:
+        if frame.arbitration_id == VERSION_ID:
             self._feed_version(frame.data)
             return
         exact = [codec.generation for codec in self._codecs.values() if codec.is_exact(frame)]
@@ -91,11 +88,10 @@ class GenerationDetector:
         return Verdict(Generation.TWO, "nothing tells, and arms in use today speak it")
 
     def _feed_version(self, payload: bytes) -> None:
-        if payload == _VERSION_QUERY:
+        if is_question(payload):
             return
-        self._version_tail = (self._version_tail + payload)[-64:]
-        if found := _VERSION_TEXT.search(self._version_tail):
-            self._version = found.group().decode("ascii")
+        self._version_tail = (self._version_tail + payload)[-LONGEST - 8 :]
+        self._version = find_version(self._version_tail) or self._version
 
     def _feed_period(self, arbitration_id: int, time_s: float) -> None:
         if arbitration_id not in _CYCLIC_IDS or len(self._intervals_s) >= _PERIOD_SAMPLES:

@@ -12,11 +12,11 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
 
-from armui.trajectory import files
 from armui.trajectory.atomic import sync_folder, write_whole
 from armui.trajectory.file_names import folded, free_stem
 from armui.trajectory.files import log_file
 from armui.trajectory.files.errors import TrajectoryFileError
+from armui.trajectory.library_calls import Call, call_directly, entry_by, load_by
 from armui.trajectory.library_files import name_inside
 from armui.trajectory.library_index import Entry, Stamp
 from armui.trajectory.program import Trajectory
@@ -31,10 +31,12 @@ class Drafts:
 
     Args:
         folder: It need not exist.
+        call: Where large files are read.
     """
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, call: Call = call_directly) -> None:
         self._folder = folder
+        self._call = call
         self._known: dict[Path, tuple[Stamp, Entry]] = {}
 
     def paths(self) -> dict[str, Path]:
@@ -63,9 +65,18 @@ class Drafts:
                 stamp = Stamp.of(path.stat())
                 seen, entry = known.get(path, (None, None))
                 if entry is None or seen != stamp:
-                    entry = _entry(name, path, stamp)
+                    entry = self._entry(name, path, stamp)
                 self._known[path] = stamp, entry
         return [entry for _, entry in self._known.values()]
+
+    def _entry(self, name: str, path: Path, stamp: Stamp) -> Entry:
+        changed = datetime.fromtimestamp(stamp.time_ns / 1e9, UTC)
+        entry = Entry(name, "draft", 0, None, changed)
+        try:
+            read = entry_by(self._call, path, stamp.size)
+        except TrajectoryFileError as error:
+            return replace(entry, damage=error)
+        return replace(entry, count=read.count, note=read.note)
 
     def save(self, content: Trajectory, rest: Callable[[], object] = lambda: None) -> None:
         """Write one in place of the last of that name.
@@ -99,7 +110,13 @@ class Drafts:
             TrajectoryFileError: Somebody has damaged it.
         """
         path = self.paths().get(name)
-        content = None if path is None else files.load(path)
+        if path is None:
+            return None
+        try:
+            size = path.stat().st_size
+        except FileNotFoundError:  # another program has saved it meanwhile
+            return None
+        content = load_by(self._call, path, size)
         return content if isinstance(content, Trajectory) else None
 
     def copy(self, name: str, new: str) -> None:
@@ -128,15 +145,3 @@ class Drafts:
 def is_draft(path: Path) -> bool:
     """Whether a file holds a draft, by its name."""
     return path.suffix == _SUFFIX
-
-
-def _entry(name: str, path: Path, stamp: Stamp) -> Entry:
-    changed = datetime.fromtimestamp(stamp.time_ns / 1e9, UTC)
-    entry = Entry(name, "draft", 0, None, changed)
-    try:
-        content = files.load(path)
-    except TrajectoryFileError as error:
-        return replace(entry, damage=error)
-    if isinstance(content, Trajectory):
-        entry = replace(entry, count=len(content.points), note=content.note)
-    return entry

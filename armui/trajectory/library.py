@@ -16,19 +16,20 @@ from typing import Final
 
 from armui.arm.refusal import Refusal
 from armui.trajectory import files
-from armui.trajectory.atomic import remove_abandoned, write_whole
+from armui.trajectory.atomic import remove_abandoned
 from armui.trajectory.drafts import Drafts, is_draft
 from armui.trajectory.file_names import file_stem, folded, free_stem
 from armui.trajectory.files import Content, TrajectoryFileError, UnwritableError
 from armui.trajectory.files.errors import broken
 from armui.trajectory.library_bin import Bin, Deleted
+from armui.trajectory.library_calls import Call, call_directly, is_large, load_by, write_content
 from armui.trajectory.library_errors import REFUSALS, LibraryError, on_disk
 from armui.trajectory.library_files import Kept, Shelf, name_inside, suffix_of
-from armui.trajectory.library_index import Check, Entry, entry_of
+from armui.trajectory.library_index import Check, Entry, Listing, Stamp, entry_of
 from armui.trajectory.program import LONGEST_NAME, Trajectory, check_name, check_trajectory
 from armui.trajectory.recording import Recording, check_recording
 
-__all__ = ["REFUSALS", "Check", "Deleted", "Entry", "Library", "LibraryError"]
+__all__ = ["REFUSALS", "Check", "Deleted", "Entry", "Library", "LibraryError", "Listing"]
 
 _BIN: Final = ".deleted"
 _ROOM_FOR_NUMBER: Final = 8
@@ -40,15 +41,28 @@ class Library:
     Args:
         folder: Where they are kept; it need not exist.
         now: Tells the time that is kept as the last change.
+        call: Calls a function with its arguments where it may take long: in another process. Used
+            for large files; called directly by default.
     """
 
-    def __init__(self, folder: Path, now: Callable[[], datetime] = lambda: datetime.now(UTC)):
+    def __init__(
+        self,
+        folder: Path,
+        now: Callable[[], datetime] = lambda: datetime.now(UTC),
+        call: Call = call_directly,
+    ) -> None:
         self._folder = folder
         self._now = now
-        self._shelf = Shelf(folder)
+        self._call = call
+        self._shelf = Shelf(folder, call)
         self._bin = Bin(folder / _BIN)
-        self._drafts = Drafts(folder)
-        remove_abandoned(folder)
+        self._drafts = Drafts(folder, call)
+        self._met: dict[str, Stamp] = {}
+        """The files as they were loaded to be edited, by the name of what they hold."""
+
+    def tidy(self) -> None:
+        """Remove what killed programs left half written, and what was deleted long ago."""
+        remove_abandoned(self._folder)
         self._bin.remove_outdated()
 
     @property
@@ -72,8 +86,20 @@ class Library:
             entries += self._drafts.entries(but=found)
         return sorted(entries, key=lambda one: one.name)
 
-    def load(self, name: str) -> Content:
+    def listing(self) -> Listing:
+        """The entries, which of them have unsaved changes, and whether there is a folder.
+
+        Raises:
+            LibraryError: The folder cannot be read.
+        """
+        return Listing(tuple(self.entries()), tuple(self.drafts()), self._folder.is_dir())
+
+    def load(self, name: str, *, to_edit: bool = False) -> Content:
         """A trajectory or recording.
+
+        Args:
+            name: Which.
+            to_edit: Whether `save` shall say if another program has saved it by then.
 
         Raises:
             TrajectoryFileError: It is damaged, or gone.
@@ -82,7 +108,9 @@ class Library:
         kept = self._scan().get(name)
         if kept is None:
             raise TrajectoryFileError(broken("file_gone").reason, file=name)
-        content = files.load(kept.path)
+        if to_edit:
+            self._met[name] = kept.stamp
+        content: Content = load_by(self._call, kept.path, kept.stamp.size)
         return content if content.name == name else replace(content, name=name)
 
     def free_name(self, wish: str) -> str:
@@ -104,7 +132,7 @@ class Library:
 
     # Changes --------------------------------------------------------------------------------------
 
-    def save(self, content: Content, *, replacing: str | None = None) -> None:
+    def save(self, content: Content, *, replacing: str | None = None) -> bool:
         """Keep a trajectory or recording, with the present time as that of its last change.
 
         Its draft is done with.
@@ -113,14 +141,19 @@ class Library:
             content: What to keep.
             replacing: The name of the one it replaces; it may have had another name.
 
+        Returns:
+            Whether another program had saved the one it replaces since it was loaded here: what
+            that program saved is among what was deleted recently.
+
         Raises:
             LibraryError: It is not possible, its name is taken, the one to replace is damaged, or
                 the disk refuses.
         """
-        _verify(content)
-        self._write(replace(content, modified=self._now()), replacing)
+        self._verify(content)
+        displaced = self._write(replace(content, modified=self._now()), replacing)
         for name in {content.name, replacing or content.name}:
             self.drop_draft(name)
+        return displaced
 
     def rename(self, name: str, new: str) -> None:
         """Give a trajectory another name; its draft goes along.
@@ -134,7 +167,7 @@ class Library:
         found, drafts = self._scan(), self._drafts.names()
         only_draft = self._drafts.load(name) if name not in found else None
         content = replace(only_draft or self.load(name), name=new)
-        _verify(content)
+        self._verify(content)
         if new in found or new in drafts:
             raise LibraryError(Refusal("name_taken", {"name": new}))
         if isinstance(only_draft, Trajectory):
@@ -161,7 +194,7 @@ class Library:
             TrajectoryFileError: It is damaged, or gone.
         """
         content = replace(self.load(name), name=new)
-        _verify(content)
+        self._verify(content)
         known = self._scan()[name].entry
         self._write(content, None)
         self.mark(new, check=known.check, length_s=known.length_s)
@@ -314,8 +347,24 @@ class Library:
         with on_disk("library_unreadable", str(self._folder)):
             return self._shelf.scan()
 
-    def _write(self, content: Content, replacing: str | None) -> None:
-        """Write a file: in place of the one to replace where there is one, else a new one."""
+    def _verify(self, content: Content) -> None:
+        """Make sure that what is kept can be read again.
+
+        Raises:
+            LibraryError: It could not.
+        """
+        call = self._call if is_large(content) else call_directly
+        found = call(_first_fault, content)
+        if found is not None:
+            row, reason = found
+            raise LibraryError(reason, row)
+
+    def _write(self, content: Content, replacing: str | None) -> bool:
+        """Write a file: in place of the one to replace where there is one, else a new one.
+
+        Returns:
+            Whether the one to replace had been changed by another program.
+        """
         found = self._scan()
         if content.name != replacing and content.name in found:
             raise LibraryError(Refusal("name_taken", {"name": content.name}))
@@ -328,7 +377,11 @@ class Library:
         path = old.path if old is not None and in_place else fitting
         with on_disk("library_not_saved", content.name):
             self._folder.mkdir(parents=True, exist_ok=True)
-            write_whole(path, files.to_bytes(content, path.suffix))
+            met = None if replacing is None else self._met.get(replacing)
+            displaced = old is not None and met is not None and met != old.stamp
+            if displaced and old is not None:
+                self._bin.keep_copy(old.path)
+            (self._call if is_large(content) else call_directly)(write_content, path, content)
             if old is not None and not in_place:
                 old.path.unlink()
         if path != fitting and file_stem(content.name) != file_stem(str(replacing)):
@@ -336,18 +389,11 @@ class Library:
             with contextlib.suppress(OSError):
                 path = path.rename(fitting)
         with on_disk("library_unreadable", str(self._folder)):
-            self._shelf.note(path, entry_of(content))
+            self._met[content.name] = self._shelf.note(path, entry_of(content))
+        return displaced
 
 
-def _verify(content: Content) -> None:
-    """Make sure that what is kept can be read again.
-
-    Raises:
-        LibraryError: It could not.
-    """
-    found = (
-        check_recording(content) if isinstance(content, Recording) else check_trajectory(content)
-    )
-    if found is not None:
-        row, reason = found
-        raise LibraryError(reason, row)
+def _first_fault(content: Content) -> tuple[int, Refusal] | None:
+    if isinstance(content, Recording):
+        return check_recording(content)
+    return check_trajectory(content)

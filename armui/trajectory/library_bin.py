@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import secrets
+import shutil
 import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -19,6 +20,12 @@ from armui.trajectory.library_index import Entry
 
 KEPT: Final = timedelta(days=30)
 """How long a deleted file is kept."""
+
+_GRACE: Final = timedelta(days=7)
+"""What is found to be too old is only marked, and removed when it is found so this much later: the
+clock may have been set wrong when it was deleted, or be wrong now."""
+_DUE: Final = ".due"
+"""The mark: a file that holds the time at which it was made."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,8 +73,7 @@ class Bin:
         when = datetime.fromtimestamp(seconds, UTC)
         if not paths:
             return (), when
-        room = self._folder / f"{seconds}-{rest_ns:09}-{secrets.token_hex(4)}"
-        room.mkdir(parents=True)
+        room = self._new_room(seconds, rest_ns)
         moved: list[tuple[Path, Path]] = []
         try:
             for path in paths:
@@ -82,6 +88,25 @@ class Bin:
         sync_folder(room)
         sync_folder(paths[0].parent)
         return tuple((path.name, place) for path, place in moved), when
+
+    def keep_copy(self, path: Path) -> None:
+        """Keep what a file holds that is about to be replaced.
+
+        Raises:
+            OSError: It cannot be kept.
+        """
+        room = self._new_room(*divmod(time.time_ns(), 1_000_000_000))
+        try:
+            shutil.copy2(path, room / path.name)
+        except OSError:
+            shutil.rmtree(room, ignore_errors=True)
+            raise
+        sync_folder(room)
+
+    def _new_room(self, seconds: int, rest_ns: int) -> Path:
+        room = self._folder / f"{seconds}-{rest_ns:09}-{secrets.token_hex(4)}"
+        room.mkdir(parents=True)
+        return room
 
     def contents(self) -> list[Deleted]:
         """Everything here, the last deleted first: each trajectory by itself, with its draft.
@@ -130,14 +155,16 @@ class Bin:
         self._tidy(place)
 
     def remove_outdated(self) -> None:
-        """Remove for good what was deleted long ago."""
-        oldest = datetime.now(UTC) - KEPT
+        """Remove for good what was deleted long ago, if it was found so some days before, too."""
+        now = datetime.now(UTC)
         with contextlib.suppress(OSError):
             for when, room in list(self._rooms()):
-                if when < oldest:
+                if when < now - KEPT and _due_since(room, now) <= now - _GRACE:
                     for path in room.iterdir():
                         path.unlink()
                     room.rmdir()
+                elif when >= now - KEPT:
+                    (room / _DUE).unlink(missing_ok=True)
 
     def _rooms(self) -> Iterator[tuple[datetime, Path]]:
         """What every deletion has left here: its time, and its folder; their order is theirs."""
@@ -147,12 +174,29 @@ class Bin:
 
     def _tidy(self, place: Path) -> None:
         with contextlib.suppress(OSError):  # another file of the same deletion is still there
+            if not _files(place.parent):
+                (place.parent / _DUE).unlink(missing_ok=True)
             place.parent.rmdir()
+
+
+def _due_since(room: Path, now: datetime) -> datetime:
+    """Since when something is marked as too old; it is marked now if it was not, or in the future.
+
+    Raises:
+        OSError: It cannot be marked.
+    """
+    mark = room / _DUE
+    with contextlib.suppress(OSError, ValueError):
+        since = datetime.fromisoformat(mark.read_text("ascii"))
+        if since <= now:
+            return since
+    mark.write_text(now.isoformat(), "ascii")
+    return now
 
 
 def _files(room: Path) -> list[Path]:
     """What is in a folder; nothing if another program has emptied and removed it meanwhile."""
     try:
-        return [path for path in room.iterdir() if path.is_file()]
+        return [path for path in room.iterdir() if path.is_file() and path.name != _DUE]
     except FileNotFoundError:
         return []

@@ -13,7 +13,8 @@ from typing import Final, NamedTuple
 from armui.trajectory import files
 from armui.trajectory.file_names import file_stem
 from armui.trajectory.files import Content, TrajectoryFileError
-from armui.trajectory.library_index import Entry, Index, Stamp, entry_of
+from armui.trajectory.library_calls import Call, call_directly, entry_by
+from armui.trajectory.library_index import Entry, Index, Stamp
 from armui.trajectory.recording import Recording
 
 _SUFFIXES: Final = (".log", ".npz")
@@ -33,10 +34,12 @@ class Shelf:
 
     Args:
         folder: It need not exist.
+        call: Where large files are read.
     """
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, call: Call = call_directly) -> None:
         self._folder = folder
+        self._call = call
         self._index = Index(folder / _INDEX)
 
     def scan(self) -> dict[str, Kept]:
@@ -52,14 +55,16 @@ class Shelf:
         self._index.save()
         return _by_name(found)
 
-    def note(self, path: Path, entry: Entry) -> None:
-        """Take over what a file holds that was just written.
+    def note(self, path: Path, entry: Entry) -> Stamp:
+        """Take over what a file holds that was just written; returns its stamp.
 
         Raises:
             OSError: It is gone.
         """
-        self._index.put(path.name, Stamp.of(path.stat()), entry)
+        stamp = Stamp.of(path.stat())
+        self._index.put(path.name, stamp, entry)
         self._index.save()
+        return stamp
 
     def mark(self, kept: Kept, entry: Entry) -> None:
         """Take over what was found out about a file, unless it has changed since the scan."""
@@ -81,7 +86,7 @@ class Shelf:
         entry = self._index.entry(path.name, stamp)
         if entry is None:
             try:
-                entry = entry_of(files.load(path))
+                entry = entry_by(self._call, path, stamp.size)
             except TrajectoryFileError as error:
                 if not path.exists():  # another program has deleted it meanwhile
                     return None

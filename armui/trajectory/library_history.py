@@ -123,7 +123,7 @@ class History:
     @property
     def last(self) -> Step | None:
         """What is undone next."""
-        return self._steps[-1] if self._steps else None
+        return next(iter(self._steps[-1:]), None)
 
     def delete(self, names: Sequence[str]) -> Deleted:
         """Delete trajectories and drafts.

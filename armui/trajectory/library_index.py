@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import contextlib
 import json
+import math
 import os
 from collections.abc import Collection
 from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
-from typing import Any, Final, Literal, NamedTuple
+from typing import Any, Final, Literal, NamedTuple, get_args
 
 from armui.arm.refusal import Refusal
 from armui.trajectory.atomic import write_whole
@@ -27,6 +28,16 @@ Check = Literal["ok", "warnings", "errors"]
 """How the check before running ended."""
 
 _VERSION: Final = 1
+
+_MOST_BYTES: Final = 64_000_000
+"""More than a hundred thousand entries need; a larger file is not read."""
+
+_BROKEN: Final = (
+    *(OSError, ValueError, TypeError, KeyError, AttributeError),
+    RecursionError,  # lists nested too deep
+    OverflowError,  # a number of hundreds of digits
+)
+"""What a damaged file may raise."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +63,21 @@ class Entry:
     check: Check | None = None
     damage: TrajectoryFileError | None = None
     note: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Listing:
+    """What the library shows at one look.
+
+    Attributes:
+        entries: Everything there is, by name.
+        drafts: The names of those with unsaved changes.
+        exists: Whether its folder does.
+    """
+
+    entries: tuple[Entry, ...]
+    drafts: tuple[str, ...]
+    exists: bool
 
 
 def entry_of(content: Content) -> Entry:
@@ -88,7 +114,6 @@ class Index:
         self._changed = False
         self._entries: dict[str, tuple[Stamp, Entry]] = {}
         self._seen: Stamp | None = None
-        self.follow()
 
     def follow(self) -> None:
         """Take over what another program has found out or marked since this one last looked."""
@@ -96,7 +121,9 @@ class Index:
         if seen is None or seen == self._seen:
             return
         self._seen = seen
-        with contextlib.suppress(OSError, ValueError, TypeError, KeyError, AttributeError):
+        if seen.size > _MOST_BYTES:
+            return
+        with contextlib.suppress(*_BROKEN):
             theirs = _unpack(json.loads(self._path.read_bytes()))
             ours = self._entries if self._changed else {}  # what could not be written as yet
             self._entries = {**self._entries, **theirs, **ours}
@@ -167,7 +194,39 @@ def _unpack(data: dict[str, Any]) -> dict[str, tuple[Stamp, Entry]]:
         fields["modified"] = datetime.fromisoformat(fields["modified"])
         entry = Entry(**fields)
         if damage is not None:
-            code, params, *place = damage
-            entry = replace(entry, damage=TrajectoryFileError(Refusal(code, params), *place))
+            code, params, line, column, name = damage
+            _require(isinstance(code, str) and isinstance(params, dict) and isinstance(name, str))
+            _require(isinstance(line, int) and isinstance(column, int))
+            error = TrajectoryFileError(Refusal(code, params), line, column, name)
+            entry = replace(entry, damage=error)
+        _require(_is_sound(entry))
         entries[file] = Stamp(size, time_ns, number), entry
     return entries
+
+
+def _is_sound(entry: Entry) -> bool:
+    """Whether every field of an entry is what the list can show."""
+    length_s = entry.length_s
+    return (
+        all(isinstance(text, str) and _can_be_shown(text) for text in (entry.name, entry.note))
+        and entry.kind in get_args(Kind)
+        and isinstance(entry.count, int)
+        and 0 <= entry.count < _MOST_BYTES
+        and (length_s is None or (isinstance(length_s, int | float) and 0 <= length_s < math.inf))
+        and entry.modified.tzinfo is not None
+        and (entry.check is None or entry.check in get_args(Check))
+    )
+
+
+def _can_be_shown(text: str) -> bool:
+    """Whether a text holds no half of a character."""
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
+def _require(sound: bool) -> None:
+    if not sound:
+        raise ValueError("no entry of the library's list")

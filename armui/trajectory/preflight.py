@@ -11,12 +11,15 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from armui.arm.model import ArmModel
+from armui.protocol.codes import MoveMode
 from armui.trajectory.check import check
 from armui.trajectory.files import Content
 from armui.trajectory.findings import Finding, Severity
 from armui.trajectory.path import Path
-from armui.trajectory.program import Trajectory
-from armui.trajectory.timing import plan_path
+from armui.trajectory.program import Trajectory, Waypoint
+from armui.trajectory.recording import Recording
+from armui.trajectory.replay_profile import ReplayProfile, replay_profile
+from armui.trajectory.timing import APPROACH_PERCENT, plan_path
 
 _FAR: Final = "far_from_start"
 """Said of the way to the first point; other ways are as long as they were written."""
@@ -32,7 +35,7 @@ class Order:
         start_deg: From where.
         speed_factor: On the speed of each point, or on the recorded one.
         first: The index of the point to begin with: it is come to from elsewhere.
-        again: Whether the first point is come to from the last, in another lap.
+        again: Whether the first point, or sample, is come to from the last, in another lap.
     """
 
     content: Content
@@ -51,11 +54,13 @@ class Outcome:
         path: Where the arm would go.
         expected_s: How long each point takes at its own speed; of a recording empty.
         findings: What was found, errors first, then by row.
+        profile: What a replay must know of a recording; ``None`` for points.
     """
 
     path: Path
     expected_s: tuple[float, ...]
     findings: tuple[Finding, ...]
+    profile: ReplayProfile | None = None
 
 
 def warm_up() -> None:
@@ -78,8 +83,22 @@ def preflight(order: Order) -> Outcome:
         if order.again and len(path.joints_deg):
             last_deg = path.joints_deg[-1].tolist()
             found += [one for one in _coming_to(content, 0, arm, last_deg) if one.code != _FAR]
+    profile = None
+    if isinstance(content, Recording):
+        profile = replay_profile(content)
+        if order.again and len(content.samples) > 1:
+            found += _way_back(content, arm)
     by_place = {(one.code, one.row): one for one in reversed(found)}
-    return Outcome(path, expected_s, tuple(sorted(by_place.values(), key=_rank)))
+    return Outcome(path, expected_s, tuple(sorted(by_place.values(), key=_rank)), profile)
+
+
+def _way_back(recording: Recording, arm: ArmModel) -> list[Finding]:
+    """What the check finds of the way from the last sample back to the first, for another lap."""
+    first_deg = tuple(recording.joints_deg[0].tolist())
+    point = Waypoint(MoveMode.MOVE_J, first_deg, speed_percent=APPROACH_PERCENT)
+    way = Trajectory(recording.name, points=(point,))
+    last_deg = recording.joints_deg[-1].tolist()
+    return [one for one in _coming_to(way, 0, arm, last_deg) if one.code != _FAR]
 
 
 def _coming_to(

@@ -33,22 +33,33 @@ class Background(QObject):
     """Has work done, one piece after another.
 
     Args:
-        workers: Who does it.
+        workers: Who does what computes; it may be another process.
+        files: Who does what waits for a disk, in a thread of this process; the workers by default.
     """
 
     _arrived = Signal(object, object)
 
-    def __init__(self, workers: Executor, parent: QObject | None = None) -> None:
+    def __init__(
+        self, workers: Executor, files: Executor | None = None, parent: QObject | None = None
+    ) -> None:
         super().__init__(parent)
         self._workers = workers
+        self._files = workers if files is None else files
         self._arrived.connect(self._on_arrived)
 
     def begin(self, job: Job[Result], work: Callable[..., Result], *args: object) -> None:
         """Have a function of a module called; :attr:`Job.then` is called in this thread."""
+        self._begin(self._workers, job, work, *args)
+
+    def begin_here(self, job: Job[Result], work: Callable[..., Result], *args: object) -> None:
+        """Have something called in another thread of this process; then as `begin`."""
+        self._begin(self._files, job, work, *args)
+
+    def _begin(
+        self, executor: Executor, job: Job[Result], work: Callable[..., Result], *args: object
+    ) -> None:
         # the signal brings it here from whichever thread
-        self._workers.submit(work, *args).add_done_callback(
-            lambda done: self._arrived.emit(job, done)
-        )
+        executor.submit(work, *args).add_done_callback(lambda done: self._arrived.emit(job, done))
 
     def warm_up(self, work: Callable[[], object]) -> None:
         """Have something done that nobody waits for."""

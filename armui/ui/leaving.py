@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QCoreApplication, QObject
+from PySide6.QtCore import QCoreApplication, QObject, QTimer
 from PySide6.QtWidgets import QWidget
 
 from armui.control.situation import StopState
@@ -14,6 +14,9 @@ from armui.ui.dialogs.confirm import confirm
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.control.situation import Situation
+
+
+_REST_WITHIN_MS: Final = 3000
 
 
 def end_motion_then(
@@ -89,27 +92,58 @@ def _question(situation: Situation) -> tuple[str, str, str] | None:
     return None
 
 
+def end_single_motion_then(
+    parent: QWidget, controller: ArmController, proceed: Callable[[], object]
+) -> None:
+    """End whatever this program moves, single motions too; go on at rest, or after 3 s.
+
+    Args:
+        parent: What waits belongs to it.
+        controller: Ends it.
+        proceed: What would leave the arm; not called if the operator stops the arm meanwhile.
+    """
+    _Ending(parent, controller, proceed, single=True).begin()
+
+
 class _Ending(QObject):
     """Waits until the arm has come to rest, and then goes on, unless the operator stops it."""
 
     def __init__(
-        self, parent: QWidget, controller: ArmController, proceed: Callable[[], object]
+        self,
+        parent: QWidget,
+        controller: ArmController,
+        proceed: Callable[[], object],
+        *,
+        single: bool = False,
     ) -> None:
         super().__init__(parent)
         self._controller = controller
         self._proceed = proceed
+        self._single = single
+        self._late = False
+        self._limit = QTimer(self, singleShot=True, interval=_REST_WITHIN_MS)
+        self._limit.timeout.connect(self._on_late)
 
     def begin(self) -> None:
         """End what is under way; go on as soon as nothing is, but not from an emergency stop."""
-        self._controller.end_motion()
+        self._controller.end_motion(single=self._single)
         self._controller.situation_changed.connect(self._look)
+        if self._single:
+            self._limit.start()
+        self._look(self._controller.situation)
+
+    def _on_late(self) -> None:
+        self._late = True
         self._look(self._controller.situation)
 
     def _look(self, situation: Situation) -> None:
         stopping = situation.stop is not StopState.RUNNING
-        if not stopping and (situation.running or situation.holds):
+        driven = situation.running or bool(situation.holds)
+        under_way = driven or (self._single and situation.moving)
+        if not stopping and under_way and not self._late:
             return
         self._controller.situation_changed.disconnect(self._look)
+        self._limit.stop()
         self.deleteLater()
         if not stopping:
             self._proceed()

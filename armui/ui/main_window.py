@@ -18,11 +18,14 @@ from PySide6.QtWidgets import (
 
 from armui.arm.state import ArmState
 from armui.control.joint_monitor import JointMonitor
+from armui.control.motion_command import Mover
 from armui.control.situation import Situation, StopState
+from armui.helper_process import FileThread
 from armui.ui.background import Background
+from armui.ui.dialogs.close_question import CloseQuestion
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
-from armui.ui.leaving import end_motion_then
+from armui.ui.leaving import end_motion_then, end_single_motion_then
 from armui.ui.operation_area import OperationArea
 from armui.ui.panel_menu import PanelMaker
 from armui.ui.panels.motion_panel import MotionPanel
@@ -33,6 +36,7 @@ from armui.ui.top_bar import TopBar
 from armui.ui.trajectory.path_preview import PathPreview
 from armui.ui.trajectory.preview_bar import PreviewBar
 from armui.ui.unsaved import KeepsWork, leave_then, unsaved
+from armui.ui.widgets.failure_line import FailureLine
 from armui.ui.widgets.joint_status_button import JointStatusButton
 from armui.ui.widgets.library_button import LibraryButton
 from armui.ui.widgets.recovery_line import RecoveryLine
@@ -44,7 +48,9 @@ if TYPE_CHECKING:
 
     from PySide6.QtWidgets import QDialog
 
+    from armui.arm.refusal import Refusal
     from armui.control.arm_controller import ArmController
+    from armui.failures import Failure
     from armui.settings import Settings, SettingsStore
     from armui.viewport.view import ArmView
 
@@ -60,6 +66,7 @@ class MainWindow(QMainWindow):
         view: The 3D picture.
         preferences: What the operator chose; changes reach the window at once.
         workers: Who does what takes long.
+        files: Who does what waits for a disk, in a thread of this process; the workers by default.
         trajectories: The folder of the library; the user's own by default.
     """
 
@@ -70,12 +77,15 @@ class MainWindow(QMainWindow):
         preferences: SettingsStore,
         workers: Executor,
         trajectories: Path | None = None,
+        *,
+        files: Executor | None = None,
     ) -> None:
         super().__init__()
         self._controller = controller
         self._view = view
         self._preferences = preferences
         self._workers = workers
+        self._files = files
         self._trajectories = trajectories
         self._settings = preferences.settings
         self._dialogs: dict[str, QDialog] = {}
@@ -127,6 +137,8 @@ class MainWindow(QMainWindow):
         whole.setSpacing(0)
         whole.addWidget(TopBar(self._controller, self.open_connect_dialog))
         whole.addLayout(middle, 1)
+        self._failure_line = FailureLine()
+        whole.addWidget(self._failure_line)
         whole.addWidget(self._status_bar)
         self.setCentralWidget(central)
         central.setFocus()  # no control has it before the operator takes one
@@ -236,8 +248,14 @@ class MainWindow(QMainWindow):
             from armui.ui.trajectory.library_window import LibraryWindow  # noqa: PLC0415 - as above
             from armui.ui.trajectory.preview_link import PreviewLink  # noqa: PLC0415 - as above
 
-            library = Library(self._trajectories or paths.trajectories())
-            background = Background(self._workers, self)
+            folder = self._trajectories or paths.trajectories()
+            files = self._files
+            library = (
+                Library(folder, call=files.call)
+                if isinstance(files, FileThread)
+                else Library(folder)
+            )
+            background = Background(self._workers, self._files, self)
             window = LibraryWindow(self._controller, background, library, self)
             link = PreviewLink(window, self._preview)
             self._view.mark_picked.connect(link.on_mark_picked)
@@ -266,6 +284,14 @@ class MainWindow(QMainWindow):
             return dialog
 
         self._open("settings", make)
+
+    def show_failure(self, failure: Failure) -> None:
+        """Say that something nobody expected went wrong in the program."""
+        self._failure_line.show_failure(failure)
+
+    def show_problem(self, reason: Refusal) -> None:
+        """Say what stood in the program's way, in the status bar."""
+        self._status_bar.show_problem(reason)
 
     def _open(self, name: str, make: Callable[[], QDialog]) -> None:
         """Show a dialog, made at the first time."""
@@ -310,8 +336,12 @@ class MainWindow(QMainWindow):
         super().closeEvent(event)
 
     def _close_unless_moving(self) -> None:
-        if not self._controller.situation.moving:
+        situation = self._controller.situation
+        if not situation.moving:
             self._close_now()
+            return
+        if situation.mover is Mover.OURS:
+            self._ask_how_to_close()
             return
         confirm(
             self,
@@ -324,6 +354,22 @@ class MainWindow(QMainWindow):
             action_label=self.tr("Close anyway"),
             on_confirmed=self._close_now,
         )
+
+    def _ask_how_to_close(self) -> None:
+        """This program moves the arm: its motion is ended unless the operator lets it finish."""
+        for older in self.findChildren(CloseQuestion):
+            older.reject()
+        question = CloseQuestion(self._controller, self)
+        question.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        question.accepted.connect(
+            lambda: end_single_motion_then(self, self._controller, self._close_now)
+        )
+        question.let_finish.connect(self._let_finish_and_close)
+        question.open()
+
+    def _let_finish_and_close(self) -> None:
+        self._controller.let_motion_finish()
+        self._close_now()
 
     def _close_now(self) -> None:
         self._may_close = True

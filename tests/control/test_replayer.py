@@ -157,7 +157,7 @@ def test_what_the_arm_does_is_recorded(ready):
     assert recorder.start().code == "busy"
     ready.controller.motion.send_joints([10, 20, -20, 0, 0, 0])
     ready.run(3.0)
-    recording = recorder.finish("led by hand")
+    recording = recorder.finish("led by hand").joined()
     generation_1 = recording.samples[:, 7]
     assert np.isnan(generation_1).all() == (int(ready.controller.situation.generation) == 1)
     assert recording.duration_s == pytest.approx(3.0, abs=0.1)
@@ -173,7 +173,7 @@ def test_a_lost_arm_leaves_what_was_recorded(ready):
     ready.run(1.0)
     ready.controller.disconnect_device()
     assert not recorder.recording
-    assert recorder.finish("cut").duration_s == pytest.approx(1.0, abs=0.1)
+    assert recorder.finish("cut").joined().duration_s == pytest.approx(1.0, abs=0.1)
 
 
 def test_nothing_recorded_is_nothing(any_bench):

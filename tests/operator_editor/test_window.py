@@ -8,6 +8,7 @@ from armui.trajectory.cells import Column
 from armui.ui.background import Background
 from armui.ui.trajectory.editor_window import EditorWindow
 from armui.ui.trajectory.leave_question import LeaveQuestion
+from armui.ui.trajectory.library_work import LibraryWork
 from armui.ui.trajectory.preflight import Checks
 from tests.desk import AtOnce
 from tests.operator_editor.hands import CTRL, notes
@@ -80,7 +81,7 @@ def test_changes_survive_a_crash(editor):
     again = EditorWindow(
         editor.desk.controller,
         Checks(editor.desk.controller, Background(AtOnce())),
-        editor.library,
+        LibraryWork(editor.library, Background(AtOnce()), editor.window),
         editor.library.load("Test"),
         draft=editor.library.draft("Test"),
     )

@@ -70,7 +70,8 @@ def test_what_was_worked_on_since_is_kept(shelf):
     editor = shelf.desk.dialog(EditorWindow)
     shelf.desk.click(editor.findChild(QWidget, "editor_insert_measured"))
     editor.document.set_note("mine", "note")
-    assert editor.save()
+    editor.save()
+    assert editor.document.saved
     editor.close()
     shelf.click("undo")
     assert "“Trajectory” has been changed since" in shelf.message()

@@ -58,6 +58,7 @@ def test_there_is_a_sentence_for_every_refusal() -> None:
         "settings_broken",
         "settings_unreadable",
         "settings_not_saved",
+        "settings_in_use",
         "setting_bad",
         "jog_step_out_of_range",
         "jog_step_not_a_number",

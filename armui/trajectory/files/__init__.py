@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import contextlib
+import errno
+import os
+import stat
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Final
@@ -98,7 +101,10 @@ def is_ours(text: str) -> bool:
 
 
 def _bytes_of(path: Path) -> bytes:
-    size = path.stat().st_size
+    found = path.stat()
+    size = found.st_size
+    if not stat.S_ISREG(found.st_mode):  # opening a pipe would wait for ever
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
     if size > LARGEST_BYTES:
         mega = 1024 * 1024
         raise broken("file_too_large", value=size // mega, maximum=LARGEST_BYTES // mega)

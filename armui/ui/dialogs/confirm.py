@@ -79,6 +79,10 @@ class ConfirmDialog(ArmDialog):
         self._draw_sign()
         self.retranslate_ui()
 
+    def show_text(self, text: str) -> None:
+        """Say something else."""
+        self._text.setText(text)
+
     def text(self) -> str:
         """What it says."""
         return self._text.text()

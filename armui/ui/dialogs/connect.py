@@ -10,6 +10,7 @@ from PySide6.QtCore import QItemSelection, QItemSelectionModel, Qt
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
+    QCheckBox,
     QComboBox,
     QHBoxLayout,
     QHeaderView,
@@ -123,12 +124,15 @@ class ConnectDialog(ArmDialog):
             self.bitrate_box.addItem("", bitrate)
         self._bitrate_label.setBuddy(self.bitrate_box)
         self._bitrate_hint = QLabel()
+        self.listen_only_box = QCheckBox()
+        self.listen_only_box.setObjectName("listen_only_box")
         self._bitrate_hint.setProperty("rank", "muted")
         row = QHBoxLayout()
         row.addWidget(self._bitrate_label)
         row.addWidget(self.bitrate_box)
         row.addSpacing(8)
         row.addWidget(self._bitrate_hint, 1)
+        row.addWidget(self.listen_only_box)
         return row
 
     def _build_buttons(self) -> None:
@@ -155,6 +159,10 @@ class ConnectDialog(ArmDialog):
         self.disconnect_button.setText(self.tr("Disconnect"))
         self.close_button.setText(self.tr("Close"))
         self._bitrate_label.setText(self.tr("Bit rate"))
+        self.listen_only_box.setText(self.tr("Listen only"))
+        self.listen_only_box.setToolTip(
+            self.tr("Beside another program: nothing is sent but the emergency stop.")
+        )
         self.bitrate_box.setItemText(0, bitrate_text(_BITRATES[0]))
         generation_1 = self.tr("{bitrate} (generation 1)")
         self.bitrate_box.setItemText(1, generation_1.format(bitrate=bitrate_text(_BITRATES[1])))
@@ -177,7 +185,7 @@ class ConnectDialog(ArmDialog):
             return
         if bitrate_is_ours(device.interface) and not device.simulated:
             device = replace(device, bitrate=self.bitrate_box.currentData())
-        chosen = device
+        chosen = replace(device, listen_only=self.listen_only_box.isChecked())
         self._leave_then(lambda: self._controller.connect_device(chosen))
 
     def _on_disconnect(self) -> None:

@@ -8,10 +8,9 @@ from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from armui.control.situation import Level
-from armui.trajectory.library import Library, LibraryError
-from armui.ui import words
 from armui.ui.trajectory.bin_dialog import BinDialog
 from armui.ui.trajectory.library_deeds import LibraryDeeds
+from armui.ui.trajectory.library_work import LibraryWork
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -22,17 +21,17 @@ class BinButton(QPushButton):
 
     Args:
         controller: Whom the emergency stop in the window tells.
-        library: Knows what was deleted.
+        work: Asks the library what was deleted.
         deeds: Brings back, and says what it did.
         window: The window belongs to it.
     """
 
     def __init__(
-        self, controller: ArmController, library: Library, deeds: LibraryDeeds, window: QWidget
+        self, controller: ArmController, work: LibraryWork, deeds: LibraryDeeds, window: QWidget
     ) -> None:
         super().__init__(window)
         self._controller = controller
-        self._library = library
+        self._work = work
         self._deeds = deeds
         self._dialog: BinDialog | None = None
         self.setObjectName("library_bin")
@@ -53,11 +52,14 @@ class BinButton(QPushButton):
         """List what can be brought back now, if anybody looks."""
         if self._dialog is None:
             return
-        try:
-            self._dialog.show_deleted(self._library.recently_deleted())
-        except LibraryError as error:
+        self._work.do(
+            self._work.library.recently_deleted, self._dialog.show_deleted, self._on_refused
+        )
+
+    def _on_refused(self, text: str) -> None:
+        if self._dialog is not None:
             self._dialog.show_deleted(())
-            self._dialog.say(words.refusal(error.refusal), Level.FAULT)
+            self._dialog.say(text, Level.FAULT)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

@@ -11,10 +11,8 @@ from PySide6.QtCore import QEvent, Signal
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from armui.trajectory import columns
-from armui.trajectory.files import TrajectoryFileError
-from armui.trajectory.library import Library
-from armui.ui import words
 from armui.ui.trajectory.columns_dialog import ColumnsDialog
+from armui.ui.trajectory.library_work import LibraryWork
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -25,7 +23,7 @@ class ColumnsOffer(QPushButton):
 
     Args:
         controller: Whom the emergency stop in the dialog tells.
-        library: Takes what is imported.
+        work: Reads the files; its library takes what is imported.
         window: The dialog belongs to it.
 
     Signals:
@@ -36,10 +34,11 @@ class ColumnsOffer(QPushButton):
     imported = Signal(str)
     refused = Signal(str)
 
-    def __init__(self, controller: ArmController, library: Library, window: QWidget) -> None:
+    def __init__(self, controller: ArmController, work: LibraryWork, window: QWidget) -> None:
         super().__init__(window)
         self._controller = controller
-        self._library = library
+        self._work = work
+        self._opening = False
         self._window = window
         self._paths: list[Path] = []
         self._dialog: ColumnsDialog | None = None
@@ -64,15 +63,21 @@ class ColumnsOffer(QPushButton):
         if self._dialog is not None:
             self._dialog.open()
             return
-        path = self._paths[0]
-        try:
-            table = columns.open_table(path)
-        except TrajectoryFileError as error:
-            left = self._paths[1:]
-            self.refused.emit(words.file_error(error))
-            self.offer(left)
+        if self._opening:
             return
-        self._dialog = ColumnsDialog(self._controller, self._library, table, self._window)
+        path = self._paths[0]
+        self._opening = True
+        self._work.do(lambda: columns.open_table(path), partial(self._show, path), self._on_refused)
+
+    def _on_refused(self, text: str) -> None:
+        self._opening = False
+        left = self._paths[1:]
+        self.refused.emit(text)
+        self.offer(left)
+
+    def _show(self, path: Path, table: columns.TableFile) -> None:
+        self._opening = False
+        self._dialog = ColumnsDialog(self._controller, self._work.library, table, self._window)
         self._dialog.imported.connect(partial(self._on_imported, path))
         self._dialog.finished.connect(self._on_closed)
         self._dialog.open()

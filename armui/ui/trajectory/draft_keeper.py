@@ -7,9 +7,9 @@ from typing import Final
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from armui.trajectory.library import Library, LibraryError
 from armui.trajectory.program import Trajectory
 from armui.ui.trajectory.document import Document
+from armui.ui.trajectory.library_work import LibraryWork
 
 _AFTER_MS: Final = 700
 """After the last change: typing is not slowed down, and little can be lost."""
@@ -18,23 +18,23 @@ _REST_S: Final = 0.004
 
 
 class DraftKeeper(QObject):
-    """Follows a document, and writes in a thread of its own when the edits pause.
+    """Follows a document, and has its draft written when the edits pause.
 
     Args:
         document: What is edited.
-        library: Keeps drafts beside its trajectories.
+        work: Has the library keep drafts beside its trajectories.
 
     Signals:
-        failed: A :class:`LibraryError`: the draft could not be written.
+        failed: Why the draft could not be written, as a text.
     """
 
-    failed = Signal(object)
+    failed = Signal(str)
 
-    def __init__(self, document: Document, library: Library) -> None:
+    def __init__(self, document: Document, work: LibraryWork) -> None:
         super().__init__(document)
         self._document = document
-        self._library = library
-        self._thread: threading.Thread | None = None
+        self._work = work
+        self._writing = False
         self._hurry = threading.Event()
         self._timer = QTimer(self, singleShot=True, interval=_AFTER_MS)
         self._timer.timeout.connect(self._write_behind)
@@ -42,43 +42,41 @@ class DraftKeeper(QObject):
         document.stack.indexChanged.connect(lambda _index: self._timer.start())
 
     def write(self) -> None:
-        """Bring the draft up to date now."""
-        self._wait()
-        self._write(self._unsaved())
+        """Bring the draft up to date at once, and quickly: the program may be ending."""
+        self._timer.stop()
+        self._hurry.set()
+        self._begin(self._unsaved())
 
     def forget(self) -> None:
         """The changes are not wanted: no draft of them shall be left."""
-        self._wait()
-        self._write(None)
+        self._timer.stop()
+        self._hurry.set()
+        self._begin(None)
 
     def _write_behind(self) -> None:
-        if self._thread is not None and self._thread.is_alive():
+        if self._writing:
             self._timer.start()  # with what has been edited since
-            return
-        self._thread = threading.Thread(
-            target=self._write, args=(self._unsaved(),), name="armui-draft"
-        )
-        self._thread.start()
+        else:
+            self._hurry.clear()
+            self._begin(self._unsaved())
 
     def _unsaved(self) -> Trajectory | None:
         return None if self._document.saved else self._document.trajectory()
 
-    def _wait(self) -> None:
-        """See to it that nothing is written behind our back."""
-        self._timer.stop()
-        if self._thread is not None:
-            self._hurry.set()
-            self._thread.join()
-            self._hurry.clear()
-
-    def _write(self, unsaved: Trajectory | None) -> None:
+    def _begin(self, unsaved: Trajectory | None) -> None:
         """Write the draft, or do away with one that says no more than what is saved."""
-        try:
+        self._writing = True
+        library, name, hurry = self._work.library, self._document.name, self._hurry
+
+        def write() -> None:
             if unsaved is None:
-                self._library.drop_draft(self._document.name)
+                library.drop_draft(name)
             else:
-                self._library.save_draft(
-                    self._document.name, unsaved, lambda: self._hurry.wait(_REST_S)
-                )
-        except LibraryError as error:
-            self.failed.emit(error)
+                library.save_draft(name, unsaved, lambda: hurry.wait(_REST_S))
+
+        self._work.do(write, lambda _: self._written(), self._written)
+
+    def _written(self, problem: str = "") -> None:
+        self._writing = False
+        if problem:
+            self.failed.emit(problem)

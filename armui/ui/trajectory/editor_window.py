@@ -16,7 +16,6 @@ from armui.trajectory import edits
 from armui.trajectory.edits import Change
 from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.findings import Severity
-from armui.trajectory.library import LibraryError
 from armui.trajectory.program import Trajectory, Waypoint
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
@@ -36,7 +35,7 @@ from armui.ui.widgets.message_line import MessageLine
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.protocol.codes import MoveMode
-    from armui.trajectory.library import Library
+    from armui.ui.trajectory.library_work import LibraryWork
 
 _SIZE: Final = QSize(1220, 720)
 
@@ -47,7 +46,7 @@ class EditorWindow(ArmDialog):
     Args:
         controller: Knows where the arm is, moves it and runs what is edited.
         checks: Checks what is edited.
-        library: Where the trajectory is kept.
+        work: Keeps the trajectory in the library.
         trajectory: As it is kept.
         draft: Changes of it that an earlier run of the program could not save.
         parent: The window it belongs to.
@@ -68,7 +67,7 @@ class EditorWindow(ArmDialog):
         self,
         controller: ArmController,
         checks: Checks,
-        library: Library,
+        work: LibraryWork,
         trajectory: Trajectory,
         *,
         draft: Trajectory | None = None,
@@ -76,19 +75,22 @@ class EditorWindow(ArmDialog):
     ) -> None:
         super().__init__(controller, parent)
         self._controller = controller
-        self._library = library
+        self._work = work
+        work.setParent(self)
+        self._library = work.library
+        self._saving = False
         self.document = Document(trajectory, self)
         self.model = PointsModel(self.document, self._to_move, self)
         self.table = PointsTable(self.model)
         self._edits = PointEdits(controller, self.document, self.table)
-        self._drafts = DraftKeeper(self.document, library)
+        self._drafts = DraftKeeper(self.document, work)
         self._find_bar = FindBar()
         self._note = QLineEdit(trajectory.note)
         self._note.setObjectName("trajectory_note")
         self._message = MessageLine()
         self._message.setObjectName("editor_message")
         self._findings = FindingsPane()
-        self._strip = RunStrip(controller, checks, self.document.trajectory)
+        self._strip = RunStrip(controller, checks, lambda then: then(self.document.trajectory()))
         self._actions = EditorActions(self, self.table, self._handlers())
         self._lay_out()
         self._connect()
@@ -244,12 +246,12 @@ class EditorWindow(ArmDialog):
     def _note_check(self, checked: Preflight) -> None:
         """Have the list show how the check ended."""
         length_s = sum(checked.outcome.expected_s)
-        try:
-            self._library.mark(self.document.name, check=checked.mark, length_s=length_s)
-        except LibraryError as error:
-            self._show_failure(error)
-        else:
-            self.saved.emit()
+        name = self.document.name
+        self._work.do(
+            lambda: self._library.mark(name, check=checked.mark, length_s=length_s),
+            lambda _: self.saved.emit(),
+            self._show_failure,
+        )
 
     def _on_progress(self, progress: Progress) -> None:
         ours = progress.name == self.document.name
@@ -266,20 +268,44 @@ class EditorWindow(ArmDialog):
 
     # Saving -----------------------------------------------------------------------------------
 
-    def save(self) -> bool:
-        """Put it into the library; returns whether it is there."""
+    def save(self, then: Callable[[], object] = lambda: None) -> None:
+        """Put it into the library.
+
+        Args:
+            then: Called when it is there.
+        """
+        if self._saving:
+            return
         self._on_note()
-        trajectory = self.document.trajectory()
-        try:
-            self._library.save(trajectory, replacing=trajectory.name)
-        except LibraryError as error:
-            self._show_failure(error)
-            return False
-        self.document.mark_saved(trajectory)
+        trajectory, place = self.document.trajectory(), self.document.stack.index()
+        self._saving = True
+        self._work.do(
+            lambda: self._library.save(trajectory, replacing=trajectory.name),
+            lambda displaced: self._on_saved(trajectory, place, displaced, then),
+            self._on_not_saved,
+        )
+
+    def _on_saved(
+        self, trajectory: Trajectory, place: int, displaced: bool, then: Callable[[], object]
+    ) -> None:
+        self._saving = False
+        if self.document.stack.index() == place:
+            self.document.mark_saved(trajectory)
         self._drafts.write()
-        self._say(self.tr("Saved."), Level.DONE)
+        if displaced:
+            text = self.tr(
+                "Saved. Another program had changed “{name}” since it was opened here: what it "
+                "saved is in the library under “Recently deleted…”."
+            )
+            self._say(text.format(name=trajectory.name), Level.WARNING)
+        else:
+            self._say(self.tr("Saved."), Level.DONE)
         self.saved.emit()
-        return True
+        then()
+
+    def _on_not_saved(self, text: str) -> None:
+        self._saving = False
+        self._show_failure(text)
 
     def keep_draft(self) -> None:
         """The program ends: what is not saved is offered when it is started again."""
@@ -298,8 +324,7 @@ class EditorWindow(ArmDialog):
         question.open()
 
     def _save_and_leave(self) -> None:
-        if self.save():
-            self._leave()
+        self.save(self._leave)
 
     def _leave(self) -> None:
         self._drafts.forget()
@@ -320,8 +345,8 @@ class EditorWindow(ArmDialog):
         else:
             self._say(words.refusal(outcome), Level.WARNING)
 
-    def _show_failure(self, error: LibraryError) -> None:
-        self._say(words.refusal(error.refusal), Level.FAULT)
+    def _show_failure(self, text: str) -> None:
+        self._say(text, Level.FAULT)
 
     def _say(self, text: str, level: Level = Level.INFO) -> None:
         self._message.show_message(text, level)

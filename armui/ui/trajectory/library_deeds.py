@@ -8,10 +8,10 @@ from datetime import datetime
 from PySide6.QtCore import QObject, Signal
 
 from armui.control.situation import Level
-from armui.trajectory.library import Deleted, Library
+from armui.trajectory.library import Deleted
 from armui.trajectory.library_history import Deletion, History, Renaming, Step
 from armui.trajectory.program import Trajectory
-from armui.ui.trajectory.attempt import attempt
+from armui.ui.trajectory.library_work import LibraryWork
 from armui.ui.trajectory.text import name_list
 
 
@@ -19,7 +19,7 @@ class LibraryDeeds(QObject):
     """Creates, copies, renames, deletes; the last of it can be undone, then the one before it.
 
     Args:
-        library: What is changed.
+        work: Changes the library.
         is_open: Whether the window of a trajectory is open: then it is left alone.
         parent: Its owner.
 
@@ -33,80 +33,93 @@ class LibraryDeeds(QObject):
     changed = Signal(object)
     undo_changed = Signal()
 
-    def __init__(self, library: Library, is_open: Callable[[str], bool], parent: QObject) -> None:
+    def __init__(self, work: LibraryWork, is_open: Callable[[str], bool], parent: QObject) -> None:
         super().__init__(parent)
-        self._library = library
+        self._work = work
+        self._library = work.library
         self._is_open = is_open
-        self._history = History(library)
+        self._history = History(work.library)
 
     @property
     def last(self) -> Step | None:
         """What would be undone next."""
         return self._history.last
 
-    def create(self) -> Trajectory | None:
-        """Put an empty trajectory into the library; returns it."""
-        made: list[Trajectory] = []
+    def create(self, then: Callable[[Trajectory], object]) -> None:
+        """Put an empty trajectory into the library, and hand it on."""
+        wish = self.tr("Trajectory")
 
-        def make() -> None:
-            name = self._library.free_name(self.tr("Trajectory"))
+        def make() -> Trajectory:
+            name = self._library.free_name(wish)
             trajectory = Trajectory(name, modified=datetime.now().astimezone())
             self._library.save(trajectory)
             self._history.note_made([name])
-            made.append(trajectory)
+            return trajectory
 
-        if not self._attempt(make):
-            return None
-        self._done([made[0].name])
-        return made[0]
+        def made(trajectory: Trajectory) -> None:
+            self._done([trajectory.name])
+            then(trajectory)
+
+        self._work.do(make, made, self._on_refused)
 
     def duplicate(self, name: str) -> None:
         """Keep a trajectory once more, under a name of its own."""
-        made: list[str] = []
 
-        def make() -> None:
+        def make() -> list[str]:
             new = self._library.free_name(name)
             self._library.duplicate(name, new)
             self._history.note_made([new])
-            made.append(new)
+            return [new]
 
-        if self._attempt(make):
-            self._done(made)
+        self._work.do(make, self._done, self._on_refused)
 
     def rename(self, name: str, new: str) -> None:
         """Give a trajectory another name."""
-        if not self._bars([name]) and self._attempt(lambda: self._history.rename(name, new)):
-            self._done([new])
+        if not self._bars([name]):
+            self._work.do(
+                lambda: self._history.rename(name, new),
+                lambda _: self._done([new]),
+                self._on_refused,
+            )
 
     def delete(self, names: Sequence[str]) -> None:
         """Put trajectories where they can be brought back from."""
         if not names or self._bars(names):
             return
-        deleted: list[Deleted] = []
-        if self._attempt(lambda: deleted.append(self._history.delete(names))):
-            gone = deleted[0].names
-            text = self.tr("Deleted: {names}").format(names=name_list(gone)) if gone else ""
-            self._done([], text)
+        self._work.do(lambda: self._history.delete(names), self._on_deleted, self._on_refused)
+
+    def _on_deleted(self, deleted: Deleted) -> None:
+        gone = deleted.names
+        text = self.tr("Deleted: {names}").format(names=name_list(gone)) if gone else ""
+        self._done([], text)
 
     def note_made(self, names: Sequence[str]) -> None:
         """Others have put these into the library: that can be undone, too."""
-        if names and self._attempt(lambda: self._history.note_made(names)):
-            self.undo_changed.emit()
+        if names:
+            self._work.do(
+                lambda: self._history.note_made(names),
+                lambda _: self.undo_changed.emit(),
+                self._on_refused,
+            )
 
     def undo(self) -> None:
         """Undo what was done last."""
         step = self._history.last
         if step is None or self._bars(step.touched):
             return
-        back: list[str] = []
-        if self._attempt(lambda: back.extend(self._history.undo())):
-            self._done(back, self._undone(step, back))
+        self._work.do(
+            self._history.undo,
+            lambda back: self._done(back, self._undone(step, back)),
+            self._on_refused,
+        )
 
     def bring_back(self, deleted: Sequence[Deleted]) -> None:
         """Bring back some of what was deleted recently."""
-        back: list[str] = []
-        if self._attempt(lambda: back.extend(self._history.bring_back(deleted))):
-            self._done(back, self._brought_back(back))
+        self._work.do(
+            lambda: self._history.bring_back(deleted),
+            lambda back: self._done(back, self._brought_back(back)),
+            self._on_refused,
+        )
 
     def _bars(self, names: Sequence[str]) -> bool:
         """Whether one of these is open; then that is said."""
@@ -117,16 +130,11 @@ class LibraryDeeds(QObject):
         self.said.emit(text, Level.WARNING)
         return True
 
-    def _attempt(self, action: Callable[[], object]) -> bool:
-        """Do something with the library; what it refuses is said."""
-        text = attempt(action)
-        if not text:
-            return True
+    def _on_refused(self, text: str) -> None:
         # it may be refused because the library is another than the operator sees
         self.changed.emit(None)
         self.undo_changed.emit()
         self.said.emit(text, Level.FAULT)
-        return False
 
     def _done(self, names: Sequence[str], text: str = "") -> None:
         self.changed.emit(names)

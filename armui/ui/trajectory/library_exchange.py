@@ -8,18 +8,20 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
+from shiboken6 import isValid
 
 from armui.arm.refusal import Refusal
 from armui.control.situation import Level
 from armui.trajectory import imports
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.imports import Imported
-from armui.trajectory.library import Library, LibraryError
+from armui.trajectory.library import LibraryError
 from armui.ui import words
 from armui.ui.background import Job
 from armui.ui.trajectory import library_files
 from armui.ui.trajectory.columns_offer import ColumnsOffer
 from armui.ui.trajectory.import_report import ReportButton, Result
+from armui.ui.trajectory.library_work import LibraryWork
 from armui.ui.trajectory.text import name_list
 
 if TYPE_CHECKING:
@@ -36,7 +38,7 @@ class LibraryExchange(QObject):
     Args:
         controller: Whom the emergency stop in the file choosers tells.
         background: Where files are read.
-        library: Takes and gives the trajectories.
+        work: Has the library take and give the trajectories.
         window: The choosers belong to it.
 
     Attributes:
@@ -55,15 +57,16 @@ class LibraryExchange(QObject):
         self,
         controller: ArmController,
         background: Background,
-        library: Library,
+        work: LibraryWork,
         window: QWidget,
     ) -> None:
         super().__init__(window)
         self._controller = controller
         self._background = background
-        self._library = library
+        self._work = work
+        self._library = work.library
         self._window = window
-        self.by_columns = ColumnsOffer(controller, library, window)
+        self.by_columns = ColumnsOffer(controller, work, window)
         self.report = ReportButton(controller, window)
         self.by_columns.imported.connect(self._on_by_columns)
         self.by_columns.refused.connect(lambda text: self.said.emit(text, Level.FAULT))
@@ -92,6 +95,8 @@ class LibraryExchange(QObject):
             )
 
     def _on_imported(self, imported: list[Imported] | Refusal) -> None:
+        if not isValid(self):
+            return  # the program is ending
         if isinstance(imported, Refusal):
             self.imported.emit([])
             self.said.emit(words.refusal(imported), Level.FAULT)
@@ -157,23 +162,15 @@ class LibraryExchange(QObject):
 
     def _write(self, names: Sequence[str], path_of: Callable[[str], Path]) -> None:
         """Write each; one that cannot be written keeps none of the others back."""
-        written: list[str] = []
-        problems: list[str] = []
-        for name in names:
-            try:
-                content = self._library.load(name)
-            except TrajectoryFileError as error:
-                problems.append(words.file_error(error))
-                continue
-            except LibraryError as error:
-                problems.append(words.refusal(error.refusal))
-                continue
-            path = path_of(name)
-            problem = library_files.write_one(content, path)
-            if problem is None:
-                written.append(path.name)
-            else:
-                problems.append(f"{problem[0]}: {problem[1]}")
+        self._work.do(
+            lambda: library_files.write_all(self._library, names, path_of),
+            self._on_written,
+            lambda text: self.said.emit(text, Level.FAULT),
+        )
+
+    def _on_written(self, result: tuple[list[str], list[library_files.Failure]]) -> None:
+        written, failures = result
+        problems = [_problem_text(failure) for failure in failures]
         lines = []
         if written:
             lines.append(self.tr("Exported: {names}").format(names=name_list(written)))
@@ -185,6 +182,14 @@ class LibraryExchange(QObject):
             text = self.tr("Not exported either: {count} more.")
             lines.append(text.format(count=len(problems) - _MOST_PROBLEMS))
         self.said.emit("\n".join(lines), Level.FAULT if problems else Level.DONE)
+
+
+def _problem_text(failure: library_files.Failure) -> str:
+    if isinstance(failure, LibraryError):
+        return words.refusal(failure.refusal)
+    if isinstance(failure, TrajectoryFileError):
+        return words.file_error(failure)
+    return f"{failure[0]}: {failure[1]}"
 
 
 def _result(imported: Imported) -> Result:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -12,7 +12,8 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 from armui.trajectory import files
 from armui.trajectory.atomic import write_whole
 from armui.trajectory.file_names import file_stem
-from armui.trajectory.files import Content
+from armui.trajectory.files import Content, TrajectoryFileError
+from armui.trajectory.library import Library, LibraryError
 from armui.ui.dialogs.files import FileDialog
 
 if TYPE_CHECKING:
@@ -90,6 +91,35 @@ def write_one(content: Content, path: Path) -> Problem | None:
         text = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
         return path.name, text
     return None
+
+
+Failure = Problem | LibraryError | TrajectoryFileError
+"""Why one of several trajectories was not written."""
+
+
+def write_all(
+    library: Library, names: Sequence[str], path_of: Callable[[str], Path]
+) -> tuple[list[str], list[Failure]]:
+    """Write trajectories of the library to files, each by itself.
+
+    Returns:
+        The names of the files written, and what speaks against the others.
+    """
+    written: list[str] = []
+    failures: list[Failure] = []
+    for name in names:
+        try:
+            content = library.load(name)
+        except (LibraryError, TrajectoryFileError) as error:
+            failures.append(error)
+            continue
+        path = path_of(name)
+        problem = write_one(content, path)
+        if problem is None:
+            written.append(path.name)
+        else:
+            failures.append(problem)
+    return written, failures
 
 
 def free_path(folder: Path, name: str, suffix: str) -> Path:

@@ -32,9 +32,9 @@ class LibraryWatch(QObject):
         self._timer.timeout.connect(self.changed)
         self._watcher.directoryChanged.connect(lambda _path: self.later())
 
-    def follow(self) -> None:
+    def follow(self, *, exists: bool) -> None:
         """Make sure that the folder is followed, also one that was made only now."""
-        if not self._watcher.directories() and self._folder.is_dir():
+        if exists and not self._watcher.directories():
             self._watcher.addPath(str(self._folder))
 
     def later(self) -> None:

@@ -13,24 +13,26 @@ from PySide6.QtWidgets import QHBoxLayout, QWidget
 from armui.arm.refusal import Refusal
 from armui.control.run import Progress
 from armui.control.situation import Level
-from armui.trajectory.files import Content, TrajectoryFileError
-from armui.trajectory.library import Entry, Library, LibraryError
+from armui.trajectory.files import Content
+from armui.trajectory.library import Entry, Library, Listing
 from armui.trajectory.program import Trajectory
 from armui.trajectory.recording import Recording
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
-from armui.ui.trajectory.attempt import attempt
 from armui.ui.trajectory.bin_button import BinButton
 from armui.ui.trajectory.editor_window import EditorWindow
 from armui.ui.trajectory.file_drop import FileDrop
 from armui.ui.trajectory.findings_pane import FindingsPane
 from armui.ui.trajectory.library_bar import LibraryBar
+from armui.ui.trajectory.library_company import LibraryCompany
 from armui.ui.trajectory.library_deeds import LibraryDeeds
 from armui.ui.trajectory.library_exchange import LibraryExchange
 from armui.ui.trajectory.library_hint import LibraryHint
 from armui.ui.trajectory.library_model import ENTRY_ROLE, LibraryFilter, LibraryModel
+from armui.ui.trajectory.library_presence import LibraryPresence
 from armui.ui.trajectory.library_table import LibraryTable
 from armui.ui.trajectory.library_watch import LibraryWatch
+from armui.ui.trajectory.library_work import LibraryWork
 from armui.ui.trajectory.preflight import Checks, Preflight
 from armui.ui.trajectory.recording_window import RecordingWindow
 from armui.ui.trajectory.run_strip import RunStrip
@@ -75,6 +77,10 @@ class LibraryWindow(ArmDialog):
         self._checks = Checks(controller, background)
         self._checks.get_ready()
         self._library = library
+        self._work = LibraryWork(library, background, self)
+        self._work.do(library.tidy)
+        self._presence = LibraryPresence(library.folder)
+        self._company = LibraryCompany()
         self._editors: dict[str, EditorWindow] = {}
         self._recorder: RecordingWindow | None = None
         self._model = LibraryModel(self)
@@ -83,12 +89,12 @@ class LibraryWindow(ArmDialog):
         self._table = LibraryTable(self._shown)
         self._message = MessageLine()
         self._message.setObjectName("library_message")
-        self._deeds = LibraryDeeds(library, self._editors.__contains__, self)
+        self._deeds = LibraryDeeds(self._work, self._editors.__contains__, self)
         self._undo_button = UndoButton(self._deeds, self)
-        self._bin_button = BinButton(controller, library, self._deeds, self)
+        self._bin_button = BinButton(controller, self._work, self._deeds, self)
         self._hint = LibraryHint(self._table)
         self._watch = LibraryWatch(library.folder, self)
-        self._exchange = LibraryExchange(controller, background, library, self)
+        self._exchange = LibraryExchange(controller, background, self._work, self)
         self._findings = FindingsPane()
         self._strip = RunStrip(controller, self._checks, self._to_run)
         self._lay_out()
@@ -107,6 +113,7 @@ class LibraryWindow(ArmDialog):
         below.addWidget(self._undo_button)
         self._bar.add_button(self._bin_button)
         self.body.addWidget(self._bar)
+        self.body.addWidget(self._company)
         self.body.addWidget(self._table, 1)
         self.body.addWidget(self._findings)
         self.body.addWidget(self._strip)
@@ -160,13 +167,19 @@ class LibraryWindow(ArmDialog):
         Args:
             choose: The names to be chosen; those chosen before by default.
         """
+        self._work.do(
+            lambda: (self._library.listing(), self._presence.others()),
+            lambda seen: self._show_listing(choose, *seen),
+            lambda text: self._say(text, Level.FAULT),
+        )
+
+    def _show_listing(
+        self, choose: Sequence[str] | None, listing: Listing, others: Sequence[str]
+    ) -> None:
         names = self._chosen_names() if choose is None else list(choose)
-        try:
-            changed = self._model.show(self._library.entries(), self._library.drafts())
-        except LibraryError as error:
-            self._say(words.refusal(error.refusal), Level.FAULT)
-            return
-        self._watch.follow()
+        changed = self._model.show(listing.entries, listing.drafts)
+        self._watch.follow(exists=listing.exists)
+        self._company.show_others(others)
         self._bin_button.refresh()
         if choose:
             self._uncover(names)
@@ -237,21 +250,26 @@ class LibraryWindow(ArmDialog):
         if self._model.is_unsaved(name):
             self._open_draft(name)
             return
-        content = self._load(name)
+        self._work.do(
+            lambda: self._library.load(name, to_edit=True), self._open_content, self._on_refused
+        )
+
+    def _open_content(self, content: Content) -> None:
         if isinstance(content, Trajectory):
             self._open_editor(content)
-        elif content is not None:
+        else:
             self.open_recorder(content)
 
     def _open_draft(self, name: str) -> None:
         """What was never saved begins with nothing, and its unsaved changes."""
-        drafts: list[Trajectory | None] = []
-        if not self._attempt(lambda: drafts.append(self._library.draft(name))):
-            return
-        if drafts[0] is None:  # another program has saved or discarded it meanwhile
-            self.refresh()
-            return
-        self._open_editor(Trajectory(name, modified=drafts[0].modified))
+
+        def opened(draft: Trajectory | None) -> None:
+            if draft is None:  # another program has saved or discarded it meanwhile
+                self.refresh()
+            else:
+                self._show_editor(Trajectory(name, modified=draft.modified), draft)
+
+        self._work.do(lambda: self._library.draft(name), opened, self._on_refused)
 
     def open_recorder(self, recording: Recording | None = None) -> None:
         """Open the window that records, or one that trims and thins what was recorded."""
@@ -267,26 +285,25 @@ class LibraryWindow(ArmDialog):
         self._recorder.preview_wanted.connect(self.preview_wanted)
         self._recorder.open()
 
-    def _load(self, name: str) -> Content | None:
-        if self._model.is_unsaved(name):
-            text = self.tr("“{name}” is not saved yet. Open it and save it first.")
-            self._say(text.format(name=name), Level.WARNING)
-            return None
-        contents: list[Content] = []
-        if self._attempt(lambda: contents.append(self._library.load(name))):
-            return contents[0]
-        return None
-
     def _open_editor(self, trajectory: Trajectory) -> None:
-        try:
-            draft = self._library.draft(trajectory.name)
-        except TrajectoryFileError as error:
-            draft = None
-            self._say(words.file_error(error), Level.WARNING)
+        def damaged(text: str) -> None:
+            self._say(text, Level.WARNING)
+            self._show_editor(trajectory, None)
+
+        self._work.do(
+            lambda: self._library.draft(trajectory.name),
+            partial(self._show_editor, trajectory),
+            damaged,
+        )
+
+    def _show_editor(self, trajectory: Trajectory, draft: Trajectory | None) -> None:
+        if trajectory.name in self._editors:  # it was opened twice before it was read
+            self._editors[trajectory.name].open()
+            return
         editor = EditorWindow(
             self._controller,
             self._checks,
-            self._library,
+            LibraryWork(self._library, self._background, self),
             trajectory,
             draft=draft,
             parent=self.parentWidget(),
@@ -305,23 +322,39 @@ class LibraryWindow(ArmDialog):
         """The program ends: what is not saved in an editor is offered the next time."""
         for editor in self._editors.values():
             editor.keep_draft()
+        self._work.do(self._presence.leave)
 
     # Running ----------------------------------------------------------------------------------
 
-    def _to_run(self) -> Content | None:
+    def _to_run(self, then: Callable[[Content | None], object]) -> None:
+        """Hand on what is chosen, once it is read; nothing if something else is chosen by then."""
         chosen = self._chosen_names()
-        if len(chosen) == 1:
-            return self._load(chosen[0])
-        self._say(words.refusal(Refusal("no_rows_chosen")), Level.WARNING)
-        return None
+        if len(chosen) != 1:
+            self._say(words.refusal(Refusal("no_rows_chosen")), Level.WARNING)
+            then(None)
+        elif self._model.is_unsaved(chosen[0]):
+            text = self.tr("“{name}” is not saved yet. Open it and save it first.")
+            self._say(text.format(name=chosen[0]), Level.WARNING)
+            then(None)
+        else:
+
+            def refused(text: str) -> None:
+                self._on_refused(text)
+                then(None)
+
+            self._work.do(
+                lambda: self._library.load(chosen[0]),
+                lambda content: then(content if self._chosen_names() == chosen else None),
+                refused,
+            )
 
     def _show_check(self, checked: Preflight, accept: Callable[[], object] | None) -> None:
         name = checked.content.name
         length_s = checked.path.duration_s if checked.order.speed_factor == 1.0 else None
-        if not self._attempt(
-            lambda: self._library.mark(name, check=checked.mark, length_s=length_s)
-        ):
-            return
+        self._work.do(
+            lambda: self._library.mark(name, check=checked.mark, length_s=length_s),
+            refused=self._on_refused,
+        )
         self.refresh()
         self._say("")
         self._findings.show_check(checked, accept)
@@ -337,12 +370,8 @@ class LibraryWindow(ArmDialog):
             )
             self._say(text, Level.FAULT)
 
-    # What the buttons do ----------------------------------------------------------------------
-
     def _create(self) -> None:
-        trajectory = self._deeds.create()
-        if trajectory is not None:
-            self._open_editor(trajectory)
+        self._deeds.create(self._open_editor)
 
     def _chosen_names(self) -> list[str]:
         return [entry.name for entry in self.chosen()]
@@ -350,14 +379,10 @@ class LibraryWindow(ArmDialog):
     def _export(self, suffix: str) -> None:
         self._exchange.export(self._chosen_names(), suffix)
 
-    def _attempt(self, action: Callable[[], object]) -> bool:
-        """Do something with the library; what it refuses is said."""
-        text = attempt(action)
-        if not text:
-            return True
+    def _on_refused(self, text: str) -> None:
+        """The library refused something."""
         self.refresh()  # it may be refused because somebody else has changed the library
         self._say(text, Level.FAULT)
-        return False
 
     # Words ------------------------------------------------------------------------------------
 

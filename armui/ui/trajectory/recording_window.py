@@ -13,12 +13,13 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QLineEdit, QPush
 from armui.arm.refusal import Refusal
 from armui.control.situation import Level, Situation
 from armui.trajectory import thin
-from armui.trajectory.library import Library, LibraryError
+from armui.trajectory.library import Library
 from armui.trajectory.recording import Recording
 from armui.ui import words
 from armui.ui.background import Job
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.trajectory.leave_question import LeaveQuestion
+from armui.ui.trajectory.library_work import LibraryWork
 from armui.ui.trajectory.preflight import Checks, Preflight
 from armui.ui.trajectory.run_options import RunOptions
 from armui.ui.trajectory.text import duration
@@ -27,6 +28,7 @@ from armui.ui.widgets.message_line import MessageLine
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
+    from armui.control.sample_store import Recorded
     from armui.trajectory.files import Content
     from armui.ui.background import Background
 
@@ -69,6 +71,8 @@ class RecordingWindow(ArmDialog):
         self._checks = Checks(controller, background)
         self._job: Job[Recording | None] | None = None
         self._library = library
+        self._work = LibraryWork(library, background, self)
+        self._joining = self._leaving = False
         self._recording = recording
         self._result = recording
         self._unsaved = False
@@ -159,13 +163,35 @@ class RecordingWindow(ArmDialog):
 
     def _take(self) -> None:
         name = self._name.text().strip() or self.tr("Recording")
-        recording = self._controller.recorder.finish(self._library.free_name(name))
-        if recording is None:
+        recorded = self._controller.recorder.finish(name)
+        if recorded is None:
             self._say(self.tr("Nothing was recorded: the arm told no angles."), Level.WARNING)
             self._show_state()
             return
-        self._unsaved = True
+        self._unsaved = self._joining = True
+        self._say(self.tr("Working…"))
+        self._show_state()
+        self._work.do(
+            lambda: recorded.joined(self._library.free_name(name)),
+            self._on_joined,
+            lambda text: self._on_not_joined(recorded, text),
+        )
+
+    def _on_joined(self, recording: Recording) -> None:
+        self._say("")
+        self._show_joined(recording)
+
+    def _on_not_joined(self, recorded: Recorded, text: str) -> None:
+        """The library cannot be read: the recording is kept under the name that was wished."""
+        self._say(text, Level.FAULT)
+        self._work.do(recorded.joined, self._show_joined)
+
+    def _show_joined(self, recording: Recording) -> None:
+        self._joining = False
         self._show_recording(recording)
+        if self._leaving:
+            self._leaving = False
+            self.reject()
 
     def _show_recording(self, recording: Recording) -> None:
         self._recording = recording
@@ -236,8 +262,6 @@ class RecordingWindow(ArmDialog):
         for button in (self._preview, self._as_samples, self._as_points):
             button.setEnabled(result is not None or self._job is not None)
 
-    # Looking ----------------------------------------------------------------------------------
-
     def preview(self) -> None:
         """Show in 3D where the tool goes in what would be saved; nothing is sent."""
         self._work_out(self._plan_preview)
@@ -263,17 +287,28 @@ class RecordingWindow(ArmDialog):
         self._work_out(self._save_as_points)
 
     def _save_as_points(self, recording: Recording) -> None:
-        self._save(thin.to_points(recording, self._controller.situation.limits))
+        limits = self._controller.situation.limits
+        self._keep(recording, lambda: thin.to_points(recording, limits))
 
-    def _save(self, content: Content) -> None:
-        wish = self._name.text().strip() or content.name
-        name = self._library.free_name(wish)
-        try:
-            self._library.save(replace(content, name=name))
-        except LibraryError as error:
-            self._say(words.refusal(error.refusal), Level.FAULT)
-            return
-        self._unsaved = False
+    def _save(self, recording: Recording) -> None:
+        self._keep(recording, lambda: recording)
+
+    def _keep(self, recording: Recording, make: Callable[[], Content]) -> None:
+        wish = self._name.text().strip() or recording.name
+        whole = self._recording
+
+        def save() -> str:
+            name = self._library.free_name(wish)
+            self._library.save(replace(make(), name=name))
+            return name
+
+        self._work.do(
+            save, partial(self._on_saved, whole), lambda text: self._say(text, Level.FAULT)
+        )
+
+    def _on_saved(self, whole: Recording | None, name: str) -> None:
+        if self._recording is whole:
+            self._unsaved = False
         self._say(self.tr("Saved as “{name}”.").format(name=name), Level.DONE)
         self.saved.emit(name)
 
@@ -281,6 +316,9 @@ class RecordingWindow(ArmDialog):
         """Close; a recording that runs is ended first, one that is not kept asks."""
         if self._controller.recorder.recording and self._recording is None:
             self._take()
+        if self._joining:
+            self._leaving = True  # asks as soon as what was recorded is there
+            return
         if not self._unsaved:
             super().reject()
             return
@@ -324,6 +362,8 @@ class RecordingWindow(ArmDialog):
 
     def _show_usable(self, situation: Situation) -> None:
         reason = None if self._controller.recorder.recording else situation.unreachable
+        if self._joining:
+            reason = Refusal("busy", {"what": "recording"})
         if reason is None and self._unsaved:
             self._record.setToolTip(self.tr("Recording anew takes the place of what is not saved"))
         else:

@@ -25,7 +25,6 @@ from armui.arm.refusal import Refusal
 from armui.control.run import ENDLESS, Phase, Progress
 from armui.control.situation import StopState
 from armui.trajectory.files import Content
-from armui.trajectory.recording import Recording
 from armui.ui import words
 from armui.ui.trajectory.preflight import CheckJob, Checks, Preflight
 from armui.ui.trajectory.run_options import RunOptions
@@ -52,7 +51,8 @@ class RunStrip(QWidget):
     Args:
         controller: Runs it.
         checks: Checks it before.
-        content: What would be run now; ``None`` if there is nothing, which it says itself.
+        content: Hands on what would be run now, once it is read; ``None`` if there is nothing,
+            which it says itself.
 
     Signals:
         checked: A :class:`Preflight` and, if the operator has to agree to the run, what begins it;
@@ -69,7 +69,7 @@ class RunStrip(QWidget):
         self,
         controller: ArmController,
         checks: Checks,
-        content: Callable[[], Content | None],
+        content: Callable[[Callable[[Content | None], object]], object],
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
@@ -77,6 +77,8 @@ class RunStrip(QWidget):
         self._checks = checks
         self._content = content
         self._job: CheckJob | None = None
+        self._reading: object | None = None
+        self._recording = False
         self._about_to_run = False
         self._runner = Runner(controller, self)
         self._again: RunOptions | None = None
@@ -144,6 +146,7 @@ class RunStrip(QWidget):
 
     def show_content(self, count: int, *, recording: bool = False) -> None:
         """Fit the choices to what would be run: how many points it has, or that it has none."""
+        self._recording = recording
         self._first.setMaximum(max(1, count))
         for widget in (self._first, self._first_label, self._steps):
             widget.setVisible(not recording)
@@ -163,20 +166,43 @@ class RunStrip(QWidget):
         Args:
             but: The name of what may go on being checked.
         """
-        if self._job is not None and self._job.order.content.name != but:
-            self._job.drop()
-            self._job = None
+        reading = self._reading is not None and not but
+        if reading or (self._job is not None and self._job.order.content.name != but):
+            if self._job is not None:
+                self._job.drop()
+            self._job = self._reading = None
             self._about_to_run = False
             self._show_progress(self._runner.progress)
 
     def _check(self, options: RunOptions, then: Callable[[Preflight], object]) -> None:
         self.drop_check()
-        content = self._content()
+        reading = self._reading = object()
+        self._content(partial(self._on_content, reading, options, then))
+        self._show_progress(self._runner.progress)
+
+    def _on_content(
+        self,
+        reading: object,
+        options: RunOptions,
+        then: Callable[[Preflight], object],
+        content: Content | None,
+    ) -> None:
+        """What shall be checked was read; unless it is not wanted any more, check it."""
+        if reading is not self._reading:
+            return
+        self._reading = None
         if content is None:
+            self._about_to_run = False
+            self._show_progress(self._runner.progress)
             return
         self._job = self._checks.prepare(content, options, partial(self._on_checked, then))
         self._checks.begin(self._job)
         self._show_progress(self._runner.progress)
+
+    @property
+    def _checking(self) -> bool:
+        """Whether something is being read or checked."""
+        return self._job is not None or self._reading is not None
 
     def _on_checked(
         self, then: Callable[[Preflight], object], checked: Preflight | Refusal
@@ -190,7 +216,7 @@ class RunStrip(QWidget):
             then(checked)
 
     def _options(self) -> RunOptions:
-        recording = isinstance(self._content(), Recording)
+        recording = self._recording
         laps = {_ONCE: 1, _TIMES: self._times.value(), _LOOP: ENDLESS}
         return RunOptions(
             laps[self._laps.currentIndex()],
@@ -213,7 +239,7 @@ class RunStrip(QWidget):
             self.refused.emit(refusal)
             return
         self._check(options, partial(self._run_checked, options))
-        self._about_to_run = self._job is not None
+        self._about_to_run = self._checking
 
     def _run_checked(self, options: RunOptions, checked: Preflight) -> None:
         if checked.errors:
@@ -259,7 +285,7 @@ class RunStrip(QWidget):
         self._show_usable()
 
     def _describe(self, progress: Progress) -> str:
-        if self._job is not None:
+        if self._checking:
             return self.tr("Checking…")
         if progress.phase is Phase.IDLE:
             return ""
@@ -299,7 +325,7 @@ class RunStrip(QWidget):
         progress, running = self._runner.progress, self._runner.running
         reason = self._controller.situation.cannot_run
         self._times.setVisible(self._laps.currentIndex() == _TIMES)
-        checking = self._job is not None
+        checking = self._checking
         self._send.setEnabled(not running and not checking and reason is None)
         self._send.setToolTip("" if reason is None else words.refusal(reason))
         self._pause.setEnabled(can_pause(progress) or can_go_on(progress))

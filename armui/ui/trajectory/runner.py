@@ -52,7 +52,7 @@ class Runner(QObject):
         """Run what was checked: ``None`` if the arm is on its way, or why not."""
         content = checked.content
         if isinstance(content, Recording):
-            replay = Replay(content, options.speed_factor, options.laps)
+            replay = Replay(content, options.speed_factor, options.laps, checked.outcome.profile)
             return self._controller.replayer.start(replay)
         return self._controller.player.start(
             Run(

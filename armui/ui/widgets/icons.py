@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 from typing import Final
 
@@ -32,7 +33,7 @@ def pixmap(name: str, color: str, size: int, pixel_ratio: float) -> QPixmap:
 
 
 def _draw(name: str, color: str, size: int, pixel_ratio: float) -> QPixmap:
-    drawing = (_FOLDER / f"{name}.svg").read_text(encoding="utf-8").replace(_DRAWN_IN, color)
+    drawing = _drawing(name).replace(_DRAWN_IN, color)
     result = QPixmap(QSize(size, size) * pixel_ratio)
     result.setDevicePixelRatio(pixel_ratio)
     result.fill(Qt.GlobalColor.transparent)
@@ -40,6 +41,17 @@ def _draw(name: str, color: str, size: int, pixel_ratio: float) -> QPixmap:
     QSvgRenderer(QByteArray(drawing.encode())).render(painter, QRectF(0, 0, size, size))
     painter.end()
     return result
+
+
+@cache
+def _drawing(name: str) -> str:
+    return (_FOLDER / f"{name}.svg").read_text(encoding="utf-8")
+
+
+def load_all() -> None:
+    """Read the files of all icons, so that drawing one waits for no disk."""
+    for path in _FOLDER.glob("*.svg"):
+        _drawing(path.stem)
 
 
 def icon(name: str, color: str, size: int = 20) -> QIcon:

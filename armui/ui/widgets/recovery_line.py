@@ -167,6 +167,10 @@ class RecoveryLine(QWidget):
             use = use if blocked is None else words.refusal(blocked)
             button.setToolTip(self.tr("Waiting for the arm") if step.waiting else use)
         self._other_button.setVisible(step.alternative is not None)
+        self._hold_button.setAccessibleName(self.tr("Next step"))
+        self._other_button.setAccessibleName(self.tr("Another way"))
+        if step.held and action is not None:
+            self._hold_button.setAccessibleName(self._hold_button.text())
         if step.alternative is not None:
             label = words.step_action(step.alternative)
             self._other_button.setText(label)

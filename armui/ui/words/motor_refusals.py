@@ -61,6 +61,11 @@ MOTOR_REFUSALS: Final[Mapping[str, object]] = {
         "The arm answered that the zero is set, but these joints do not read 0°: {joints}. Do not "
         "move the arm before the zero is set anew.",
     ),
+    "zero_moved": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Joint {joints} does not stand where it stood at the press: no zero was sent. Try again "
+        "where it shall be.",
+    ),
     "ended_by_stop": QT_TRANSLATE_NOOP(
         "Refusal",
         "The stop came first; it is not sent again. Look at what the arm shows, then repeat it.",

@@ -275,6 +275,16 @@ _NOTICES: Final[Mapping[str, object]] = {
         "A part of the program has failed ({part}). The emergency stop still works; end what is "
         "under way and start the program again.",
     ),
+    "settings_shared": QT_TRANSLATE_NOOP(
+        "Notice",
+        "Another armui on this computer uses the same settings file. What is changed here is kept; "
+        "changes made there appear at the next start.",
+    ),
+    "channel_shared": QT_TRANSLATE_NOOP(
+        "Notice",
+        "Another armui on this computer is connected to {device}, too. Both can move the arm: "
+        "close one of them.",
+    ),
     "refused": QT_TRANSLATE_NOOP("Notice", "Not sent. {reason}"),
 }
 

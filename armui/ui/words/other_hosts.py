@@ -33,6 +33,11 @@ OTHER_HOST_REFUSALS: Final[Mapping[str, object]] = {
         "The other program is still sending ({frames}): it can be taken over half a second after "
         "its last frame. Against a stream only the stop wins.",
     ),
+    "listen_only": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "This connection only listens: nothing is sent but the emergency stop. Connect without "
+        "Listen only to command the arm.",
+    ),
     "nobody_else": QT_TRANSLATE_NOOP("Refusal", "No other program moves the arm."),
     "held_at_zero": QT_TRANSLATE_NOOP(
         "Refusal",

@@ -281,6 +281,11 @@ _REFUSALS: Final[Mapping[str, object]] = {
         "Refusal",
         "The settings could not be saved in {path}: {text}. They hold until the program ends.",
     ),
+    "settings_in_use": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Another program is writing the settings file {path}. The settings hold until this program "
+        "ends; change them once more to save them.",
+    ),
     "setting_bad": QT_TRANSLATE_NOOP(
         "Refusal",
         "Setting “{field}”: “{value}” is not possible. Its first setting is used instead.",

@@ -58,6 +58,11 @@ RUN_REFUSALS: Final[Mapping[str, object]] = {
         "Refusal",
         "The device was disconnected while it ran: the arm was told before to end its motion.",
     ),
+    "part_failed": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The part of the program that drove it has failed: the arm was told to end its motion. "
+        "Copy the details of the error, then start the program again.",
+    ),
     "run_sets_lamps": QT_TRANSLATE_NOOP(
         "Refusal",
         "The run under way sets the lamps itself. Wait until it is done, or end the run first.",
@@ -94,6 +99,11 @@ RUN_REFUSALS: Final[Mapping[str, object]] = {
         "Refusal",
         "Joint {joint} does not follow: it is {away}° behind. See what keeps it, or replay more "
         "slowly.",
+    ),
+    "replay_gap": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The program or the computer stood still for {seconds} s, so the replay was ended. Let the "
+        "computer do less beside it, keep it from sleeping, and start the replay anew.",
     ),
     "pose_unknown": QT_TRANSLATE_NOOP(
         "Refusal", "The arm has not reported its end pose: an arc has no beginning. Wait for it."

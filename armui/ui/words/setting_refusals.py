@@ -50,6 +50,16 @@ SETTING_REFUSALS: Final[Mapping[str, object]] = {
         "The arm did not answer (0x476). Nothing says that it took this over: read the values "
         "again, then save once more.",
     ),
+    "order_too_late": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Nothing was sent: the arm was still being set or asked something a second after the "
+        "press. Try again.",
+    ),
+    "arm_changed": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm was silent meanwhile, or another arm answers: nothing more was sent. See that it "
+        "is the right arm, then try again.",
+    ),
     "setting_not_read_back": QT_TRANSLATE_NOOP(
         "Refusal",
         "The arm did not answer when asked for the value: what it holds is not known. Read again.",

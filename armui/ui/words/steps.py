@@ -53,6 +53,10 @@ _SENTENCES: Final[Mapping[Kind, object]] = {
         "RecoveryStep",
         "Nothing is heard from the arm. Check its power, the CAN cable and the bit rate.",
     ),
+    Kind.LISTEN_ONLY: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "Only listening: nothing is sent but the emergency stop.",
+    ),
     Kind.WORKING: QT_TRANSLATE_NOOP("RecoveryStep", "Waiting for the arm: {what}."),
     Kind.STOPPED: QT_TRANSLATE_NOOP(
         "RecoveryStep",

@@ -6,8 +6,11 @@ which joints are the arm's. Slow to import.
 
 from __future__ import annotations
 
+import errno
 import io
 import math
+import os
+import stat
 import xml.etree.ElementTree as ET
 from collections import Counter
 from pathlib import Path
@@ -31,6 +34,8 @@ from armui.viewport.process.robot import (
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+
+_MOST_BYTES = 32_000_000
 
 _KINDS = HINGES | {"prismatic", "fixed", "floating", "planar"}
 
@@ -61,9 +66,10 @@ def _description(path: Path) -> yourdfpy.Robot:
     """What the file says, as yourdfpy's dataclasses."""
     content = _content(path)
     try:
-        return yourdfpy.URDF.load(
-            io.BytesIO(content), build_scene_graph=False, load_meshes=False
-        ).robot
+        with np.errstate(over="ignore", invalid="ignore"):  # figures of hundreds of digits
+            return yourdfpy.URDF.load(
+                io.BytesIO(content), build_scene_graph=False, load_meshes=False
+            ).robot
     except ValueError as error:
         raise _malformed(path, str(error)) from error
     except (LookupError, TypeError, AttributeError) as error:
@@ -74,6 +80,11 @@ def _description(path: Path) -> yourdfpy.Robot:
 def _content(path: Path) -> bytes:
     """The file, which is sound XML: yourdfpy would go on with what it can make out of other."""
     try:
+        found = path.stat()
+        if not stat.S_ISREG(found.st_mode) or found.st_size > _MOST_BYTES:
+            # opening a pipe would wait for ever; a description is some thousand lines
+            text = os.strerror(errno.EISDIR if stat.S_ISDIR(found.st_mode) else errno.EFBIG)
+            raise SceneError("urdf_unreadable", path=str(path), text=text)
         content = path.read_bytes()
         # URDF files are the operator's own, and expat in supported Pythons stops entity bombs.
         element = ET.fromstring(content)  # noqa: S314 - see above

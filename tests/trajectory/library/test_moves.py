@@ -109,8 +109,9 @@ def test_the_bin_is_emptied_of_what_is_old(shelf, folder):
     shelf.save(trajectory("b"))
     old, young = shelf.delete(["a"]), shelf.delete(["b"])
     room = old.places[0][1].parent
-    room.rename(room.with_name("1000000000-aa"))
-    opened(folder)
+    room = room.rename(room.with_name("1000000000-aa"))
+    (room / ".due").write_text("2002-01-01T00:00:00+00:00")  # when it was first found too old
+    opened(folder).tidy()
     assert [path.name for path in (folder / ".deleted").iterdir()] == [
         young.places[0][1].parent.name
     ]

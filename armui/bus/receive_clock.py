@@ -1,0 +1,68 @@
+"""When the system received a frame, as opposed to when the bus thread came to read it: pure.
+
+A thread that was held up, by a busy computer or a sleeping one, finds a backlog. Frames of a
+backlog are old: taken for new ones they would show an arm where it was, and keep it online.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from typing import Final
+
+STAMPED: Final = frozenset({"socketcan"})
+"""Back-ends of python-can whose stamp is the system's own at reception, by the time of day. Others
+stamp when they are read, or count from a moment of their own."""
+
+_AWAY_S: Final = 0.05
+"""A queue nobody has looked at for so long may hold a backlog."""
+_EARLY_S: Final = 1.0
+"""A stamp so far in the future shows that the time of day was set back: it tells nothing."""
+
+
+class ReceiveClock:
+    """Dates frames; used by the thread that reads them.
+
+    No frame is dated before the moment when the queue was last found empty: it came later. Without
+    a stamp of the system a backlog has exactly that date, the oldest it can be.
+
+    Args:
+        clock: The program's clock in seconds.
+        stamped: Whether the frames bear the system's time of day at reception.
+        time_of_day: In seconds; only for tests other than the system's.
+    """
+
+    def __init__(
+        self,
+        clock: Callable[[], float],
+        *,
+        stamped: bool,
+        time_of_day: Callable[[], float] = time.time,
+    ) -> None:
+        self._clock = clock
+        self._stamped = stamped
+        self._time_of_day = time_of_day
+        self._empty_s = clock()
+        self._behind = False
+
+    def begin(self) -> None:
+        """The reader turns to the queue, after whatever else it did."""
+        self._behind = self._behind or self._clock() - self._empty_s > _AWAY_S
+
+    def emptied(self) -> None:
+        """The reader has found the queue empty."""
+        self._empty_s = self._clock()
+        self._behind = False
+
+    def at_s(self, stamp_s: float, now_s: float) -> float:
+        """When a frame was received, by the program's clock.
+
+        Args:
+            stamp_s: What the back-end says.
+            now_s: When it was read.
+        """
+        if self._stamped:
+            age_s = self._time_of_day() - stamp_s
+            if age_s >= -_EARLY_S:
+                return min(max(self._clock() - age_s, self._empty_s), now_s)
+        return self._empty_s if self._behind else now_s

@@ -1,0 +1,77 @@
+"""What is ended when a part of the program has failed: the motion it was in charge of, no other."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable, Collection
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.refusal import Refusal
+from armui.protocol.codes import TrajectoryCommand
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_LOG: Final = logging.getLogger(__name__)
+
+_JOGS: Final = frozenset(
+    {
+        *("armui.control.jogging", "armui.control.jog_stream", "armui.control.jog_ways"),
+        *("armui.control.jog_pace", "armui.ui.widgets.jog_button", "armui.ui.panels.jog_panel"),
+    }
+)
+_RUNS: Final = frozenset(
+    {
+        *("armui.control.player", "armui.control.execution", "armui.control.run"),
+        *("armui.control.arrival", "armui.control.point_frames"),
+        *("armui.ui.trajectory.run_strip", "armui.ui.trajectory.runner"),
+    }
+)
+_REPLAYS: Final = frozenset(
+    {
+        *("armui.control.replayer", "armui.control.replay"),
+        "armui.ui.trajectory.recording_window",
+    }
+)
+_SINGLE_MOTIONS: Final = frozenset(
+    {
+        *("armui.control.motion", "armui.control.cartesian", "armui.control.planned_motion"),
+        *("armui.control.setpoint", "armui.control.speed", "armui.control.gripper"),
+        *("armui.ui.panels.motion_panel", "armui.ui.panels.cartesian_panel"),
+    }
+)
+"""The modules of each kind of motion, from the button to the frames."""
+
+
+def end_motion_of(controller: ArmController, modules: Collection[str]) -> None:
+    """End what the failed modules drive; the arm comes to rest and keeps its power.
+
+    Whatever fails meanwhile ends nothing else: where a part cannot end its motion itself, the arm
+    is told to end it (终止, 0x150 byte 1 = 6).
+    """
+    failed = set(modules)
+    streams = (controller.jogging.active, controller.player.running, controller.replayer.running)
+    reason = Refusal("part_failed")
+    if failed & _JOGS and controller.jogging.active:
+        _have(controller, controller.jogging.stop)
+    if failed & _RUNS and controller.player.running:
+        _have(controller, lambda: controller.player.end(reason))
+    if failed & _REPLAYS and controller.replayer.running:
+        _have(controller, lambda: controller.replayer.end(reason))
+    if failed & _SINGLE_MOTIONS and controller.situation.moving and not any(streams):
+        _abort(controller)
+
+
+def _have(controller: ArmController, end: Callable[[], object]) -> None:
+    try:
+        end()
+    except Exception:  # noqa: BLE001 - it has failed before, anything may come
+        _LOG.exception("A part that failed could not end its motion")
+        _abort(controller)
+
+
+def _abort(controller: ArmController) -> None:
+    try:
+        controller.planned_motion.command(TrajectoryCommand.ABORT)
+    except Exception:  # noqa: BLE001 - as above
+        _LOG.exception("The motion of a part that failed could not be ended")

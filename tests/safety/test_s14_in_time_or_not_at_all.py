@@ -1,0 +1,133 @@
+"""S14: an action leaves within a second of its press or not at all, and is checked again."""
+
+import pytest
+
+from armui.arm.parameters import Batch, Group, Parameter
+from armui.control.parameter_reader import ParameterReader
+from tests.faulty_arm import HardOfHearing
+
+END = Batch(Group.END_LIMITS)
+LINEAR_SPEED = Parameter("max_linear_speed_m_s")
+QUESTIONS = {0x472, 0x477}
+ANSWER = 0x476
+LYING_DEG = (5.0, 10.0, -20.0, 0.0, 30.0, -40.0)
+
+
+@pytest.fixture
+def arm(any_bench):
+    any_bench.connect()
+    any_bench.firmware.body.count_anew(LYING_DEG)
+    any_bench.run(0.1)
+    any_bench.ear = HardOfHearing(any_bench.firmware)
+    return any_bench
+
+
+def zeros(arm):
+    return [each for each in arm.ear.heard if each.arbitration_id == 0x475 and each.data[1] == 0xAE]
+
+
+def failed(arm):
+    return [each.params["reason"].code for each in arm.notices if each.code == "zero_failed"]
+
+
+def test_a_zero_does_not_wait_behind_questions_nobody_answers(arm):
+    arm.ear.deaf_to = QUESTIONS
+    reader = ParameterReader(arm.controller.settings)
+    assert reader.start() is None
+    arm.run(0.3)
+    assert arm.controller.zeroing.set_zero(1) is None
+    arm.run(0.1)
+    assert len(zeros(arm)) == 1
+    arm.run_until(lambda: "zero_set_joint" in arm.codes())
+    arm.run_until(lambda: not reader.running, 30.0)
+    assert len(zeros(arm)) == 1
+
+
+def test_a_zero_that_cannot_begin_within_a_second_is_dropped_with_words(arm):
+    arm.ear.mute_on = {ANSWER}
+    assert arm.controller.joint_errors.clear(1) is None
+    assert arm.controller.zeroing.set_zero(2) is None
+    arm.run(0.96)
+    assert zeros(arm) == []
+    arm.run(20.0)
+    assert zeros(arm) == []
+    assert failed(arm) == ["order_too_late"]
+    assert not arm.controller.zeroing.busy
+
+
+def test_a_zero_is_not_sent_to_a_joint_that_stands_elsewhere_by_then(arm):
+    arm.ear.mute_on = {ANSWER}
+    arm.controller.joint_errors.clear(1)
+    arm.run(0.5)
+    assert arm.controller.zeroing.set_zero(2) is None
+    arm.firmware.body.count_anew((5.0, 12.0, -20.0, 0.0, 30.0, -40.0))
+    arm.run(3.0)
+    assert zeros(arm) == []
+    assert failed(arm) == ["zero_moved"]
+    reason = next(each.params["reason"] for each in arm.notices if each.code == "zero_failed")
+    assert reason.params == {"joints": "2"}
+
+
+def test_a_zero_waits_for_a_short_while_where_nothing_has_changed(arm):
+    arm.ear.mute_on = {ANSWER}
+    arm.controller.joint_errors.clear(1)
+    arm.run(0.5)
+    arm.controller.zeroing.set_zero(2)
+    arm.run(0.4)
+    arm.ear.mute_on = set()
+    arm.run_until(lambda: "zero_set_joint" in arm.codes())
+    assert len(zeros(arm)) == 1
+
+
+def test_a_zero_is_never_repeated(arm):
+    arm.ear.mute_on = {ANSWER}  # heard and done, and the answer got lost
+    arm.controller.zeroing.set_zero(3)
+    arm.run(5.0)
+    assert len(zeros(arm)) == 1
+    assert not arm.controller.zeroing.busy
+    assert "zero_set_joint" in arm.codes()  # by the angle that is read now
+
+
+def test_a_zero_unanswered_where_the_joint_lay_at_zero_is_not_told_as_set(arm):
+    arm.ear.deaf_to = {0x475}
+    arm.controller.zeroing.set_zero(4)  # it lies at 0°
+    arm.run_until(lambda: not arm.controller.zeroing.busy)
+    assert failed(arm) == ["setting_unanswered"]
+
+
+def test_no_zero_while_the_angles_are_silent(any_bench):
+    any_bench.connect()
+    silence = {0x2A5, 0x2A6, 0x2A7}
+    step = any_bench.firmware.step
+    any_bench.firmware.step = lambda dt_s: [
+        frame for frame in step(dt_s) if frame.arbitration_id not in silence
+    ]
+    any_bench.run(0.7)
+    assert any_bench.controller.zeroing.set_zero(1).code == "joints_unknown"
+    del any_bench.firmware.step
+
+
+def test_a_parameter_is_not_set_again_on_an_arm_that_moves_by_then(bench, other_host):
+    bench.ready()
+    bench.controller.settings.read([END])
+    bench.run_until(lambda: not bench.controller.settings.busy)
+    bench.ear = HardOfHearing(bench.firmware)
+    bench.ear.mute_on = {ANSWER}
+    assert bench.controller.settings.save({LINEAR_SPEED: 0.5}) is None
+    other_host.move_to((40.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    bench.run(3.0)
+    assert len([each for each in bench.ear.heard if each.arbitration_id == 0x479]) == 1
+
+
+def test_a_command_meant_for_one_arm_is_not_given_to_the_next(arm):
+    arm.controller.settings.read([END])
+    arm.run_until(lambda: not arm.controller.settings.busy)
+    arm.ear.mute_on = {ANSWER}
+    arm.ear.heard.clear()
+    assert arm.controller.settings.save({LINEAR_SPEED: 0.5}) is None
+    arm.step()
+    connection = arm.controller._connection
+    connection._start_anew(connection._worker, arm.time_s)  # it was silent, and an arm came
+    arm.run(3.0)
+    assert len([each for each in arm.ear.heard if each.arbitration_id == 0x479]) == 1
+    assert arm.controller.settings.cell(LINEAR_SPEED).reason.code in {"arm_changed", "offline"}

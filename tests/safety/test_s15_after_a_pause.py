@@ -1,0 +1,77 @@
+"""A backlog read after a stall is no news; after a sleep of the PC nothing of before goes on."""
+
+from contextlib import contextmanager
+
+import can
+import pytest
+
+from armui.arm.device import Device
+from armui.bus.worker import BusWorker
+from armui.control.jog_ways import JointJog
+from armui.control.situation import LinkState
+from armui.protocol.codec import Codec
+from armui.protocol.generation import Generation
+
+ANGLES = can.Message(arbitration_id=0x2A5, data=bytes(8), is_extended_id=False)
+SLEEP_S = 7200.0
+
+
+class StalledBus:
+    """A bus with a backlog: the reader was held up by its driver before it came to look."""
+
+    def __init__(self, frames):
+        self.frames = frames
+        self.stalled = False
+
+    def recv(self, timeout=None):
+        return self.frames.pop(0) if self.frames else None
+
+    def send(self, message, timeout=None):
+        """Takes three seconds the first time."""
+
+
+@pytest.fixture
+def clock():
+    return [1000.0]
+
+
+def test_frames_of_a_backlog_are_not_dated_now(qapp, clock):
+    bus = StalledBus([])
+
+    @contextmanager
+    def opener(_device):
+        yield bus
+
+    worker = BusWorker(
+        Device("slcan", "tty", None), opener, Codec(Generation.TWO), lambda: clock[0]
+    )
+    worker._outbox.attach(bus)
+    worker._received.emptied()
+    clock[0] += 3.0
+    bus.frames = [ANGLES] * 3
+    worker._receive_burst(bus)
+    worker._state = worker._tracker.picture()
+    assert worker.state.last_feedback_s == 1000.0
+    bus.frames = [ANGLES]
+    worker._receive_burst(bus)
+    worker._state = worker._tracker.picture()
+    assert worker.state.last_feedback_s == 1003.0
+    assert worker.state.silences == 1
+
+
+def test_after_a_sleep_nothing_of_before_goes_on(any_bench):
+    bench = any_bench
+    bench.ready()
+    assert bench.controller.jogging.start(JointJog(1, 1)) is None
+    bench.run_until(lambda: bench.controller.situation.jogging)
+    bench._settle()
+    bench.time_s += SLEEP_S  # both clocks go on; nobody looks, nobody says a word
+    bench.step()
+    assert not bench.controller.jogging.active
+    bench.step()
+    bench.run_until(lambda: bench.codes().count("limits_read") == 2)
+    assert bench.controller.situation.link is LinkState.ONLINE
+    bench.heard()
+    bench.run(1.0)
+    moving = {0x151, 0x155, 0x156, 0x157}
+    assert not moving & {frame.arbitration_id for frame in bench.heard()}

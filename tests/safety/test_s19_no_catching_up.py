@@ -1,0 +1,91 @@
+"""S19: after a pause of the program a replay catches up with nothing."""
+
+import numpy as np
+import pytest
+
+from armui.control.replay import Replay
+from armui.control.run import Phase
+from armui.trajectory.recording import Recording
+from tests.control.test_replayer import STILL, wave
+
+PERIOD_S = 0.02
+
+
+@pytest.fixture
+def ready(any_bench):
+    any_bench.ready()
+    return any_bench
+
+
+def ramp(seconds=20.0, speed_deg_s=10.0):
+    """Joint 1 turns evenly: a target tells the recorded time."""
+    times = np.arange(0.0, seconds, 0.005)
+    samples = np.zeros((len(times), 8))
+    samples[:, 0] = times
+    samples[:, 1:7] = STILL
+    samples[:, 1] = speed_deg_s * (times - seconds / 2)
+    samples[:, 7] = np.nan
+    return Recording("ramp", samples=samples)
+
+
+def replaying(bench, recording):
+    replayer = bench.controller.replayer
+    assert replayer.start(Replay(recording)) is None
+    bench.run_until(lambda: replayer.progress.done > 0.1, seconds=60.0)
+    return replayer
+
+
+def recorded_s(replayer, recording):
+    return replayer.progress.done * recording.duration_s
+
+
+@pytest.mark.parametrize("pause_s", [0.1, 0.2, 0.4])
+def test_the_recorded_time_stands_still_while_the_program_does(ready, pause_s):
+    recording = ramp()
+    replayer = replaying(ready, recording)
+    before_s = recorded_s(replayer, recording)
+    ready.step(pause_s)
+    assert recorded_s(replayer, recording) - before_s == pytest.approx(PERIOD_S, abs=0.005)
+    ready.run(0.4)  # and nothing is made up for later
+    assert recorded_s(replayer, recording) - before_s == pytest.approx(0.42, abs=0.025)
+    assert replayer.progress.phase is Phase.MOVING
+
+
+def test_a_late_tick_is_no_pause(ready):
+    recording = ramp()
+    replayer = replaying(ready, recording)
+    before_s = recorded_s(replayer, recording)
+    ready.step(0.07)
+    assert recorded_s(replayer, recording) - before_s == pytest.approx(0.07, abs=0.005)
+
+
+def test_the_arm_is_never_faster_than_recorded_after_a_pause(ready):
+    """Two out of three seconds lost at 0.4°/s were caught up at 18°/s."""
+    replayer = replaying(ready, ramp(seconds=40.0, speed_deg_s=0.4))
+    speeds = []
+    for _ in range(8):
+        ready.step(0.4)
+        before = ready.firmware.joints_deg[0]
+        for _ in range(10):
+            ready.step()
+            now = ready.firmware.joints_deg[0]
+            speeds.append(abs(now - before) / PERIOD_S)
+            before = now
+    assert replayer.running
+    assert max(speeds) < 1.0
+
+
+@pytest.mark.parametrize("pause_s", [0.6, 3.0, 7200.0])
+def test_a_long_pause_ends_the_replay_and_says_why(ready, pause_s):
+    replayer = replaying(ready, wave(seconds=20.0))
+    ready.time_s += pause_s - PERIOD_S
+    ready.step()
+    progress = replayer.progress
+    assert (progress.phase, progress.reason.code) == (Phase.FAILED, "replay_gap")
+    assert progress.reason.params == {"seconds": round(pause_s, 1)}
+    told = [notice for notice in ready.notices if notice.code == "replay_failed"]
+    assert told[-1].params["reason"].code == "replay_gap"
+    ready.run(0.5)
+    at = ready.firmware.joints_deg
+    ready.run(1.0)
+    assert ready.firmware.joints_deg == at

@@ -1,0 +1,182 @@
+"""S20: ending the program ends its motion first, waits with a limit and never blocks the window."""
+
+import threading
+import time
+from contextlib import contextmanager
+
+import can
+import pytest
+from PySide6.QtWidgets import QApplication
+
+from armui.arm.device import Device
+from armui.control.arm_controller import ArmController
+from armui.control.situation import LinkState
+from armui.ui.dialogs.close_question import CloseQuestion
+from tests.desk import TIMEOUT_MS
+
+FAR = (60.0, 60.0, -60.0, 0.0, 0.0, 0.0)
+ABORT = bytes([0, 6, 0, 0, 0, 0, 0, 0])  # 0x150 byte 1: the trajectory command 6, end it
+
+
+class SlowOpener:
+    """Opens a device when it is told to, as a driver that takes seconds."""
+
+    def __init__(self, channel):
+        self.channel = channel
+        self.free = threading.Event()
+        self.begun = threading.Event()
+        self.open = 0
+
+    @contextmanager
+    def __call__(self, _device):
+        self.begun.set()
+        assert self.free.wait(TIMEOUT_MS / 1e3)
+        with can.Bus(interface="virtual", channel=self.channel) as bus:
+            self.open += 1
+            yield bus
+            self.open -= 1
+
+
+@pytest.fixture
+def opener(request):
+    opener = SlowOpener(request.node.nodeid)
+    yield opener
+    opener.free.set()
+
+
+def spin_until(condition):
+    deadline = time.monotonic() + TIMEOUT_MS / 1e3
+    while not condition():
+        QApplication.processEvents()
+        assert time.monotonic() < deadline
+
+
+def connected(opener, find=list):
+    controller = ArmController(opener, find=find)
+    controller.connect_device(Device("virtual", opener.channel, None))
+    assert opener.begun.wait(TIMEOUT_MS / 1e3)
+    return controller
+
+
+def test_disconnecting_does_not_wait_for_a_driver_that_opens(qapp, opener):
+    """The driver lets go only after the window has: a wait without a limit would never end."""
+    controller = connected(opener)
+    controller.disconnect_device()
+    assert controller.situation.link is LinkState.NO_DEVICE
+    assert not opener.free.is_set()
+    assert len(controller._connection._ending) == 1
+    opener.free.set()
+    spin_until(lambda: not controller._connection._ending)
+    assert opener.open == 0
+    assert controller.shutdown()
+
+
+def test_the_same_device_is_opened_again_only_when_it_was_closed(qapp, opener):
+    controller = connected(opener)
+    opener.begun.clear()
+    controller.connect_device(Device("virtual", opener.channel, None))
+    assert not opener.begun.is_set()
+    opener.free.set()
+    spin_until(lambda: controller.situation.link is LinkState.OFFLINE)
+    assert opener.open == 1
+    assert controller.shutdown()
+    assert opener.open == 0
+
+
+def test_the_end_waits_for_a_driver_with_a_limit(qapp, opener):
+    controller = connected(opener)
+    assert controller.shutdown() is False
+    assert not opener.free.is_set()
+    opener.free.set()
+    spin_until(controller.shutdown)
+
+
+def test_the_end_waits_for_a_search_with_a_limit_and_ends_the_motion_before(qapp, bench):
+    free, searching = threading.Event(), threading.Event()
+
+    def find():
+        searching.set()
+        assert free.wait(TIMEOUT_MS / 1e3)
+        return []
+
+    bench.ready()
+    bench.controller._finder._find = find
+    bench.controller.search_devices()
+    assert searching.wait(TIMEOUT_MS / 1e3)
+    assert bench.controller.motion.send_joints(FAR) is None
+    bench.run(1.0)
+    bench.heard()
+    assert bench.controller.shutdown() is False
+    assert (0x150, ABORT) in frames(bench)
+    free.set()
+    spin_until(bench.controller.shutdown)
+
+
+def frames(bench):
+    return [(frame.arbitration_id, bytes(frame.data)) for frame in bench.heard()]
+
+
+def test_ending_the_program_ends_a_single_motion(any_bench):
+    bench = any_bench
+    bench.ready()
+    assert bench.controller.motion.send_joints(FAR) is None
+    bench.run(1.0)
+    bench.heard()
+    bench.controller.shutdown()
+    assert (0x150, ABORT) in frames(bench)
+
+
+def test_at_rest_nothing_is_sent_at_the_end(any_bench):
+    bench = any_bench
+    bench.ready()
+    bench.run(1.0)
+    bench.heard()
+    bench.controller.shutdown()
+    assert bench.heard() == []
+
+
+def moving(desk):
+    desk.connect_by_hand()
+    desk.enable_by_hand()
+    assert desk.controller.motion.send_joints(FAR) is None
+    desk.run_until(lambda: desk.controller.situation.moving)
+    desk.run(0.5)
+    desk.heard()
+    desk.window.close()
+    assert desk.window.isVisible()
+    return desk.dialog(CloseQuestion)
+
+
+def test_closing_the_window_ends_the_motion_first(any_desk):
+    question = moving(any_desk)
+    any_desk.click(question.action_button)
+    assert (0x150, ABORT) in frames(any_desk)
+    assert any_desk.window.isVisible()
+    any_desk.run_until(lambda: not any_desk.window.isVisible(), seconds=4.0)
+    assert not any_desk.controller.situation.moving
+
+
+def test_the_operator_may_let_it_finish(any_desk):
+    question = moving(any_desk)
+    any_desk.click(question.let_finish_button)
+    assert not any_desk.window.isVisible()
+    any_desk.program.shutdown()
+    assert (0x150, ABORT) not in frames(any_desk)
+
+
+def test_an_arm_that_does_not_come_to_rest_keeps_no_window(desk):
+    question = moving(desk)
+    desk.firmware.on_frame = lambda _frame: []
+    desk.click(question.action_button)
+    assert desk.window.isVisible()
+    (ending,) = [one for one in desk.window.children() if type(one).__name__ == "_Ending"]
+    ending._limit.timeout.emit()
+    assert not desk.window.isVisible()
+
+
+def test_the_stop_in_the_question_closes_nothing(desk):
+    question = moving(desk)
+    desk.controller.emergency_stop()
+    desk.run(0.5)
+    desk.click(question.cancel_button)
+    assert desk.window.isVisible()

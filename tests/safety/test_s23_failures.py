@@ -1,0 +1,203 @@
+"""S23: what nobody expected is told once, kept in the log, ends its own motion and nothing else."""
+
+import logging
+import sys
+import threading
+
+import pytest
+from PySide6.QtCore import QObject, QThread, Signal
+from PySide6.QtGui import QGuiApplication
+
+from armui import app, failures
+from armui.control.jog_ways import JointJog
+from armui.helper_process import HelperProcess
+from armui.log_file import log_to
+from armui.start import StartOptions
+
+
+class Breaks(QObject):
+    said = Signal()
+
+    def __init__(self):
+        super().__init__()
+        self.said.connect(self.fail)
+
+    def fail(self):
+        raise ZeroDivisionError("in a slot")
+
+
+@pytest.fixture
+def told(monkeypatch):
+    """Hooks in place, as in the program, and what they told; pytest-qt's own come back after."""
+    heard = []
+    handler = failures.FailureHandler(heard.append)
+    logger = logging.getLogger("armui")
+    logger.addHandler(handler)
+    monkeypatch.setattr(logger, "propagate", False)
+    with failures.hooks():
+        yield heard
+    logger.removeHandler(handler)
+
+
+def test_an_exception_in_a_slot_is_told(qapp, told):
+    breaks = Breaks()
+    breaks.said.emit()
+    (failure,) = told
+    assert failure.error == "ZeroDivisionError: in a slot"
+    assert 'raise ZeroDivisionError("in a slot")' in failure.text
+    assert failure.text.startswith("armui ")
+
+
+def test_an_exception_in_a_thread_is_told(told):
+    thread = threading.Thread(target=lambda: 1 / 0, name="worker 7")
+    thread.start()
+    thread.join()
+    assert [failure.error for failure in told] == ["ZeroDivisionError: division by zero"]
+    assert "worker 7" in told[0].text
+
+
+def test_an_exception_in_a_thread_of_qt_is_told(qapp, told):
+    class Thread(QThread):
+        def run(self):
+            raise KeyError("gone")
+
+    thread = Thread()
+    thread.start()
+    assert thread.wait(5000)
+    assert [failure.error for failure in told] == ["KeyError: 'gone'"]
+
+
+def test_a_failure_that_repeats_is_one_failure(qapp, told):
+    breaks = Breaks()
+    for _ in range(250):
+        breaks.said.emit()
+    assert [failure.count for failure in told] == list(range(1, 251))
+
+
+def test_the_hooks_of_before_come_back():
+    before = sys.excepthook, threading.excepthook
+    with failures.hooks():
+        assert sys.excepthook is not before[0]
+    assert (sys.excepthook, threading.excepthook) == before
+
+
+def test_the_log_keeps_it_and_collapses_repetitions(tmp_path, qapp, told):
+    with log_to(tmp_path / "logs") as path:
+        breaks = Breaks()
+        for _ in range(250):
+            breaks.said.emit()
+    text = path.read_text(encoding="utf-8")
+    assert text.count("ZeroDivisionError: in a slot") == 3
+    assert "(time 10)" in text
+    assert "(time 100)" in text
+
+
+def test_the_log_rotates(tmp_path):
+    with log_to(tmp_path):
+        for number in range(300):
+            logging.getLogger("armui.test").warning("%d %s", number, "x" * 20_000)
+            if number % 100 == 99:
+                logging.getLogger("armui").handlers[-1].queue.join()
+    names = sorted(path.name for path in tmp_path.iterdir())
+    assert names == ["armui.log", *(f"armui.log.{n}" for n in (1, 2, 3, 4))]
+    assert sum(path.stat().st_size for path in tmp_path.iterdir()) < 5_100_000
+
+
+@pytest.mark.parametrize("in_the_way", [True, False])
+def test_a_log_that_cannot_be_written_keeps_nothing_from_starting(tmp_path, in_the_way):
+    folder = tmp_path / "file"
+    if in_the_way:
+        folder.touch()
+    else:
+        (folder / "armui.log").mkdir(parents=True)
+    with log_to(folder) as path:
+        assert path is None
+
+
+def test_the_window_says_it_in_one_line_with_a_text_to_copy(desk, told):
+    breaks = Breaks()
+    breaks.said.emit()
+    line = desk.find("failure_line")
+    assert line.isVisible()
+    assert "ZeroDivisionError: in a slot" in line.text()
+    assert "\n" not in line.text()
+    desk.click("failure_copy_button")
+    assert 'raise ZeroDivisionError("in a slot")' in QGuiApplication.clipboard().text()
+    breaks.said.emit()
+    assert "2 times" in line.text()
+    desk.click("failure_close_button")
+    assert not line.isVisible()
+
+
+def test_a_jog_whose_part_fails_ends_and_the_stop_still_stops(any_desk, told, monkeypatch):
+    arm = any_desk
+    arm.ready()
+    jogging = arm.controller.jogging
+    assert jogging.start(JointJog(1, 1)) is None
+    arm.run_until(lambda: arm.controller.situation.jogging)
+    arm.run(0.5)
+
+    def breaks():
+        raise ArithmeticError("of a jog")
+
+    monkeypatch.setattr(jogging, "advance", breaks)
+    arm.step()
+    assert not jogging.active
+    assert "ArithmeticError: of a jog" in arm.find("failure_line").text()
+    arm.run(0.5)
+    before = arm.controller.state.angles_deg()[0]
+    arm.run(0.5)
+    assert arm.controller.state.angles_deg()[0] == pytest.approx(before, abs=0.01)
+    arm.controller.emergency_stop()
+    arm.run_until(lambda: "stop_confirmed" in arm.codes(), 1.0)
+
+
+def test_a_part_that_drives_nothing_ends_no_motion(desk, told, monkeypatch):
+    desk.ready()
+    assert desk.controller.motion.send_joints([20.0, 10.0, -10.0, 0.0, 0.0, 0.0]) is None
+    desk.run_until(lambda: desk.controller.situation.moving)
+
+    def breaks():
+        raise ArithmeticError("of no motion")
+
+    monkeypatch.setattr(desk.controller.recorder, "advance", breaks)
+    desk.run(10.0)
+    assert desk.controller.state.angles_deg()[0] == pytest.approx(20.0, abs=0.1)
+    assert "ArithmeticError: of no motion" in desk.find("failure_line").text()
+
+
+def test_an_error_of_our_own_in_the_bus_thread_is_told_and_a_lost_device_is_not(
+    bench, told, monkeypatch, qtbot
+):
+    bench.connect()
+    bench.unplug(OSError(19, "gone"))
+    qtbot.waitUntil(lambda: "link_lost" in bench.codes())
+    assert told == []
+    bench.plug_in()
+    qtbot.waitUntil(lambda: "reconnected" in bench.codes())
+
+    monkeypatch.setattr(
+        bench.controller._connection._worker, "_take_in", None
+    )  # calling it raises in the worker
+    bench.node.poll(0.02)
+    qtbot.waitUntil(lambda: bool(told))
+    assert told[0].error.startswith("TypeError")
+
+
+def test_the_program_runs_with_hooks_and_a_log(tmp_path, monkeypatch):
+    seen = []
+    before = sys.excepthook
+    monkeypatch.setattr("armui.paths.logs", lambda: tmp_path / "logs")
+    monkeypatch.setattr("armui.app._run", lambda _options: seen.append(sys.excepthook) or 7)
+    assert app.run(StartOptions()) == 7
+    assert seen[0] is not before
+    assert sys.excepthook is before
+    assert (tmp_path / "logs" / "armui.log").is_file()
+
+
+def test_work_that_fails_in_the_helper_process_is_logged(caplog):
+    helper = HelperProcess()
+    with pytest.raises(ZeroDivisionError), caplog.at_level(logging.WARNING, "armui"):
+        helper.submit(divmod, 1, 0).result(60)
+    helper.shutdown()
+    assert "ZeroDivisionError" in caplog.text

@@ -1,0 +1,31 @@
+"""The program's clock goes on while the computer sleeps."""
+
+import sys
+import time
+
+import pytest
+
+from armui.bus.outbox import Outbox
+from armui.bus.worker import BusWorker
+from armui.clock import steady_s
+from armui.control.arm_controller import ArmController
+
+
+def test_it_never_goes_back():
+    times = [steady_s() for _ in range(1000)]
+    assert times == sorted(times)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the clock of Linux")
+def test_on_linux_it_counts_the_time_asleep(monkeypatch):
+    asked = []
+    monkeypatch.setattr(time, "clock_gettime", lambda clock: asked.append(clock) or 5.0)
+    assert steady_s() == 5.0
+    assert asked == [time.CLOCK_BOOTTIME]
+
+
+@pytest.mark.parametrize("user", [ArmController, BusWorker, Outbox])
+def test_all_that_speak_to_the_arm_go_by_it(user):
+    names = user.__init__.__code__.co_varnames[1 : user.__init__.__code__.co_argcount]
+    defaults = user.__init__.__defaults__
+    assert dict(zip(names[-len(defaults) :], defaults, strict=True))["clock"] is steady_s
