@@ -15,45 +15,39 @@ LIMIT_MS = 120_000
 
 PROGRAM = """
 import json, sys
-from pathlib import Path
 
 def main():
     # not above: the picture's process imports this file, too
     from PySide6.QtCore import QTimer
-    from PySide6.QtWidgets import QApplication
-    from armui.app import SIMULATED, Program, open_device
-    from armui.control.arm_controller import ArmController
+    from armui import app
     from armui.control.situation import LinkState
-    from armui.helper_process import HelperProcess
-    from armui.settings import SettingsStore
+    from armui.start import StartOptions
 
-    app = QApplication([])
-    controller = ArmController(open_device, SIMULATED)
-    folder = Path(sys.argv[1])
-    store = SettingsStore(folder / "settings.json")
-    program = Program(app, store, controller, HelperProcess(), folder / "trajectories")
-    program.window.show()
-    program.controller.connect_device(SIMULATED[0])
-    view = program.view
-    online_before = []
+    class Watched(app.Program):
+        def __init__(self, *arguments, **more):
+            super().__init__(*arguments, **more)
+            self.online_before = False
+            self.watch = QTimer(interval=20)
+            self.watch.timeout.connect(self.look)
+            self.watch.start()
 
-    def look():
-        if view._picture is None and controller.situation.link is LinkState.ONLINE:
-            online_before.append(True)
-        if view.is_settled and controller.situation.link is LinkState.ONLINE:
-            timer.stop()
-            heavy = {name.partition(".")[0] for name in sys.modules}
-            heavy &= {"vtkmodules", "vtk", "pyvista", "trimesh", "yourdfpy"}
-            print(json.dumps({
-                "heavy": sorted(heavy),
-                "picture": view._client.pid,
-                "online_before_the_picture": bool(online_before),
-            }), flush=True)
+        def look(self):
+            online = self.controller.situation.link is LinkState.ONLINE
+            if self.view._picture is None and online:
+                self.online_before = True
+            if self.view.is_settled and online:
+                self.watch.stop()
+                heavy = {name.partition(".")[0] for name in sys.modules}
+                heavy &= {"vtkmodules", "vtk", "pyvista", "trimesh", "yourdfpy"}
+                told = {
+                    "heavy": sorted(heavy),
+                    "picture": self.view._client.pid,
+                    "online_before_the_picture": self.online_before,
+                }
+                print(json.dumps(told), flush=True)
 
-    timer = QTimer(interval=20)
-    timer.timeout.connect(look)
-    timer.start()
-    app.exec()
+    app.Program = Watched
+    app.run(StartOptions(sim_generation=2))
 
 if __name__ == "__main__":
     main()
@@ -87,9 +81,11 @@ def test_it_never_loads_vtk_and_a_killed_one_leaves_nothing(tmp_path):
     script = tmp_path / "program.py"
     script.write_text(PROGRAM)
     root = str(Path(__file__).resolve().parent.parent)
-    environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen", "PYTHONPATH": root}
+    own = {name: str(tmp_path) for name in ("HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME")}
+    own |= {"XDG_STATE_HOME": str(tmp_path), "XDG_RUNTIME_DIR": str(tmp_path)}
+    environment = {**os.environ, **own, "QT_QPA_PLATFORM": "offscreen", "PYTHONPATH": root}
     with subprocess.Popen(
-        [sys.executable, str(script), str(tmp_path)],
+        [sys.executable, str(script)],
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
         env=environment,

@@ -97,7 +97,7 @@ def test_feedback_to_pixel(qapp, tmp_path, capsys, benchmark):
 
         def timed_send(message, timeout=None):
             if message.arbitration_id == LAST_ANGLES_ID:
-                sent_s.setdefault(key_of(message.data), time.monotonic())
+                sent_s[key_of(message.data)] = time.monotonic()
             send(message, timeout)
 
         arm_side.send = timed_send

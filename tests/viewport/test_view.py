@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -211,6 +212,36 @@ def test_an_arm_that_reports_the_last_digit_anew_is_not_drawn_anew(view, qtbot):
     view.set_joints(tuple(angle + 0.006 for angle in RAISED), 35.0)
     assert view._client._latest.sequence == before.sequence + 1
     settle(view, qtbot)
+
+
+def test_a_picture_for_small_pixels_has_more_of_them(view, qtbot):
+    state = view._state
+    with next_frame(view, qtbot) as drawn:
+        view._client.show(replace(state, width_px=675, height_px=525, pixel_ratio=1.5))
+    image = drawn.args[0].image
+    assert (image.width(), image.height(), image.devicePixelRatio()) == (675, 525, 1.5)
+    assert image.deviceIndependentSize().toSize() == view.size()
+    view._client.show(state)
+    settle(view, qtbot)
+
+
+def test_a_covered_view_has_no_more_drawn_than_it_can_hold(view, qtbot):
+    """Three images fit into the memory: the one on the screen must not be drawn over."""
+    frames = []
+    view._client.frame_ready.connect(frames.append)
+    view.setUpdatesEnabled(False)  # nothing is painted: no picture is used
+    shown = view._picture.frame
+    for angle_deg in range(40):
+        view.set_joints((float(angle_deg),) * 6, 0.0)
+        if angle_deg < 2:
+            qtbot.wait_until(lambda n=angle_deg: len(frames) > n, timeout=LIMIT_MS)
+    qtbot.wait_until(lambda: view._client._link._mailbox.has_item, timeout=LIMIT_MS)
+    assert len(frames) == 2
+    assert shown.slot not in {picture.frame.slot for picture in frames}
+    view.setUpdatesEnabled(True)
+    settle(view, qtbot)
+    view._client.frame_ready.disconnect(frames.append)
+    assert frames[-1].frame.sequence == view._client._latest.sequence
 
 
 def test_a_view_never_shown_starts_no_process(qtbot):
