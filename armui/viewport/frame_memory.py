@@ -7,6 +7,7 @@ of them, however they end.
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import os
 import secrets
@@ -76,7 +77,9 @@ class FrameMemory:
         """Both processes have it open: nobody needs its name any more; may be called twice."""
         if self._is_named:
             self._is_named = False
-            self._memory.unlink()
+            with contextlib.suppress(FileNotFoundError):
+                # where opening it failed in the other process, Python took its name away there
+                self._memory.unlink()
 
 
 def _check_room(size_bytes: int) -> None:

@@ -14,7 +14,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
-from armui.viewport.errors import NO_OPENGL, PROCESS_ENDED, PROCESS_HUNG
+from armui.viewport.errors import DRAWING_STOPPED, NO_OPENGL, PROCESS_ENDED, PROCESS_HUNG
 from armui.viewport.mailbox import Mailbox
 from armui.viewport.messages import LoadFailed, Phase
 from armui.viewport.news import Lost, Wanted
@@ -92,7 +92,11 @@ class ProcessLink:
 
     def _run(self) -> None:
         while True:
-            reason = self._draw_in_one_process()
+            try:
+                reason = self._draw_in_one_process()
+            except Exception as error:  # noqa: BLE001 - the view must learn of it, and try again
+                _LOG.exception("The link to the 3D view's process failed")
+                reason = Refusal(DRAWING_STOPPED, {"text": f"{type(error).__name__}: {error}"})
             if self._mailbox.is_closed:
                 return
             _LOG.warning("The 3D view's process is lost: %s", reason or "a robot was put aside")

@@ -194,17 +194,18 @@ def test_a_file_that_crashes_the_process_is_put_aside(view, losses, qtbot, tmp_p
     assert not losses
 
 
-def test_a_file_that_never_ends_is_put_aside(view, losses, qtbot, tmp_path, monkeypatch):
+def test_a_file_that_never_ends_is_put_aside(qtbot, tmp_path, monkeypatch):
     monkeypatch.setitem(LIMITS, Phase.LOADING, Limits(silent_s=30.0, stuck_s=0.3))
-    before = image_of(view)
-    endless = tmp_path / "pipe.urdf"
-    os.mkfifo(endless)
+    client = PictureClient("tests.viewport.processes:endless_loading")
+    view = ArmView(tmp_path / "endless.urdf", client=client)
+    qtbot.addWidget(view)
     with qtbot.waitSignal(view.load_failed, timeout=LIMIT_MS) as failed:
-        view.set_robot(endless)
-    assert failed.args == [Refusal("urdf_hangs_view", {"path": str(endless)})]
-    wait_until(lambda: view.is_settled)
-    assert image_of(view) == before
-    assert not losses
+        view.show()
+    expected = {"path": str(tmp_path / "endless.urdf")}
+    assert failed.args == [Refusal("urdf_hangs_view", expected)]
+    wait_until(lambda: view.is_settled)  # the program's own arm
+    assert view._notice() == ""
+    client.stop()
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="limits of another process")

@@ -42,7 +42,7 @@ def run(connection: Connection) -> None:
         _Drawing(heart).serve(connection)
     except SceneError as error:
         heart.send(Failed(error.refusal))
-    except (EOFError, OSError):
+    except (EOFError, ConnectionError):
         pass  # the program has ended
     except Exception as error:  # noqa: BLE001 - the program says it, and starts another process
         text = f"{type(error).__name__}: {error}"
