@@ -55,23 +55,28 @@ class OtherHost:
 
     Args:
         bench: Where it is plugged in; it is unplugged with :meth:`close`.
+
+    Attributes:
+        streams: What it says over and over.
     """
 
     def __init__(self, bench: Bench) -> None:
         self._bench = bench
-        self._streams: list[Stream] = []
-        self._bus = can.Bus(interface="virtual", channel=bench.channel)
+        self.streams: list[Stream] = []
+        self._channel = bench.channel
         bench.company.append(self)
 
     def say(self, *lines: str) -> None:
         """Put frames on the bus, ID#DATA each."""
-        for line in lines:
-            said = frame(line)
-            self._bus.send(
-                can.Message(
-                    arbitration_id=said.arbitration_id, data=said.data, is_extended_id=False
+        # it is on the bus only while it speaks: what nobody takes would be copied and kept
+        with can.Bus(interface="virtual", channel=self._channel) as bus:
+            for line in lines:
+                said = frame(line)
+                bus.send(
+                    can.Message(
+                        arbitration_id=said.arbitration_id, data=said.data, is_extended_id=False
+                    )
                 )
-            )
 
     def move_to(self, joints_deg: Iterable[float], speed_percent: int = 100) -> None:
         """Six joint angles in degrees, by MOVE J."""
@@ -105,7 +110,7 @@ class OtherHost:
             rate_hz: Rounds a second.
         """
         stream = Stream(self.say, lines, rate_hz)
-        self._streams.append(stream)
+        self.streams.append(stream)
         return stream
 
     def stream_targets(
@@ -119,15 +124,14 @@ class OtherHost:
 
     def step(self, dt_s: float) -> None:
         """Let time pass."""
-        self._streams = [each for each in self._streams if each.running]
-        for each in self._streams:
+        self.streams = [each for each in self.streams if each.running]
+        for each in self.streams:
             each.step(dt_s)
 
     def close(self) -> None:
         """Leave the bus."""
         if self in self._bench.company:
             self._bench.company.remove(self)
-        self._bus.shutdown()
 
 
 class OtherArm:

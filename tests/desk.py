@@ -165,7 +165,11 @@ class Desk(Bench):
 
     def hold(self, share: float = 1.0) -> None:
         """Hold the button of the open question; its time passes at once, or a share of it."""
-        button = self.dialog(ConfirmDialog).action_button
+        self.hold_button(self.dialog(ConfirmDialog).action_button, share)
+
+    def hold_button(self, button: QWidget | str, share: float = 1.0) -> None:
+        """Hold a button; its time passes at once, or a share of it."""
+        button = self.find(button) if isinstance(button, str) else button
         self.press(button)
         button.progress.setCurrentTime(round(share * button.progress.duration()))
         if share < 1.0:

@@ -63,14 +63,14 @@ def test_a_second_arm_has_its_own_feedback_and_obeys_its_own_targets(bench, seco
     bench.ready()
     assert second_arm.firmware.enabled == (True,) * 6  # 0x471 has no offset
     assert bench.controller.motion.send_joints(THERE) is None
-    bench.run(4.0)
+    bench.run(1.5)
     assert bench.firmware.joints_deg == pytest.approx(THERE, abs=0.01)
     assert second_arm.firmware.joints_deg == (0.0,) * 6
     # 0x161, 0x165–0x167
     other = [line.replace("15", "16", 1) for line in [mode(50), *target(*THERE)]]
     bench.node.heard.clear()
     tell(second_arm.firmware, *other)
-    bench.run(4.0)
+    bench.run(1.5)
     assert second_arm.firmware.joints_deg == pytest.approx(THERE, abs=0.01)
     assert {each.arbitration_id for each in bench.node.heard} >= {0x2B1, 0x2B5, 0x2B6, 0x2B7}
 

@@ -136,8 +136,10 @@ def test_a_pause_holds_the_arm(any_desk):
     here = tuple(operator.desk.firmware.joints_deg)
     operator.desk.run(1.0)
     assert math.dist(here, operator.desk.firmware.joints_deg) < 0.001
-    assert operator.text("run_pause") == "Continue"
-    operator.click("run_pause")
+    assert operator.text("run_continue") == "Continue"
+    operator.click("run_continue")
+    assert operator.progress.phase is Phase.PAUSED
+    operator.desk.hold_button(operator.child("run_continue"))
     operator.until_over()
     assert operator.visits(BACK) == 1
 

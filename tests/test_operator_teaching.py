@@ -213,8 +213,11 @@ def test_motions_are_paused_continued_and_cleared(enabled):
     standing = enabled.firmware.joints_deg
     enabled.run(0.5)
     assert enabled.firmware.joints_deg == standing
-    assert "new targets wait" in enabled.read("teaching_message")
+    assert "held back" in enabled.read("teaching_message")
     enabled.click("plan_continue")
+    enabled.run(0.5)
+    assert enabled.firmware.joints_deg == standing
+    enabled.hold_button("plan_continue")
     enabled.run(0.5)
     assert enabled.firmware.joints_deg != standing
     enabled.click("plan_clear_current")

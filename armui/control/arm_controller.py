@@ -17,12 +17,12 @@ from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.bus.link import BusReport
 from armui.clock import steady_s
-from armui.control import reports
 from armui.control.arm_settings import ArmSettings
-from armui.control.assessment import Activity, Circumstances, assess
+from armui.control.assessment import assess
 from armui.control.authority import Authority
 from armui.control.authority_watch import AuthorityWatch
 from armui.control.cartesian import Cartesian
+from armui.control.circumstances import circumstances
 from armui.control.connection import Connection
 from armui.control.context import Context, Part
 from armui.control.device_finder import DeviceFinder
@@ -32,6 +32,7 @@ from armui.control.gripper import Gripper
 from armui.control.jogging import Jogging
 from armui.control.joint_errors import JointErrors
 from armui.control.lights import Lights
+from armui.control.link_watch import LinkWatch
 from armui.control.linkage import Linkage
 from armui.control.motion import Motion
 from armui.control.motion_command import End
@@ -46,7 +47,7 @@ from armui.control.recorder import Recorder
 from armui.control.recovery import Recovery
 from armui.control.replayer import Replayer
 from armui.control.run_end import cut_short
-from armui.control.situation import Busy, LinkState, Notice, Situation
+from armui.control.situation import Busy, Notice, Situation
 from armui.control.stop import is_stopped
 from armui.control.stopping import Stopping
 from armui.control.teaching import Teaching
@@ -126,28 +127,16 @@ class ArmController(QObject):
         self._connection = Connection(opener, clock, self)
         self._connection.changed.connect(self._on_connection)
         self._connection.arm_came.connect(self._on_arm_came)
-        self._stop = Stopping(self._connection, self._notice, clock, self._end_everything)
-        self._authority = Authority()
-        self._watch = AuthorityWatch(
-            self._authority, self._connection, self._notice, self._end_too_fast
+        self._stop = Stopping(self._connection, self._notice, clock, self._halt_parts)
+        authority = self._authority = Authority()
+        self._watch = AuthorityWatch(authority, self._connection, self._notice, self._end_too_fast)
+        context = self._context = Context(
+            self._connection, self._notice, clock, lambda: self._state, self._refresh, authority
         )
-        context = Context(
-            self._connection,
-            self._notice,
-            clock,
-            lambda: self._state,
-            self._refresh,
-            self._authority,
-        )
-        self._context = context
         self.motion = Motion(context)
         self.cartesian = Cartesian(context, self.motion)
         self.jogging = Jogging(context, self.motion, self.cartesian)
-        self.motors = Motors(
-            context,
-            before_switching=lambda: self._authority.end(End.DISABLED),
-            end_run=self._end_run_because,
-        )
+        self.motors = Motors(context, end_run=self._end_run_because)
         self.lights = Lights(context)
         self.player = Player(context, self)
         self.replayer = Replayer(context, self)
@@ -192,9 +181,8 @@ class ArmController(QObject):
             self.recovery,  # the last: it looks at what the others are doing
         )
         self._parts = Parts(parts, self._notice, lambda module: end_motion_of(self, [module]))
-        self._was_online = False
+        self._link_watch = LinkWatch(self._connection, self._notice)
         self._was_stopped = False
-        self._limits_told = False
         self._lets_finish = False
         self._state = ArmState()
         self._situation = Situation(speed_percent=self.motion.speed_percent)
@@ -273,8 +261,6 @@ class ArmController(QObject):
         closed = self._connection.end(_END_S)
         return self._finder.end(_END_S) and closed
 
-    # The stop ---------------------------------------------------------------------------------
-
     def emergency_stop(self) -> None:
         """Stop the arm at once: past every other frame, whatever else is under way (0x150)."""
         self._stop.stop()
@@ -306,24 +292,15 @@ class ArmController(QObject):
         before = self._state
         try:
             heard = self._state = self._connection.advance(now_s)
-            self._follow_online()
+            self._link_watch.follow_online()
         finally:
             self._follow_stop(now_s)  # a stop is repeated whatever else fails
         self._watch.advance(now_s)
         self._parts.advance()
-        self._follow_handshake()
+        self._link_watch.follow_handshake(heard)
         self._refresh()
         if heard is not before:
             self.state_changed.emit(heard)
-
-    def _follow_online(self) -> None:
-        online = self._connection.link is LinkState.ONLINE
-        if online is not self._was_online:
-            self._was_online = online
-            if online:
-                self._limits_told = False
-            if self._connection.link in {LinkState.ONLINE, LinkState.OFFLINE}:
-                self._notice("online" if online else "offline")
 
     def _follow_stop(self, now_s: float) -> None:
         resuming = self.motors.busy is Busy.RESUMING
@@ -332,14 +309,6 @@ class ArmController(QObject):
         if stopped and not self._was_stopped:
             self._parts.halt()
         self._was_stopped = stopped
-
-    def _follow_handshake(self) -> None:
-        handshake = self._connection.handshake
-        if handshake is None or not handshake.done or self._limits_told:
-            return
-        self._limits_told = True
-        for code, figures in reports.on_handshake(self._state, handshake.generation):
-            self._notice(code, **figures)
 
     def take_over(self) -> Refusal | None:
         """Take the arm from another host that pauses: ``None``, or why not."""
@@ -366,17 +335,16 @@ class ArmController(QObject):
 
     def _on_arm_came(self) -> None:
         """What was read and saved before was another arm's, for all that is known."""
-        self._limits_told = False
-        self._authority.end(End.FORGOTTEN)
+        self._link_watch.arm_came()
+        self._authority.end(End.SILENT)
         self.settings.forget()
 
     def _forget_arm(self) -> None:
         self._parts.forget()
         self._authority.end(End.FORGOTTEN)
         self._watch.forget()
-        self._was_online = self._was_stopped = False
-
-    # What ends what is under way ----------------------------------------------------------------
+        self._link_watch.forget()
+        self._was_stopped = False
 
     def end_motion(self, *, single: bool = False) -> None:
         """End what this program drives in good order: the arm comes to rest and stays powered.
@@ -398,8 +366,7 @@ class ArmController(QObject):
         self.replayer.stop()
         self.jogging.stop()
 
-    def _end_everything(self) -> None:
-        """A stop is on its way: every part gives up what would move the arm."""
+    def _halt_parts(self) -> None:
         self._parts.halt()
 
     def _end_all_motion(self) -> None:
@@ -419,33 +386,16 @@ class ArmController(QObject):
     def _refresh(self) -> Situation:
         now_s = self._clock()
         self._watch.observe(now_s)
-        situation = self._assess(now_s)
+        around = circumstances(
+            self,
+            self._connection,
+            self._stop,
+            authority=self._authority,
+            other_host=self._watch.report(),
+            now_s=now_s,
+        )
+        situation = assess(self._state, around, now_s)
         if situation != self._situation:
             self._situation = situation
             self.situation_changed.emit(situation)
         return self._situation
-
-    def _assess(self, now_s: float) -> Situation:
-        busy = self.motors.busy or (Busy.ZEROING if self.zeroing.busy else None)
-        around = Circumstances(
-            link=self._connection.link,
-            device=self._connection.device,
-            link_problem=self._connection.problem,
-            stop=self._stop.state(self._state, now_s, resuming=busy is Busy.RESUMING),
-            stop_unconfirmed=self._stop.keeper.unconfirmed(now_s),
-            stop_lapsed=self._stop.keeper.lapsed,
-            busy=busy,
-            speed_percent=self.motion.speed_percent,
-            generation=self._connection.generation,
-            offsets=self._connection.offsets,
-            authority=self._authority,
-            other_host=self._watch.report(),
-            activity=Activity(
-                running=self.player.running or self.replayer.running,
-                jogging=self.jogging.active,
-                recording=self.recorder.recording,
-                altering=self.orders.altering,
-                run_sets_lamps=self.player.sets_lamps,
-            ),
-        )
-        return assess(self._state, around, now_s)

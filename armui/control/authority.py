@@ -38,12 +38,18 @@ _TAKEN_IN_S: Final = 0.3
 """So long after it was sent the arm's last word may still be about what was before."""
 _SHOWN_S: Final = 0.05
 """A status this much after a mode word was made after it."""
+_REST_SHOWS_S: Final = 0.4
+"""An arm that only sets out at a cancel is measured to move by then."""
 _CANCEL_WITHIN_S: Final = 1.0
 """After a cancel the arm is measured at rest within this time."""
 
 
 _OURS: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})
 _PLANNED: Final = frozenset({MoveMode.MOVE_P, MoveMode.MOVE_J, MoveMode.MOVE_L, MoveMode.MOVE_C})
+
+
+_MOVING_FRESH_S: Final = 0.1
+"""The angles of a moving arm are none to set out from when they are older."""
 
 
 class Authority:
@@ -147,11 +153,24 @@ class Authority:
         Our own target while it is the last command and the arm is on its way or there, so that
         steps add up and a sagging arm does not creep; otherwise where the arm is measured.
         """
-        measured_deg = None if self._seen is None else self._seen.state.angles_deg()
         command = self.command
-        if measured_deg is None or command is None or command.joints_deg is None:
-            return measured_deg
+        if command is None or command.joints_deg is None:
+            return self.measured_deg()
         return command.joints_deg
+
+    def measured_deg(self) -> tuple[float, ...] | None:
+        """Six angles to set out from; ``None`` while they are not known well enough.
+
+        Of a moving arm, angles that are no longer the newest tell where it was.
+        """
+        seen = self._seen
+        if seen is None:
+            return None
+        now_s = seen.now_s
+        late = any(
+            each is None or now_s - each.at_s > _MOVING_FRESH_S for each in seen.state.joints_deg
+        )
+        return None if late and not self.at_rest else seen.state.angles_deg()
 
     def tool_base(self) -> Matrix | None:
         """The last target of the tool while it is ours, whether or not the tool is there."""
@@ -278,7 +297,7 @@ class Authority:
         self._number += 1
 
     def _forget(self) -> None:
-        self.other = OtherCommand()
+        self.other.reconnected()
         self.arm_percent = self._mode_sent = None
         self._rest.forget()
         self._seen = None
@@ -361,7 +380,8 @@ class Authority:
     def _follow_cancel(self, now_s: float) -> None:
         if self._cancelled_s is None:
             return
-        if self.at_rest or self.other.commands:
+        since_s = now_s - self._cancelled_s
+        if self.other.commands or (self.at_rest and since_s >= _REST_SHOWS_S):
             self._cancelled_s, self.cancel_unheeded = None, False
         elif now_s - self._cancelled_s > _CANCEL_WITHIN_S:
             self.cancel_unheeded = True

@@ -159,7 +159,10 @@ class Cartesian:
         from armui.arm.kinematics import matrix_to_pose  # noqa: PLC0415 - see above
         from armui.arm.poses import shifted, tool_matrix  # noqa: PLC0415 - see above
 
-        measured = tool_matrix(self.kinematics().matrix(self._start_deg()), self.tool)
+        measured_deg = self._context.authority.measured_deg()
+        if measured_deg is None:
+            return self._context.refuse(Refusal("joints_unknown"))
+        measured = tool_matrix(self.kinematics().matrix(measured_deg), self.tool)
         target = shifted(self._base(measured), axis, amount, frame)
         unit = "mm" if axis < LINEAR_AXES else "°"
         figures: dict[str, object] = {"axis": AXES[axis], "step": f"{amount:+g} {unit}"}

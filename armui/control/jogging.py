@@ -49,6 +49,7 @@ class _Hold:
 
     Attributes:
         stream: Its setpoints, once the arm has been seen at rest.
+        before: Our command that was under way or had arrived when it began.
         command: What the arm was told, once the first setpoint is sent.
     """
 
@@ -56,6 +57,7 @@ class _Hold:
     began_s: float
     last_s: float
     stream: JogStream | None = None
+    before: MotionCommand | None = None
     command: MotionCommand | None = None
 
 
@@ -99,7 +101,7 @@ class Jogging:
         if refusal is not None:
             return context.refuse(refusal)
         now_s = context.clock()
-        self._hold = _Hold(jog, now_s, now_s)
+        self._hold = _Hold(jog, now_s, now_s, before=context.authority.command)
         self._timer.start()
         context.situation()
         if isinstance(jog, JointJog):
@@ -136,12 +138,20 @@ class Jogging:
         refusal = _why_blind(state, dt_s, now_s) or context.situation().cannot_move
         if refusal is not None or measured_deg is None:
             self._end(refusal)
+        elif self._is_replaced(hold):
+            self.stop()  # another command has taken over
         elif hold.stream is None:
             self._begin(hold, state, measured_deg, now_s)
-        elif hold.command is not None and not context.authority.is_current(hold.command):
-            self.stop()  # another command has taken over
         else:
             self._go_on(hold, hold.stream, measured_deg, dt_s)
+
+    def _is_replaced(self, hold: _Hold) -> bool:
+        """Whether a command that is not this jog's has been given since it began."""
+        ours = self._context.authority.command
+        if hold.command is not None:
+            return ours is None or ours.number != hold.command.number
+        before = 0 if hold.before is None else hold.before.number
+        return ours is not None and ours.number != before
 
     def _begin(
         self, hold: _Hold, state: ArmState, measured_deg: Sequence[float], now_s: float

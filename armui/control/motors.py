@@ -10,6 +10,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control import reports
 from armui.control.context import Context
+from armui.control.motion_command import End
 from armui.control.request import Outcome, Request
 from armui.control.situation import Busy, StopState
 from armui.control.stop import is_stopped
@@ -27,18 +28,15 @@ class Motors:
 
     Args:
         context: What the parts of the controller share.
-        before_switching: Called when motors are about to be switched: setpoints are void.
         end_run: Called with the reason when motors are about to be disabled under a run.
     """
 
     def __init__(
         self,
         context: Context,
-        before_switching: Callable[[], None],
         end_run: Callable[[Refusal], None],
     ) -> None:
         self._context = context
-        self._before_switching = before_switching
         self._end_run = end_run
         self._busy: Busy | None = None
         self._joints: Sequence[int] = ()
@@ -115,7 +113,7 @@ class Motors:
             return context.refuse(refusal)
         if not on:
             self._end_run(Refusal("run_disabled"))
-        self._before_switching()
+        context.authority.end(End.DISABLED)
         joints = JOINTS if joint == ALL_JOINTS else (joint,)
         command = commands.enable_motors if on else commands.disable_motors
         code = "enable_sent" if on else "disable_sent"

@@ -87,12 +87,17 @@ class OtherCommand:
             self.last_s = last_s
             if not self.commands:
                 self.commands, self.since_s = True, last_s
-        elif self.commands and last_s is not None and now_s - last_s >= _GONE_AFTER_S and at_rest:
+        elif self.last_s is not None and now_s - self.last_s >= _GONE_AFTER_S and at_rest:
             self.commands = False
         self.series = tuple(each for each in motion if now_s - each.last_s < _GONE_AFTER_S)
         self.is_leader = traffic.leads(offsets)
         self.mode = self._mode_of(traffic, offsets, state)
         return new
+
+    def reconnected(self) -> None:
+        """Another connection begins: what moved the arm a moment ago may do so still."""
+        self.mode = None
+        self._void_before_s = 0.0
 
     def _mode_of(
         self, traffic: OtherTraffic, offsets: tuple[int, ...], state: ArmState

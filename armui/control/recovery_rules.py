@@ -185,6 +185,12 @@ def _other_control(view: _View) -> Params | None:
     return {"mode": mode}
 
 
+def _not_heard(view: _View) -> bool:
+    """Whether something is silent that a motion counts on."""
+    silent = view.situation.cannot_send_motion
+    return view.status is None or (silent is not None and silent.code == "feedback_silent")
+
+
 def _other_mode(view: _View) -> Params | None:
     other = view.situation.other_host
     if other is None or other.reason.code != "other_mode":
@@ -287,7 +293,7 @@ _RULES: Final = (
         Kind.STATUS_UNKNOWN,
         Level.WARNING,
         Action.CONNECT,
-        _when(lambda view: view.status is None or view.state.angles_deg() is None),
+        _when(_not_heard),
     ),
     _Rule(
         Kind.COMMUNICATION,

@@ -60,7 +60,7 @@ def hang(bench: Bench) -> None:
 
 def pull_the_cable(bench: Bench) -> None:
     """Nothing gets through any more, in either direction."""
-    bench.node._line.off = True
+    bench.node.line.off = True
 
 
 def unplug(bench: Bench) -> None:

@@ -25,6 +25,7 @@ from tests.control.under_way import (
     tool_jog,
 )
 from tests.faulty_arm import HardOfHearing
+from tests.sim.talk import frame, mode
 
 ABORT = Frame(0x150, bytes.fromhex("00 06 00 00 00 00 00 00"))
 STREAM = {0x155, 0x156, 0x157}
@@ -237,13 +238,11 @@ def test_an_arm_held_up_does_not_set_out_for_the_point_of_a_run_that_is_over(rea
     # a speed of 0 % stands for whatever holds the arm up
     ready.controller.player.start(run_of(to(OUT)))
     ready.run(0.2)
-    ready.firmware.condition.speed_percent = 0
-    ready.firmware._moves.mode_changed()
+    ready.firmware.on_frame(frame(mode(0)))
     ready.run_until(lambda: not ready.controller.player.running, seconds=60.0)
     assert ready.controller.player.progress.reason.code == "run_too_slow"
     here = tuple(ready.firmware.joints_deg)
-    ready.firmware.condition.speed_percent = 100
-    ready.firmware._moves.mode_changed()
+    ready.firmware.on_frame(frame(mode(100)))
     ready.run(2.0)
     assert tuple(ready.firmware.joints_deg) == here
 
@@ -259,14 +258,14 @@ def test_a_motion_that_was_ended_does_not_count_as_moving_for_good(ready):
 
 
 def test_a_tool_step_after_another_motion_begins_where_the_arm_is(ready):
-    cartesian = ready.controller.cartesian
+    authority = ready.controller._authority
     ready.controller.motion.send_joints(OUT)
     ready.run_until(lambda: ready.controller.situation.moving)
     ready.run_until(lambda: not ready.controller.situation.moving)
     assert MOTIONS["tool step"](ready) is None
-    assert cartesian._stepping()
+    assert authority.tool_base() is not None
     ready.controller.motion.send_joints(BACK)
-    assert not cartesian._stepping()
+    assert authority.tool_base() is None
 
 
 # Identifiers that are not certain -----------------------------------------------------------------

@@ -279,7 +279,7 @@ def test_a_program_that_was_stuck_does_not_go_on_by_itself(bench):
 
 def test_an_arm_that_can_hear_and_not_be_heard_is_not_led_on(bench):
     controller = held(bench)
-    bench.node._line.to_bus = lambda frames, now_s, dt_s: ([], len(frames))
+    bench.node.line.to_bus = lambda frames, now_s, dt_s: ([], len(frames))
     took_s = 0.0
     places = bench.firmware.joints_deg
     for count in range(30):

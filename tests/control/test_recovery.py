@@ -34,6 +34,8 @@ def obey(bench: Bench, seconds: float = 30.0) -> list[Kind]:
             kinds.append(step.kind)
         if step.kind is Kind.RECORDING and max(map(abs, bench.firmware.joints_deg)) > 1.0:
             bench.firmware.hand.lead_to(REST_DEG, speed_deg_s=40.0)
+        elif bench.controller.recovery.why_not(step) is not None:
+            pass  # its button is off, and says why
         elif step.action not in {None, Action.CONNECT} and not step.waiting:
             refusal = bench.controller.recovery.act(step)
             # the arm may have changed since the step was shown: then the next one is

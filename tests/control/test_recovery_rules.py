@@ -5,19 +5,27 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator
 from dataclasses import replace
+from datetime import datetime
 
 import pytest
 
 from armui.arm.device import Device
-from armui.arm.other_hosts import OtherTraffic
+from armui.arm.other_hosts import OtherHosts, OtherTraffic
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, DriverSlow, Heard, Status
 from armui.control.assessment import Circumstances, assess
 from armui.control.authority import Authority
-from armui.control.motion_command import Observation
+from armui.control.motion_command import Hold, Observation
 from armui.control.recovery_rules import next_step
 from armui.control.recovery_steps import Action, Kind, Step
-from armui.control.situation import Busy, Level, LinkState, Situation, StopState
+from armui.control.situation import (
+    Busy,
+    Level,
+    LinkState,
+    OtherHostReport,
+    Situation,
+    StopState,
+)
 from armui.control.teaching_phase import why_not
 from armui.protocol.codes import ArmStatusCode, ControlMode, TeachingState
 from armui.protocol.generation import Generation
@@ -102,8 +110,12 @@ def arm(heard: Status, enabled=ENABLED[0], protection=None, pose_deg=POSES_DEG[0
 
 def situation(state: ArmState, link=LinkState.ONLINE, **changes) -> Situation:
     stopped = state.status is not None and state.status.value.arm_status == 1
-    authority = Authority()
-    authority.observe(Observation(state, OtherTraffic(), (0,), link is LinkState.ONLINE, NOW_S))
+    authority = changes.pop("authority", None) or Authority()
+    traffic = changes.pop("traffic", OtherTraffic())
+    authority.observe(Observation(state, traffic, (0,), link is LinkState.ONLINE, NOW_S))
+    if (reason := authority.other.why_not()) is not None:
+        since = datetime(2026, 1, 2, 3, 4, 5).astimezone()
+        changes["other_host"] = OtherHostReport("0x151", since, 200, reason, True)
     around = Circumstances(
         link=link,
         device=Device("virtual", "test"),
@@ -159,8 +171,34 @@ def online() -> Iterator[tuple[ArmState, Situation]]:
             continue
         state = arm(status(control_mode=mode, arm_status=code), enabled)
         yield state, situation(state, stop=stop, stop_unconfirmed=unconfirmed, busy=busy)
+    yield from in_company()
     for generation in (None, *Generation):
         yield ArmState(last_feedback_s=NOW_S), situation(ArmState(), generation=generation)
+
+
+def in_company() -> Iterator[tuple[ArmState, Situation]]:
+    """Other hosts, leaders, foreign modes, motions held back, a cancel that is not heeded."""
+    streams = {
+        "another host": [(0x155, bytes(8), 1)],
+        "a leader": [(each, bytes(8), 40) for each in (0x151, 0x155, 0x156, 0x157, 0x159)],
+        "MIT": [(0x151, bytes.fromhex("010400AD00000000"), 1)],
+    }
+    for stream in streams.values():
+        hosts = OtherHosts()
+        for arbitration_id, data, count in stream:
+            for k in range(count):
+                hosts.note(arbitration_id, data, NOW_S - 0.005 * (count - 1 - k))
+        state = arm(status())
+        yield state, situation(state, traffic=hosts.traffic())
+    for hold in Hold:
+        state, authority = arm(status(reached=False)), Authority()
+        authority.holds = frozenset({hold})
+        yield state, situation(state, authority=authority)
+    state, authority = arm(status(reached=False)), Authority()
+    authority.cancelled(NOW_S - 2.0)
+    yield state, situation(state, authority=authority)
+    device = Device("virtual", "test", listen_only=True)
+    yield state, situation(state, device=device)
 
 
 def is_valid(action: Action, state: ArmState, now: Situation) -> bool:
@@ -182,6 +220,12 @@ def is_valid(action: Action, state: ArmState, now: Situation) -> bool:
         return now.link is LinkState.ONLINE and now.busy is None
     if action is Action.WITHDRAW_STOP:
         return now.stop is StopState.REQUESTED
+    if action is Action.TAKE_OVER:
+        return now.other_host is not None and now.other_host.may_be_taken_over
+    if action in {Action.GO_ON, Action.GIVE_UP}:
+        return bool(now.holds)
+    if action is Action.STOP:
+        return now.stop is StopState.RUNNING
     return action is Action.CONNECT
 
 
@@ -202,7 +246,8 @@ def test_every_combination_has_one_next_step_that_can_be_taken(qapp):
         if step.action is None:
             assert step.kind in WAITS, told
         else:
-            assert is_valid(step.action, state, now), told
+            for action in step.actions:
+                assert is_valid(action, state, now), told
             again = next_step(state, now, NOW_S, {step.kind: 2})
             assert again.kind is step.kind
             assert again.action is not None

@@ -97,3 +97,17 @@ def test_it_is_not_forgotten_while_the_arm_is_silent(held):
 
     assert controller.situation.holds
     assert controller.motion.jog(6, 1.0) is not None
+
+
+def test_it_is_not_forgotten_over_a_lost_cable(held):
+    bench, controller = held, held.controller
+    bench.node.line.off = True
+    bench.run(2.0)
+    bench.node.line.off = False
+    bench.run(3.0)
+    stood_deg = bench.firmware.body.positions_deg
+    controller.motion.set_speed_percent(60)
+    bench.run(1.0)
+
+    assert controller.situation.holds
+    assert bench.firmware.body.positions_deg == pytest.approx(stood_deg, abs=0.01)

@@ -30,6 +30,7 @@ from armui.ui.trajectory.preflight import CheckJob, Checks, Preflight
 from armui.ui.trajectory.run_options import RunOptions
 from armui.ui.trajectory.runner import Runner, can_go_on, can_pause, ended_early
 from armui.ui.trajectory.text import duration
+from armui.ui.widgets.hold_button import HoldButton
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -86,6 +87,7 @@ class RunStrip(QWidget):
         self._lay_out()
         self._send.clicked.connect(self._on_send)
         self._pause.clicked.connect(self._on_pause)
+        self._continue.held.connect(self._on_pause)
         self._stop.clicked.connect(self._on_stop)
         self._resume.clicked.connect(self._on_resume)
         self._laps.currentIndexChanged.connect(self._show_usable)
@@ -95,9 +97,13 @@ class RunStrip(QWidget):
 
     def _make_widgets(self) -> None:
         self._send, self._pause, self._stop, self._resume = (QPushButton() for _ in range(4))
+        # a motion that was held back is never set going by a slip
+        self._continue = HoldButton()
+        self._continue.hide()
         for name, button in (
             ("run_send", self._send),
             ("run_pause", self._pause),
+            ("run_continue", self._continue),
             ("run_stop", self._stop),
             ("run_resume", self._resume),
         ):
@@ -130,7 +136,7 @@ class RunStrip(QWidget):
         ):
             options.addWidget(widget)
         options.addStretch(1)
-        for button in (self._resume, self._send, self._pause, self._stop):
+        for button in (self._resume, self._send, self._pause, self._continue, self._stop):
             options.addWidget(button)
         state = QHBoxLayout()
         state.setSpacing(12)
@@ -328,7 +334,11 @@ class RunStrip(QWidget):
         checking = self._checking
         self._send.setEnabled(not running and not checking and reason is None)
         self._send.setToolTip("" if reason is None else words.refusal(reason))
+        paused = progress.phase is Phase.PAUSED
+        self._pause.setVisible(not paused)
         self._pause.setEnabled(can_pause(progress) or can_go_on(progress))
+        self._continue.setVisible(paused)
+        self._continue.setText(self.tr("Continue"))
         self._stop.setEnabled(running or checking)
         again = not (running or checking) and self._again is not None and ended_early(progress)
         self._resume.setVisible(again)
@@ -337,8 +347,6 @@ class RunStrip(QWidget):
         self._resume.setText(self.tr("Go on from row {row}").format(row=progress.index + 1))
         if progress.phase is Phase.WAITING:
             self._pause.setText(self.tr("Next step"))
-        elif progress.phase is Phase.PAUSED:
-            self._pause.setText(self.tr("Continue"))
         else:
             self._pause.setText(self.tr("Pause"))
 

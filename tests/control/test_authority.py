@@ -1,0 +1,425 @@
+"""Who moves the arm: the table of what begins and ends our command, and what holds it back."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from armui.arm.limits import JointLimits
+from armui.arm.other_hosts import OtherHosts
+from armui.arm.state import ArmState, DriverSlow, Heard, Status
+from armui.control.authority import Authority
+from armui.control.motion_command import CommandKind, End, Hold, Mover, Observation
+from armui.protocol.codes import ArmStatusCode, ControlMode, MoveMode
+
+START_S = 100.0
+HERE = (0.0, 10.0, -10.0, 0.0, 0.0, 0.0)
+THERE = (40.0, 10.0, -10.0, 0.0, 0.0, 0.0)
+NOWHERE = (20.0, 10.0, -10.0, 0.0, 0.0, 0.0)
+
+
+def status(**changes) -> Status:
+    normal = Status(
+        control_mode=ControlMode.CAN_CONTROL,
+        arm_status=ArmStatusCode.NORMAL,
+        move_mode=MoveMode.MOVE_J,
+        teaching=0,
+        reached=True,
+        speed_percent=None,
+        trajectory_point=None,
+        limit_exceeded=(False,) * 6,
+        communication_fault=(False,) * 6,
+    )
+    return replace(normal, **changes)
+
+
+DRIVER = DriverSlow(24.0, 30.0, 30.0, 0.0, *(False,) * 5, True, None, None, False, False)
+
+
+class Arm:
+    """An arm as heard, moment by moment."""
+
+    def __init__(self) -> None:
+        self.now_s = START_S
+        self.joints_deg = HERE
+        self.status = status()
+        self.enabled = True
+        self.silent: set[str] = set()
+        self.hosts = OtherHosts()
+        self.limits: JointLimits | None = None
+        self.offsets = (0,)
+        self.authority = Authority()
+        self._status = Heard(self.status, self.now_s)
+        self._joints = tuple(Heard(each, self.now_s) for each in HERE)
+        self.wait(0.5)
+
+    def look(self) -> None:
+        """Observe once."""
+        now_s = self.now_s
+        if "status" not in self.silent:
+            self._status = Heard(self.status, now_s)
+        if "joints" not in self.silent:
+            self._joints = tuple(Heard(each, now_s) for each in self.joints_deg)
+        driver = Heard(replace(DRIVER, enabled=self.enabled), now_s)
+        limits = None if self.limits is None else Heard(self.limits, now_s)
+        state = ArmState(
+            last_feedback_s=now_s,
+            status=self._status,
+            joints_deg=self._joints,
+            drivers_slow=(driver,) * 6,
+            limits=(limits,) * 6,
+        )
+        traffic = self.hosts.traffic()
+        self.authority.observe(Observation(state, traffic, self.offsets, True, now_s))
+
+    def wait(self, seconds: float) -> None:
+        """Observe every 20 ms for so long."""
+        for _ in range(round(seconds / 0.02)):
+            self.now_s += 0.02
+            self.look()
+
+    def send(self, target=THERE, kind=CommandKind.JOINTS, percent=30):
+        """A command of ours."""
+        return self.authority.begin(
+            kind,
+            now_s=self.now_s,
+            move_mode=MoveMode.MOVE_J,
+            speed_percent=percent,
+            joints_deg=target,
+        )
+
+    def arrive(self, target=THERE) -> None:
+        """The arm gets there and rests."""
+        self.status = status(reached=False)
+        self.wait(0.2)
+        self.joints_deg, self.status = target, status()
+        self.wait(0.6)
+
+    def other(self, arbitration_id=0x155, data=bytes(8)) -> None:
+        """Another host says something."""
+        self.hosts.note(arbitration_id, data, self.now_s)
+
+
+@pytest.fixture
+def arm():
+    return Arm()
+
+
+def test_at_rest_with_nobody_a_step_starts_where_the_arm_is(arm):
+    assert arm.authority.mover is Mover.NOBODY
+    assert arm.authority.joint_base_deg() == HERE
+    assert arm.authority.why_not() is None
+
+
+def test_a_command_is_ours_under_way_and_when_it_has_arrived(arm):
+    arm.send()
+    arm.wait(0.1)
+    assert arm.authority.mover is Mover.OURS
+    assert arm.authority.joint_base_deg() == THERE
+    arm.arrive()
+    assert arm.authority.mover is Mover.NOBODY
+    assert arm.authority.joint_base_deg() == THERE
+
+
+@pytest.mark.parametrize(("away_deg", "base"), [(0.49, "target"), (0.51, "measured")])
+def test_arrived_is_within_half_a_degree(arm, away_deg, base):
+    arm.send()
+    place = (THERE[0], THERE[1] - away_deg, *THERE[2:])
+    arm.arrive(place)
+
+    assert arm.authority.joint_base_deg() == (THERE if base == "target" else place)
+
+
+def _stop(arm):
+    arm.status = status(arm_status=ArmStatusCode.EMERGENCY_STOP)
+
+
+def _standby(arm):
+    arm.status = status(control_mode=ControlMode.STANDBY)
+
+
+def _teach(arm):
+    arm.status = status(control_mode=ControlMode.TEACHING)
+
+
+def _disable(arm):
+    arm.enabled = False
+
+
+def _mute_status(arm):
+    arm.silent.add("status")
+
+
+def _mute_joints(arm):
+    arm.silent.add("joints")
+
+
+def _push(arm):
+    arm.joints_deg = NOWHERE
+
+
+def _change_limits(arm):
+    arm.limits = JointLimits(-90.0, 90.0, 100.0)
+    arm.wait(0.1)
+    arm.limits = JointLimits(-80.0, 90.0, 100.0)
+
+
+ENDS = {
+    "another host": (Arm.other, End.OTHER_HOST),
+    "stop": (_stop, End.STOPPED),
+    "disable": (_disable, End.DISABLED),
+    "drag teaching": (_teach, End.TAUGHT),
+    "standby, as after a power cycle": (_standby, End.OTHER_MODE),
+    "status silent": (_mute_status, End.SILENT),
+    "angles silent": (_mute_joints, End.SILENT),
+    "pushed away": (_push, End.MOVED_AWAY),
+    "limits changed": (_change_limits, End.LIMITS_CHANGED),
+    "cancel": (lambda arm: arm.authority.cancelled(arm.now_s), End.CANCELLED),
+    "zero": (lambda arm: arm.authority.end(End.ZERO_CHANGED), End.ZERO_CHANGED),
+    "new connection": (lambda arm: arm.authority.end(End.FORGOTTEN), End.FORGOTTEN),
+}
+"""The table: what ends a command of ours that has arrived, and what it is called."""
+
+
+@pytest.mark.parametrize("what", ENDS)
+def test_the_table_of_what_ends_our_target(arm, what):
+    does, end = ENDS[what]
+    command = arm.send()
+    arm.arrive()
+    assert arm.authority.command is not None
+
+    does(arm)
+    arm.wait(0.7)
+
+    assert arm.authority.command is None
+    assert arm.authority.ended is end
+    assert arm.authority.number > command.number
+
+
+@pytest.mark.parametrize("what", [each for each in ENDS if each != "pushed away"])
+def test_the_same_while_it_is_under_way(arm, what):
+    does, end = ENDS[what]
+    arm.send()
+    arm.status = status(reached=False)
+    for k in range(25):
+        arm.joints_deg = (0.5 * k, *HERE[1:])
+        arm.wait(0.02)
+    assert arm.authority.under_way
+
+    does(arm)
+    for k in range(35):
+        arm.joints_deg = (12.5 + 0.5 * k, *HERE[1:])
+        arm.wait(0.02)
+
+    assert arm.authority.ended is end
+
+
+def test_an_arm_that_sets_out_at_a_cancel_has_not_heeded_it(arm):
+    arm.send()
+    arm.status = status(reached=False)
+    arm.authority.cancelled(arm.now_s)
+    for k in range(60):
+        arm.joints_deg = (0.5 * k, *HERE[1:])
+        arm.wait(0.02)
+    assert arm.authority.cancel_unheeded
+
+
+def test_a_moving_arm_is_measured_by_fresh_angles_or_not_at_all(arm):
+    for k in range(10):
+        arm.joints_deg = (1.0 * k, *HERE[1:])
+        arm.wait(0.02)
+    assert arm.authority.joint_base_deg() == arm.joints_deg
+    arm.silent.add("joints")
+    arm.wait(0.14)
+    assert arm.authority.joint_base_deg() is None
+
+
+def test_another_host_is_remembered_over_a_new_connection(arm):
+    arm.other()
+    arm.wait(0.2)
+    arm.authority.end(End.FORGOTTEN)
+    arm.hosts = OtherHosts()
+    arm.wait(0.5)
+    assert arm.authority.why_not().code == "other_host"
+    arm.wait(1.6)
+    assert arm.authority.why_not() is None
+
+
+def test_a_motion_that_came_to_rest_short_of_its_target_is_over(arm):
+    arm.send()
+    arm.status = status(reached=False)
+    arm.joints_deg = NOWHERE
+    arm.wait(0.7)
+
+    assert arm.authority.command is None
+    assert arm.authority.joint_base_deg() == NOWHERE
+
+
+def test_a_pose_is_kept_until_the_arm_is_led_from_where_it_came_to_rest(arm):
+    arm.authority.begin(
+        CommandKind.POSE,
+        now_s=arm.now_s,
+        move_mode=MoveMode.MOVE_L,
+        speed_percent=30,
+        tool=(object(),),
+    )
+    arm.arrive(THERE)
+    assert arm.authority.tool_base() is not None
+    assert arm.authority.joint_base_deg() == THERE
+    arm.joints_deg = NOWHERE
+    arm.wait(0.7)
+    assert arm.authority.tool_base() is None
+
+
+def test_frames_of_a_command_that_is_over_are_outdated(arm):
+    first = arm.send()
+    second = arm.send(NOWHERE)
+    assert second.number > first.number
+    assert not arm.authority.is_current(first)
+    assert arm.authority.extend(first, HERE, arm.now_s) is None
+    assert arm.authority.extend(second, HERE, arm.now_s).joints_deg == HERE
+
+
+# Other hosts --------------------------------------------------------------------------------------
+
+
+def test_another_host_counts_for_two_seconds_and_until_the_arm_rests(arm):
+    arm.other()
+    arm.wait(1.9)
+    assert arm.authority.why_not().code == "other_host"
+    assert arm.authority.mover is Mover.OTHER_HOST
+    for k in range(20):
+        arm.joints_deg = (1.0 * k, *HERE[1:])
+        arm.wait(0.02)
+    assert arm.authority.why_not().code == "other_host"
+    arm.wait(0.4)
+    assert arm.authority.why_not() is None
+
+
+@pytest.mark.parametrize(("after_s", "possible"), [(0.4, False), (0.6, True)])
+def test_it_may_be_taken_over_half_a_second_later(arm, after_s, possible):
+    arm.other()
+    arm.wait(after_s)
+    assert (arm.authority.other.take_over() is None) is possible
+    arm.look()
+    assert (arm.authority.why_not() is None) is possible
+
+
+def test_after_a_take_over_its_next_frame_counts_again(arm):
+    arm.other()
+    arm.wait(0.6)
+    assert arm.authority.other.take_over() is None
+    arm.wait(0.1)
+    arm.other()
+    arm.wait(0.1)
+    assert arm.authority.why_not().code == "other_host"
+
+
+@pytest.mark.parametrize(("offsets", "counts"), [((0,), False), ((0, 0x10, 0x20), True)])
+def test_frames_for_another_arm_count_only_while_ours_is_not_known(arm, offsets, counts):
+    arm.offsets = offsets
+    arm.other(0x165)
+    arm.wait(0.1)
+    assert (arm.authority.why_not() is not None) is counts
+
+
+# Motions held back --------------------------------------------------------------------------------
+
+
+def test_zero_percent_holds_back_what_is_under_way_and_nothing_else(arm):
+    arm.authority.told_percent(0)
+    assert arm.authority.holds == frozenset()
+    arm.authority.told_percent(30)
+    arm.send()
+    arm.wait(0.1)
+    arm.authority.told_percent(0)
+    assert arm.authority.holds == {Hold.SPEED_ZERO}
+    assert arm.authority.why_not().code == "held_at_zero"
+    assert arm.authority.mover is Mover.OURS
+
+
+@pytest.mark.parametrize(
+    ("does", "held"),
+    [
+        (_stop, False),
+        (_disable, False),
+        (_standby, False),
+        (Arm.other, False),
+        (_mute_status, True),
+        (_mute_joints, True),
+        (lambda arm: arm.authority.cancelled(arm.now_s), False),
+        (lambda arm: arm.authority.went_on(arm.now_s), False),
+        (lambda arm: arm.authority.end(End.FORGOTTEN), False),
+        (lambda arm: arm.authority.told_percent(50), True),
+    ],
+    ids=[
+        *("stop", "disable", "standby", "another host", "status silent", "angles silent"),
+        *("cancel", "continue", "new connection", "another speed"),
+    ],
+)
+def test_the_table_of_what_ends_a_hold(arm, does, held):
+    arm.send()
+    arm.wait(0.1)
+    arm.authority.paused()
+    does(arm)
+    arm.wait(0.7)
+    assert (Hold.PAUSE in arm.authority.holds) is held
+
+
+# Cancel -------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("rests", "unheeded"), [(True, False), (False, True)])
+def test_a_cancel_is_followed_until_the_arm_rests(arm, rests, unheeded):
+    arm.send()
+    arm.status = status(reached=False)
+    arm.authority.cancelled(arm.now_s)
+    for k in range(60):
+        if not rests:
+            arm.joints_deg = (0.5 * k, *HERE[1:])
+        arm.wait(0.02)
+    assert arm.authority.cancel_unheeded is unheeded
+    arm.wait(0.5)
+    assert not arm.authority.cancel_unheeded
+
+
+# Speed --------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("given", "asked", "lowers"),
+    [(None, 30, True), (30, 29, True), (30, 30, False), (5, 30, False)],
+)
+def test_which_percentage_goes_first(arm, given, asked, lowers):
+    arm.authority.arm_percent = given
+    assert arm.authority.lowers_speed(asked) is lowers
+
+
+def test_generation_1_tells_its_percentage(arm):
+    arm.authority.arm_percent = 5
+    arm.status = status(speed_percent=100)
+    arm.look()
+    assert arm.authority.lowers_speed(30)
+
+
+@pytest.mark.parametrize(("speed_deg_s", "too_fast"), [(70.0, False), (90.0, True)])
+def test_one_and_a_half_times_the_speed_shown_for_a_tenth_of_a_second(arm, speed_deg_s, too_fast):
+    """30 % of the factory's 171.9 °/s is 51.6 °/s; half again and the slack make 79.3 °/s."""
+    arm.send(percent=30)
+    arm.status = status(reached=False)
+    for k in range(12):
+        arm.joints_deg = (speed_deg_s * 0.02 * k, *HERE[1:])
+        arm.wait(0.02)
+    assert (arm.authority.overspeed is not None) is too_fast
+
+
+def test_a_joint_that_brakes_to_a_lower_speed_is_not_too_fast(arm):
+    arm.send(percent=5)
+    arm.status = status(reached=False)
+    place = 0.0
+    for k in range(14):
+        place += max(0.0, 100.0 - 100.0 * k / 12) * 0.02
+        arm.joints_deg = (place, *HERE[1:])
+        arm.wait(0.02)
+        assert arm.authority.overspeed is None

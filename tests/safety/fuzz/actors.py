@@ -1,0 +1,385 @@
+"""What each action does: the operator through the controller, the others through the bus."""
+
+from __future__ import annotations
+
+import math
+from datetime import UTC, datetime
+from functools import cached_property
+from typing import Any, Final
+
+import numpy as np
+
+from armui.arm.frames import JogFrame
+from armui.arm.parameters import Parameter
+from armui.control.jog_ways import JointJog, ToolJog
+from armui.control.recovery_steps import Action
+from armui.control.replay import Replay
+from armui.control.run import Run
+from armui.control.situation import LinkState, StopState
+from armui.protocol.codes import EndLoad, LinkageRole, MoveMode, TeachingState, TrajectoryCommand
+from armui.sim.faults import fault
+from armui.trajectory.program import Waypoint
+from armui.trajectory.recording import Recording
+from tests.safety.fuzz.oracle import Asked, Kind, Oracle
+from tests.safety.fuzz.world import World
+from tests.sim.talk import DISABLE, ENABLE, pose_target
+
+_PULLED_DEG: Final = 20.0
+_PATIENCE: Final = 25
+_OFF_LOAD: Final = (EndLoad.EMPTY, EndLoad.HALF, EndLoad.FULL)
+
+
+class Actors:
+    """Everybody who does something; each method is an action of `tests.safety.fuzz.script`."""
+
+    def __init__(self, world: World, oracle: Oracle) -> None:
+        self._world = world
+        self._oracle = oracle
+        self._pushed: int | None = None
+
+    @property
+    def _controller(self) -> Any:
+        return self._world.controller
+
+    @cached_property
+    def _kinematics(self) -> Any:
+        return self._world.firmware.kinematics
+
+    def after(self) -> None:
+        """What ends with an action's time."""
+        if self._pushed is not None:
+            self._world.firmware.protection.push(self._pushed, 0.0)
+            self._pushed = None
+
+    # The operator ------------------------------------------------------------------------------
+
+    def _ask(self, kind: Kind, refusal: object, **asked: Any) -> None:
+        """The operator has asked for something, and it was not refused."""
+        if refusal is None:
+            self._oracle.ask(Asked(kind, self._world.time_s, **asked))
+
+    def step(self, joint: int, delta_deg: float) -> None:
+        before = self._oracle.bases()
+        self._ask(
+            Kind.STEP,
+            self._controller.motion.jog(joint, delta_deg),
+            joint=joint,
+            delta=delta_deg,
+            bases=before,
+        )
+
+    def tool_step(self, axis: int, amount: float, frame: str) -> None:
+        before = self._oracle.bases()
+        refusal = self._controller.cartesian.step(axis, amount, JogFrame(frame))
+        self._ask(Kind.TOOL_STEP, refusal, delta=amount, bases=before)
+
+    def send_joints(self, joints_deg: tuple[float, ...]) -> None:
+        refusal = self._controller.motion.send_joints(joints_deg)
+        self._ask(Kind.JOINTS, refusal, goal_deg=joints_deg)
+
+    def go_home(self) -> None:
+        self._ask(Kind.JOINTS, self._controller.motion.go_home(), goal_deg=(0.0,) * 6)
+
+    def move_tool(self, joints_deg: tuple[float, ...], move: int) -> None:
+        pose = self._kinematics.forward(joints_deg)
+        refusal = self._controller.cartesian.move(pose, MoveMode(move))
+        self._ask(Kind.POSE, refusal, pose=tuple(pose))
+
+    def hold_joint(self, joint: int, direction: int) -> None:
+        refusal = self._controller.jogging.start(JointJog(joint, direction))
+        self._ask(Kind.JOG, refusal, joint=joint, delta=direction)
+        self._world.still_timers()
+
+    def hold_tool(self, axis: int, direction: int, frame: str) -> None:
+        refusal = self._controller.jogging.start(ToolJog(axis, direction, JogFrame(frame)))
+        self._ask(Kind.JOG, refusal, joint=None, delta=direction)
+        self._world.still_timers()
+
+    def let_go(self) -> None:
+        self._controller.jogging.stop()
+        self._oracle.release()
+
+    def speed(self, percent: int) -> None:
+        self._controller.motion.set_speed_percent(percent)
+
+    def plan(self, command: int) -> None:
+        if self._controller.planned_motion.command(TrajectoryCommand(command)) is not None:
+            return
+        if command == TrajectoryCommand.CONTINUE:
+            self._oracle.ask(Asked(Kind.CONTINUE, self._world.time_s))
+        elif command != TrajectoryCommand.PAUSE:
+            self._oracle.cancel("终止")
+
+    def enable(self, joint: int) -> None:
+        self._controller.motors.enable(joint)
+
+    def disable(self, joint: int) -> None:
+        if self._controller.motors.disable(joint) is None:
+            self._oracle.cancel("disable")
+
+    def stop(self) -> None:
+        self._controller.emergency_stop()
+        if self._controller.situation.link is not LinkState.NO_DEVICE:
+            self._oracle.stop_pressed()
+        self._oracle.cancel("stop")
+
+    def resume(self) -> None:
+        if self._controller.motors.resume() is None:
+            self._oracle.stop_lifted()
+            self._oracle.cancel("resume")
+
+    def run(self, first: tuple[float, ...], second: tuple[float, ...], laps: int) -> None:
+        points = [Waypoint(MoveMode.MOVE_J, each, speed_percent=50) for each in (first, second)]
+        refusal = self._controller.player.start(Run("fuzz", points, [2.0, 2.0], laps=laps))
+        self._ask(Kind.RUN, refusal)
+
+    def replay(self, joints_deg: tuple[float, ...], laps: int) -> None:
+        times = np.arange(0.0, 2.0, 0.02)
+        samples = np.zeros((len(times), 8))
+        samples[:, 0] = times
+        samples[:, 1:7] = joints_deg
+        samples[:, 1] += 5.0 * np.sin(math.pi * times)
+        samples[:, 7] = math.nan
+        recording = Recording("fuzz", samples=samples, modified=datetime(2026, 1, 1, tzinfo=UTC))
+        self._ask(Kind.RUN, self._controller.replayer.start(Replay(recording, laps=laps)))
+
+    def pause_run(self) -> None:
+        self._controller.player.pause()
+        self._controller.replayer.pause()
+
+    def go_on_run(self) -> None:
+        self._ask(Kind.RUN, self._controller.player.go_on())
+        self._ask(Kind.RUN, self._controller.replayer.go_on())
+
+    def stop_run(self) -> None:
+        self._controller.player.stop()
+        self._controller.replayer.stop()
+
+    def gripper(self, what: str) -> None:
+        gripper = self._controller.gripper
+        if what == "move":
+            gripper.move(30.0, 1.0)
+        elif what == "enable":
+            gripper.enable(1.0)
+        elif what == "disable":
+            gripper.disable()
+        elif what == "clear":
+            gripper.clear_error()
+        else:
+            gripper.set_zero()
+
+    def teach(self, command: int) -> None:
+        if self._controller.teaching.command(TeachingState(command)) is None:
+            self._oracle.ask(Asked(Kind.TEACHING, self._world.time_s))
+
+    def read_settings(self) -> None:
+        batches = self._controller.settings.everything()
+        if isinstance(batches, list):
+            self._controller.settings.read(batches)
+
+    def save_setting(self, joint: int, value: int) -> None:
+        self._controller.settings.save({Parameter("collision_level", joint): float(value)})
+
+    def zero(self, joint: int) -> None:
+        if self._controller.zeroing.set_zero(joint) is None:
+            self._oracle.cancel("zero")
+
+    def link_as(self, linked: tuple[str, int]) -> None:
+        role, offset = linked
+        output = LinkageRole.MOTION_OUTPUT
+        self._controller.linkage.set(
+            output if role == "output" else LinkageRole.TEACHING_INPUT,
+            feedback_offset=offset,
+            control_offset=offset,
+        )
+
+    def light(self, joint: int) -> None:
+        self._controller.lights.set_light(min(joint, 6), 1, 255, 0, 0)
+
+    def load(self, load: int) -> None:
+        self._controller.end_reports.set_load(_OFF_LOAD[load])
+
+    def end_reports(self, on: bool) -> None:
+        self._controller.end_reports.switch(on=on)
+
+    def next_step(self) -> None:
+        step = self._controller.recovery.step
+        if step.action in (None, Action.CONNECT):
+            return
+        if self._controller.recovery.act(step) is not None:
+            return
+        if step.action is Action.TAKE_OVER:
+            self._oracle.take_over()
+        elif step.action is Action.GO_ON:
+            self._oracle.ask(Asked(Kind.CONTINUE, self._world.time_s))
+        elif step.action is Action.STOP:
+            self._oracle.stop_pressed()
+            self._oracle.cancel("stop")
+        else:
+            self._oracle.recovered(step.action.value)
+
+    def record(self) -> None:
+        recorder = self._controller.recorder
+        if recorder.recording:
+            recorder.finish("fuzz")
+        else:
+            recorder.start()
+
+    def disconnect(self) -> None:
+        self._controller.disconnect_device()
+        self._oracle.cancel("disconnect")
+        self._oracle.stop_lifted()
+
+    def connect(self) -> None:
+        if self._controller.situation.link is LinkState.NO_DEVICE:
+            self._controller.connect_device(self._world.device)
+            self._world.still_timers()
+
+    def get_ready(self) -> None:
+        """What a patient operator does to have an arm that may move."""
+        self.mend()
+        self.plug_in()
+        self.other_ends_streams()
+        self.let_go()
+        for _ in range(_PATIENCE):
+            situation = self._controller.situation
+            if situation.cannot_move is None:
+                return
+            if not situation.speed_percent:
+                self.speed(30)
+            self.connect()
+            if situation.stop is StopState.STOPPED:
+                self.resume()
+            elif situation.cannot_enable is None and False in situation.enabled:
+                self.enable(7)
+            elif situation.holds:
+                self.plan(TrajectoryCommand.ABORT)
+            else:
+                self.next_step()
+            self._world.pass_time(0.1)
+
+    def wait(self, seconds: float) -> None:
+        self._world.pass_time(seconds)
+
+    def take_over(self) -> None:
+        if self._controller.take_over() is None:
+            self._oracle.take_over()
+
+    def halt_and_hold(self) -> None:
+        if self._controller.halt_and_hold() is None:
+            self._oracle.cancel("halt and hold")
+
+    # A second host -----------------------------------------------------------------------------
+
+    def other_target(self, joints_deg: tuple[float, ...], percent: int) -> None:
+        self._world.other.move_to(joints_deg, percent)
+
+    def other_pose(self, joints_deg: tuple[float, ...], move: int) -> None:
+        pose = self._kinematics.forward(joints_deg)
+        self._world.other.say(*pose_target(*pose), f"151#01{move:02X}1E0000000000")
+
+    def other_stream(self, joints_deg: tuple[float, ...], swing_deg: float, percent: int) -> None:
+        def path(t_s: float) -> tuple[float, ...]:
+            return (joints_deg[0] + swing_deg * math.sin(t_s), *joints_deg[1:])
+
+        self._world.other.stream_targets(path, speed_percent=percent)
+
+    def other_resumes_stream(self, rate_hz: float) -> None:
+        self._world.other.stream(lambda _: ["150#0200000000000000"], rate_hz)
+
+    def other_ends_streams(self) -> None:
+        for stream in self._world.other.streams:
+            stream.end()
+
+    def other_stop(self) -> None:
+        self._world.other.stop()
+
+    def other_resume(self) -> None:
+        self._world.other.resume()
+
+    def other_enable(self) -> None:
+        self._world.other.say(ENABLE)
+
+    def other_disable(self) -> None:
+        self._world.other.say(DISABLE)
+
+    def other_mode(self, word: str) -> None:
+        self._world.other.say(f"151#{word}1E0000000000")
+
+    def other_mit(self) -> None:
+        hold = [f"{0x15A + joint:03X}#7FFF7FF0519477F0" for joint in range(6)]
+        self._world.other.say("151#010400AD00000000", *hold)
+
+    def other_plan(self, command: int) -> None:
+        self._world.other.say(f"150#00{command:02X}000000000000")
+
+    def other_setting(self, line: str) -> None:
+        self._world.other.say(line)
+
+    def other_gripper(self) -> None:
+        self._world.other.say("159#0000271003E80100")
+
+    def other_question(self) -> None:
+        self._world.other.say("4AF#0100000000000000")
+
+    # A hand ------------------------------------------------------------------------------------
+
+    def push(self, joint: int, torque_nm: float) -> None:
+        """Push at a joint without power, until the action's time is over."""
+        arm = self._world.firmware
+        if not arm.enabled[joint - 1]:
+            self._pushed = joint - 1
+            arm.protection.push(self._pushed, torque_nm)
+
+    def lead(self, joints_deg: tuple[float, ...]) -> None:
+        self._world.firmware.hand.lead_to(joints_deg, speed_deg_s=_PULLED_DEG)
+
+    # What breaks -------------------------------------------------------------------------------
+
+    def fault(self, name: str, value: float | None) -> None:
+        self._world.node.faults.start(fault(name, value))
+
+    def mend(self) -> None:
+        for each in list(self._world.node.faults.active):
+            self._world.node.faults.end(each)
+        line = self._world.node.line
+        line.mute_on.clear()
+        line.deaf_to.clear()
+
+    def silence(self, identifiers: tuple[int, ...]) -> None:
+        self._world.node.line.mute_on |= set(identifiers)
+
+    def lose(self, identifier: int) -> None:
+        line = self._world.node.line
+        (line.lose_to_bus if identifier in (0x2A1, 0x476) else line.lose_to_arm)(identifier)
+
+    def unplug(self) -> None:
+        self._world.unplug_cable()
+
+    def plug_in(self) -> None:
+        self._world.plug_cable_in()
+
+    def power_cycle(self, off_s: float) -> None:
+        arm = self._world.firmware
+        arm.switch_off()
+        self._world.pass_time(off_s)
+        arm.switch_on()
+        self._oracle.cancel("power cycle")
+        self._oracle.stop_lifted()
+
+    def suspend(self, seconds: float) -> None:
+        self._world.suspend(seconds)
+        self._oracle.suspended()
+
+    def hang(self, seconds: float) -> None:
+        """The GUI thread is busy; the bus thread is not."""
+        self._world.hang(seconds)
+        self._oracle.suspended()
+
+    def sleep(self, seconds: float) -> None:
+        """The PC sleeps: its clock has jumped, and nothing was heard meanwhile."""
+        self._world.time_s += seconds
+        self._oracle.suspended()
+
+    def sag(self, degrees: float) -> None:
+        self._world.firmware.body.sag_deg = (0.0, degrees, -degrees, 0.0, degrees, 0.0)

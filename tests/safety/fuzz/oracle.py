@@ -1,0 +1,389 @@
+"""What must hold after every step, judged by the simulated arm's own truth.
+
+Excepted by name are: an arm that sinks or falls without power (no motor holds it), what the
+operator's frames cannot reach or the program cannot hear (cable, supply, a fault of the line), and
+what another host's frame has begun.
+"""
+
+from __future__ import annotations
+
+import enum
+from collections import deque
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Final
+
+from armui.control.situation import LinkState, StopState
+from armui.sim.motion import SixValues
+from tests.safety.fuzz.traffic import Said, Sender, Started, base_id, is_motion
+from tests.safety.fuzz.world import World
+
+_STOP_S: Final = 0.2
+_OLD_S: Final = 0.5
+_LOOK_S: Final = 0.06
+"""Three steps: what the program knows is one tick old, and what it says takes another."""
+_TO_ITSELF_S: Final = 2.0
+_PRESS_S: Final = 1.0
+_SAME_DEG: Final = 0.011
+_NEAR_DEG: Final = 0.75
+"""What may lie between a target and the place it starts from: 0.5° and the sag of a joint."""
+_JOG_AHEAD_DEG: Final = 20.0
+_TOOL_MM: Final = 15.0
+_POSE_MM: Final = 1.0
+
+
+class Kind(enum.Enum):
+    """What the operator asked for."""
+
+    NOTHING = "nothing"
+    STEP = "a joint step"
+    TOOL_STEP = "a tool step"
+    JOINTS = "six angles"
+    POSE = "a pose"
+    JOG = "a held jog"
+    RUN = "a run"
+    CONTINUE = "继续"
+    TEACHING = "drag teaching"
+
+
+_LASTING: Final = frozenset({Kind.JOG, Kind.RUN, Kind.TEACHING})
+
+
+@dataclass(slots=True)
+class Asked:
+    """The last thing the operator asked for that may move the arm.
+
+    Attributes:
+        kind: What it was.
+        at_s: When.
+        goal_deg, pose: Where it leads, as far as it says.
+        joint, delta: Of a step: what is to turn, and by how much.
+        bases: Where a step may start from: the arm, and our own target while it stands.
+        cancelled: What has ended it.
+        over_jog: Whether a jog was still held when it was asked for.
+    """
+
+    kind: Kind
+    at_s: float
+    goal_deg: SixValues | None = None
+    pose: SixValues | None = None
+    joint: int | None = None
+    delta: float = 0.0
+    bases: list[SixValues] = field(default_factory=list)
+    cancelled: str | None = None
+    over_jog: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Violation:
+    """Something that must not be.
+
+    Attributes:
+        promise: Its number in safety.md, or «exception».
+        key: What tells it from other violations: the same in each shrunk run.
+        text: What was seen, with its figures.
+    """
+
+    promise: str
+    key: str
+    text: str
+
+
+class Oracle:
+    """Watches one world.
+
+    Attributes:
+        violation: The first thing that was not as it must be.
+    """
+
+    def __init__(self, world: World, ignored: Collection[str] = ()) -> None:
+        """Watches, and passes over violations with one of these texts in their keys."""
+        self._world = world
+        self._ignored = ignored
+        self.violation: Violation | None = None
+        self._asked = Asked(Kind.NOTHING, 0.0)
+        self._mixed = False
+        self._places_deg: deque[SixValues] = deque(maxlen=2)
+        self._unconnected_s = -1e9
+        self._ours_deg: SixValues | None = None
+        self._other_s = -1e9
+        self._taken_over = False
+        self._stop_s: float | None = None
+        self._stop_holds = False
+        self._read = 0
+        self._suspended_s = -1e9
+        world.traffic.asked = lambda: replace(self._asked)
+
+    # What the operator does ----------------------------------------------------------------------
+
+    def bases(self) -> list[SixValues]:
+        """Where a step pressed now may start from: what is measured is two steps old at most."""
+        here = [*self._places_deg, self._world.firmware.joints_deg]
+        return here if self._ours_deg is None else [*here, self._ours_deg]
+
+    def ask(self, asked: Asked) -> None:
+        """The operator has asked for something that may move the arm."""
+        before = self._asked
+        asked.over_jog = before.kind is Kind.JOG and before.cancelled is None
+        self._asked = asked
+
+    def release(self) -> None:
+        """A held jog has ended."""
+        if self._asked.kind is Kind.JOG and self._asked.cancelled is None:
+            self._asked.cancelled = "release"
+
+    def cancel(self, why: str) -> None:
+        """What was asked for before is void."""
+        self._asked.cancelled = why
+        self._ours_deg = None
+
+    def stop_pressed(self) -> None:
+        """The stop was pressed while a device was open."""
+        if self._stop_s is None:
+            self._stop_s = self._world.time_s
+        self._stop_holds = False
+
+    def stop_lifted(self) -> None:
+        """The operator has given up the stop, or the arm's supply has."""
+        self._stop_s, self._stop_holds = None, False
+
+    def recovered(self, action: str) -> None:
+        """A step of the way back to a ready arm was taken."""
+        self.cancel(action)
+        self.stop_lifted()
+
+    def take_over(self) -> None:
+        """The operator has taken the arm from the other host, deliberately."""
+        self._taken_over = True
+
+    def suspended(self) -> None:
+        """The program or its window got no time until now."""
+        self._suspended_s = self._world.time_s
+
+    # What must hold ------------------------------------------------------------------------------
+
+    def look(self) -> None:
+        """Keep the first thing that is not as it must be; called after each step."""
+        world = self._world
+        found: list[Violation] = []
+        self._follow()
+        new = world.traffic.said[self._read :]
+        self._read = len(world.traffic.said)
+        started = {id(each.said): each for each in world.traffic.started}
+        world.traffic.started.clear()
+        for said in new:
+            found += self._on_said(said)
+        for each in started.values():
+            found += self._on_started(each)
+        found += self._stop()
+        found += self._stale()
+        found += self._exceptions()
+        found = [each for each in found if not any(word in each.key for word in self._ignored)]
+        if self.violation is None and found:
+            self.violation = found[0]
+
+    def _follow(self) -> None:
+        """Note what later judgements depend on."""
+        self._places_deg.append(self._world.firmware.joints_deg)
+        world, line = self._world, self._world.node.line
+        # of a target of which a frame got lost, or nobody's frame became part, no goal is known
+        self._mixed = self._mixed or bool(line.loss or line.garbage_per_s or line.off)
+        if world.controller.situation.link not in (LinkState.ONLINE, LinkState.OFFLINE):
+            self._unconnected_s = world.time_s
+
+    def _on_said(self, said: Said) -> list[Violation]:
+        now_s = said.at_s
+        identifier = base_id(said.frame.arbitration_id)
+        if said.sender is Sender.OTHER:
+            self._on_other(said)
+            return []
+        if not is_motion(said.frame):
+            return []
+        since_s = now_s - self._other_s
+        anew = " and a new connection" if self._unconnected_s > self._other_s else ""
+        if self._taken_over or not _LOOK_S < since_s < _TO_ITSELF_S:
+            return []
+        name = f"0x{identifier:03X}"
+        return [
+            Violation(
+                "S13",
+                f"{_FAMILY.get(identifier, name)} of ours after another host's frames{anew}",
+                f"{name} of ours {since_s:.2f} s after a motion frame of another host; "
+                f"the operator asked for {self._asked.kind.value}",
+            )
+        ]
+
+    def _on_other(self, said: Said) -> None:
+        """The other host has said something; what another arm listens to is no concern of ours."""
+        frame, world = said.frame, self._world
+        identifier = base_id(frame.arbitration_id)
+        to_arm = frame.arbitration_id - identifier == world.firmware.addressing.control_offset
+        if to_arm and is_motion(frame) and world.hears:
+            self._other_s, self._taken_over = said.at_s, False
+        if identifier in (0x470, 0x471, 0x475) or (to_arm and 0x150 <= identifier <= 0x15F):
+            self._ours_deg = None
+        if to_arm and identifier == 0x150 and frame.data[:1] == b"\x02":
+            self.stop_lifted()  # another host's resume
+
+    def _on_started(self, started: Started) -> list[Violation]:
+        """A frame has set the arm in motion or sent it elsewhere."""
+        if started.said.sender is not Sender.US:
+            self._ours_deg = None
+            return []
+        self._ours_deg = started.goal_deg
+        if started.said.after is None:  # from before anybody watched
+            return []
+        why = self._why_unasked(started)
+        if why is None:
+            return []
+        identifier = base_id(started.said.frame.arbitration_id)
+        asked: Asked = started.said.after
+        over = " over a held jog" if asked.over_jog else ""
+        figures = (
+            f"0x{identifier:03X} sent the arm from {_angles(started.here_deg)} "
+            f"towards {_angles(started.goal_deg)}; last asked: {asked.kind.value}"
+            + (f" (ended by {asked.cancelled})" if asked.cancelled else "")
+        )
+        return [Violation("S7–S11", f"{asked.kind.value}{over}: {why}", f"{why}: {figures}")]
+
+    def _why_unasked(self, started: Started) -> str | None:
+        asked: Asked = started.said.after
+        at_s = started.said.at_s
+        if asked.kind is Kind.NOTHING:
+            return "moves although nothing was asked for"
+        if asked.cancelled == "release" and at_s - asked.at_s < _LOOK_S:
+            return None
+        if asked.cancelled not in (None, "release"):
+            return f"moves after {asked.cancelled}"
+        if asked.kind not in _LASTING and at_s - asked.at_s > _PRESS_S:
+            return "moves long after it was asked for"
+        return None if self._mixed else self._why_elsewhere(asked, started)
+
+    def _why_elsewhere(self, asked: Asked, started: Started) -> str | None:
+        if asked.kind is Kind.JOG:
+            away = _apart(started.goal_deg, started.here_deg)
+            return "a jog's target lies far off" if away > _JOG_AHEAD_DEG else None
+        if asked.kind is Kind.JOINTS and asked.goal_deg is not None:
+            off = _apart(asked.goal_deg, started.goal_deg)
+            return None if off <= _SAME_DEG else "goes elsewhere than asked"
+        if asked.kind is Kind.STEP:
+            return self._why_no_step(asked, started)
+        if asked.kind is Kind.TOOL_STEP:
+            return self._why_no_tool_step(asked, started)
+        if asked.kind is Kind.POSE and asked.pose is not None:
+            reached = self._world.firmware.kinematics.forward(started.goal_deg)
+            off = max(abs(a - b) for a, b in zip(reached[:3], asked.pose[:3], strict=True))
+            return None if off < _POSE_MM else "goes elsewhere than asked"
+        return None
+
+    @staticmethod
+    def _why_no_step(asked: Asked, started: Started) -> str | None:
+        for index, goal in enumerate(started.goal_deg):
+            delta = asked.delta if index + 1 == asked.joint else 0.0
+            if all(abs(goal - base[index] - delta) > _NEAR_DEG for base in asked.bases):
+                stepped = index + 1 == asked.joint
+                return "steps from elsewhere" if stepped else "turns a joint that was not asked for"
+        return None
+
+    def _why_no_tool_step(self, asked: Asked, started: Started) -> str | None:
+        forward = self._world.firmware.kinematics.forward
+        reached = forward(started.goal_deg)
+        for base in asked.bases:
+            here = forward(base)
+            off_mm = max(abs(a - b) for a, b in zip(reached[:3], here[:3], strict=True))
+            if off_mm <= abs(asked.delta) + _TOOL_MM:
+                return None
+        return "the tool steps from elsewhere"
+
+    # The stop ------------------------------------------------------------------------------------
+
+    def _stop(self) -> list[Violation]:
+        world = self._world
+        if self._stop_s is None:
+            return []
+        if world.firmware.stopped or world.firmware._off:
+            self._stop_holds = True
+            return []
+        if self._stop_holds:
+            self._stop_s = None
+            return [Violation("S5", "a stop ended by itself", "the arm is no longer stopped")]
+        if self._stop_cannot_arrive() or world.controller.situation.link is LinkState.NO_DEVICE:
+            self._stop_s = world.time_s
+            return []
+        late_s = world.time_s - max(self._stop_s, self._suspended_s)
+        if late_s <= _STOP_S + _LOOK_S:
+            return []
+        self._stop_s = None
+        return [Violation("S2–S5", "a stop does not arrive", f"no stop after {late_s:.2f} s")]
+
+    def _stop_cannot_arrive(self) -> bool:
+        """Cut cables and broken lines, by name."""
+        world, line = self._world, self._world.node.line
+        identifiers = {0x150, 0x160, 0x170}
+        return bool(
+            not world.hears
+            or line.off
+            or line.loss
+            or line.latency_s
+            or line.deaf_to & identifiers
+            or any(line._lost_to_arm[each] for each in identifiers)
+            or world.firmware.leads
+        )
+
+    # What is shown -------------------------------------------------------------------------------
+
+    def _stale(self) -> list[Violation]:
+        world, controller = self._world, self._world.controller
+        situation, state, now_s = controller.situation, controller.state, world.time_s
+        if now_s - self._suspended_s <= _LOOK_S:
+            return []
+        limit_s = _OLD_S + _LOOK_S
+        found: list[Violation] = []
+        status_s = _age(state.status, now_s)
+        angles_s = max((_age(each, now_s) for each in state.joints_deg), default=1e9)
+        feedback_s = now_s - (state.last_feedback_s or -1e9)
+        if situation.link is LinkState.ONLINE and feedback_s > limit_s and state.last_feedback_s:
+            found.append(Violation("S18", "online though silent", f"silent for {feedback_s:.2f} s"))
+        if situation.cannot_move is None and status_s > limit_s:
+            text = f"0x2A1 is {status_s:.2f} s old and the arm may be moved"
+            found.append(Violation("S9", "may move by an old 0x2A1", text))
+        if situation.cannot_move is None and angles_s > limit_s:
+            text = f"angles are {angles_s:.2f} s old and the arm may be moved"
+            found.append(Violation("S9", "may move by old angles", text))
+        if situation.stop is StopState.STOPPED and status_s > limit_s:
+            text = f"0x2A1 is {status_s:.2f} s old and the stop is shown as confirmed"
+            found.append(Violation("S6", "stopped by an old 0x2A1", text))
+        return found
+
+    def _exceptions(self) -> list[Violation]:
+        world = self._world
+        found = [
+            Violation("exception", each.partition(": ")[2] or each, each) for each in world.errors
+        ]
+        found += [
+            Violation("exception", f"part_failed {notice.params}", str(notice))
+            for notice in world.notices
+            if notice.code == "part_failed"
+        ]
+        world.errors.clear()
+        world.notices.clear()
+        return found
+
+
+_FAMILY: Final = {
+    0x151: "0x151",
+    **dict.fromkeys((0x155, 0x156, 0x157), "0x155–0x157"),
+    **dict.fromkeys((0x152, 0x153, 0x154), "0x152–0x154"),
+}
+
+
+def _age(heard: Any, now_s: float) -> float:
+    return now_s - heard.at_s if heard is not None else 1e9
+
+
+def _apart(first: Sequence[float], second: Sequence[float]) -> float:
+    return max(abs(a - b) for a, b in zip(first, second, strict=True))
+
+
+def _angles(joints_deg: Sequence[float]) -> str:
+    return "(" + ", ".join(f"{angle:.1f}" for angle in joints_deg) + ")"

@@ -1,0 +1,111 @@
+"""Runs a script, and narrows a failure down to the actions it takes."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from armui.protocol.generation import Generation
+from tests.safety.fuzz.actors import Actors
+from tests.safety.fuzz.oracle import Oracle, Violation
+from tests.safety.fuzz.script import Action
+from tests.safety.fuzz.world import STEP_S, World
+
+_CHANNELS: Final = itertools.count()
+_LEAST_WAIT_S: Final = STEP_S
+
+
+@dataclass(frozen=True, slots=True)
+class Failure:
+    """A violation and how to come to it.
+
+    Attributes:
+        violation: What must not be.
+        index: Of the action after which it was seen.
+    """
+
+    violation: Violation
+    index: int
+
+
+def run(
+    actions: Sequence[Action], generation: Generation, ignored: Collection[str] = ()
+) -> Failure | None:
+    """Do all of it before a new arm that is ready to move; the first violation ends it.
+
+    Args:
+        actions: What happens.
+        generation: Of the arm.
+        ignored: Violations with one of these texts in their keys are passed over.
+    """
+    world = World(f"fuzz {next(_CHANNELS)}", generation)
+    try:
+        world.ready()
+        world.notices.clear()
+        oracle = Oracle(world, ignored)
+        world.watch = oracle.look
+        actors = Actors(world, oracle)
+        for index, action in enumerate(actions):
+            violation = _do(world, oracle, actors, action)
+            if violation is not None:
+                return Failure(violation, index)
+        return None
+    finally:
+        world.plug_cable_in()
+        world.close()
+
+
+def _do(world: World, oracle: Oracle, actors: Actors, action: Action) -> Violation | None:
+    try:
+        getattr(actors, action.name)(*action.figures)
+    except Exception as error:  # noqa: BLE001 - whatever an action raises is a finding
+        trace = error.__traceback__
+        while trace is not None and trace.tb_next is not None:
+            trace = trace.tb_next
+        where = trace.tb_frame.f_code.co_filename.rsplit("/", 1)[-1] if trace else "?"
+        said = f"{type(error).__name__} in {where}"
+        return Violation("exception", f"{action.name}: {said}", f"{action}: {said}: {error}")
+    world.pass_time(max(action.wait_s, _LEAST_WAIT_S))
+    actors.after()
+    return oracle.violation
+
+
+def shrink(
+    actions: Sequence[Action],
+    failure: Failure,
+    generation: Generation,
+    *,
+    ignored: Collection[str] = (),
+    runs: int = 120,
+) -> tuple[list[int], Failure]:
+    """The indices of the actions that are enough for the same violation.
+
+    Args:
+        actions: All of them.
+        failure: What they lead to.
+        generation: Of the arm.
+        ignored: As in `run`.
+        runs: At most so many runs are spent on it.
+    """
+    kept = list(range(failure.index + 1))
+    size = max(len(kept) // 2, 1)
+    while runs > 0:
+        shorter = False
+        for start in range(0, len(kept), size):
+            tried = kept[:start] + kept[start + size :]
+            if not tried or runs <= 0:
+                continue
+            runs -= 1
+            again = run([actions[index] for index in tried], generation, ignored)
+            if again is not None and again.violation.key == failure.violation.key:
+                kept = tried[: again.index + 1]
+                failure = Failure(again.violation, len(kept) - 1)
+                shorter = True
+                break
+        if not shorter:
+            if size == 1:
+                break
+            size //= 2
+    return kept, failure

@@ -1,0 +1,145 @@
+"""The fuzz itself: a short run holds, and each invariant sees the fault it is there for.
+
+The long run is a command of its own: ``python -m tests.safety.fuzz --seeds 200 --actions 100``.
+"""
+
+import pytest
+
+from armui.arm.refusal import Refusal
+from armui.control.arm_controller import ArmController
+from armui.control.authority import Authority
+from armui.control.motion import Motion
+from armui.control.other_command import OtherCommand
+from armui.protocol.generation import Generation
+from tests.safety.fuzz.runner import Failure, run, shrink
+from tests.safety.fuzz.script import Action, script
+
+A = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
+B = (-30.0, 60.0, -60.0, 0.0, 0.0, 0.0)
+
+
+def promise(actions: list[Action], generation: Generation = Generation.TWO) -> str | None:
+    failure = run(actions, generation)
+    return None if failure is None else failure.violation.promise
+
+
+@pytest.mark.parametrize("seed", [3, 4])
+def test_random_actions_with_company_break_no_promise(qapp, seed):
+    failure = run(script(seed, 50), Generation(1 + seed % 2))
+    assert failure is None, f"python -m tests.safety.fuzz --seed {seed} --actions 50: {failure}"
+
+
+def test_the_same_seed_does_the_same(qapp):
+    assert script(7, 50) == script(7, 50)
+    assert script(7, 50) != script(8, 50)
+
+
+def test_a_failure_is_narrowed_down_to_what_it_takes(qapp, monkeypatch):
+    monkeypatch.setattr(ArmController, "emergency_stop", lambda _: None)
+    actions = [Action("light", (1,)), Action("speed", (30,)), Action("stop"), Action("record")]
+    actions += [Action("light", (2,), 0.4)]
+    failure = run(actions, Generation.TWO)
+    assert failure is not None
+    kept, shorter = shrink(actions, failure, Generation.TWO)
+    assert 2 in kept
+    assert len(kept) <= 2
+    assert shorter.violation.key == failure.violation.key
+
+
+# Planted faults ------------------------------------------------------------------------------
+
+
+def test_a_stop_that_is_not_sent_is_seen(qapp, monkeypatch):
+    actions = [Action("send_joints", (A,), 0.4), Action("stop", wait_s=0.6)]
+    assert promise(actions) is None
+    monkeypatch.setattr(ArmController, "emergency_stop", lambda _: None)
+    assert promise(actions) == "S2–S5"
+
+
+def test_a_stop_that_cannot_arrive_is_excepted_until_it_can(qapp, monkeypatch):
+    actions = [Action("silence", ((0x2A8,),)), Action("unplug"), Action("stop", wait_s=1.2)]
+    monkeypatch.setattr(ArmController, "emergency_stop", lambda _: None)
+    assert promise(actions) is None
+    assert promise([*actions, Action("plug_in", wait_s=1.2)]) == "S2–S5"
+
+
+def test_a_step_from_an_outdated_target_is_seen(qapp, monkeypatch):
+    actions = [
+        Action("send_joints", (A,), 1.2),
+        Action("other_target", (B, 100), 1.2),
+        Action("step", (6, 1.0), 0.4),
+    ]
+    actions.insert(2, Action("hang", (2.0,), 0.4))  # the other host is gone for over two seconds
+    assert promise(actions) is None
+    monkeypatch.setattr(Authority, "joint_base_deg", lambda _: A)
+    assert promise(actions) == "S7–S11"
+
+
+def test_a_motion_nobody_asked_for_is_seen(qapp, monkeypatch):
+    assert promise([Action("speed", (30,), 0.6)]) is None
+    began_s = []
+
+    def restless(motion):
+        now_s = motion._context.clock()
+        began_s.append(now_s)
+        if now_s > began_s[0] + 0.4:
+            motion.send_joints(A)
+
+    monkeypatch.setattr(Motion, "advance", restless)
+    assert promise([Action("speed", (30,), 0.6)]) == "S7–S11"
+
+
+def test_a_target_that_comes_back_after_its_cancel_is_seen(qapp, monkeypatch):
+    set_speed = Motion.set_speed_percent
+    actions = [
+        Action("send_joints", (A,), 0.2),
+        Action("plan", (6,), 1.2),
+        Action("speed", (5,), 0.4),
+    ]
+    assert promise(actions) is None
+
+    def reviving(motion, percent):
+        motion.send_joints(A)
+        return set_speed(motion, percent)
+
+    monkeypatch.setattr(Motion, "set_speed_percent", reviving)
+    assert promise(actions) == "S7–S11"
+
+
+def test_our_motion_beside_another_host_s_is_seen(qapp, monkeypatch):
+    actions = [Action("other_target", (B, 30), 0.2), Action("send_joints", (A,), 0.2)]
+    assert promise(actions) is None
+    monkeypatch.setattr(OtherCommand, "why_not", lambda _: None)
+    assert promise(actions) == "S13"
+
+
+def test_moving_by_old_feedback_is_seen(qapp, monkeypatch):
+    actions = [Action("silence", ((0x2A5, 0x2A6, 0x2A7),), 1.2)]
+    assert promise(actions) is None
+    monkeypatch.setattr(Authority, "why_silent", lambda _: None)
+    assert promise(actions) == "S9"
+
+
+def test_an_exception_is_seen_in_a_part_and_in_a_click(qapp, monkeypatch):
+    def broken(*_args):
+        raise ZeroDivisionError
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Motion, "advance", broken)
+        assert promise([Action("light", (1,), 0.1)]) == "exception"
+    monkeypatch.setattr(Motion, "go_home", broken)
+    assert promise([Action("go_home")]) == "exception"
+
+
+def test_what_is_refused_is_no_fault(qapp, monkeypatch):
+    monkeypatch.setattr(Motion, "go_home", lambda _: Refusal("stopped"))
+    assert promise([Action("go_home", wait_s=0.4)]) is None
+
+
+def test_a_failure_says_what_was_seen(qapp, monkeypatch):
+    monkeypatch.setattr(OtherCommand, "why_not", lambda _: None)
+    actions = [Action("other_target", (B, 30), 0.2), Action("send_joints", (A,), 0.2)]
+    failure = run(actions, Generation.TWO)
+    assert isinstance(failure, Failure)
+    assert failure.index == 1
+    assert "after a motion frame of another host" in failure.violation.text

@@ -1,0 +1,189 @@
+"""The bench with its company as the fuzz drives it: one clock, and every word noted."""
+
+from __future__ import annotations
+
+import logging
+import sys
+import threading
+from collections.abc import Callable
+from typing import Final
+
+import can
+from PySide6.QtCore import QCoreApplication
+
+import armui.bus.worker
+from armui.bus.link import BusState
+from armui.bus.worker import BusWorker
+from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
+from armui.sim.firmware import Firmware
+from tests.bench import Bench
+from tests.company import OtherHost
+from tests.safety.fuzz.lockstep import LockstepWorker
+from tests.safety.fuzz.traffic import Sender, Traffic
+
+STEP_S: Final = 0.02
+_NEVER_MS: Final = 3_600_000
+_MOST_ROUNDS: Final = 100
+_STEP_NS: Final = round(STEP_S * 1e9)
+
+
+# one receiver a frame, and nobody changes one: a copy for each would cost a third of the time
+def _itself(message: can.Message, _: object) -> can.Message:
+    return message
+
+
+class NotedHost(OtherHost):
+    """A second host whose frames are noted."""
+
+    def __init__(self, world: World) -> None:
+        super().__init__(world)
+        self._world = world
+
+    def say(self, *lines: str) -> None:
+        """Put frames on the bus, and note them."""
+        for line in lines:
+            identifier, _, data = line.partition("#")
+            self._world.traffic.note(Sender.OTHER, Frame(int(identifier, 16), bytes.fromhex(data)))
+        super().say(*lines)
+
+
+class World(Bench):
+    """A bench on which nothing but its own clock counts.
+
+    Attributes:
+        other: The second host.
+        traffic: Who said what.
+        cable: Whether the adapter is plugged in.
+        errors: Exceptions that were logged or reached a hook, as text.
+        watch: Called after each step.
+    """
+
+    def __init__(self, channel: str, generation: Generation) -> None:
+        super().__init__(channel, generation)
+        # nobody asks what was heard on the bus: a queue that is never read costs copies
+        self._ear.shutdown()
+        _thin_out(self.firmware)
+        self.traffic = Traffic(self.firmware, lambda: self.time_s)
+        self.other = NotedHost(self)
+        self.cable = True
+        self.errors: list[str] = []
+        self.watch: Callable[[], None] = _look_away
+        self._log = _Errors(self.errors)
+        logging.getLogger().addHandler(self._log)
+        armui.bus.worker.BusWorker = LockstepWorker
+        self._copy = can.Message.__deepcopy__
+        can.Message.__deepcopy__ = _itself
+        self._hooks = sys.excepthook, threading.excepthook
+        sys.excepthook = lambda kind, error, trace: self.errors.append(_line(error, trace))
+        threading.excepthook = lambda args: self.errors.append(
+            _line(args.exc_value, args.exc_traceback)
+        )
+
+    def _listen_closely(self, bus: can.BusABC) -> None:
+        send, receive = bus.send, bus.recv
+
+        def noted(message: can.Message, timeout: float | None = None) -> None:
+            self.traffic.note(Sender.US, Frame(message.arbitration_id, bytes(message.data)))
+            send(message, timeout)
+
+        bus.send = noted
+        bus.recv = lambda _=None: receive(0)  # what there is is there
+        self._host_bus = bus
+
+    def _settle(self) -> None:
+        """Until nothing is on its way any more, in either direction."""
+        worker = self.controller._connection._worker
+        for _ in range(_MOST_ROUNDS):
+            if worker is None or not worker.pump():
+                break
+        QCoreApplication.processEvents()
+
+    def still_timers(self) -> None:
+        """Keep the timers of the program from counting the wall clock's time."""
+        for part in (self.controller, self.controller.jogging):
+            timer = getattr(part, "_timer", None)
+            if timer is not None:
+                timer.setInterval(_NEVER_MS)
+
+    def pass_time(self, seconds: float) -> None:
+        """Let time pass, a step at a time, and have the watcher look after each."""
+        self.still_timers()
+        for _ in range(round(seconds / STEP_S)):
+            self.step(STEP_S)
+            self.watch()
+
+    def suspend(self, seconds: float) -> None:
+        """The program gets no time; the arm and the others on the bus do."""
+        for _ in range(round(seconds / STEP_S)):
+            self.time_s += STEP_S
+            for each in self.company:
+                each.step(STEP_S)
+            self.node.poll(STEP_S)
+
+    def hang(self, seconds: float) -> None:
+        """The GUI thread is busy; the bus thread, the arm and the others are not."""
+        for _ in range(round(seconds / STEP_S)):
+            self._settle()
+            self.time_s += STEP_S
+            for each in self.company:
+                each.step(STEP_S)
+            self.node.poll(STEP_S)
+            self._settle()
+
+    def unplug_cable(self) -> None:
+        """The adapter is gone."""
+        if self.cable and self._host_bus is not None:
+            self.cable = False
+            self.unplug(can.CanOperationError("gone"))
+
+    def plug_cable_in(self) -> None:
+        """The adapter is back."""
+        self.cable = True
+        self.plug_in()
+
+    @property
+    def hears(self) -> bool:
+        """Whether the program has an open bus: what is said reaches it."""
+        return self.cable and self.controller._connection._bus_state is BusState.OPEN
+
+    def close(self) -> None:
+        """End everything; harmless when a thread hangs on to the bus."""
+        sys.excepthook, threading.excepthook = self._hooks
+        logging.getLogger().removeHandler(self._log)
+        self.other.close()
+        super().close()
+        armui.bus.worker.BusWorker = BusWorker
+        can.Message.__deepcopy__ = self._copy
+
+
+def _thin_out(firmware: Firmware) -> None:
+    """Let the arm tell everything once a step: what lies between two looks is heard by nobody."""
+    for slot in firmware._schedule._slots:
+        slot.period_ns = max(slot.period_ns, _STEP_NS)
+
+
+def _look_away() -> None:
+    """Nobody watches."""
+
+
+class _Errors(logging.Handler):
+    def __init__(self, errors: list[str]) -> None:
+        super().__init__(logging.ERROR)
+        self._errors = errors
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Keep what was logged as an error."""
+        error = record.exc_info[1] if record.exc_info else None
+        trace = record.exc_info[2] if record.exc_info else None
+        self._errors.append(f"{record.getMessage()}: {_line(error, trace)}")
+
+
+def _line(error: BaseException | None, trace: object) -> str:
+    """An exception and where it came from."""
+    place = trace
+    while getattr(place, "tb_next", None) is not None:
+        place = place.tb_next
+    frame = getattr(place, "tb_frame", None)
+    where = f" at {frame.f_code.co_filename.rsplit('/', 1)[-1]}:{place.tb_lineno}" if frame else ""
+    return f"{type(error).__name__}: {error}{where}"
