@@ -32,7 +32,7 @@ class LockstepWorker(BusWorker):
         self._report(BusState.OPENING)
         self._open()
 
-    def close(self, within_ms: int = 0) -> bool:  # noqa: ARG002 - nothing is waited for here
+    def close(self, within_ms: int = 0) -> bool:
         """Close the device."""
         if not self._ended:
             self._ended = True
