@@ -197,6 +197,7 @@ class Desk(Bench):
         for widget in QApplication.topLevelWidgets():
             if isinstance(widget, QDialog):
                 widget.close()
+        self.store.change(language="en")  # the next test reads English
         self.program.shutdown()
         self.window.deleteLater()
         super().close()

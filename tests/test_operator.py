@@ -344,4 +344,4 @@ def test_closing_while_the_arm_moves_asks_first(ready):
     ready.window.close()
     assert ready.window.isVisible()
     ready.confirm()
-    assert not ready.window.isVisible()
+    ready.run_until(lambda: not ready.window.isVisible())

@@ -140,7 +140,7 @@ def test_a_stop_that_is_not_confirmed_is_not_left_without_a_question(ready):
 def test_closing_drops_a_motion_that_is_paused(ready):
     motion_paused(ready)
     ready.window.close()
-    assert ready.dialog(ConfirmDialog).windowTitle() == "A motion is paused"
+    assert ready.dialog(ConfirmDialog).windowTitle() == "A motion is held back"
     ready.confirm()
     assert not ready.window.isVisible()
     ready.step()

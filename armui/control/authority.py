@@ -95,6 +95,8 @@ class Authority:
         end = self._what_ends(seen)
         if end is not None:
             self._end(end)
+        if seen.waiting and self.command is not None:
+            self.command = replace(self.command, sent_s=now_s)
         self._follow_hold(seen)
         self._follow_cancel(now_s)
         self.overspeed = self._overspeed.observe(state, self._percent_shown)

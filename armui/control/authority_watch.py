@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from datetime import datetime
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
 from armui.control.motion_command import Observation
@@ -15,6 +15,10 @@ if TYPE_CHECKING:
     from armui.control.authority import Authority
     from armui.control.connection import Connection
     from armui.control.context import Tell
+
+
+_NAMED_AFTER_S: Final = 0.1
+"""By then the frames tell a leader arm from another program."""
 
 
 class AuthorityWatch:
@@ -56,6 +60,7 @@ class AuthorityWatch:
                 offsets=(offsets.addressing.control_offset,) if offsets.certain else OFFSETS,
                 online=connection.link is LinkState.ONLINE,
                 now_s=now_s,
+                waiting=not connection.idle,
             )
         )
         if self._authority.number != self._voided:
@@ -66,11 +71,13 @@ class AuthorityWatch:
         """Tell who else moves the arm, and end a motion of ours that is too fast."""
         self.observe(now_s)
         authority = self._authority
-        commanded = authority.other.commands
+        other = authority.other
+        named = other.since_s is not None and now_s - other.since_s >= _NAMED_AFTER_S
+        commanded = other.commands and (named or self._was_commanded)
         if commanded is not self._was_commanded:
             self._was_commanded = commanded
-            code = "leader_arm_moves" if authority.other.is_leader else "other_host_moves"
-            self._tell(code if commanded else "other_host_gone", frames=authority.other.frames)
+            code = "leader_arm_moves" if other.is_leader else "other_host_moves"
+            self._tell(code if commanded else "other_host_gone", frames=other.frames)
         if authority.cancel_unheeded and not self._was_unheeded:
             self._tell("cancel_unheeded")
         self._was_unheeded = authority.cancel_unheeded

@@ -99,6 +99,7 @@ class Observation:
         offsets: The identifier offsets under which the arm may take commands (0x470).
         online: Whether the arm is heard at all.
         now_s: Monotonic time.
+        waiting: Whether frames of ours have not left yet.
     """
 
     state: ArmState
@@ -106,3 +107,4 @@ class Observation:
     offsets: tuple[int, ...]
     online: bool
     now_s: float
+    waiting: bool = False

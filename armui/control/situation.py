@@ -171,7 +171,9 @@ class Situation:
             return Refusal("plan_paused")
         if self.holds:
             return Refusal("held_at_zero")
-        return None if self.other_host is None else self.other_host.reason
+        if self.other_host is None or self.teaching_input:
+            return None  # a teaching input sends commands itself
+        return self.other_host.reason
 
     @property
     def cannot_set_lamps(self) -> Refusal | None:

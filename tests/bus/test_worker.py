@@ -54,7 +54,7 @@ class Rig:
         self.qtbot.waitUntil(lambda: state in [report.state for report in self.reports])
 
     def close(self):
-        self.worker.close()
+        self.worker.close(5000)
         self.arm.shutdown()
 
 

@@ -98,7 +98,7 @@ class Rig:
         for event in ("let_go", "held"):
             if hasattr(self.bus, event):
                 getattr(self.bus, event).set()
-        self.worker.close()
+        self.worker.close(5000)
         self.arm.shutdown()
 
 
@@ -173,7 +173,7 @@ def test_a_driver_that_times_out_holds_no_press(timing_out, qtbot):
 def test_a_device_that_closes_does_not_wait_for_a_frame_that_hangs(stuck):
     stuck.worker.send(frames(1))
     assert stuck.bus.stuck.wait(GIVE_UP_S)
-    assert took_s(stuck.worker.close) < 5
+    assert took_s(lambda: stuck.worker.close(100)) < 5
 
 
 def test_a_free_driver_has_the_stop_when_the_call_returns(qtbot, request):

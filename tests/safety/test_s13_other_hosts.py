@@ -45,14 +45,14 @@ def ours_sent(bench):
 def test_each_motion_frame_of_another_host_holds_ours_back(ready, other_host, frame, name):
     bench, controller = ready, ready.controller
     other_host.say(frame)
-    bench.run(0.1)
+    bench.run(0.2)
 
     refusal = controller.situation.cannot_move
     assert refusal.code == "other_host"
     assert refusal.params["frames"] == name
     assert "other_host_moves" in bench.codes()
     assert controller.motion.jog(6, 1.0).code == "other_host"
-    bench.run(1.8)
+    bench.run(1.7)
     assert controller.situation.cannot_move is not None
     bench.run(0.5)
     assert controller.situation.other_host is None
@@ -167,7 +167,7 @@ def test_another_hosts_resume_is_told(ready, other_host):
     controller.emergency_stop()
     bench.run(0.5)
     other_host.resume()
-    bench.run(0.1)
+    bench.run(0.2)
 
     assert "other_host_moves" in bench.codes()
 

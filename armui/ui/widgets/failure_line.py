@@ -66,6 +66,8 @@ class FailureLine(QWidget):
         """Say everything again, in the language of now."""
         self._copy.setText(self.tr("Copy details"))
         self._close.setText(self.tr("Close"))
+        for button in (self._copy, self._close):
+            button.setAccessibleName(button.text())
         self._say()
 
     def changeEvent(self, event: QEvent) -> None:
