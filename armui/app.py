@@ -37,12 +37,13 @@ if TYPE_CHECKING:
 
     import can
 
+    from armui.viewport.client import PictureClient
+
 _SWITCH_INTERVAL_S: Final = 0.0005
 """How long a thread may keep Python's lock while another wants it. The default of 5 ms, once for
 the bus thread and once for the simulated arm's, is what a pressed stop would wait."""
 
-
-_WITHOUT_PICTURE_MS: Final = 8000
+_CONNECTED_MS: Final = 5000
 
 
 class _FailureRelay(QObject):
@@ -60,6 +61,8 @@ class Program:
         controller: Who speaks to the arm.
         workers: Who does what takes long; ended with the program.
         trajectories: The folder of the library; the user's own by default.
+        pictures: Has the 3D picture drawn, and is ended by whoever gives it; one of the program's
+            own by default.
         meeting_place: Where running copies of the program find each other; by default nowhere.
         files: Who does what waits for a disk, in a thread of this process; ended with the program.
             The workers by default.
@@ -77,6 +80,7 @@ class Program:
         workers: Executor,
         trajectories: Path | None = None,
         *,
+        pictures: PictureClient | None = None,
         meeting_place: Path | None = None,
         files: Executor | None = None,
     ) -> None:
@@ -89,7 +93,8 @@ class Program:
         self.ended = False
         self._workers = workers
         self._files = files
-        self.view = ArmView(Path(settings.urdf_path) if settings.urdf_path else None)
+        urdf = Path(settings.urdf_path) if settings.urdf_path else None
+        self.view = ArmView(urdf, client=pictures)
         self.window = MainWindow(
             self.controller, self.view, store, workers, trajectories, files=files
         )
@@ -125,24 +130,6 @@ class Program:
         if self._neighbours is not None:
             self._neighbours.close()
 
-    def connect_when_drawn(self, device: Device) -> None:
-        """Connect as soon as the 3D picture stands.
-
-        Loading its libraries holds Python's lock for up to half a second at a stretch: time in
-        which neither feedback nor a stop could be handled.
-        """
-        waiting = [device]
-
-        def connect(*_reason: object) -> None:
-            if waiting and self.controller.situation.device is None:
-                self.controller.connect_device(waiting.pop())
-            waiting.clear()
-
-        self.view.first_frame_shown.connect(connect)
-        self.view.load_failed.connect(connect)
-        # a computer that can't draw at all drives the arm none the less
-        QTimer.singleShot(_WITHOUT_PICTURE_MS, self.view, connect)
-
     def _on_failed(self, failure: Failure) -> None:
         """What the failed part moved ends first; then it is told."""
         end_motion_of(self.controller, failure.modules)
@@ -174,15 +161,14 @@ def _run(options: StartOptions) -> int:
         app, store, controller, HelperProcess(), meeting_place=paths.runtime(), files=FileThread()
     )
     app.aboutToQuit.connect(program.shutdown)
-    # What the program was built from is no garbage: searching it over and over would stop every
-    # thread, the stop's too, for tens of milliseconds at a time.
-    program.view.first_frame_shown.connect(gc.freeze)
     _end_on_ctrl_c(app)
     program.window.show()
     _preload_when_idle(app)
     device = chosen_device(options)
     if device is not None:
-        program.connect_when_drawn(device)
+        # the bus waits for nothing: the picture is loaded in a process of its own
+        program.controller.connect_device(device)
+    keep_from_collector()
     code = app.exec()
     if not program.ended:
         # a driver hangs: what it holds can be neither waited for nor destroyed
@@ -197,6 +183,16 @@ def _preload_when_idle(app: QApplication) -> None:
     timer = QTimer(app, interval=0)
     timer.timeout.connect(lambda: timer.stop() if next(left, None) is None else None)
     timer.start()
+
+
+def keep_from_collector() -> None:
+    """What the program was built from is no garbage: do not search it over and over.
+
+    That would stop every thread, the stop's too, for tens of milliseconds at a time. The libraries
+    of a first connection follow within seconds.
+    """
+    gc.freeze()
+    QTimer.singleShot(_CONNECTED_MS, gc.freeze)
 
 
 def _end_on_ctrl_c(app: QApplication) -> None:

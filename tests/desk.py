@@ -13,6 +13,7 @@ from armui.settings import SettingsStore
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.widgets.hold_button import HoldButton
+from armui.viewport.client import PictureClient
 from tests.bench import TIMEOUT_MS, Bench
 
 
@@ -62,6 +63,7 @@ class Desk(Bench):
         workers: Who does what takes long; whoever asks does it by default.
         files: Who does what waits for a disk; whoever asks does it by default.
         draws: Whether the 3D view is seen: drawing it costs more than most tests.
+        pictures: Has the 3D picture drawn; several desks one after another may share one.
 
     Attributes:
         program: The program, wired as it is for the operator.
@@ -80,6 +82,7 @@ class Desk(Bench):
         *,
         files: Executor | None = None,
         draws: bool = False,
+        pictures: PictureClient | None = None,
     ) -> None:
         super().__init__(channel, generation)
         self.store = SettingsStore(settings, for_this_run={"language": "en"})
@@ -92,6 +95,7 @@ class Desk(Bench):
             self.workers,
             self.library_folder,
             files=files or AtOnce(),
+            pictures=pictures,
         )
         self.window = self.program.window
         self.window.resize(1280, 800)

@@ -11,7 +11,7 @@ import pytest
 import yourdfpy
 
 from armui.paths import URDF
-from armui.viewport.urdf_file import load_robot
+from armui.viewport.process.urdf_file import load_robot
 
 # a(i-1) mm, alpha(i-1) deg, d(i) mm, theta offset deg; firmware from S-V1.6-3
 DH_TABLE = (

@@ -27,6 +27,7 @@ from armui.bus.health import BusHealth
 from armui.bus.link import BusReport, BusState
 from armui.bus.outbox import KEEP_S, Outbox
 from armui.bus.receive_clock import STAMPED, ReceiveClock
+from armui.bus.receive_queue import ReceiveQueue
 from armui.bus.samples import SampleRing
 from armui.bus.sending import SendingThread
 from armui.clock import steady_s
@@ -117,6 +118,7 @@ class BusWorker(QThread):
         self._outbox = Outbox(clock, listen_only=listen_only)
         self._health = BusHealth(device)
         self._problem: Refusal | None = None
+        self._queue = ReceiveQueue()
         self._received = ReceiveClock(clock, stamped=device.interface in STAMPED)
         self.samples = SampleRing()
         self._closing = threading.Event()
@@ -136,6 +138,11 @@ class BusWorker(QThread):
     def traffic(self) -> OtherTraffic:
         """What other hosts were heard to send; may be read from any thread."""
         return self._traffic
+
+    @property
+    def frames_dropped(self) -> int:
+        """Frames lost before the program could read them, as far as the system tells."""
+        return self._queue.dropped
 
     def send(
         self, frames: Sequence[Frame], keep_s: float | None = None, command: int | None = None
@@ -193,6 +200,7 @@ class BusWorker(QThread):
         self._report(BusState.CLOSED)
 
     def _use(self, bus: can.BusABC) -> None:
+        self._queue.attach(bus)
         self._outbox.attach(bus, threaded=True)
         self._health, self._problem = BusHealth(self._device), None
         sender = SendingThread(self._outbox, bus)
@@ -209,6 +217,7 @@ class BusWorker(QThread):
         finally:
             self._outbox.detach()
             sender.end()
+            self._queue.detach()
 
     def _look_after_bus(self) -> None:
         """Report when frames get out no more, and when they do again."""
@@ -236,12 +245,14 @@ class BusWorker(QThread):
             self._pictured_s = now_s
             self._state = self._tracker.picture()
             self._traffic = self._others.traffic()
+            self._queue.look(now_s)
 
     def _take_in(self, message: can.Message, now_s: float) -> None:
         if is_own_echo(message, self._device.interface):
             return
         if message.is_error_frame:
             self._health.on_error_frame(message.arbitration_id)
+            self._queue.note_error(message)
         else:
             self._health.on_frame(now_s)
             self._others.note(message.arbitration_id, bytes(message.data), now_s)

@@ -26,6 +26,7 @@ from armui.control.circumstances import circumstances
 from armui.control.connection import Connection
 from armui.control.context import Context, Part
 from armui.control.device_finder import DeviceFinder
+from armui.control.dropped_frames import DroppedFrames
 from armui.control.end_reports import EndReports
 from armui.control.gripper import Gripper
 from armui.control.jogging import Jogging
@@ -176,6 +177,7 @@ class ArmController(QObject):
             self.settings,
             self.teaching,
             self.planned_motion,
+            DroppedFrames(context),
             self.recovery,  # the last: it looks at what the others are doing
         )
         self._parts = Parts(parts, self._notice, lambda module: end_motion_of(self, [module]))

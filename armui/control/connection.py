@@ -87,6 +87,11 @@ class Connection(QObject):
         return LinkState.ONLINE if self._online else LinkState.OFFLINE
 
     @property
+    def frames_dropped(self) -> int:
+        """Frames lost before they could be read, since the device was opened."""
+        return 0 if self._worker is None else self._worker.frames_dropped
+
+    @property
     def samples(self) -> SampleRing:
         """Joint angles as they come in; only while a device is open."""
         if self._worker is None:

@@ -29,6 +29,7 @@ CODES: Final[Mapping[str, Level]] = {
     "taken_over": Level.DONE,
     "cancel_unheeded": Level.FAULT,
     "motion_too_fast": Level.FAULT,  # reason
+    "frames_dropped": Level.WARNING,  # count, total
     "sent_lamp": Level.INFO,  # joint, lamp, color
     "sent_lamps": Level.INFO,  # joint, color
     "stop_sent": Level.WARNING,

@@ -20,6 +20,8 @@ LOAD_REFUSALS: Final = frozenset(
         "mesh_missing",  # path, mesh
         "mesh_unreadable",  # mesh, text
         "mesh_empty",  # mesh
+        "urdf_ends_view",  # path, text
+        "urdf_hangs_view",  # path
     }
 )
 """Every reason why a robot can't be shown; the user interface has a sentence for each."""
@@ -29,6 +31,12 @@ NO_OPENGL: Final = "no_opengl"
 
 DRAWING_STOPPED: Final = "drawing_stopped"
 """Code of an error while drawing that nobody foresaw; its parameter is ``text``."""
+
+PROCESS_ENDED: Final = "picture_process_ended"
+"""Code of a picture's process that has ended by itself; its parameter is ``text``."""
+
+PROCESS_HUNG: Final = "picture_process_hung"
+"""Code of a picture's process that gave no sign of life, or got nowhere."""
 
 
 class SceneError(Exception):

@@ -6,12 +6,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPixmap
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
-
-    from PySide6.QtGui import QPainter
 
     from armui.viewport.palette import ScenePalette
 
@@ -23,6 +21,7 @@ _LINE_SPACING = 1.15
 _MARGIN_PX = 12.0
 _PADDING_PX = 10.0
 _GAP_PX = 18.0
+_BACKDROP_OPACITY = 0.72
 
 
 @dataclass(frozen=True)
@@ -57,55 +56,98 @@ def figures(values: Sequence[float] | None) -> list[str]:
     return [f"{round(value, 3) + 0.0:.3f}" for value in values]
 
 
-def hud_frame(base_font: QFont) -> QRectF:
-    """The rectangle the figures take, at the top left."""
-    metrics = QFontMetricsF(hud_font(base_font))
-    return QRectF(
-        _MARGIN_PX,
-        _MARGIN_PX,
-        2.0 * (_PADDING_PX + _column_px(metrics)) + _GAP_PX,
-        2.0 * _PADDING_PX + 6.0 * metrics.height() * _LINE_SPACING,
-    )
+class Hud:
+    """Paints the figures; what does not change from one picture to the next is kept.
 
+    Measuring a font and laying out text take most of the time: the frame with names and units is
+    one image, and each character is measured once.
+    """
 
-def paint_hud(
-    painter: QPainter, values: HudValues, palette: ScenePalette, base_font: QFont
-) -> None:
-    """Draw both columns into their frame."""
-    font = hud_font(base_font)
-    metrics = QFontMetricsF(font)
-    frame = hud_frame(base_font)
-    line_px = metrics.height() * _LINE_SPACING
-    name_px = metrics.horizontalAdvance(_WIDEST_NAME)
-    figure_px = metrics.horizontalAdvance(_WIDEST_FIGURE)
-    painter.save()
-    painter.setFont(font)
-    backdrop = QColor(palette.background)
-    backdrop.setAlphaF(0.72)
-    painter.setPen(Qt.PenStyle.NoPen)
-    painter.setBrush(backdrop)
-    painter.drawRoundedRect(frame, 6.0, 6.0)
-    columns = (
-        (_POSE, values.pose, values.pose_stale),
-        (_JOINTS, values.angles_deg, values.angles_stale),
-    )
-    left = frame.left() + _PADDING_PX
-    for rows, numbers, stale in columns:
-        ink = QColor(palette.muted if stale or numbers is None else palette.text)
-        top = frame.top() + _PADDING_PX
-        for (name, unit), figure in zip(rows, figures(numbers), strict=True):
-            baseline = top + metrics.ascent()
-            painter.setPen(QColor(palette.muted))
-            painter.drawText(QPointF(left, baseline), name)
-            painter.setPen(ink)
-            right_aligned = left + name_px + figure_px - metrics.horizontalAdvance(figure)
-            painter.drawText(QPointF(right_aligned, baseline), figure)
-            painter.setPen(QColor(palette.muted))
-            painter.drawText(QPointF(left + name_px + figure_px, baseline), f" {unit}")
-            top += line_px
-        left += _column_px(metrics) + _GAP_PX
-    painter.restore()
+    def __init__(self) -> None:
+        self._base_font: QFont | None = None
+        self._still_of: tuple[ScenePalette, float] | None = None
+        self._still = QPixmap()
+        self._font = QFont()
+        self._metrics = QFontMetricsF(self._font)
+        self._widths_px: dict[str, float] = {}
+        self._figures_end_px = self._column_px = 0.0
 
+    def frame(self, base_font: QFont) -> QRectF:
+        """The rectangle the figures take, at the top left."""
+        if self._base_font != base_font:
+            self._measure(base_font)
+        metrics = self._metrics
+        return QRectF(
+            _MARGIN_PX,
+            _MARGIN_PX,
+            2.0 * (_PADDING_PX + self._column_px) + _GAP_PX,
+            2.0 * _PADDING_PX + 6.0 * metrics.height() * _LINE_SPACING,
+        )
 
-def _column_px(metrics: QFontMetricsF) -> float:
-    return sum(map(metrics.horizontalAdvance, (_WIDEST_NAME, _WIDEST_FIGURE, _WIDEST_UNIT)))
+    def paint(
+        self, painter: QPainter, values: HudValues, palette: ScenePalette, base_font: QFont
+    ) -> None:
+        """Draw both columns into their frame."""
+        frame = self.frame(base_font)
+        ratio = painter.device().devicePixelRatio()
+        if self._still_of != (palette, ratio):
+            self._still_of = (palette, ratio)
+            self._draw_still(frame, palette, ratio)
+        painter.save()
+        painter.drawPixmap(frame.topLeft(), self._still)
+        painter.setFont(self._font)
+        line_px = self._metrics.height() * _LINE_SPACING
+        right = frame.left() + _PADDING_PX + self._figures_end_px
+        top = frame.top() + _PADDING_PX + self._metrics.ascent()
+        for numbers, stale in (
+            (values.pose, values.pose_stale),
+            (values.angles_deg, values.angles_stale),
+        ):
+            painter.setPen(QColor(palette.muted if stale or numbers is None else palette.text))
+            for line, figure in enumerate(figures(numbers)):
+                painter.drawText(
+                    QPointF(right - self._width_px(figure), top + line * line_px), figure
+                )
+            right += self._column_px + _GAP_PX
+        painter.restore()
+
+    def _measure(self, base_font: QFont) -> None:
+        self._still_of = None
+        self._font = hud_font(base_font)
+        self._metrics = metrics = QFontMetricsF(self._font)
+        self._base_font = QFont(base_font)
+        self._widths_px = {}
+        self._figures_end_px = sum(map(metrics.horizontalAdvance, (_WIDEST_NAME, _WIDEST_FIGURE)))
+        self._column_px = self._figures_end_px + metrics.horizontalAdvance(_WIDEST_UNIT)
+
+    def _width_px(self, figure: str) -> float:
+        """As wide as its characters: digits have one width, and none is set closer to another."""
+        widths_px = self._widths_px
+        for character in figure:
+            if character not in widths_px:
+                widths_px[character] = self._metrics.horizontalAdvance(character)
+        return sum(widths_px[character] for character in figure)
+
+    def _draw_still(self, frame: QRectF, palette: ScenePalette, ratio: float) -> None:
+        """The frame with the names and the units."""
+        self._still = QPixmap(round(frame.width() * ratio) + 1, round(frame.height() * ratio) + 1)
+        self._still.setDevicePixelRatio(ratio)
+        self._still.fill(Qt.GlobalColor.transparent)
+        painter = QPainter(self._still)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setFont(self._font)
+        backdrop = QColor(palette.background)
+        backdrop.setAlphaF(_BACKDROP_OPACITY)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(backdrop)
+        painter.drawRoundedRect(QRectF(QPointF(), frame.size()), 6.0, 6.0)
+        painter.setPen(QColor(palette.muted))
+        left = _PADDING_PX
+        for rows in (_POSE, _JOINTS):
+            baseline = _PADDING_PX + self._metrics.ascent()
+            for name, unit in rows:
+                painter.drawText(QPointF(left, baseline), name)
+                painter.drawText(QPointF(left + self._figures_end_px, baseline), f" {unit}")
+                baseline += self._metrics.height() * _LINE_SPACING
+            left += self._column_px + _GAP_PX
+        painter.end()

@@ -3,24 +3,29 @@
 from __future__ import annotations
 
 import threading
-from typing import Generic, TypeVar
+from typing import Final, Generic, TypeVar
 
 T = TypeVar("T")
+
+MOST_UNUSED: Final = 1
+"""So many results may lie unused when the next item is taken."""
 
 
 class Mailbox(Generic[T]):
     """Holds the newest item only.
 
-    After each item that led to a result the reader waits until that result was `acknowledged`;
-    items put in meanwhile replace each other. So a slow receiver slows the reader down instead of
-    filling a queue.
+    Items may lead to results, which the receiver uses. While more than `MOST_UNUSED` of them are
+    unused nothing is taken; items put in meanwhile replace each other. So a slow receiver slows
+    the reader down instead of filling a queue.
     """
 
     def __init__(self) -> None:
         self._changed = threading.Condition()
         self._item: T | None = None
-        self._result_pending = False
-        self._closed = False
+        self._results = 0
+        self._used = 0
+        self._is_interrupted = False
+        self._is_closed = False
 
     def put(self, item: T) -> None:
         """Replace whatever is waiting."""
@@ -32,7 +37,7 @@ class Mailbox(Generic[T]):
     def is_closed(self) -> bool:
         """Whether `close` was called."""
         with self._changed:
-            return self._closed
+            return self._is_closed
 
     @property
     def has_item(self) -> bool:
@@ -40,50 +45,66 @@ class Mailbox(Generic[T]):
         with self._changed:
             return self._item is not None
 
-    @property
-    def is_result_pending(self) -> bool:
-        """Whether a result was sent and not acknowledged yet."""
-        with self._changed:
-            return self._result_pending
-
     def take(self, timeout_s: float | None = None) -> T | None:
-        """Sleep until no result is pending, then until there is an item.
+        """Sleep until results were used, then until there is an item.
 
         Args:
             timeout_s: how long to wait for an item; by default for ever.
 
         Returns:
-            The item; None once the box is closed, or when time is up.
+            The item; None once the box is closed or the reader interrupted, or when time is up.
         """
         with self._changed:
-            self._changed.wait_for(lambda: self._closed or not self._result_pending)
-            self._changed.wait_for(lambda: self._closed or self._may_take(), timeout_s)
-            return None if self._closed else self._pop()
+            self._changed.wait_for(lambda: self._is_woken or self._has_room)
+            self._changed.wait_for(lambda: self._is_woken or self._item is not None, timeout_s)
+            return None if self._is_woken else self._pop()
 
     def take_at_once(self) -> T | None:
-        """The item if there is one and no result is pending, else None; never waits."""
+        """The item if there is one, else None; never waits."""
         with self._changed:
-            return self._pop() if self._may_take() and not self._closed else None
+            return self._pop()
 
-    def result_sent(self) -> None:
-        """The reader has sent a result: nothing more is taken before it is acknowledged."""
+    def result_sent(self) -> int:
+        """The reader has sent a result; its number, from 1."""
         with self._changed:
-            self._result_pending = True
+            self._results += 1
+            return self._results
 
-    def acknowledge(self) -> None:
-        """The receiver has used the result."""
+    def acknowledge(self, number: int) -> None:
+        """The receiver has used this result, and needs none of those before it."""
         with self._changed:
-            self._result_pending = False
+            self._used = max(self._used, number)
             self._changed.notify_all()
+
+    def forget_results(self) -> None:
+        """No result is unused: what was sent so far does not count any more."""
+        with self._changed:
+            self._used = self._results
+
+    def interrupt(self) -> None:
+        """Wake the reader, and let it not sleep before `resume`."""
+        with self._changed:
+            self._is_interrupted = True
+            self._changed.notify_all()
+
+    def resume(self) -> None:
+        """The reader may sleep again."""
+        with self._changed:
+            self._is_interrupted = False
 
     def close(self) -> None:
         """Wake the reader for the last time."""
         with self._changed:
-            self._closed = True
+            self._is_closed = True
             self._changed.notify_all()
 
-    def _may_take(self) -> bool:
-        return self._item is not None and not self._result_pending
+    @property
+    def _is_woken(self) -> bool:
+        return self._is_closed or self._is_interrupted
+
+    @property
+    def _has_room(self) -> bool:
+        return self._results - self._used <= MOST_UNUSED
 
     def _pop(self) -> T | None:
         item, self._item = self._item, None

@@ -2,24 +2,29 @@
 
 from __future__ import annotations
 
+import itertools
 import math
-import sys
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QCoreApplication, QEvent, QPointF, QRectF, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QColor, QImage, QPainter, QPen
-from PySide6.QtWidgets import QWidget
+from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
 from armui.arm.limits import JOINTS
-from armui.paths import URDF
 from armui.viewport.camera import HOME_CAMERA
 from armui.viewport.camera_hand import Drag, press_key, turn_wheel
-from armui.viewport.errors import NO_OPENGL
-from armui.viewport.hud import HudValues, hud_frame, paint_hud
+from armui.viewport.client import Picture, PictureClient
+from armui.viewport.hud import Hud, HudValues
+from armui.viewport.overlay import FADED_OPACITY, lost_text, paint_plate
 from armui.viewport.palette import LIGHT, ScenePalette
-from armui.viewport.render_thread import RenderThread
-from armui.viewport.view_state import PickRequest, RobotChoice, ViewState
+from armui.viewport.view_state import (
+    BUILT_IN_ROBOT,
+    PickRequest,
+    RobotChoice,
+    ViewState,
+    look_alike,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -29,6 +34,7 @@ if TYPE_CHECKING:
         QCloseEvent,
         QFocusEvent,
         QHideEvent,
+        QImage,
         QKeyEvent,
         QMouseEvent,
         QPaintEvent,
@@ -37,11 +43,11 @@ if TYPE_CHECKING:
         QWheelEvent,
     )
 
-    from armui.arm.refusal import Refusal
     from armui.viewport.camera import OrbitCamera
+    from armui.viewport.news import Lost
     from armui.viewport.path_picture import Preview
 
-_BUILT_IN_ROBOT = URDF / "piper.urdf"
+_VIEWERS = itertools.count()
 _START_MS = 20
 
 
@@ -50,7 +56,8 @@ class ArmView(QWidget):
 
     Left drag turns, middle drag or shift with left drag moves, the wheel zooms, a double click on
     a link picks its joint. With the focus: arrow keys turn, + and − zoom, Home resets. Nothing is
-    drawn while the widget can't be seen.
+    drawn while the widget can't be seen. The picture is drawn in a process of its own; where it
+    lags behind what it should show, or is gone, the widget says so (safety promise S24).
 
     Signals:
         joint_picked: a link was double-clicked; its joint number, 1–6.
@@ -58,42 +65,49 @@ class ArmView(QWidget):
             `armui.viewport.errors.LOAD_REFUSALS`; the old one stays.
         mark_picked: a point of the previewed path was clicked; its row, from 0.
         first_frame_shown: the arm is on the screen for the first time.
+        settled: the picture on the screen shows the newest state, see `is_settled`.
 
     Args:
         robot: URDF file to begin with; None: the project's own arm.
         palette: colours to begin with.
-        threaded: see `RenderThread`.
+        client: has the pictures drawn; whoever gives one ends it. One of its own by default.
     """
 
     joint_picked = Signal(int)
     load_failed = Signal(object)
     mark_picked = Signal(int)
     first_frame_shown = Signal()
+    settled = Signal()
 
     def __init__(
         self,
         robot: Path | None = None,
         *,
         palette: ScenePalette = LIGHT,
-        threaded: bool = sys.platform != "darwin",
+        client: PictureClient | None = None,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
-        self._state = ViewState(RobotChoice(robot or _BUILT_IN_ROBOT), palette=palette)
+        robot_choice = BUILT_IN_ROBOT if robot is None else RobotChoice(robot)
+        self._state = ViewState(robot_choice, palette=palette, viewer=next(_VIEWERS))
         self._hud = HudValues()
-        self._image: QImage | None = None
+        self._hud_painter = Hud()
+        self._picture: Picture | None = None
         self._is_frame_new = False
-        self._failure: Refusal | None = None
+        self._lost: Lost | None = None
         self._drag = Drag()
         self._pick_serial = 0
         self._is_started = False
         self._is_shut_down = False
-        self._renderer = RenderThread(threaded=threaded, parent=self)
-        self._renderer.frame_ready.connect(self._on_frame_ready)
-        self._renderer.joint_picked.connect(self._on_joint_picked)
-        self._renderer.mark_picked.connect(self.mark_picked)
-        self._renderer.load_failed.connect(self.load_failed)
-        self._renderer.failed.connect(self._on_failed)
+        self._owns_client = client is None
+        self._client = client or PictureClient(parent=self)
+        self._client.frame_ready.connect(self._on_frame_ready)
+        self._client.joint_picked.connect(self._on_joint_picked)
+        self._client.mark_picked.connect(self.mark_picked)
+        self._client.load_failed.connect(self.load_failed)
+        self._client.lost.connect(self._on_lost)
+        self._client.aged.connect(self.update)
+        self._again_button = self._make_again_button()
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setMinimumSize(240, 200)
@@ -101,6 +115,20 @@ class ArmView(QWidget):
         if application is not None:
             # A child gets no close event when its window closes.
             application.aboutToQuit.connect(self.shutdown)
+
+    def _make_again_button(self) -> QPushButton:
+        """Offered when the picture does not come back by itself."""
+        button = QPushButton(self)
+        button.setObjectName("picture_again_button")
+        button.setAutoDefault(False)
+        button.clicked.connect(self._start_again)
+        button.hide()
+        layout = QVBoxLayout(self)
+        layout.addStretch(3)
+        layout.addWidget(button, 0, Qt.AlignmentFlag.AlignHCenter)
+        layout.addStretch(1)
+        self.retranslate_ui(button)
+        return button
 
     def sizeHint(self) -> QSize:
         """Room for the arm and the figures."""
@@ -110,6 +138,16 @@ class ArmView(QWidget):
     def camera(self) -> OrbitCamera:
         """Where the arm is seen from."""
         return self._state.camera
+
+    @property
+    def is_settled(self) -> bool:
+        """Whether the picture on the screen shows the newest state, with smooth edges."""
+        return self._picture is not None and not self._is_frame_new and self._client.is_settled
+
+    @property
+    def has_given_up(self) -> bool:
+        """Whether there is no picture, and none will come by itself."""
+        return self._lost is not None and not self._lost.comes_back
 
     @property
     def highlighted_joint(self) -> int | None:
@@ -134,6 +172,8 @@ class ArmView(QWidget):
             raise ValueError(f"{len(angles_deg)} joint angles instead of {len(JOINTS)}")
         angles = None if angles_deg is None else tuple(angles_deg)
         self._set_hud(replace(self._hud, angles_deg=angles, angles_stale=stale))
+        if look_alike(angles, self._state.angles_deg):
+            angles = self._state.angles_deg
         self._show(replace(self._state, angles_deg=angles, gripper_mm=gripper_mm, stale=stale))
 
     def set_pose(self, pose: Sequence[float] | None, stale: bool = False) -> None:
@@ -153,7 +193,7 @@ class ArmView(QWidget):
         Args:
             path: the URDF file; None: the project's own arm.
         """
-        choice = RobotChoice(path or _BUILT_IN_ROBOT, self._state.robot.serial + 1)
+        choice = RobotChoice(path or BUILT_IN_ROBOT.path, self._state.robot.serial + 1)
         self._show(replace(self._state, robot=choice))
 
     def highlight_joint(self, number: int | None) -> None:
@@ -171,17 +211,18 @@ class ArmView(QWidget):
     def shutdown(self) -> None:
         """End drawing for good and wait for it; may be called twice."""
         self._is_shut_down = True
-        self._renderer.stop()
+        if self._owns_client:
+            self._client.stop()
 
     def _show(self, state: ViewState) -> None:
         self._state = state
-        if self._renderer.is_running and self.isVisible() and not self._is_shut_down:
-            self._renderer.show(state)
+        if self._client.is_running and self.isVisible() and not self._is_shut_down:
+            self._client.show(state)
 
     def _set_hud(self, values: HudValues) -> None:
         if values != self._hud:
             self._hud = values
-            self.update(hud_frame(self.font()).toAlignedRect())
+            self.update(self._hud_painter.frame(self.font()).toAlignedRect())
 
     def _fit(self) -> None:
         """Ask for a picture as large as the widget, in device pixels."""
@@ -196,14 +237,21 @@ class ArmView(QWidget):
         )
 
     def _start(self) -> None:
-        if self.isVisible() and not self._is_shut_down and not self._renderer.is_running:
-            self._renderer.start()
+        if self.isVisible() and not self._is_shut_down and not self._client.is_running:
+            self._client.start()
             self._fit()
 
-    def _on_frame_ready(self, image: QImage) -> None:
-        is_first = self._image is None
-        self._image = image
+    def _start_again(self) -> None:
+        self._again_button.hide()
+        self._lost = None
+        self._client.start()
+        self.update()
+
+    def _on_frame_ready(self, picture: Picture) -> None:
+        is_first = self._picture is None
+        self._picture = picture
         self._is_frame_new = True
+        self._lost = None
         self.update()
         if is_first:
             self.first_frame_shown.emit()
@@ -213,22 +261,22 @@ class ArmView(QWidget):
         if number is not None:
             self.joint_picked.emit(number)
 
-    def _on_failed(self, reason: Refusal) -> None:
-        self._failure = reason
+    def _on_lost(self, lost: Lost) -> None:
+        self._lost = lost
+        self._again_button.setVisible(not lost.comes_back)
         self.update()
 
     def _notice(self) -> str:
-        """What stands where no picture is; empty when there is one."""
-        if self._failure is None:
-            return self.tr("Loading the 3D model …") if self._image is None else ""
-        if self._failure.code == NO_OPENGL:
-            return self.tr(
-                "The 3D view is not available: this computer offers no OpenGL. Install a graphics "
-                "driver or Mesa (on Debian the packages libegl1 and libgl1-mesa-dri) and start the "
-                "program again."
-            )
-        text = self.tr("The 3D view has stopped ({text}). Start the program again.")
-        return text.format_map(self._failure.params)
+        """What is wrong with the picture, in words; empty when nothing is."""
+        if self._lost is not None:
+            return lost_text(self._lost)
+        if self._picture is None:
+            return self.tr("Loading the 3D model …")
+        return self.tr("Picture delayed") if self._client.looks_old else ""
+
+    def retranslate_ui(self, button: QPushButton) -> None:
+        """Put the words into the operator's language."""
+        button.setText(self.tr("Start the 3D view again"))
 
     # Qt's events
 
@@ -258,16 +306,14 @@ class ArmView(QWidget):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.fillRect(self.rect(), QColor(palette.background))
-        if notice := self._notice():
-            self._paint_notice(painter, notice)
-        elif self._image is not None:
-            # Until the picture of a new size is there, the old one stays in the middle.
-            size = self._image.deviceIndependentSize()
-            corner = QPointF(
-                (self.width() - size.width()) / 2.0, (self.height() - size.height()) / 2.0
-            )
-            painter.drawImage(corner, self._image)
-        paint_hud(painter, self._hud, palette, self.font())
+        notice = self._notice()
+        if self._picture is not None:
+            painter.setOpacity(FADED_OPACITY if notice else 1.0)
+            self._paint_picture(painter, self._picture.image)
+            painter.setOpacity(1.0)
+        self._hud_painter.paint(painter, self._hud, palette, self.font())
+        if notice:
+            paint_plate(painter, self.rect(), notice, palette)
         if self.hasFocus():
             painter.setPen(QPen(QColor(palette.accent), 1.0))
             painter.drawRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5))
@@ -276,26 +322,26 @@ class ArmView(QWidget):
             # Loading the libraries is work for a window that the operator already sees.
             self._is_started = True
             QTimer.singleShot(_START_MS, self, self._start)
-        if self._is_frame_new:
+        if self._is_frame_new and self._picture is not None:
             # Only a picture on the screen makes room for the next: a covered window draws nothing.
             self._is_frame_new = False
-            self._renderer.frame_taken()
+            self._client.frame_used(self._picture)
+            if self._client.is_settled:
+                self.settled.emit()
         if not math.isclose(self._state.pixel_ratio, self.devicePixelRatioF()):
             self._fit()
 
-    def _paint_notice(self, painter: QPainter, text: str) -> None:
-        painter.setPen(QColor(self._state.palette.muted))
-        margin = 24
-        painter.drawText(
-            self.rect().adjusted(margin, margin, -margin, -margin),
-            Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap,
-            text,
-        )
+    def _paint_picture(self, painter: QPainter, image: QImage) -> None:
+        """Until the picture of a new size is there, the old one stays in the middle."""
+        size = image.deviceIndependentSize()
+        left, top = (self.width() - size.width()) / 2.0, (self.height() - size.height()) / 2.0
+        painter.drawImage(QPointF(left, top), image)
 
     def changeEvent(self, event: QEvent) -> None:
         """Follow the language."""
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui(self._again_button)
             self.update()
 
     def focusInEvent(self, event: QFocusEvent) -> None:

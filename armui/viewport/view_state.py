@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
+from armui.paths import URDF
 from armui.viewport.camera import HOME_CAMERA, OrbitCamera
 from armui.viewport.palette import LIGHT, ScenePalette
 from armui.viewport.path_picture import NOTHING, Preview
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+_SAME_ANGLE_DEG: Final = 0.005
+"""Less moves nothing by a pixel: an arm at rest that reports the last digit is not drawn anew."""
 
 
 @dataclass(frozen=True)
@@ -28,6 +32,10 @@ class RobotChoice:
 
     path: Path
     serial: int = 0
+
+
+BUILT_IN_ROBOT: Final = RobotChoice(URDF / "piper.urdf")
+"""The project's own arm."""
 
 
 @dataclass(frozen=True)
@@ -48,6 +56,7 @@ class ViewState:
         preview: what is shown beside the arm.
         pick: a question to answer along the way.
         mark_pick: likewise, about a mark of the preview.
+        viewer: tells views apart that have their pictures drawn by one process, one after another.
     """
 
     robot: RobotChoice
@@ -63,3 +72,11 @@ class ViewState:
     preview: Preview = NOTHING
     pick: PickRequest | None = None
     mark_pick: PickRequest | None = None
+    viewer: int = 0
+
+
+def look_alike(one: tuple[float, ...] | None, other: tuple[float, ...] | None) -> bool:
+    """Whether two poses of the arm, six angles in degrees each, can't be told apart on a screen."""
+    if one is None or other is None:
+        return False
+    return all(abs(a - b) < _SAME_ANGLE_DEG for a, b in zip(one, other, strict=True))

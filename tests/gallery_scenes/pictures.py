@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import datetime as dt
 import itertools
+import multiprocessing.util
 import sys
 import tempfile
 from collections.abc import Iterable, Iterator
@@ -15,11 +16,9 @@ from typing import Final
 from PySide6.QtCore import (
     QCoreApplication,
     QDeadlineTimer,
-    QElapsedTimer,
     QEvent,
     QEventLoop,
     QMessageLogContext,
-    QSize,
     QTimer,
     QtMsgType,
     qInstallMessageHandler,
@@ -29,19 +28,15 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from armui.protocol.generation import Generation
 from armui.ui.operation_area import OperationArea
+from armui.viewport.client import PictureClient
 from tests.desk import Desk
 from tests.gallery_scenes import DIALOG_SCENES, WINDOW_SCENES
 from tests.gallery_scenes.scene import DialogScene, Scene, close_dialogs
 
 _NOON: Final = dt.datetime(2026, 1, 15, 12, 0)
 
-_UNCHANGED_MS: Final = 300
-"""The 3D view refines a picture 150 ms after the last change; how long it then needs for drawing is
-measured, see `_slowest_ms`."""
-
-_OTHER_SIZE: Final = (1100, 720)
 _LOOK_MS: Final = 20
-_LONGEST_MS: Final = 20_000
+_LONGEST_MS: Final = 60_000
 
 
 @dataclass(frozen=True)
@@ -65,6 +60,9 @@ def prepare() -> None:
     app.setCursorFlashTime(0)
     # kept by the module: Qt ends with the last reference
     globals()["_app"] = app
+    # one process draws for all scenes: starting one takes a second
+    globals()["_drawn_by"] = client = PictureClient()
+    multiprocessing.util.Finalize(None, client.stop, exitpriority=100)
 
 
 def take(scene: Scene | DialogScene, folder: Path, looks: Looks) -> int:
@@ -87,7 +85,9 @@ def take(scene: Scene | DialogScene, folder: Path, looks: Looks) -> int:
     draws = isinstance(scene, Scene)
     with tempfile.TemporaryDirectory() as settings, _SlotErrors() as errors:
         file = Path(settings) / "settings.json"
-        desk = Desk(app, f"gallery-{scene.name}", file, Generation.TWO, draws=draws)
+        pictures = globals()["_drawn_by"]
+        name = f"gallery-{scene.name}"
+        desk = Desk(app, name, file, Generation.TWO, draws=draws, pictures=pictures)
         try:
             if isinstance(scene, Scene):
                 count = _WindowPictures(desk, folder, looks).take(scene)
@@ -107,14 +107,9 @@ class _WindowPictures:
         self._desk = desk
         self._folder = folder
         self._looks = looks
-        self._slowest_ms = 0
 
     def take(self, scene: Scene) -> int:
         """Every picture of a scene; returns how many."""
-        longest = QDeadlineTimer(_LONGEST_MS)
-        while self._frame() is None and not longest.hasExpired():
-            _let_work()
-        self._desk.window.resize(*_OTHER_SIZE)  # so that the first picture is waited for, too
         scene.play(self._desk)
         count = 0
         for size, theme in itertools.product(self._looks.sizes, self._looks.themes):
@@ -138,33 +133,13 @@ class _WindowPictures:
 
     def _change(self, size: tuple[int, int], theme: str) -> None:
         """Take another size and theme, and wait for the 3D picture of them."""
-        window, store = self._desk.window, self._desk.store
-        before = self._frame()
-        due = QSize(*size) != window.size() or theme != store.settings.theme
-        window.resize(*size)
-        store.change(theme=theme)
-        if before is None:
-            _let_work()  # a computer that can't draw shows why
-            return
-        if due:
-            self._wait_for_frame(before, _LONGEST_MS)
-        while self._wait_for_frame(self._frame(), _UNCHANGED_MS + 4 * self._slowest_ms):
-            pass
-
-    def _wait_for_frame(self, last: object, longest_ms: int) -> bool:
-        """Until another frame than this is shown; false if none came."""
-        waited, deadline = QElapsedTimer(), QDeadlineTimer(longest_ms)
-        waited.start()
-        while not deadline.hasExpired():
+        self._desk.window.resize(*size)
+        self._desk.store.change(theme=theme)
+        view, longest = self._desk.program.view, QDeadlineTimer(_LONGEST_MS)
+        _let_work()
+        # a computer that can't draw shows why
+        while not (view.is_settled or view.has_given_up or longest.hasExpired()):
             _let_work()
-            if self._frame() is not last:
-                self._slowest_ms = max(self._slowest_ms, waited.elapsed())
-                return True
-        return False
-
-    def _frame(self) -> object:
-        """The frame that the 3D view shows; a new one is another object."""
-        return self._desk.program.view._image
 
 
 def _take_dialog(desk: Desk, scene: DialogScene, folder: Path, looks: Looks) -> int:

@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter
 
-from armui.viewport.hud import HudValues, figures, hud_font, hud_frame, paint_hud
+from armui.viewport.hud import Hud, HudValues, figures, hud_font
 from armui.viewport.palette import DARK, LIGHT
 
 
@@ -31,7 +31,7 @@ def paint(values: HudValues, palette=LIGHT) -> QImage:
     image = QImage(400, 250, QImage.Format.Format_RGB32)
     image.fill(QColor(palette.background))
     painter = QPainter(image)
-    paint_hud(painter, values, palette, QFont())
+    Hud().paint(painter, values, palette, QFont())
     painter.end()
     return image
 
@@ -59,8 +59,9 @@ def test_the_figures_stay_inside_their_frame(qapp, palette):
     image.fill(QColor(palette.background))
     painter = QPainter(image)
     wide = (-1000.123,) * 6
-    paint_hud(painter, HudValues(wide, wide), palette, QFont())
-    frame = hud_frame(QFont()).toAlignedRect()
+    hud = Hud()
+    hud.paint(painter, HudValues(wide, wide), palette, QFont())
+    frame = hud.frame(QFont()).toAlignedRect()
     painter.end()
     background = QColor(palette.background).rgb()
     outside = [
@@ -70,3 +71,31 @@ def test_the_figures_stay_inside_their_frame(qapp, palette):
         if not frame.contains(x, y) and image.pixel(x, y) != background
     ]
     assert not outside
+
+
+def test_what_is_kept_follows_figures_colours_and_font(qapp):
+    image = QImage(400, 250, QImage.Format.Format_RGB32)
+    hud, large = Hud(), QFont()
+    large.setPointSizeF(2.0 * QFont().pointSizeF())
+    values = HudValues((1.0,) * 6, (2.0,) * 6)
+    for shown, palette, font in (
+        (values, LIGHT, QFont()),
+        (HudValues(), LIGHT, QFont()),
+        (HudValues(), DARK, QFont()),
+        (values, DARK, large),
+    ):
+        anew = image.copy()
+        for picture, painted_by in ((image, hud), (anew, Hud())):
+            picture.fill(QColor(palette.background))
+            painter = QPainter(picture)
+            painted_by.paint(painter, shown, palette, font)
+            painter.end()
+        assert image == anew
+
+
+def test_figures_of_any_width_end_in_one_line(qapp):
+    metrics = QFontMetricsF(hud_font(QFont()))
+    hud = Hud()
+    hud.frame(QFont())
+    for figure in ("1.000", "-170.123", "-0000.000"):
+        assert hud._width_px(figure) == pytest.approx(metrics.horizontalAdvance(figure), abs=0.5)

@@ -48,16 +48,33 @@ def test_a_sleeping_reader_wakes_for_an_item(box):
     assert reader.result() == "a"
 
 
-def test_nothing_is_taken_while_a_result_is_pending(box):
-    box.result_sent()
+def test_one_result_may_lie_unused_but_not_two(box):
+    assert box.result_sent() == 1
     box.put("a")
-    assert box.is_result_pending
-    assert box.take_at_once() is None
+    assert box.take() == "a"
+    assert box.result_sent() == 2
     reader = Reader(box)
     box.put("b")
     assert not reader.taken
-    box.acknowledge()
+    box.acknowledge(1)
     assert reader.result() == "b"
+
+
+def test_what_is_used_last_counts_for_those_before(box):
+    for _ in range(4):
+        box.result_sent()
+    box.put("a")
+    reader = Reader(box)
+    box.acknowledge(4)
+    assert reader.result() == "a"
+
+
+def test_results_of_a_process_that_is_gone_do_not_count(box):
+    box.result_sent()
+    box.result_sent()
+    box.forget_results()
+    box.put("a")
+    assert box.take() == "a"
 
 
 def test_waiting_ends_when_time_is_up(box):
@@ -65,21 +82,19 @@ def test_waiting_ends_when_time_is_up(box):
     assert not box.is_closed
 
 
-def test_time_does_not_run_while_a_result_is_pending(box):
+def test_an_interrupted_reader_does_not_sleep_until_it_may(box):
+    reader = Reader(box)
+    box.interrupt()
+    assert reader.result() is None
+    box.put("a")
+    assert box.take() is None
+    assert box.has_item
+    box.resume()
+    assert box.take() == "a"
+
+
+def test_closing_wakes_the_reader_even_with_an_item_and_results_unused(box):
     box.result_sent()
-    woken = threading.Event()
-
-    def wait() -> None:
-        box.take(timeout_s=0.0)
-        woken.set()
-
-    threading.Thread(target=wait, daemon=True).start()
-    assert not woken.wait(0.02)
-    box.acknowledge()
-    assert woken.wait(LIMIT_S)
-
-
-def test_closing_wakes_the_reader_even_with_an_item_and_a_result_pending(box):
     box.result_sent()
     box.put("a")
     reader = Reader(box)

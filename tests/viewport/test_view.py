@@ -2,7 +2,6 @@
 
 import subprocess
 import sys
-import threading
 from dataclasses import replace
 
 import numpy as np
@@ -15,37 +14,27 @@ from armui.arm.refusal import Refusal
 from armui.paths import URDF
 from armui.viewport.camera import HOME_CAMERA
 from armui.viewport.palette import DARK
-from armui.viewport.urdf_file import load_robot
+from armui.viewport.process.urdf_file import load_robot
 from armui.viewport.view import ArmView
 from tests.viewport.foreign import write_arm
-from tests.viewport.pinhole import HEIGHT, WIDTH, project
+from tests.viewport.pinhole import project
 
-LIMIT_MS = 20_000
+LIMIT_MS = 50_000
 RAISED = (30.0, 70.0, -60.0, 20.0, 40.0, 10.0)
 
 
-@pytest.fixture(params=[True, False], ids=["threaded", "inline"])
-def view(request, qtbot):
-    view = ArmView(threaded=request.param)
-    qtbot.addWidget(view)
-    view.resize(WIDTH, HEIGHT)
-    view.set_joints(RAISED, 35.0)
-    # The first picture and its refinement: whatever is drawn later has a reason of its own.
-    with qtbot.waitSignals([view._renderer.frame_ready] * 2, timeout=LIMIT_MS):
-        view.show()
-    settle(view, qtbot)
-    yield view
-    view.shutdown()
-    assert not [t for t in threading.enumerate() if t.name == "armui-viewport"]
-
-
 def next_frame(view, qtbot):
-    return qtbot.waitSignal(view._renderer.frame_ready, timeout=LIMIT_MS)
+    return qtbot.waitSignal(view._client.frame_ready, timeout=LIMIT_MS)
 
 
 def settle(view, qtbot):
-    """Until the last picture drawn is on the screen."""
-    qtbot.wait_until(lambda: view._image is not None and not view._is_frame_new, timeout=LIMIT_MS)
+    """Until the newest state is on the screen."""
+    qtbot.wait_until(lambda: view.is_settled, timeout=LIMIT_MS)
+
+
+def image_of(view):
+    """A copy of the picture: the next one is drawn into the same memory."""
+    return view._picture.image.copy()
 
 
 def drag(view, qtbot, button, modifier=Qt.KeyboardModifier.NoModifier):
@@ -122,13 +111,14 @@ def test_the_keyboard_turns_zooms_and_resets(view, qtbot):
 
 
 def test_reset_returns_to_the_first_picture(view, qtbot):
-    first = view._image
+    first = image_of(view)
     with next_frame(view, qtbot):
         drag(view, qtbot, Qt.MouseButton.LeftButton)
-    assert view._image != first
+    assert image_of(view) != first
     view.reset_view()
     assert view.camera == HOME_CAMERA
-    qtbot.wait_until(lambda: view._image == first, timeout=LIMIT_MS)
+    settle(view, qtbot)
+    assert image_of(view) == first
 
 
 def place_on_forearm() -> QPoint:
@@ -147,7 +137,7 @@ def test_a_double_click_on_a_link_picks_and_marks_its_joint(view, qtbot):
 
 def test_a_double_click_beside_the_arm_takes_the_mark_away(view, qtbot):
     view.highlight_joint(2)
-    with qtbot.waitSignal(view._renderer.joint_picked, timeout=LIMIT_MS):
+    with qtbot.waitSignal(view._client.joint_picked, timeout=LIMIT_MS):
         qtbot.mouseDClick(view, Qt.MouseButton.LeftButton, pos=QPoint(440, 10))
     assert view.highlighted_joint is None
 
@@ -187,19 +177,21 @@ def test_another_robot_is_shown_a_broken_one_told_and_ours_comes_back(view, qtbo
         view.set_robot(broken)
     expected = {"path": str(broken), "found": 2, "wanted": 6}
     assert failed.args == [Refusal("urdf_joint_count", expected)]
-    before = view._image
+    settle(view, qtbot)
+    before = image_of(view)
     ball = '<visual><geometry><sphere radius="0.05"/></geometry></visual>'
     view.set_robot(write_arm(tmp_path, visual=ball))
-    qtbot.wait_until(lambda: view._image != before, timeout=LIMIT_MS)
+    settle(view, qtbot)
+    assert image_of(view) != before
     view.set_robot(None)
-    qtbot.wait_until(lambda: view._image == before, timeout=LIMIT_MS)
+    settle(view, qtbot)
+    assert image_of(view) == before
 
 
 def test_a_hidden_view_draws_nothing_and_catches_up_when_shown(view, qtbot):
-    settle(view, qtbot)
     view.hide()
     view.set_joints((0.0,) * 6, 0.0)
-    assert not view._renderer._mailbox.has_item
+    assert view._client._latest.state.angles_deg == RAISED
     with next_frame(view, qtbot):
         view.show()
 
@@ -207,55 +199,65 @@ def test_a_hidden_view_draws_nothing_and_catches_up_when_shown(view, qtbot):
 def test_a_new_size_gets_a_picture_of_that_size(view, qtbot):
     view.resize(500, 300)
     qtbot.wait_until(
-        lambda: (
-            view._image is not None and view._image.deviceIndependentSize().toSize() == view.size()
-        ),
+        lambda: view._picture.image.deviceIndependentSize().toSize() == view.size(),
         timeout=LIMIT_MS,
     )
 
 
-def test_closing_ends_the_drawing_and_later_calls_are_harmless(view):
-    view.close()
-    assert not view._renderer.is_running
-    view.set_joints(RAISED, 0.0)
-    view.show()
-    view.shutdown()
+def test_an_arm_that_reports_the_last_digit_anew_is_not_drawn_anew(view, qtbot):
+    before = view._client._latest
+    view.set_joints(tuple(angle + 0.001 for angle in RAISED), 35.0)
+    assert view._client._latest is before
+    assert view._hud.angles_deg[0] == 30.001
+    view.set_joints(tuple(angle + 0.006 for angle in RAISED), 35.0)
+    assert view._client._latest.sequence == before.sequence + 1
+    settle(view, qtbot)
 
 
-def test_without_opengl_the_widget_says_so(qtbot, monkeypatch):
-    monkeypatch.setenv("VTK_DEFAULT_OPENGL_WINDOW", "vtkOSOpenGLRenderWindow")
-    monkeypatch.setattr("ctypes.util.find_library", lambda _name: None)
+def test_a_picture_for_small_pixels_has_more_of_them(view, qtbot):
+    state = view._state
+    with next_frame(view, qtbot) as drawn:
+        view._client.show(replace(state, width_px=675, height_px=525, pixel_ratio=1.5))
+    image = drawn.args[0].image
+    assert (image.width(), image.height(), image.devicePixelRatio()) == (675, 525, 1.5)
+    assert image.deviceIndependentSize().toSize() == view.size()
+    view._client.show(state)
+    settle(view, qtbot)
+
+
+def test_a_covered_view_has_no_more_drawn_than_it_can_hold(view, qtbot):
+    """Three images fit into the memory: the one on the screen must not be drawn over."""
+    frames = []
+    view._client.frame_ready.connect(frames.append)
+    view.setUpdatesEnabled(False)  # nothing is painted: no picture is used
+    shown = view._picture.frame
+    for angle_deg in range(40):
+        view.set_joints((float(angle_deg),) * 6, 0.0)
+        if angle_deg < 2:
+            qtbot.wait_until(lambda n=angle_deg: len(frames) > n, timeout=LIMIT_MS)
+    qtbot.wait_until(lambda: view._client._link._mailbox.has_item, timeout=LIMIT_MS)
+    assert len(frames) == 2
+    assert shown.slot not in {picture.frame.slot for picture in frames}
+    view.setUpdatesEnabled(True)
+    settle(view, qtbot)
+    view._client.frame_ready.disconnect(frames.append)
+    assert frames[-1].frame.sequence == view._client._latest.sequence
+
+
+def test_a_view_never_shown_starts_no_process(qtbot):
     view = ArmView()
     qtbot.addWidget(view)
-    view.show()
-    loading, loading_text = view.grab().toImage(), view._notice()
-    with qtbot.waitSignal(view._renderer.failed, timeout=LIMIT_MS):
-        pass
-    assert "OpenGL" in view._notice()
-    assert view._notice() != loading_text
-    assert view.grab().toImage() != loading
-    view.shutdown()
-
-
-def test_an_unforeseen_error_is_said_in_the_view(view, qtbot, caplog):
-    with qtbot.waitSignal(view._renderer.failed, timeout=LIMIT_MS):
-        view._show(replace(view._state, angles_deg=(0.0,)))
-    assert "(ValueError: " in view._notice()
-    assert "3D view stopped" in caplog.text
-
-
-def test_a_view_never_shown_starts_no_thread(qtbot):
-    view = ArmView()
-    qtbot.addWidget(view)
     view.set_joints(RAISED, 0.0)
-    assert not view._renderer.is_running
+    assert not view._client.is_running
+    assert view._client.pid is None
     view.shutdown()
 
 
 def test_importing_the_view_imports_nothing_slow():
     code = (
         "import sys, armui.viewport.view; "
-        "slow = {'pyvista', 'vtkmodules', 'trimesh', 'yourdfpy', 'scipy'} & set(sys.modules); "
+        "slow = {'pyvista', 'vtkmodules', 'trimesh', 'yourdfpy', 'scipy', 'numpy'} "
+        "& set(sys.modules); "
         "sys.exit(', '.join(slow) or None)"
     )
     result = subprocess.run(

@@ -84,12 +84,14 @@ class TrackSlider(QSlider):
             value: In the quantity's unit; beyond the track it stands at the end.
             attention: Draw it in the colour for something out of order.
         """
+        before = self._wish_known, self._attention
         self._wish_known = value is not None
         self._attention = attention
         if value is not None:
             with QSignalBlocker(self):
-                self.setValue(round(value / self._resolution))
-        self.update()
+                self.setValue(round(value / self._resolution))  # repaints if it moves
+        if before != (self._wish_known, self._attention):
+            self.update()
 
     def show_measured(self, value: float | None) -> None:
         """Put the mark somewhere; repaints only if it moves on the screen."""

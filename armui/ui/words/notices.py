@@ -47,6 +47,11 @@ _NOTICES: Final[Mapping[str, object]] = {
         "The arm was told to end its motion and still moves. Stop it, or cut its power.",
     ),
     "motion_too_fast": QT_TRANSLATE_NOOP("Notice", "Motion ended: too fast. {reason}"),
+    "frames_dropped": QT_TRANSLATE_NOOP(
+        "Notice",
+        "{count} frames were lost before the program could read them ({total} since connecting): "
+        "the computer is too busy, or the adapter too slow.",
+    ),
     "sent_lamp": QT_TRANSLATE_NOOP("Notice", "Sent to lamp {lamp} of joint {joint}: {color}"),
     "sent_lamps": QT_TRANSLATE_NOOP("Notice", "Sent to all lamps of joint {joint}: {color}"),
     "stop_sent": QT_TRANSLATE_NOOP(

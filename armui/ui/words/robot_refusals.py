@@ -63,4 +63,14 @@ ROBOT_REFUSALS: Final[Mapping[str, object]] = {
         "Refusal",
         "Robot description: the mesh {mesh} holds no surface. Export it again.",
     ),
+    "urdf_ends_view": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Robot description: {path} ended the 3D view while it was loaded ({text}). It is put "
+        "aside; choose another one.",
+    ),
+    "urdf_hangs_view": QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Robot description: loading {path} does not come to an end. It is put aside; choose "
+        "another one.",
+    ),
 }

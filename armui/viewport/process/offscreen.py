@@ -25,7 +25,48 @@ from armui.viewport.errors import NO_OPENGL, SceneError
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-Pixels = NDArray[np.uint8]
+
+class Pixels:
+    """An image as VTK has it: red, green, blue and an unused byte, the bottom row first.
+
+    Args:
+        rows: height × width × 4 bytes; VTK's memory, valid until the next image is drawn.
+    """
+
+    def __init__(self, rows: NDArray[np.uint8]) -> None:
+        self._rows = rows
+
+    @property
+    def size_px(self) -> tuple[int, int]:
+        """Width and height."""
+        height, width, _ = self._rows.shape
+        return width, height
+
+    @property
+    def nbytes(self) -> int:
+        """How much room a copy needs."""
+        return self._rows.nbytes
+
+    def top_down(self) -> NDArray[np.uint8]:
+        """A copy: height × width × 4 bytes (red, green, blue, unused), the top row first."""
+        return np.ascontiguousarray(self._rows[::-1])
+
+    def copy_to(self, target: memoryview) -> tuple[int, int]:
+        """Write a copy as windows are painted: blue, green, red, unused, the top row first.
+
+        Args:
+            target: `nbytes` bytes.
+
+        Returns:
+            Width and height.
+        """
+        width, height = self.size_px
+        words = self._rows.view("<u4").reshape(height, width)[::-1]
+        out = np.frombuffer(target, "<u4").reshape(height, width)
+        np.left_shift(words & 0xFF, 16, out=out)
+        out |= words & 0xFF00
+        out |= (words >> 16) & 0xFF
+        return width, height
 
 
 @contextmanager
@@ -60,6 +101,7 @@ class Canvas:
         self._window.AddRenderer(self.renderer)
         # Eightfold sampling triples the time of a frame where the processor draws it.
         self._window.SetMultiSamples(0)
+        self._raw = vtkUnsignedCharArray()
 
     @property
     def size_px(self) -> tuple[int, int]:
@@ -75,15 +117,12 @@ class Canvas:
         """Draw.
 
         Returns:
-            height × width × 4 bytes (red, green, blue, unused), top row first, the caller's own.
+            The image, valid until the next one is drawn.
         """
         self._window.Render()
         width, height = self._window.GetSize()
-        raw = vtkUnsignedCharArray()
-        self._window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, raw, 0)
-        rows: Pixels = np.asarray(raw).reshape(height, width, 4)
-        # VTK counts rows from the bottom. The copy frees the picture from VTK's memory.
-        return np.ascontiguousarray(rows[::-1])
+        self._window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, self._raw, 0)
+        return Pixels(np.asarray(self._raw).reshape(height, width, 4))
 
     def close(self) -> None:
         """Give the graphics memory back."""

@@ -8,8 +8,8 @@ import numpy as np
 import pyvista as pv
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from armui.viewport.geometry import actor_of
 from armui.viewport.palette import ScenePalette, rgb
+from armui.viewport.process.geometry import actor_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

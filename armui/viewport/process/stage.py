@@ -8,8 +8,8 @@ import numpy as np
 from vtkmodules.vtkRenderingCore import vtkFollower, vtkLight, vtkPolyDataMapper
 from vtkmodules.vtkRenderingFreeType import vtkVectorText
 
-from armui.viewport.geometry import actor_of, axis_arrow, floor_lines
 from armui.viewport.palette import ScenePalette, mix, rgb
+from armui.viewport.process.geometry import actor_of, axis_arrow, floor_lines
 
 if TYPE_CHECKING:
     import pyvista as pv

@@ -1,6 +1,6 @@
 """Shapes for the picture: smooth surfaces, the floor and the axes.
 
-Slow to import (VTK): the render thread imports it, nothing else does.
+Slow to import (VTK).
 """
 
 from __future__ import annotations
@@ -12,16 +12,15 @@ import pyvista as pv
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 if TYPE_CHECKING:
-    from trimesh import Trimesh
-
-    from armui.viewport.robot import Matrix
+    from armui.viewport.process.robot import Matrix, Surface
 
 _SMOOTH_BELOW_DEG = 35.0
 
 
-def smooth(surface: Trimesh) -> pv.PolyData:
+def smooth(surface: Surface) -> pv.PolyData:
     """The same triangles with normals that run smoothly over all but sharp edges."""
-    triangles: pv.PolyData = pv.PolyData.from_regular_faces(surface.vertices, surface.faces)
+    faces = np.asarray(surface.faces, int)
+    triangles: pv.PolyData = pv.PolyData.from_regular_faces(surface.vertices, faces)
     # Only merged corners let normals run over from one triangle to the next.
     shaded: pv.PolyData = triangles.clean().compute_normals(
         feature_angle=_SMOOTH_BELOW_DEG, split_vertices=True, cell_normals=False

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from armui.viewport.geometry import actor_of, flat, smooth
 from armui.viewport.palette import ScenePalette, mix, rgb
+from armui.viewport.process.geometry import actor_of, flat, smooth
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from armui.viewport.robot import Rgb, Robot
+    from armui.viewport.process.robot import Rgb, Robot
 
 _PLAIN: Rgb = (0.80, 0.82, 0.85)
 _FADED_SHARE = 0.6

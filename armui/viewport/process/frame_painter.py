@@ -1,47 +1,26 @@
-"""Turns wishes into pictures: the one who draws what the view should show.
-
-No Qt, and VTK, trimesh and yourdfpy are imported with the first picture: that takes a second, and
-happens in the thread that draws.
-"""
+"""Draws what the view should show, and no more often than it changes."""
 
 from __future__ import annotations
 
-import gc
 import math
 import time
-from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from armui.viewport.errors import SceneError
+from armui.viewport.messages import Phase
 from armui.viewport.view_state import ViewState
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable
 
     from armui.arm.refusal import Refusal
-    from armui.viewport.offscreen import Pixels
-    from armui.viewport.scene import Scene
+    from armui.viewport.process.offscreen import Pixels
+    from armui.viewport.process.robot import Robot
+    from armui.viewport.process.scene import Scene
 
 _CHEAP_FRAME_S = 0.010
 """A smooth frame that takes less is drawn while the arm moves, too."""
-
-
-@contextmanager
-def _no_garbage_collection() -> Iterator[None]:
-    """For loading libraries: nothing of it is garbage.
-
-    Yet so many new objects set off collections that look at all of them, and each holds Python's
-    lock for up to 70 ms, in which nobody could stop the arm.
-    """
-    gc.disable()
-    try:
-        yield
-    finally:
-        # Together: what there is counts as old, as if it had been looked at already.
-        gc.freeze()
-        gc.unfreeze()
-        gc.enable()
 
 
 class FramePainter:
@@ -55,6 +34,7 @@ class FramePainter:
         on_load_failed: told why a robot can't be shown; the one before stays.
         on_picked: told the joint number seen at a pick, or None.
         on_mark_picked: told the row of the mark that was clicked.
+        on_phase: told what is being done, when it takes long.
     """
 
     def __init__(
@@ -62,10 +42,12 @@ class FramePainter:
         on_load_failed: Callable[[Refusal], None],
         on_picked: Callable[[int | None], None],
         on_mark_picked: Callable[[int], None],
+        on_phase: Callable[[Phase], None] = lambda _phase: None,
     ) -> None:
         self._on_load_failed = on_load_failed
         self._on_picked = on_picked
         self._on_mark_picked = on_mark_picked
+        self._on_phase = on_phase
         self._scene: Scene | None = None
         self._shown: ViewState | None = None
         self._smooth_frame_s = math.inf
@@ -77,12 +59,25 @@ class FramePainter:
         return self._is_rough
 
     @property
+    def robot(self) -> Robot | None:
+        """The robot in the picture."""
+        return None if self._scene is None else self._scene.robot
+
+    @property
     def pixel_ratio(self) -> float:
         """Device pixels a logical pixel of the last picture."""
         return 1.0 if self._shown is None else self._shown.pixel_ratio
 
-    def paint(self, state: ViewState) -> Pixels | None:
+    def open(self) -> None:
+        """Import VTK, which takes a second; what reads files follows when it is needed."""
+        from armui.viewport.process import scene  # noqa: F401, PLC0415 - see above
+
+    def paint(self, state: ViewState, known: Robot | None = None) -> Pixels | None:
         """Draw a state; None when the picture is still the same.
+
+        Args:
+            state: what to show.
+            known: its robot, if it was read before: the file is not read again.
 
         Raises:
             SceneError: this computer can't draw at all.
@@ -90,7 +85,7 @@ class FramePainter:
         scene = self._scene or self._open()
         before, self._shown = self._shown, state
         if before is None or state.robot != before.robot:
-            self._load(scene, state)
+            self._load(scene, state, known)
         scene.show(state)
         if state.pick is not None and (before is None or state.pick != before.pick):
             self._on_picked(scene.pick(state.pick.x_px, state.pick.y_px))
@@ -125,15 +120,23 @@ class FramePainter:
         return pixels
 
     def _open(self) -> Scene:
-        # VTK, trimesh and yourdfpy take a second to import; only this thread has to wait for them.
-        with _no_garbage_collection():
-            from armui.viewport.scene import Scene  # noqa: PLC0415 - see above
+        from armui.viewport.process.scene import Scene  # noqa: PLC0415 - see `open`
 
+        self._on_phase(Phase.OPENING)
         self._scene = Scene()
         return self._scene
 
-    def _load(self, scene: Scene, state: ViewState) -> None:
+    def _load(self, scene: Scene, state: ViewState, known: Robot | None) -> None:
+        if known is not None:
+            scene.show_robot(known)
+            self._on_phase(Phase.FIRST_DRAWING)
+            return
+        self._on_phase(Phase.STARTING)
+        from armui.viewport.process import urdf_file  # noqa: F401, PLC0415 - see `open`
+
+        self._on_phase(Phase.LOADING)
         try:
             scene.load(state.robot.path)
         except SceneError as error:
             self._on_load_failed(error.refusal)
+        self._on_phase(Phase.FIRST_DRAWING)

@@ -1,7 +1,7 @@
 """Makes a `Robot` of a URDF file: any file of the arm's kind, six hinges in a row.
 
 yourdfpy reads the file and trimesh its meshes; what stands here is whether that is an arm, and
-which joints are the arm's. Slow to import: the render thread imports it, nothing else does.
+which joints are the arm's. Slow to import.
 """
 
 from __future__ import annotations
@@ -21,7 +21,16 @@ import trimesh
 import yourdfpy
 
 from armui.viewport.errors import SceneError
-from armui.viewport.robot import ARM_JOINT_COUNT, HINGES, Joint, Mimic, Part, Rgb, Robot
+from armui.viewport.process.robot import (
+    ARM_JOINT_COUNT,
+    HINGES,
+    Joint,
+    Mimic,
+    Part,
+    Rgb,
+    Robot,
+    Surface,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -169,7 +178,8 @@ def _part(path: Path, description: yourdfpy.Robot, link: str, visual: yourdfpy.V
         surface = _surface(path, visual.geometry)
         if visual.origin is not None:
             surface.apply_transform(visual.origin)
-        return Part(link, surface, _color(description, visual.material))
+        plain = Surface(np.array(surface.vertices, float), np.array(surface.faces, int))
+        return Part(link, plain, _color(description, visual.material))
     except ValueError as error:  # of trimesh and numpy: too few numbers in a size or a colour
         raise _malformed(path, f"{link}: {error}") from error
 

@@ -9,7 +9,7 @@ import trimesh
 from armui.arm.refusal import Refusal
 from armui.paths import URDF
 from armui.viewport.errors import LOAD_REFUSALS, SceneError
-from armui.viewport.urdf_file import load_robot
+from armui.viewport.process.urdf_file import load_robot
 from tests.viewport.foreign import joint, link, mesh, write_arm
 
 BOX = '<visual><geometry><box size="0.1 0.2 0.3"/></geometry></visual>'
@@ -96,7 +96,8 @@ def test_meshes_are_scaled_and_stay_turned_outward(tmp_path, scale):
     robot = load_robot(write_arm(tmp_path, visual=mesh("cube.stl", scale)))
     expected = np.broadcast_to(np.abs(np.array(scale.split(), float)) * 100, 3)
     np.testing.assert_allclose(robot.parts[0].surface.extents, expected)
-    assert robot.parts[0].surface.volume > 0.0
+    surface = robot.parts[0].surface
+    assert trimesh.Trimesh(surface.vertices, surface.faces).volume > 0.0
 
 
 @pytest.mark.parametrize(

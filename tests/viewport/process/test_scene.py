@@ -8,8 +8,8 @@ from armui.paths import URDF
 from armui.viewport.camera import HOME_CAMERA
 from armui.viewport.errors import SceneError
 from armui.viewport.palette import DARK, LIGHT, rgb
-from armui.viewport.scene import Scene
-from armui.viewport.urdf_file import load_robot
+from armui.viewport.process.scene import Scene
+from armui.viewport.process.urdf_file import load_robot
 from tests.viewport.foreign import mesh, write_arm
 from tests.viewport.pinhole import HEIGHT, WIDTH, project
 
@@ -32,7 +32,7 @@ def scene():
 
 
 def picture(scene: Scene) -> np.ndarray:
-    return scene.render(smooth=False)[:, :, :3].astype(int)
+    return scene.render(smooth=False).top_down()[:, :, :3].astype(int)
 
 
 def changed(first: np.ndarray, second: np.ndarray) -> np.ndarray:
@@ -101,7 +101,7 @@ def test_the_same_state_gives_the_same_picture(scene):
 
 
 def test_smoothing_touches_edges_only(scene):
-    rough, smooth = picture(scene), scene.render(smooth=True)[:, :, :3].astype(int)
+    rough, smooth = picture(scene), scene.render(smooth=True).top_down()[:, :, :3].astype(int)
     assert 0.001 < changed(rough, smooth).mean() < 0.2
 
 

@@ -10,19 +10,18 @@ from typing import TYPE_CHECKING
 from vtkmodules.vtkRenderingCore import vtkCellPicker
 
 from armui.viewport.camera import HOME_CAMERA, VIEW_ANGLE_DEG
-from armui.viewport.offscreen import Canvas, Pixels
 from armui.viewport.palette import LIGHT, ScenePalette
 from armui.viewport.path_picture import NOTHING, Preview
-from armui.viewport.preview_actors import PreviewActors
-from armui.viewport.robot_actors import RobotActors
-from armui.viewport.stage import Stage
-from armui.viewport.urdf_file import load_robot
+from armui.viewport.process.offscreen import Canvas, Pixels
+from armui.viewport.process.preview_actors import PreviewActors
+from armui.viewport.process.robot_actors import RobotActors
+from armui.viewport.process.stage import Stage
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
 
-    from armui.viewport.robot import Robot
+    from armui.viewport.process.robot import Robot
     from armui.viewport.view_state import ViewState
 
 _FAR_BEHIND_FOCUS_M = 5.0
@@ -66,13 +65,23 @@ class Scene:
         self._stage.scale_lines(pixel_ratio)
         self._stage.paint(palette)
 
+    @property
+    def robot(self) -> Robot | None:
+        """The robot that is shown."""
+        return self._description
+
     def load(self, path: Path) -> None:
         """Show the robot of a URDF file instead of the one before, in the same pose.
 
         Raises:
             SceneError: the file is no arm this program can show; the old robot stays.
         """
-        description = load_robot(path)
+        from armui.viewport.process.urdf_file import load_robot  # noqa: PLC0415 - slow to import
+
+        self.show_robot(load_robot(path))
+
+    def show_robot(self, description: Robot) -> None:
+        """Show a robot that was read before."""
         robot = RobotActors(description)
         renderer = self._canvas.renderer
         if self._robot is not None:
@@ -156,7 +165,7 @@ class Scene:
                 processor.
 
         Returns:
-            height × width × 4 bytes (red, green, blue, unused), top row first, the caller's own.
+            The image, valid until the next one is drawn.
         """
         self._aim()
         self._canvas.renderer.SetUseFXAA(smooth)

@@ -21,13 +21,41 @@ from numpy.typing import NDArray
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from trimesh import Trimesh
-
 Matrix = NDArray[np.float64]
 Rgb = tuple[float, float, float]
 
 ARM_JOINT_COUNT = 6
 HINGES = frozenset({"revolute", "continuous"})
+
+
+@dataclass(frozen=True, eq=False)
+class Surface:
+    """Triangles, without the library that read them: importing it takes a second.
+
+    Attributes:
+        vertices: (n, 3) metres.
+        faces: (m, 3) rows of the vertices.
+    """
+
+    vertices: NDArray[np.float64]
+    faces: NDArray[np.int_]
+
+    @property
+    def triangles(self) -> NDArray[np.float64]:
+        """(m, 3, 3) corners of each triangle."""
+        corners: NDArray[np.float64] = self.vertices[self.faces]
+        return corners
+
+    @property
+    def bounds(self) -> NDArray[np.float64]:
+        """(2, 3) low and high corner of the box around it."""
+        return np.array([self.vertices.min(axis=0), self.vertices.max(axis=0)])
+
+    @property
+    def extents(self) -> NDArray[np.float64]:
+        """Length, width and height of the box around it."""
+        lengths: NDArray[np.float64] = np.ptp(self.vertices, axis=0)
+        return lengths
 
 
 @dataclass(frozen=True)
@@ -41,7 +69,7 @@ class Part:
     """
 
     link: str
-    surface: Trimesh
+    surface: Surface
     color: Rgb | None
 
 

@@ -1,0 +1,169 @@
+"""What to show goes out, finished images come back: the Qt side of the picture's process."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import time
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtGui import QImage
+
+from armui.viewport.messages import BYTES_PER_PIXEL, JointPicked, LoadFailed, MarkPicked
+from armui.viewport.news import Frame, Lost, UpToDate, Wanted
+from armui.viewport.picture_age import LONGEST_S, PictureAge
+from armui.viewport.process_link import ENTRY, ProcessLink
+
+if TYPE_CHECKING:
+    from armui.viewport.view_state import ViewState
+
+_LOOK_AGAIN_MS: Final = 20
+
+
+class Picture:
+    """A finished image in shared memory.
+
+    Attributes:
+        frame: What the process said of it.
+        image: Its pixels, in the format that windows are painted in. It stands in memory that is
+            drawn into again: who keeps it beyond the next picture makes a copy.
+    """
+
+    def __init__(self, frame: Frame) -> None:
+        self.frame = frame
+        width, height = frame.size_px
+        stride = width * BYTES_PER_PIXEL
+        pixels = frame.memory.slot(frame.slot, stride * height)
+        self.image = QImage(pixels, width, height, stride, QImage.Format.Format_RGB32)
+        self.image.setDevicePixelRatio(frame.pixel_ratio)
+        pixels.release()  # the image knows the place; the memory is kept by the frame
+
+
+class PictureClient(QObject):
+    """Makes pictures of the states it is shown, the latest one first.
+
+    Signals:
+        frame_ready: a :class:`Picture`.
+        joint_picked: the joint number (1–6) or None at a picked place.
+        mark_picked: the row of a mark that was clicked.
+        load_failed: why a robot can't be shown, a `Refusal`; the one before stays.
+        lost: the process is gone, a :class:`Lost`.
+        aged: the picture has begun or ceased to look old.
+
+    Args:
+        entry: What the process runs; see :data:`armui.viewport.process_link.ENTRY`.
+    """
+
+    frame_ready = Signal(object)
+    joint_picked = Signal(object)
+    mark_picked = Signal(int)
+    load_failed = Signal(object)
+    lost = Signal(object)
+    aged = Signal()
+    _told = Signal(object)
+
+    def __init__(self, entry: str = ENTRY, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._entry = entry
+        self._link: ProcessLink | None = None
+        self._latest: Wanted | None = None
+        self._age = PictureAge()
+        self._looks_old = False
+        self._is_rough = True
+        self._clock = QTimer(self, singleShot=True)
+        self._clock.timeout.connect(self._look_at_clock)
+        self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
+
+    @property
+    def is_running(self) -> bool:
+        """Whether `start` was called and `stop` was not."""
+        return self._link is not None
+
+    @property
+    def pid(self) -> int | None:
+        """Number of the process, while there is one."""
+        return None if self._link is None else self._link.pid
+
+    @property
+    def looks_old(self) -> bool:
+        """Whether the picture is older than it may be without saying so (S24)."""
+        return self._looks_old
+
+    @property
+    def is_settled(self) -> bool:
+        """Whether the last picture shows the newest state, with smooth edges."""
+        return self._age.is_newest_shown and not self._is_rough
+
+    def start(self) -> None:
+        """Begin to draw, or begin again after the process was given up."""
+        self.stop()
+        self._link = ProcessLink(self._tell, self._entry)
+        if self._latest is not None:
+            self._link.show(self._latest)
+        self._link.start()
+
+    def show(self, state: ViewState) -> None:
+        """Ask for a picture; replaces a state that was not drawn yet."""
+        latest = self._latest
+        if latest is not None and latest.state == state:
+            return
+        self._latest = Wanted(1 if latest is None else latest.sequence + 1, state)
+        self._age.wanted(self._latest.sequence, time.monotonic())
+        if not self._clock.isActive():
+            self._clock.start(math.ceil(LONGEST_S * 1000.0))
+        if self._link is not None:
+            self._link.show(self._latest)
+
+    def frame_used(self, picture: Picture) -> None:
+        """This picture is on the screen: there is room for another."""
+        if self._link is not None:
+            self._link.frame_used(picture.frame.number)
+
+    def stop(self) -> None:
+        """End the process and wait for it with a limit; may be called twice."""
+        self._clock.stop()
+        if self._link is not None:
+            self._link.stop()
+            self._link = None
+
+    def _tell(self, news: object) -> None:
+        """Bring news into the GUI thread; called in the link's."""
+        with contextlib.suppress(RuntimeError):  # Qt's part of this object is gone
+            self._told.emit((self._link, news))
+
+    def _on_told(self, told: tuple[ProcessLink | None, object]) -> None:
+        link, news = told
+        if link is not self._link or link is None:
+            return  # of a process that was given up
+        if isinstance(news, Frame):
+            self._is_rough = news.is_rough
+            self._note_shown(news.sequence)
+            self.frame_ready.emit(Picture(news))
+        elif isinstance(news, UpToDate):
+            self._note_shown(news.sequence)
+        elif isinstance(news, JointPicked):
+            self.joint_picked.emit(news.number)
+        elif isinstance(news, MarkPicked):
+            self.mark_picked.emit(news.row)
+        elif isinstance(news, LoadFailed):
+            self.load_failed.emit(news.reason)
+        elif isinstance(news, Lost):
+            self.lost.emit(news)
+
+    def _note_shown(self, sequence: int) -> None:
+        self._age.shown(sequence, time.monotonic())
+        self._look_at_age()
+
+    def _look_at_clock(self) -> None:
+        now_s = time.monotonic()
+        self._look_at_age()
+        if not self._age.is_newest_shown and not self._looks_old:
+            left_s = LONGEST_S - self._age.age_s(now_s)
+            self._clock.start(max(_LOOK_AGAIN_MS, math.ceil(left_s * 1000.0)))
+
+    def _look_at_age(self) -> None:
+        looks_old = self._age.looks_old(time.monotonic())
+        if looks_old is not self._looks_old:
+            self._looks_old = looks_old
+            self.aged.emit()

@@ -1,0 +1,152 @@
+"""What the program and the picture's process tell each other: small, plain data.
+
+The process begins with `Ready`. One request is under way at a time; it is answered with `Drawn`,
+and what else there is to say comes before.
+"""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+if TYPE_CHECKING:
+    from armui.arm.refusal import Refusal
+    from armui.viewport.path_picture import PathPicture
+    from armui.viewport.view_state import ViewState
+
+
+BYTES_PER_PIXEL: Final = 4
+
+
+class Phase(enum.Enum):
+    """What the picture's process is doing."""
+
+    STARTING = enum.auto()
+    """Importing its libraries."""
+    OPENING = enum.auto()
+    """Opening the graphics driver."""
+    LOADING = enum.auto()
+    """Reading a robot description."""
+    FIRST_DRAWING = enum.auto()
+    """Drawing a robot for the first time."""
+    DRAWING = enum.auto()
+
+
+@dataclass(frozen=True, slots=True)
+class MemoryName:
+    """Shared memory for finished images; see `armui.viewport.frame_memory`."""
+
+    name: str
+    slot_bytes: int
+
+
+@dataclass(frozen=True, slots=True)
+class Draw:
+    """A request: draw a state.
+
+    Attributes:
+        sequence: Number of the state.
+        state: What to show, its path left out; None: the last one again with smooth edges.
+        slot: Where in the memory the image goes.
+        memory: Memory to use from now on; None: the one before.
+        path: The path of the preview, when it is another one than before.
+        keeps_path: Whether the path sent last is shown.
+        robot: The state's robot, as `RobotRead` gave it: its file is not read again.
+    """
+
+    sequence: int
+    state: ViewState | None
+    slot: int
+    memory: MemoryName | None = None
+    path: PathPicture | None = None
+    keeps_path: bool = False
+    robot: bytes | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Ready:
+    """The process has imported its libraries and takes requests."""
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """A request is done.
+
+    Attributes:
+        sequence: Number of the state that the image shows.
+        size_px: Width and height of the image; None: nothing has changed, there is no image.
+        pixel_ratio: Device pixels a logical pixel.
+        is_rough: Whether the image would look better with smooth edges.
+        began_s, ended_s: When it was drawn, by the system's monotonic clock.
+    """
+
+    sequence: int
+    size_px: tuple[int, int] | None
+    pixel_ratio: float
+    is_rough: bool
+    began_s: float
+    ended_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class Busy:
+    """A sign of life while a request takes long, and whenever the phase changes.
+
+    Attributes:
+        phase: What is being done.
+        cpu_s: Processor time that it has taken so far.
+        late_s: How much later than asked for the process was woken last: others had the processor.
+    """
+
+    phase: Phase
+    cpu_s: float
+    late_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class RobotRead:
+    """A robot description and its meshes as they were read: a later process starts faster with it.
+
+    Attributes:
+        content: Pickled; the program keeps it unopened.
+    """
+
+    content: bytes
+
+
+@dataclass(frozen=True, slots=True)
+class JointPicked:
+    """The joint (1–6) whose link is seen at a place asked for, or None."""
+
+    number: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class MarkPicked:
+    """The row of the mark at a place asked for."""
+
+    row: int
+
+
+@dataclass(frozen=True, slots=True)
+class LoadFailed:
+    """Why a robot description can't be shown; the one before stays."""
+
+    reason: Refusal
+
+
+@dataclass(frozen=True, slots=True)
+class Failed:
+    """Why the process ends: this computer can't draw, or an error nobody foresaw.
+
+    Attributes:
+        reason: For the operator.
+        traceback: For the log.
+    """
+
+    reason: Refusal
+    traceback: str = ""
+
+
+Answer = Ready | Drawn | Busy | RobotRead | JointPicked | MarkPicked | LoadFailed | Failed

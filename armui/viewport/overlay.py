@@ -1,0 +1,61 @@
+"""What stands over the picture where it is old, or not there."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QCoreApplication, QRect, Qt
+from PySide6.QtGui import QColor, QFontMetrics, QPainter
+
+from armui.viewport.errors import NO_OPENGL, PROCESS_HUNG
+
+if TYPE_CHECKING:
+    from armui.viewport.news import Lost
+    from armui.viewport.palette import ScenePalette
+
+FADED_OPACITY: Final = 0.35
+"""Of a picture that is not what it should be."""
+
+_MARGIN_PX: Final = 24
+_PADDING_PX: Final = 10
+_PLATE_OPACITY: Final = 0.85
+
+
+def lost_text(lost: Lost) -> str:
+    """Why there is no picture, and what comes next."""
+    if lost.reason.code == NO_OPENGL:
+        return QCoreApplication.translate(
+            "ArmView",
+            "The 3D view is not available: this computer offers no OpenGL. Install a graphics "
+            "driver or Mesa (on Debian the packages libegl1 and libgl1-mesa-dri) and start the "
+            "3D view again.",
+        )
+    if lost.reason.code == PROCESS_HUNG:
+        text = QCoreApplication.translate("ArmView", "The 3D view did not answer any more.")
+    else:
+        text = QCoreApplication.translate("ArmView", "The 3D view has ended ({text}).")
+        text = text.format_map(lost.reason.params)
+    if lost.comes_back:
+        outlook = QCoreApplication.translate(
+            "ArmView", "It is being started again; the arm is not affected."
+        )
+    else:
+        outlook = QCoreApplication.translate(
+            "ArmView", "It ended three times in a minute; the arm is not affected."
+        )
+    return f"{text}\n{outlook}"
+
+
+def paint_plate(painter: QPainter, place: QRect, text: str, palette: ScenePalette) -> None:
+    """Write a text into the middle, on a plate that sets it off from the picture."""
+    flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+    room = place.adjusted(_MARGIN_PX, _MARGIN_PX, -_MARGIN_PX, -_MARGIN_PX)
+    box = QFontMetrics(painter.font()).boundingRect(room, flags, text)
+    plate = QColor(palette.background)
+    plate.setAlphaF(_PLATE_OPACITY)
+    painter.setPen(QColor(palette.grid))
+    painter.setBrush(plate)
+    grown = box.adjusted(-_PADDING_PX, -_PADDING_PX, _PADDING_PX, _PADDING_PX)
+    painter.drawRoundedRect(grown, 6.0, 6.0)
+    painter.setPen(QColor(palette.text))
+    painter.drawText(room, flags, text)

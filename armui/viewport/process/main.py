@@ -1,0 +1,114 @@
+"""What the picture's process does: takes one request after another and draws."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import pickle
+import time
+import traceback
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from armui.arm.refusal import Refusal
+from armui.viewport.errors import DRAWING_STOPPED, SceneError
+from armui.viewport.frame_memory import FrameMemory
+from armui.viewport.messages import (
+    Drawn,
+    Failed,
+    JointPicked,
+    LoadFailed,
+    MarkPicked,
+    Phase,
+    Ready,
+    RobotRead,
+)
+from armui.viewport.process.frame_painter import FramePainter
+from armui.viewport.process.heartbeat import Heartbeat
+from armui.viewport.process.settle_in import settle_in, stand_back
+
+if TYPE_CHECKING:
+    from multiprocessing.connection import Connection
+
+    from armui.viewport.messages import Answer, Draw
+    from armui.viewport.path_picture import PathPicture
+
+
+def run(connection: Connection) -> None:
+    """Draw for the program at the other end of the pipe, until one of the two ends."""
+    settle_in()
+    heart = Heartbeat(connection)
+    try:
+        _Drawing(heart).serve(connection)
+    except SceneError as error:
+        heart.send(Failed(error.refusal))
+    except (EOFError, ConnectionError):
+        pass  # the program has ended
+    except Exception as error:  # noqa: BLE001 - the program says it, and starts another process
+        text = f"{type(error).__name__}: {error}"
+        with contextlib.suppress(OSError):
+            heart.send(Failed(Refusal(DRAWING_STOPPED, {"text": text}), traceback.format_exc()))
+    # Drivers that are asked to clean up may crash or hang; the system does it all.
+    os._exit(0)
+
+
+class _Drawing:
+    """The painter, the memory it paints into, and what was sent only once."""
+
+    def __init__(self, heart: Heartbeat) -> None:
+        self._heart = heart
+        self._memory: FrameMemory | None = None
+        self._path: PathPicture | None = None
+        self._painter = FramePainter(
+            on_load_failed=lambda reason: self._say(LoadFailed(reason)),
+            on_picked=lambda number: self._say(JointPicked(number)),
+            on_mark_picked=lambda row: self._say(MarkPicked(row)),
+            on_phase=heart.enter,
+        )
+
+    def serve(self, connection: Connection) -> None:
+        with self._heart.beating(Phase.STARTING):
+            self._painter.open()
+        self._say(Ready())
+        stands_back = False
+        while True:
+            request: Draw = connection.recv()
+            with self._heart.beating(Phase.DRAWING):
+                answer = self._answer(request)
+            self._say(answer)
+            if not stands_back:
+                stands_back = True
+                stand_back()
+
+    def _say(self, answer: Answer) -> None:
+        self._heart.send(answer)
+
+    def _answer(self, request: Draw) -> Drawn:
+        began_s = time.monotonic()
+        if request.memory is not None:
+            self._memory = FrameMemory.attach(request.memory)
+        painter = self._painter
+        if request.state is None:
+            pixels = painter.refine()
+        else:
+            if not request.keeps_path:
+                self._path = request.path
+            preview = replace(request.state.preview, path=self._path)
+            before = painter.robot
+            known = None if request.robot is None else pickle.loads(request.robot)  # noqa: S301 - our own
+            pixels = painter.paint(replace(request.state, preview=preview), known)
+            if painter.robot is not before and painter.robot is not known:
+                self._say(RobotRead(pickle.dumps(painter.robot)))
+        size_px = None
+        if pixels is not None and self._memory is not None:
+            target = self._memory.slot(request.slot, pixels.nbytes)
+            size_px = pixels.copy_to(target)
+            target.release()
+        return Drawn(
+            request.sequence,
+            size_px,
+            painter.pixel_ratio,
+            painter.is_rough,
+            began_s,
+            time.monotonic(),
+        )

@@ -1,0 +1,48 @@
+"""Makes a new process a good neighbour of the program that has started it."""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import faulthandler
+import os
+import signal
+import sys
+import threading
+from multiprocessing import parent_process
+from pathlib import Path
+from typing import Final
+
+_NICER_BY: Final = 5
+"""The window, the bus and the stop go first where there are too few cores for all."""
+
+_FIRST_TO_GO: Final = "800"
+_PR_SET_PDEATHSIG: Final = 1
+
+
+def settle_in() -> None:
+    """Leave Ctrl-C to the program, do not outlive it, say where a crash was."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    if sys.stderr is not None:
+        faulthandler.enable()
+    if sys.platform == "linux":
+        # where memory runs out, the system ends the picture and not the window
+        with contextlib.suppress(OSError):
+            Path("/proc/self/oom_score_adj").write_text(_FIRST_TO_GO, encoding="ascii")
+        # also where a driver keeps Python's lock, so that the thread below gets no turn
+        with contextlib.suppress(OSError):
+            ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
+    threading.Thread(target=_end_with_the_program, daemon=True).start()
+
+
+def stand_back() -> None:
+    """Draw behind the others, once the picture stands: to begin with, it is waited for."""
+    if hasattr(os, "nice"):
+        os.nice(_NICER_BY)
+
+
+def _end_with_the_program() -> None:
+    program = parent_process()
+    if program is not None:
+        program.join()
+        os._exit(1)

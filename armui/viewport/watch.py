@@ -1,0 +1,77 @@
+"""When a picture's process counts as hung, and when it is started again. No clock, no process."""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass
+from typing import Final
+
+from armui.viewport.messages import Busy, Phase
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """How long a phase may take.
+
+    Attributes:
+        silent_s: Without any sign of life.
+        stuck_s: With signs of life, but without progress.
+    """
+
+    silent_s: float
+    stuck_s: float
+
+
+LIMITS: Final = {
+    Phase.STARTING: Limits(60.0, 120.0),  # a cold disk, a busy computer
+    Phase.OPENING: Limits(5.0, 5.0),  # a graphics card that wakes up
+    Phase.LOADING: Limits(5.0, 20.0),  # large meshes
+    Phase.FIRST_DRAWING: Limits(5.0, 5.0),  # a driver compiles its shaders
+    Phase.DRAWING: Limits(1.0, 1.0),
+}
+_WAITS_SHARE: Final = 0.05
+"""A process that takes less of a free processor waits for something that does not come."""
+
+_LATE_S: Final = 0.03
+"""A process that is woken so late shares the processor with others: it is slow, not stuck."""
+
+_STARVED_SHARE: Final = 0.005
+_STARVED_FACTOR: Final = 3.0
+"""Even a starved process takes more than that, in so much more time."""
+
+_SPINS_FACTOR: Final = 2.0
+_LONGEST_FACTOR: Final = 20.0
+
+
+def is_stuck(busy: Busy, busy_for_s: float) -> bool:
+    """Whether a process that gives signs of life gets nowhere.
+
+    One that is starved by others takes long, too; it wants the processor and does not get it. One
+    that hangs sleeps beside a free processor, or spins for far longer than the work takes.
+
+    Args:
+        busy: Its last sign of life.
+        busy_for_s: How long it has been at it.
+    """
+    limit_s = LIMITS[busy.phase].stuck_s
+    if busy.cpu_s >= _SPINS_FACTOR * limit_s or busy_for_s >= _LONGEST_FACTOR * limit_s:
+        return True
+    if busy.late_s >= _LATE_S:
+        too_long = busy_for_s >= _STARVED_FACTOR * limit_s
+        return too_long and busy.cpu_s < _STARVED_SHARE * busy_for_s
+    return busy_for_s >= limit_s and busy.cpu_s < _WAITS_SHARE * busy_for_s
+
+
+class Restarts:
+    """Counts how often the process was lost: three times in a minute are too many."""
+
+    MOST: Final = 3
+    WITHIN_S: Final = 60.0
+
+    def __init__(self) -> None:
+        self._lost_s: deque[float] = deque(maxlen=self.MOST)
+
+    def lost(self, now_s: float) -> bool:
+        """Note a loss; whether to start again without being asked."""
+        self._lost_s.append(now_s)
+        return len(self._lost_s) < self.MOST or now_s - self._lost_s[0] > self.WITHIN_S

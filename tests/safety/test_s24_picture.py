@@ -1,0 +1,134 @@
+"""S24: what becomes of the picture's process changes nothing for window, bus and stop."""
+
+import os
+import signal
+import sys
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QPushButton
+
+from armui.control.jog_ways import JointJog
+from armui.protocol.generation import Generation
+from armui.viewport.client import PictureClient
+from armui.viewport.path_picture import PathPicture, Preview
+from armui.viewport.watch import Restarts
+from tests.control.jogger import bend, hold
+from tests.control.under_way import run_moving
+from tests.desk import Desk
+from tests.waiting import wait_until
+
+pytestmark = [
+    pytest.mark.skipif(sys.platform == "win32", reason="signals"),
+    pytest.mark.timeout(300),  # each loses a process and waits for the next
+]
+
+TARGET_DEG = (60.0, 90.0, -60.0, 40.0, 30.0, 60.0)
+STOP = (0x150, "0100000000000000")
+
+
+@pytest.fixture(scope="module")
+def pictures(qapp):
+    """One client for all: its process is lost and comes back in each test."""
+    client = PictureClient()
+    yield client
+    client.stop()
+
+
+@pytest.fixture(autouse=True)
+def no_thread_outlives_the_test():
+    """The client is the module's: its threads change with each process, and end with it."""
+
+
+@pytest.fixture
+def drawing(qapp, request, tmp_path, pictures):
+    """The whole window before an enabled arm, with the picture on the screen."""
+    settings = tmp_path / "settings.json"
+    desk = Desk(qapp, request.node.nodeid, settings, Generation.TWO, draws=True, pictures=pictures)
+    bend(desk)
+    wait_until(lambda: desk.program.view.is_settled)
+    pictures._link._restarts = Restarts()  # each test loses as many as it likes
+    yield desk
+    desk.close()
+
+
+@pytest.fixture
+def lost(drawing):
+    """Every loss of the picture's process."""
+    losses = []
+    drawing.program.view._client.lost.connect(losses.append)
+    return losses
+
+
+def kill(client):
+    os.kill(client.pid, signal.SIGKILL)
+
+
+def freeze(client):
+    os.kill(client.pid, signal.SIGSTOP)
+
+
+def move(desk):
+    assert desk.controller.motion.send_joints(TARGET_DEG) is None
+    desk.run(0.2)
+
+
+def jog(desk):
+    assert desk.controller.jogging.start(JointJog(1, 1)) is None
+    hold(desk, 0.3)
+
+
+def press_stop(desk):
+    """Press the button; what is on the bus when the press returns."""
+    desk.heard()
+    stop = desk.window.findChild(QPushButton, "stop_button")
+    QTest.mousePress(stop, Qt.MouseButton.LeftButton)
+    frames = desk.heard()
+    QTest.mouseRelease(stop, Qt.MouseButton.LeftButton)
+    return [(frame.arbitration_id, frame.data.hex()) for frame in frames]
+
+
+@pytest.mark.parametrize(
+    ("harm", "begin"), [(kill, move), (freeze, jog), (kill, run_moving)], ids=lambda f: f.__name__
+)
+def test_the_arm_is_driven_and_stopped_as_ever_and_the_picture_comes_back(
+    drawing, lost, harm, begin
+):
+    view = drawing.program.view
+    pid = view._client.pid
+    begin(drawing)
+    harm(view._client)
+    before = drawing.controller.state.angles_deg()
+    hold(drawing, 0.3)
+    after = drawing.controller.state.angles_deg()
+    assert max(abs(a - b) for a, b in zip(before, after, strict=True)) > 1.0
+    assert press_stop(drawing)[0] == STOP
+    drawing.run_until(lambda: "stop_confirmed" in drawing.codes())
+    view.set_joints(TARGET_DEG, 0.0)
+    wait_until(lambda: lost)
+    assert lost[0].comes_back
+    drawing.run(0.1)
+    wait_until(lambda: view.is_settled)
+    assert view._client.pid != pid
+    assert view._notice() == ""
+    assert view._state.angles_deg == pytest.approx(drawing.controller.state.angles_deg(), abs=0.01)
+
+
+def test_nothing_waits_for_a_picture_that_does_not_come(drawing):
+    """Camera, size, preview and the program's end, too, with a process that stands still."""
+    view = drawing.program.view
+    freeze(view._client)
+    jog(drawing)
+    assert drawing.controller.jogging.active
+    places = np.zeros((30_000, 3))
+    path = PathPicture(places, places[:, 0], places[:1], (0,))
+    view.set_preview(Preview(path))  # far more than fits into a pipe
+    view.reset_view()
+    drawing.window.resize(1100, 760)
+    hold(drawing, 0.1)
+    assert drawing.controller.jogging.active
+    assert press_stop(drawing)[0] == STOP
+    view._client.stop()
+    assert view._client.pid is None

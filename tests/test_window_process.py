@@ -1,0 +1,102 @@
+"""The window's process, as the operator starts it: what it loads, and what it leaves behind."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QDeadlineTimer
+
+linux = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc and /dev/shm")
+LIMIT_MS = 120_000
+
+PROGRAM = """
+import json, sys
+
+def main():
+    # not above: the picture's process imports this file, too
+    from PySide6.QtCore import QTimer
+    from armui import app
+    from armui.control.situation import LinkState
+    from armui.start import StartOptions
+
+    class Watched(app.Program):
+        def __init__(self, *arguments, **more):
+            super().__init__(*arguments, **more)
+            self.online_before = False
+            self.watch = QTimer(interval=20)
+            self.watch.timeout.connect(self.look)
+            self.watch.start()
+
+        def look(self):
+            online = self.controller.situation.link is LinkState.ONLINE
+            if self.view._picture is None and online:
+                self.online_before = True
+            if self.view.is_settled and online:
+                self.watch.stop()
+                heavy = {name.partition(".")[0] for name in sys.modules}
+                heavy &= {"vtkmodules", "vtk", "pyvista", "trimesh", "yourdfpy"}
+                told = {
+                    "heavy": sorted(heavy),
+                    "picture": self.view._client.pid,
+                    "online_before_the_picture": self.online_before,
+                }
+                print(json.dumps(told), flush=True)
+
+    app.Program = Watched
+    app.run(StartOptions(sim_generation=2))
+
+if __name__ == "__main__":
+    main()
+"""
+
+
+def is_running(pid):
+    """Whether a process is there and no zombie."""
+    try:
+        state = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
+    except (FileNotFoundError, ProcessLookupError):
+        return False
+    return state != "Z"
+
+
+def shared_memory_of(pid):
+    return [path.name for path in Path("/dev/shm").glob(f"armui-{pid}-*")]
+
+
+def wait_for_the_end_of(pid):
+    """No clock but the limit: the end of a process of another's is seen by looking."""
+    limit = QDeadlineTimer(LIMIT_MS)
+    while is_running(pid):
+        assert not limit.hasExpired(), "it goes on without its program"
+        subprocess.run([sys.executable, "-c", ""], check=True)
+
+
+@linux
+@pytest.mark.timeout(300)
+def test_it_never_loads_vtk_and_a_killed_one_leaves_nothing(tmp_path):
+    script = tmp_path / "program.py"
+    script.write_text(PROGRAM)
+    root = str(Path(__file__).resolve().parent.parent)
+    own = {name: str(tmp_path) for name in ("HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME")}
+    own |= {"XDG_STATE_HOME": str(tmp_path), "XDG_RUNTIME_DIR": str(tmp_path)}
+    environment = {**os.environ, **own, "QT_QPA_PLATFORM": "offscreen", "PYTHONPATH": root}
+    with subprocess.Popen(
+        [sys.executable, str(script)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        env=environment,
+        text=True,
+    ) as process:
+        told = json.loads(process.stdout.readline())
+        assert told["heavy"] == []
+        assert told["online_before_the_picture"]
+        assert is_running(told["picture"])
+        os.kill(told["picture"], signal.SIGSTOP)  # the worst case: it can do nothing for itself
+        process.kill()
+        process.wait()
+        wait_for_the_end_of(told["picture"])
+        assert shared_memory_of(process.pid) == []

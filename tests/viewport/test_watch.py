@@ -1,0 +1,43 @@
+"""When a process counts as stuck, and when it is started again."""
+
+import pytest
+
+from armui.viewport.messages import Busy, Phase
+from armui.viewport.watch import Restarts, is_stuck
+
+
+@pytest.mark.parametrize(
+    ("cpu_s", "late_s", "busy_for_s", "stuck"),
+    [
+        (0.01, 0.0, 0.9, False),  # it may still come
+        (0.01, 0.0, 1.0, True),  # sleeps beside a free processor
+        (0.10, 0.0, 1.2, False),  # gets a little of a processor, and uses it
+        (0.01, 0.1, 1.2, False),  # is woken late: others have the processor
+        (0.01, 0.1, 3.0, True),  # even so it would have got more
+        (0.10, 0.1, 3.0, False),
+        (2.0, 0.0, 2.0, True),  # spins
+        (0.5, 0.1, 20.0, True),  # whatever the reason
+    ],
+)
+def test_drawing(cpu_s, late_s, busy_for_s, stuck):
+    assert is_stuck(Busy(Phase.DRAWING, cpu_s, late_s), busy_for_s) is stuck
+
+
+def test_loading_may_take_longer():
+    assert not is_stuck(Busy(Phase.LOADING, 10.0, 0.0), 12.0)
+    assert is_stuck(Busy(Phase.LOADING, 0.0, 0.0), 20.0)
+
+
+def test_three_losses_in_a_minute_are_too_many():
+    restarts = Restarts()
+    assert restarts.lost(0.0)
+    assert restarts.lost(1.0)
+    assert not restarts.lost(59.0)
+
+
+def test_losses_long_ago_do_not_count():
+    restarts = Restarts()
+    assert restarts.lost(0.0)
+    assert restarts.lost(30.0)
+    assert restarts.lost(61.0)
+    assert not restarts.lost(89.0)

@@ -1,0 +1,21 @@
+"""Waits for something that other threads or processes bring about, with a limit."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QEventLoop, QTimer
+
+LIMIT_MS = 120_000
+
+
+def wait_until(condition: Callable[[], object], limit_ms: int = LIMIT_MS) -> None:
+    """Let Qt and the threads work until something is so."""
+    loop = QEventLoop()
+    look = QTimer(interval=2)
+    look.timeout.connect(lambda: condition() and loop.quit())
+    limit = QTimer(interval=limit_ms, singleShot=True)
+    limit.timeout.connect(loop.quit)
+    look.start()
+    limit.start()
+    if not condition():
+        loop.exec()
+    assert condition(), "it never came"
