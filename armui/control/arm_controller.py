@@ -284,8 +284,6 @@ class ArmController(QObject):
     def _notice(self, code: str, **params: object) -> None:
         self.noticed.emit(Notice(datetime.now().astimezone(), CODES[code], code, params))
 
-    # What time and the arm bring ----------------------------------------------------------------
-
     def tick(self) -> None:
         """Take in what was heard and move on what is under way; the controller's timer calls it."""
         now_s = self._clock()
