@@ -69,11 +69,9 @@ def test_the_example_means_what_it_says():
     assert again.endswith("# the end\n")
 
 
-def test_the_example_in_the_readme_is_read():
-    text = (
-        (Path(__file__).parents[2] / "README.md")
-        .read_text(encoding="utf-8")
-        .partition("## Trajectory files")[2]
+def test_the_example_in_the_description_of_the_format_is_read():
+    text = (Path(__file__).parents[2] / "resources/docs/trajectory-files.md").read_text(
+        encoding="utf-8"
     )
     read = files.read_text(text.partition("```text\n")[2].partition("```")[0], "x")
     assert read.note == "two lines\nof a note"
