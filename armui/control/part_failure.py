@@ -36,7 +36,8 @@ _REPLAYS: Final = frozenset(
 _SINGLE_MOTIONS: Final = frozenset(
     {
         *("armui.control.motion", "armui.control.cartesian", "armui.control.planned_motion"),
-        *("armui.control.setpoint", "armui.control.speed", "armui.control.gripper"),
+        *("armui.control.authority", "armui.control.context", "armui.control.overspeed"),
+        *("armui.control.speed", "armui.control.gripper"),
         *("armui.ui.panels.motion_panel", "armui.ui.panels.cartesian_panel"),
     }
 )
