@@ -184,7 +184,7 @@ URDFS = {
 
 
 def _load_robot(path):
-    from armui.viewport.urdf_file import load_robot  # noqa: PLC0415 - a second of loading
+    from armui.viewport.process.urdf_file import load_robot  # noqa: PLC0415 - a second of loading
 
     with pytest.raises(SceneError):
         load_robot(path)
