@@ -36,7 +36,8 @@ from armui.trajectory.program import Trajectory, Waypoint
 from armui.trajectory.recording import Recording
 from armui.trajectory.replay_profile import replay_profile
 from armui.ui.trajectory.run_options import RunOptions
-from tests.benchmarks.test_stop_latency import CHANNEL, STOP_ID, DeafToStops, describe
+from tests.benchmarks.rig import spread
+from tests.benchmarks.test_stop_latency import CHANNEL, STOP_ID, DeafToStops
 
 RATE_HZ = 200
 LOADS = (
@@ -283,8 +284,8 @@ def test_stop_under_load(qapp, tmp_path, capsys, benchmark):
             to_handler_ms = 1e3 * delays_s(pressed_s[bare], handled_s)
             lines = [
                 f"{name}: {took_s:.1f} s, GUI thread held {1e3 * longest_s:.0f} ms at most",
-                describe("  stop: press to frame on the bus", to_bus_ms),
-                describe("  bare button: press to handler", to_handler_ms),
+                spread("  stop: press to frame on the bus", to_bus_ms),
+                spread("  bare button: press to handler", to_handler_ms),
             ]
             with capsys.disabled():
                 print("\n" + "\n".join(lines))
