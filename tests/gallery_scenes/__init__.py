@@ -1,6 +1,6 @@
 """What the pictures of ``tests.gallery`` show: states of the window, and every dialog."""
 
-from tests.gallery_scenes import arm, arm_settings, dialogs, panels, shelves, trajectories
+from tests.gallery_scenes import arm, arm_settings, company, dialogs, panels, shelves, trajectories
 from tests.gallery_scenes.scene import DialogScene, Scene
 
 WINDOW_SCENES = (
@@ -30,6 +30,9 @@ WINDOW_SCENES = (
     Scene("collision", arm.collision),
     Scene("teaching", arm.teaching),
     Scene("way-out", arm.way_out),
+    Scene("held-back", company.held_back),
+    Scene("other-host", company.other_host),
+    Scene("other-mode", company.other_mode),
 )
 """Each from a window that has just opened: no scene needs another to have been played."""
 
