@@ -40,7 +40,10 @@ TESTS: dict[str, tuple[str, ...]] = {
         "tests/control/test_arm_controller.py",
     ),
     "armui/control/authority.py": ("tests/control/test_authority.py",),
-    "armui/control/other_command.py": ("tests/control/test_authority.py",),
+    "armui/control/other_command.py": (
+        "tests/control/test_other_command.py",
+        "tests/control/test_authority.py",
+    ),
     "armui/control/overspeed.py": ("tests/control/test_authority.py",),
     "armui/control/hearing.py": ("tests/control/test_authority.py",),
     "armui/control/rest.py": ("tests/control/test_authority.py",),

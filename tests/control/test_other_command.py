@@ -1,0 +1,177 @@
+"""What another host does to the arm: its modes, its rate, when it is over."""
+
+from __future__ import annotations
+
+import pytest
+
+from armui.arm.other_hosts import OtherHosts
+from armui.arm.state import ArmState, Heard
+from armui.control.other_command import OtherCommand, OtherMode
+from armui.protocol.codes import ArmStatusCode, ControlMode
+from tests.control.test_authority import status
+
+NOW_S = 100.0
+HERE = (0,)
+
+
+class Company:
+    """Another host and an arm, heard by an `OtherCommand`."""
+
+    def __init__(self) -> None:
+        self.hosts = OtherHosts()
+        self.other = OtherCommand()
+
+    def say(self, arbitration_id: int, data: str, at_s: float = NOW_S) -> None:
+        """The other host sends a frame."""
+        self.hosts.note(arbitration_id, bytes.fromhex(data), at_s)
+
+    def look(self, now_s: float, status_s: float | None = None, *, at_rest=True, **changes):
+        """Hear the arm's status, made at a time, and judge; the mode it is in."""
+        heard = Heard(status(**changes), now_s if status_s is None else status_s)
+        state = ArmState(last_feedback_s=now_s, status=heard)
+        self.other.observe(self.hosts.traffic(), HERE, state, now_s, at_rest=at_rest)
+        return self.other.mode
+
+
+@pytest.fixture
+def company():
+    return Company()
+
+
+WORDS = {
+    "01 04 00 AD 00 00 00 00": OtherMode.MIT,
+    "01 06 00 AD 00 00 00 00": OtherMode.MIT,
+    "01 05 32 00 00 00 00 00": OtherMode.CPV,
+    "01 01 00 AD 00 00 00 00": OtherMode.HIGH_FOLLOW,
+    "01 01 32 00 00 00 00 00": None,
+    "01 00 32 00 00 00 00 00": None,
+    "01 02 32 AD 00 00 00 00": None,
+}
+"""Mode words of firmware-versions and protocol-generations, and what they put the arm in."""
+
+
+@pytest.mark.parametrize("word", WORDS)
+def test_a_mode_word_counts_before_the_arm_has_shown_it(company, word):
+    company.say(0x151, word)
+    assert company.look(NOW_S + 0.1) is WORDS[word]
+
+
+@pytest.mark.parametrize(
+    ("shown", "mode"),
+    [(4, OtherMode.MIT), (5, OtherMode.CPV), (6, OtherMode.MIT), (1, None), (0, None)],
+)
+def test_what_the_arm_shows_counts_without_a_word(company, shown, mode):
+    assert company.look(NOW_S, move_mode=shown) is mode
+
+
+def test_an_old_status_shows_nothing(company):
+    assert company.look(NOW_S, NOW_S - 0.6, move_mode=4) is None
+    assert company.look(NOW_S, NOW_S - 0.4, move_mode=4) is OtherMode.MIT
+
+
+@pytest.mark.parametrize(("status_s", "mode"), [(0.29, OtherMode.MIT), (0.31, None)])
+def test_three_tenths_later_the_arm_has_shown_what_it_took(company, status_s, mode):
+    company.say(0x151, "01 04 00 AD 00 00 00 00")
+    assert company.look(NOW_S + 0.4, NOW_S + status_s, move_mode=1) is mode
+
+
+@pytest.mark.parametrize(
+    ("changes", "mode"),
+    [
+        ({}, OtherMode.HIGH_FOLLOW),
+        ({"move_mode": 0}, None),
+        ({"control_mode": ControlMode.STANDBY}, None),
+        ({"arm_status": ArmStatusCode.EMERGENCY_STOP}, None),
+    ],
+)
+def test_high_follow_lasts_until_the_arm_is_seen_to_have_left_it(company, changes, mode):
+    company.say(0x151, "01 01 00 AD 00 00 00 00")
+    assert company.look(NOW_S + 1.0) is OtherMode.HIGH_FOLLOW
+    assert company.look(NOW_S + 2.0, **changes) is mode
+    assert company.look(NOW_S + 3.0) is mode
+
+
+def test_a_stop_ends_a_mode_that_the_arm_goes_on_showing(company):
+    company.say(0x151, "01 04 00 AD 00 00 00 00")
+    assert company.look(NOW_S + 1.0, move_mode=4) is OtherMode.MIT
+    company.look(NOW_S + 2.0, move_mode=4, arm_status=ArmStatusCode.EMERGENCY_STOP)
+    assert company.look(NOW_S + 3.0, move_mode=4) is None
+
+
+@pytest.mark.parametrize(
+    "frame",
+    [
+        (0x151, "01 04 00 AD 00 00 00 00"),
+        (0x15C, "7F FF 7F F0 00 7F F7 F7"),
+        (0x183, "77 70 6F 00 00 6F E8"),
+    ],
+)
+def test_after_the_stop_a_new_word_or_setpoint_brings_it_back(company, frame):
+    company.look(NOW_S, move_mode=4, arm_status=ArmStatusCode.EMERGENCY_STOP)
+    assert company.look(NOW_S + 1.0, move_mode=4) is None
+    company.say(*frame, at_s=NOW_S + 1.5)
+    assert company.look(NOW_S + 2.0, move_mode=4) is OtherMode.MIT
+
+
+def test_a_word_too_short_to_be_one_says_nothing(company):
+    company.say(0x151, "01 04 00")
+    assert company.look(NOW_S + 0.1) is None
+
+
+def test_a_new_connection_starts_without_a_mode(company):
+    company.look(NOW_S, move_mode=4)
+    company.other.reconnected()
+    assert company.other.mode is None
+
+
+@pytest.mark.parametrize(("period_s", "rate"), [(0.005, 200), (0.0047, 210), (0.1, 10), (0.3, 3)])
+def test_its_rate_is_told_in_two_digits(company, period_s, rate):
+    for k in range(6):
+        company.say(0x155, "00" * 8, NOW_S + k * period_s)
+    company.look(NOW_S + 5 * period_s)
+    assert company.other.rate_hz == rate
+
+
+def test_its_frames_are_named_while_they_are_of_late(company):
+    company.say(0x155, "00" * 8, NOW_S)
+    company.say(0x151, "01 01 32 00 00 00 00 00", NOW_S + 1.5)
+    company.look(NOW_S + 1.9)
+    assert company.other.frames == "0x151, 0x155"
+    company.look(NOW_S + 2.1)
+    assert company.other.frames == "0x151"
+
+
+@pytest.mark.parametrize(
+    ("after_s", "at_rest", "commands"),
+    [(1.9, True, True), (2.1, True, False), (2.1, False, True), (60.0, False, True)],
+)
+def test_it_is_over_two_seconds_later_and_at_rest(company, after_s, at_rest, commands):
+    company.say(0x155, "00" * 8)
+    company.look(NOW_S)
+    company.look(NOW_S + after_s, at_rest=at_rest)
+    assert company.other.commands is commands
+    assert (company.other.why_not() is not None) is commands
+
+
+@pytest.mark.parametrize(
+    ("after_s", "code"), [(0.49, "other_host_streams"), (0.51, None), (2.1, "nobody_else")]
+)
+def test_when_it_may_be_taken_over(company, after_s, code):
+    company.say(0x155, "00" * 8)
+    company.look(NOW_S)
+    company.look(NOW_S + after_s)
+    assert company.other.may_be_taken_over is (code is None)
+    refusal = company.other.take_over()
+    assert (None if refusal is None else refusal.code) == code
+    if code is None:
+        assert company.other.why_not() is None
+
+
+@pytest.mark.parametrize(
+    ("mode", "reason"),
+    [("01 04 00 AD 00 00 00 00", "other_mode"), ("01 01 32 00 00 00 00 00", "other_host")],
+)
+def test_the_reason_names_the_mode_before_the_host(company, mode, reason):
+    company.say(0x151, mode)
+    company.look(NOW_S + 0.1)
+    assert company.other.why_not().code == reason
