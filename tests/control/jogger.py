@@ -37,10 +37,13 @@ def fastest_deg_s(bench: Bench) -> float:
 
 
 def rest_s(bench: Bench) -> float:
-    """Let only the arm's time pass until no joint has moved any more; how long that took."""
+    """Let only the arm's time pass until no joint has moved any more; how long that took.
+
+    It is shorter than the half second after which a busy computer's backlog looks like silence.
+    """
     last_moved_s = elapsed_s = 0.0
     places = bench.firmware.joints_deg
-    while elapsed_s < 0.5:
+    while elapsed_s < 0.4:
         bench.time_s += LOOK_S
         elapsed_s += LOOK_S
         bench.node.poll(LOOK_S)
