@@ -23,11 +23,6 @@ def ready(bench):
     return bench
 
 
-def ours_sent(bench):
-    """What the program has sent, apart from questions: the second host's frames are counted too."""
-    return bench.heard()
-
-
 @pytest.mark.parametrize(
     ("frame", "name"),
     [
