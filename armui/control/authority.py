@@ -143,11 +143,7 @@ class Authority:
     def why_silent(self) -> Refusal | None:
         """The feedback that a motion counts on and that is not heard, or ``None``."""
         seen = self._seen
-        return (
-            Refusal(RefusalCode.NOT_CONNECTED)
-            if seen is None
-            else why_silent(seen.state, seen.now_s)
-        )
+        return why_silent(seen.state, seen.now_s) if seen else Refusal(RefusalCode.NOT_CONNECTED)
 
     def why_held(self) -> Refusal | None:
         """The motion that is held back in the arm, as a reason against another one."""

@@ -71,8 +71,6 @@ class Library:
         """Where the trajectories are kept."""
         return self._folder
 
-    # What there is --------------------------------------------------------------------------------
-
     def entries(self) -> list[IndexEntry]:
         """Everything there is, by name; only files that are new or changed are opened.
 
@@ -242,9 +240,8 @@ class Library:
         """
         places = [(file, place) for file, place in deleted.places if place.exists()]
         if not places and deleted.places:
-            raise LibraryError(
-                Refusal(RefusalCode.DELETED_GONE, {"name": ", ".join(deleted.names)})
-            )
+            gone = {"name": ", ".join(deleted.names)}
+            raise LibraryError(Refusal(RefusalCode.DELETED_GONE, gone))
         names: dict[str, str] = {}
         with on_disk(RefusalCode.LIBRARY_NOT_RESTORED, ", ".join(deleted.names)):
             self._folder.mkdir(parents=True, exist_ok=True)

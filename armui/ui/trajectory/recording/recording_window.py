@@ -75,8 +75,7 @@ class RecordingWindow(ArmDialog):
         self._library = library
         self._work = LibraryWork(library, background, self)
         self._joining = self._leaving = False
-        self._recording = recording
-        self._result = recording
+        self._recording = self._result = recording
         self._unsaved = False
         self._timer = QTimer(self, singleShot=True, interval=_AFTER_MS)
         self._timer.timeout.connect(self._work_out)
