@@ -15,7 +15,7 @@ from PySide6.QtCore import QCoreApplication, QDeadlineTimer
 
 from armui.arm.device import Device
 from armui.control.arm_controller import ArmController
-from armui.control.operating_state import LinkState
+from armui.control.operating_state import LinkState, Notice
 from armui.protocol.codec import Codec, Message
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
@@ -64,14 +64,14 @@ class ArmRig:
         self.controller = ArmController(
             self._open, [self.device], find=list, clock=lambda: self.time_s
         )
-        self.notices: list = []
+        self.notices: list[Notice] = []
         self.controller.noticed.connect(self.notices.append)
 
     @contextmanager
     def _open(self, device: Device) -> Iterator[can.BusABC]:
         if self.broken is not None:
             raise self.broken
-        with HostBus(device.channel) as bus:
+        with HostBus(str(device.channel)) as bus:
             self._listen_closely(bus)
             yield bus
 

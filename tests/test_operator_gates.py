@@ -14,6 +14,7 @@ from armui.ui.trajectory.editor.editor_window import EditorWindow
 from armui.ui.trajectory.library.library_window import LibraryWindow
 from tests.control.under_way import BACK, OUT, RUNS, joint_jog, motion_paused, phase, to
 from tests.faulty_arm import HardOfHearing
+from tests.moments import now
 
 ABORT = Frame(0x150, bytes.fromhex("00 06 00 00 00 00 00 00"))
 STOP = Frame(0x150, bytes.fromhex("01 00 00 00 00 00 00 00"))
@@ -178,11 +179,11 @@ def test_after_a_new_zero_nothing_old_is_gone_on_with(ready):
     ready.controller.player.stop()
     ready.run_until(lambda: not ready.controller.player.running)
     assert ready.read("target_field_1")
-    assert ready.controller.player.progress.phase is RunPhase.STOPPED
+    assert now(ready.controller.player.progress.phase) is RunPhase.STOPPED
     ready.run(0.3)
     assert ready.controller.zeroing.set_zero(1) is None
     ready.run_until(lambda: "zero_set_joint" in ready.codes())
-    assert ready.controller.player.progress.phase is RunPhase.IDLE
+    assert now(ready.controller.player.progress.phase) is RunPhase.IDLE
     assert not editor.findChild(QWidget, "run_resume").isVisible()
     assert [ready.read(f"target_field_{joint}") for joint in range(1, 7)] == [""] * 6
     ready.ear.heard.clear()

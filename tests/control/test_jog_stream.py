@@ -3,9 +3,9 @@
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from armui.arm.limits import JointLimits
+from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, JointLimits
 from armui.arm.state import Reading
-from armui.control.motion.jog_pace import FACTORY_ACCELERATION_DEG_S2, REST_S, accelerations, pace
+from armui.control.motion.jog_pace import REST_S, accelerations, pace
 from armui.control.motion.jog_path import JointJog, JointJogPath
 from armui.control.motion.jog_stream import JogStream
 from armui.sim.mechanics.powered_joints import JointMotion
@@ -20,7 +20,7 @@ class Arm:
         self.motion = JointMotion(BASE_DEG)
         self.limits = limits
         self.accelerations = (acceleration,) * 6
-        self.seen = [BASE_DEG] * (age + 1)
+        self.seen: list[tuple[float, ...]] = [BASE_DEG] * (age + 1)
 
     @property
     def measured_deg(self):

@@ -9,6 +9,7 @@ from armui.control.operating_state import LinkState
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.shell.unsaved import UnsavedQuestion
+from tests.moments import now
 from tests.operator_settings.panels import note, questions, sent, settled
 
 
@@ -72,10 +73,10 @@ def test_disconnecting_with_unsaved_changes_asks(end):
     dialog = end.dialog(ConnectDialog)
     end.click(dialog.disconnect_button)
     end.dialog(ConfirmDialog).reject()
-    assert end.controller.operating_state.link is LinkState.ONLINE
+    assert now(end.controller.operating_state.link) is LinkState.ONLINE
     end.click(dialog.disconnect_button)
     end.confirm()
-    assert end.controller.operating_state.link is LinkState.NO_DEVICE
+    assert now(end.controller.operating_state.link) is LinkState.NO_DEVICE
     assert end.read("max_linear_speed_m_s") == ""
     assert note(end, "max_linear_speed_m_s") == "not read"
 
@@ -192,7 +193,7 @@ def test_the_arm_is_disconnected_once_it_is_saved(slower):
     slower.click("communication_button")
     slower.click(slower.dialog(ConnectDialog).disconnect_button)
     save(slower)
-    assert slower.controller.operating_state.link is LinkState.ONLINE
+    assert now(slower.controller.operating_state.link) is LinkState.ONLINE
     settled(slower)
     slower.wait(lambda: slower.controller.operating_state.link is LinkState.NO_DEVICE)
     assert slower.firmware.settings.end_limits[0] == 0.5

@@ -4,6 +4,7 @@ import contextlib
 import json
 import os
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -97,7 +98,7 @@ INDEXES = {
     "no_utf8": b"\xff",
     "401_digits": b'{"version": 1, "files": {"a.log": [1' + b"0" * 400 + b", 0, 0, {}]}}",
 }
-WRONG = {
+WRONG: dict[str, list[Any]] = {
     "name": [5, None, ["a"], "\ud800"],
     "kind": ["bogus", None, 7],
     "count": ["3", None, -1, 10**400, 1.5],

@@ -10,6 +10,7 @@ from armui.protocol.generation import Generation
 from armui.sim.faults.faulty_link import FaultyLink
 from armui.sim.faults.schedule import FAULTS, Fault, FaultError, Faults, fault, read_fault
 from armui.sim.firmware import Firmware
+from tests.moments import now
 from tests.sim.talk import BOTH, ENABLE, RESUME, heard, mode, ready, target, tell
 
 ONE, TWO = Generation.ONE, Generation.TWO
@@ -143,13 +144,13 @@ def test_a_collision_is_kept_until_cleared(remedy: str) -> None:
     arm.step(0.01)
     faults.end(broken)
     arm.step(1.0)
-    assert arm.status is ArmStatusCode.COLLISION
+    assert now(arm.status) is ArmStatusCode.COLLISION
     assert arm.enabled == (True,) * 6
     tell(arm, "475#0100000000AE0000")  # joint 1 is not the one
-    assert arm.status is ArmStatusCode.COLLISION
+    assert now(arm.status) is ArmStatusCode.COLLISION
     tell(arm, remedy)
     arm.step(0.1)
-    assert arm.status is ArmStatusCode.NORMAL
+    assert now(arm.status) is ArmStatusCode.NORMAL
 
 
 @pytest.mark.parametrize("level", range(9))

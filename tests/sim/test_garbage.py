@@ -115,9 +115,9 @@ def test_half_a_million_frames_of_garbage_leave_the_arm_running_and_truthful(
     assert not [each for each in told if isinstance(codec.decode(each), InvalidFrame)]
     assert sum(arm.ignored.values()) > 400_000
     home = Firmware(generation, flash=arm.flash)
-    for each in ("150#0200000000000000", "422#0000000000000000", "470#FC00000000000000"):
+    for line in ("150#0200000000000000", "422#0000000000000000", "470#FC00000000000000"):
         for offset in (0x00, 0x10, 0x20):
-            identifier, data = frame(each)
+            identifier, data = frame(line)
             moved = identifier + offset if identifier == 0x150 else identifier
             arm.on_frame(Frame(moved, data))
     assert arm.addressing == Addressing()

@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from armui.sim.motion.path_profile import PathProfile
+from tests.moments import now
 
 STEP_S = 0.001
 
@@ -41,9 +42,9 @@ def test_it_does_not_run_unasked_and_a_halted_one_stays() -> None:
     rail = PathProfile(10.0, 25.0)
     rail.advance(1.0)
     assert rail.position == 0.0
-    assert not rail.moving
+    assert not now(rail.moving)
     rail.run(5.0)
-    assert rail.moving
+    assert now(rail.moving)
     rail.advance(0.5)
     halted_at = rail.position + rail.speed**2 / 50.0
     rail.run(0.0)
