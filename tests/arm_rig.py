@@ -5,7 +5,7 @@ second of silence takes no half second, and nothing ever sleeps.
 """
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Protocol
 
@@ -91,6 +91,12 @@ class ArmRig:
     def plug_in(self) -> None:
         """The adapter is back."""
         self.broken = None
+
+    def lie(self, joints_deg: Sequence[float]) -> None:
+        """Let an arm that is not connected yet be found at these angles, in degrees."""
+        assert self.controller.operating_state.link is LinkState.NO_DEVICE
+        self.firmware = Firmware(self.firmware.generation, joints_deg=joints_deg)
+        self.node = Node(self.firmware, self._arm_bus)
 
     def connect(self) -> None:
         """Connect as an operator would, and wait until the arm has been asked everything."""

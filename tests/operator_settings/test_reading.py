@@ -2,6 +2,7 @@
 
 from armui.protocol.generation import Generation
 from tests.faulty_arm import HardOfHearing
+from tests.generations import ONE_IS_ENOUGH
 from tests.operator_settings.panels import generation, note, notes, settled
 
 
@@ -25,12 +26,14 @@ def test_what_the_arm_holds_is_read_when_the_panel_opens(any_desk):
     assert len(asked) == 12
 
 
+@ONE_IS_ENOUGH
 def test_nothing_can_be_typed_before_edit_is_pressed(joints):
     joints.type_into("max_angle_deg_2", "170")
     assert joints.read("max_angle_deg_2") == "180.0"
     assert not joints.find("joint_settings_cancel_button").isVisible()
 
 
+@ONE_IS_ENOUGH
 def test_without_an_arm_there_are_no_figures_and_a_reason(any_desk):
     any_desk.click("menu_joint_settings")
     assert any_desk.read("max_angle_deg_1") == ""
