@@ -30,7 +30,7 @@ def frame(arbitration_id, payload):
 @pytest.fixture
 def arm(any_desk):
     """Connected, 参数备份 open and the arm read."""
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.ear = HardOfHearing(any_desk.firmware)
     any_desk.click("menu_end_limits")
     settled(any_desk)
@@ -274,7 +274,7 @@ def test_reading_can_be_stopped(arm):
 
 
 def test_what_could_not_be_read_is_not_in_the_file_and_that_is_said(any_desk, tmp_path):
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.ear = HardOfHearing(any_desk.firmware)
     any_desk.ear.mute_on = {0x47B}
     any_desk.click("menu_end_limits")

@@ -13,7 +13,7 @@ FIGURE = "linear_speed_m_s_2"
 
 @pytest.fixture
 def load(any_desk):
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.click("menu_end_load")
     any_desk.ear = HardOfHearing(any_desk.firmware)
     return any_desk

@@ -14,7 +14,7 @@ from tests.generations import ONE_IS_ENOUGH
 
 @pytest.fixture
 def grip(any_desk, generation):
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.click("menu_gripper")
     any_desk.run(0.3)
     any_desk.ear = HardOfHearing(any_desk.firmware)
@@ -26,7 +26,7 @@ def grip(any_desk, generation):
 
 @pytest.fixture
 def grip2(app_driver):
-    app_driver.connect_by_hand()
+    app_driver.connect()
     app_driver.click("menu_gripper")
     app_driver.run(0.3)
     app_driver.ear = HardOfHearing(app_driver.firmware)

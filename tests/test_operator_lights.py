@@ -18,7 +18,7 @@ def light(payload):
 @pytest.fixture
 def lit(any_desk):
     """Connected, motors off, the light panel open."""
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.click("menu_light")
     any_desk.heard()
     return any_desk

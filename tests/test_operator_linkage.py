@@ -11,7 +11,7 @@ from tests.generations import ONE_IS_ENOUGH
 
 @pytest.fixture
 def link(any_desk):
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.click("menu_linkage")
     any_desk.ear = HardOfHearing(any_desk.firmware)
     return any_desk

@@ -15,7 +15,7 @@ JOINTS = range(1, 7)
 
 @pytest.fixture
 def motors(any_desk):
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.click("menu_motor")
     any_desk.ear = HardOfHearing(any_desk.firmware)
     return any_desk

@@ -34,7 +34,7 @@ def reads(app_driver, text):
 
 @pytest.fixture
 def online(any_desk):
-    any_desk.connect_by_hand()
+    any_desk.connect()
     reads(any_desk, "motors are off")
     any_desk.heard()
     return any_desk

@@ -54,7 +54,7 @@ def due(app_driver):
 
 @pytest.fixture
 def enabled(any_desk):
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.enable_by_hand()
     any_desk.click("menu_teaching")
     any_desk.heard()
@@ -147,7 +147,7 @@ def test_the_end_of_a_recording_is_asked_for_again(enabled):
 
 @ONE_IS_ENOUGH
 def test_motors_off_or_a_stop_keep_teaching_away_and_say_why(any_desk):
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.click("menu_teaching")
     any_desk.run(0.2)
     assert usable(any_desk) == set()

@@ -9,6 +9,7 @@ from armui.control.motion.jog_pace import REST_S, accelerations, pace
 from armui.control.motion.jog_path import JointJog, JointJogPath
 from armui.control.motion.jog_stream import JogStream
 from armui.sim.mechanics.powered_joints import JointMotion
+from tests.examples import examples
 
 BASE_DEG = (0.0, 90.0, -90.0, 0.0, 0.0, 0.0)
 
@@ -43,7 +44,7 @@ class Arm:
         raise AssertionError("it never rests")
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(
     ticks_ms=st.lists(st.integers(4, 40), min_size=1, max_size=60),
     percent=st.integers(1, 100),

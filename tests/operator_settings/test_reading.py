@@ -7,7 +7,7 @@ from tests.operator_settings.panels import generation, note, notes, settled
 
 
 def test_what_the_arm_holds_is_read_when_the_panel_opens(any_desk):
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.firmware.settings.accelerations_deg_s2[3] = 60.0
     any_desk.ear = HardOfHearing(any_desk.firmware)
     any_desk.click("menu_joint_settings")
@@ -40,7 +40,7 @@ def test_without_an_arm_there_are_no_figures_and_a_reason(any_desk):
     assert notes(any_desk) == {"not read"}
     assert "No arm is connected" in any_desk.read("joint_settings_message")
     assert not any_desk.find("joint_settings_edit_button").isEnabled()
-    any_desk.connect_by_hand()
+    any_desk.connect()
     settled(any_desk)
     assert any_desk.read("max_angle_deg_1") == "150.0"  # read by itself, now that it is there
     assert any_desk.read("joint_settings_message") == ""

@@ -297,7 +297,7 @@ def test_every_fault_leaves_no_trace_when_it_has_ended_and_errors_are_cleared(
     faults.start(broken)
     arm.step(0.5)
     faults.end(broken)
-    arm.step(60.0)
+    arm.step(60.0 if "temperature" in name else 5.0)  # what is hot cools in its own time
     tell(arm, RESUME, ENABLE)
     arm.step(0.1)
     assert told(arm) == ("00", "00", [FINE[generation]] * 6)

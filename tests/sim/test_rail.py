@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from armui.sim.motion.path_profile import PathProfile
+from tests.examples import examples
 from tests.moments import now
 
 STEP_S = 0.001
@@ -56,7 +57,7 @@ def test_it_does_not_run_unasked_and_a_halted_one_stays() -> None:
     assert rail.at_end
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 @given(
     st.floats(0.001, 2000.0),
     st.floats(0.1, 5000.0),

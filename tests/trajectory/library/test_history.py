@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.library.history import Deletion, LibraryHistory, Making, Renaming
 from armui.trajectory.library.store import Library
+from tests.examples import examples
 from tests.moments import now
 from tests.trajectory.library.contents import names, opened, recording, refused, trajectory
 
@@ -166,7 +167,7 @@ ACTIONS = st.lists(
 )
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(ACTIONS)
 def test_all_undone_the_library_is_as_it_was(tmp_path_factory, actions):
     library = Library(tmp_path_factory.mktemp("library"))
