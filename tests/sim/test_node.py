@@ -12,6 +12,7 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.node import PERIOD_S, Node
+from tests.moments import now
 from tests.sim.talk import ENABLE, STOP, frame, mode, target
 
 OpenBus = Callable[[], can.BusABC]
@@ -83,7 +84,7 @@ def test_a_whole_motion_by_hand(open_bus: OpenBus) -> None:
     say(host, ENABLE, mode(100), *target(10.0, 20.0, -30.0, 0, 0, 0))
     for _ in range(400):
         node.poll(0.005)
-    assert arm.joints_deg == (10.0, 20.0, -30.0, 0, 0, 0)
+    assert now(arm.joints_deg) == (10.0, 20.0, -30.0, 0, 0, 0)
     # J1 10.000° = 10000 = 0x2710, J2 20.000° = 0x4E20
     assert frame("2A5#0000271000004E20") in listen(host)
 
