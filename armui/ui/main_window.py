@@ -31,7 +31,7 @@ from armui.ui.shell.joint_status_button import JointStatusButton
 from armui.ui.shell.leaving import end_motion_then, end_single_motion_then
 from armui.ui.shell.library_button import LibraryButton
 from armui.ui.shell.operation_area import OperationArea
-from armui.ui.shell.panel_menu import PanelMaker
+from armui.ui.shell.panel_menu import menu_entries
 from armui.ui.shell.recovery_line import RecoveryLine
 from armui.ui.shell.side_menu import SideMenu
 from armui.ui.shell.status_bar import StatusBar
@@ -91,8 +91,7 @@ class MainWindow(Translated, QMainWindow):
         self._settings = preferences.settings
         self._dialogs: dict[str, QDialog] = {}
         self._may_close = False
-        maker = PanelMaker(controller, preferences, self.open_backup_dialog)
-        self._entries = maker.entries()
+        self._entries = menu_entries(controller, preferences, self.open_backup_dialog)
         self._joint_monitor = JointMonitor(controller, parent=self)
         self._joint_status_button = JointStatusButton(self._joint_monitor)
         self._preview_bar = PreviewBar()

@@ -28,15 +28,13 @@ class MenuEntry:
     """One panel of the operation area.
 
     Attributes:
-        key: Its name in the program; the button is called ``menu_<key>``.
+        key: Its name in the program and its icon's; the button is called ``menu_<key>``.
         title: What the menu says, marked for translation in the context ``SideMenu``.
-        icon: The name of its icon.
         make_panel: Makes the panel.
     """
 
     key: str
     title: str
-    icon: str
     make_panel: Callable[[], QWidget]
 
 
@@ -119,4 +117,4 @@ class SideMenu(Translated, QWidget):
         colors = colors_of(self)
         for place, entry in enumerate(self._entries):
             color = colors.accent if place == self._group.checkedId() else colors.muted
-            self._group.button(place).setIcon(icons.icon(entry.icon, color))
+            self._group.button(place).setIcon(icons.icon(entry.key, color))
