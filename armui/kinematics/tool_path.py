@@ -55,7 +55,7 @@ class Line:
         return poses
 
 
-class Lines:
+class StraightLines:
     """Many lines at once.
 
     Attributes:
