@@ -12,7 +12,7 @@ import time
 import numpy as np
 import pytest
 
-from armui.control import arm_controller
+from armui.control import assessment_inputs
 from armui.control.authority import Authority
 from armui.control.motion.jog_path import JointJog
 from armui.protocol.codec import Codec
@@ -88,9 +88,13 @@ def held_jog(controller):
 @pytest.mark.timeout(300)
 def test_tick(qapp, monkeypatch, capsys, benchmark):
     observed = Counted(Authority.observe)
-    assessed = Counted(arm_controller.assess)
-    monkeypatch.setattr(Authority, "observe", lambda *args: observed(*args))
-    monkeypatch.setattr(arm_controller, "assess", assessed)
+    assessed = Counted(assessment_inputs.assess)
+
+    def observe(authority, seen):
+        observed(authority, seen)
+
+    monkeypatch.setattr(Authority, "observe", observe)
+    monkeypatch.setattr(assessment_inputs, "assess", assessed)
     rig = ArmRig("benchmark-tick")
     lines = []
     try:

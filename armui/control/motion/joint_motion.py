@@ -49,10 +49,10 @@ class Motion:
         context = self._context
         if not 0 <= percent <= 100:
             return context.refuse(Refusal("speed_out_of_range", {"value": percent}))
-        if context.operating_state().running:
+        operating_state = context.refresh()
+        if operating_state.running:
             return context.refuse(Refusal("run_under_way"))
         self.speed_percent = round(percent)
-        operating_state = context.operating_state()
         tellable = operating_state.control_certain and not operating_state.jogging
         tellable &= (
             interlocks.why_no_command(operating_state.unreachable, operating_state.stop, None)
@@ -62,6 +62,7 @@ class Motion:
             context.tell("sent_speed", percent=self.speed_percent)
         elif context.authority.holds:
             context.tell("speed_waits", percent=self.speed_percent)
+        context.refresh()
         return None
 
     def tell_speed(self) -> bool:
@@ -79,7 +80,7 @@ class Motion:
     def jog(self, joint: int, delta_deg: float) -> Refusal | None:
         """Move one joint by a step at once; the other five stay where they are or were going."""
         context = self._context
-        operating_state = context.operating_state()
+        operating_state = context.refresh()
         base_deg = context.authority.joint_base_deg()
         if base_deg is None:
             return context.refuse(operating_state.cannot_move or Refusal("joints_unknown"))
@@ -105,7 +106,7 @@ class Motion:
     def _move(self, angles_deg: Sequence[float], code: str, **figures: object) -> Refusal | None:
         """Send six angles if that may be, and tell so with a notice."""
         context = self._context
-        operating_state = context.operating_state()
+        operating_state = context.refresh()
         refusal = operating_state.cannot_move or check_joints(angles_deg, operating_state.limits)
         if refusal is not None:
             return context.refuse(refusal)
