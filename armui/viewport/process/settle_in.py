@@ -42,9 +42,10 @@ def stand_back() -> None:
     the drawing in software, are no threads of Python's.
     """
     if sys.platform == "linux":
-        for thread in os.listdir("/proc/self/task"):
+        for thread in Path("/proc/self/task").iterdir():
             with contextlib.suppress(OSError):  # it has just ended
-                os.setpriority(os.PRIO_PROCESS, int(thread), _NICER_BY)
+                if os.getpriority(os.PRIO_PROCESS, int(thread.name)) < _NICER_BY:
+                    os.setpriority(os.PRIO_PROCESS, int(thread.name), _NICER_BY)
     elif hasattr(os, "nice"):
         os.nice(_NICER_BY)
 
