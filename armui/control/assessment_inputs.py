@@ -16,10 +16,10 @@ if TYPE_CHECKING:
 
 
 class Assessor:
-    """Keeps the situation: to read it costs nothing, :meth:`refresh` looks anew.
+    """Keeps the operating state: to read it costs nothing, :meth:`refresh` looks anew.
 
     Args:
-        controller: Has the parts, and the signal for another situation.
+        controller: Has the parts, and the signal for another operating state.
         connection: The way to the arm.
         stopping: Follows the stops.
         watch: Feeds the authority, which knows who moves the arm.

@@ -36,11 +36,11 @@ class Context:
         tell: Takes the notices.
         clock: Monotonic time in seconds.
         state: The arm as last heard.
-        operating_state: What the operator can do, as of the last look: the controller's tick looks, and
-            :attr:`refresh`.
-        refresh: Looks at the arm and at other hosts anew, tells the windows if the situation is
-            another, and answers with it. Each command of the operator begins with it, and ends
-            with it where it has changed the situation itself.
+        operating_state: What the operator can do, as of the last look: the controller's tick looks,
+            and :attr:`refresh`.
+        refresh: Looks at the arm and at other hosts anew, tells the windows if the operator can do
+            something else now, and answers with the operating state. Each command of the operator
+            begins with it, and ends with it where it has changed that state itself.
         observe: Lets the authority know what is heard by now, and nothing more.
         authority: Who moves the arm, and what our own command is.
     """

@@ -21,8 +21,8 @@ class Parts:
         tell: Takes the notices.
         end_motion: Called with the module of a part that fails after it has worked: the motion it
             is in charge of must not go on unwatched.
-        last: Looks at what the others are doing: it acts after them, once the situation has been
-            assessed anew.
+        last: Looks at what the others are doing: it acts after them, once the operating state has
+            been assessed anew.
     """
 
     def __init__(

@@ -2,7 +2,8 @@
 
 Processor time of the GUI thread, so that others on the computer do not count. Beside it in the same
 run: decoding the frames that an arm says between two ticks. Stated as well: how often the authority
-looks at the arm and how often the situation is assessed, a tick.
+looks at the arm and how often the operating state is
+assessed, a tick.
 
     python -m pytest tests/benchmarks/test_tick.py -s
 """

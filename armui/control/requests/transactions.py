@@ -63,8 +63,8 @@ class Transaction:
         index: What the answer names; ``None``: no answer is awaited.
         against: What speaks against it by the answer itself.
         read_back: How it is checked, where that can be.
-        recheck: Asked before each sending of the frames, about the newest situation: the reason
-            against it now, or ``None``.
+        recheck: Asked before each sending of the frames, by the newest operating state: the
+            reason against it now, or ``None``.
         attempts: How often the frames are sent at most while no answer comes.
         ends_with_stop: It must not be given again to an arm that is being stopped.
         alters: What it sets that a motion counts on, as a key of the words for what is under way;

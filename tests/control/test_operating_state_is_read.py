@@ -1,4 +1,4 @@
-"""The situation is read without a look at the arm; what sends a motion looks for itself."""
+"""The operating state is read without a look at the arm; what sends a motion looks for itself."""
 
 from armui.control.authority import Authority
 from tests.company import OtherHost
