@@ -61,7 +61,7 @@ def main():
             print(word, flush=True)
 
     def look():
-        tell("connected", controller.situation.link is LinkState.ONLINE)
+        tell("connected", controller.operating_state.link is LinkState.ONLINE)
         tell("picture", program.view._picture is not None and not program.view._is_frame_new)
         if len(told) == 2:
             timer.stop()
