@@ -290,7 +290,7 @@ def test_stop_under_load(qapp, tmp_path, capsys, benchmark):
             to_handler_ms = 1e3 * delays_s(pressed_s[bare], handled_s)
             held_ms, worked_ms = 1e3 * watch.longest_s, 1e3 * watch.longest_work_s
             lines = [
-                f"{name}: {took_s:.1f} s, GUI thread held {held_ms:.0f}, working {worked_ms:.0f} ms",
+                f"{name}: {took_s:.1f} s, GUI thread held {held_ms:.0f}, worked {worked_ms:.0f} ms",
                 spread("  stop: press to frame on the bus", to_bus_ms),
                 spread("  bare button: press to handler", to_handler_ms),
             ]
