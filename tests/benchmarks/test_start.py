@@ -37,6 +37,8 @@ def pss_mb(pid):
 
 def main():
     # not above: the picture's process imports this file, too
+    from armui.system.quick_start import begin_quickly, begun
+    begin_quickly()  # as the command does
     from PySide6.QtCore import QTimer
     from PySide6.QtWidgets import QApplication
     from armui.app import Program, SIMULATED, open_device
@@ -52,6 +54,7 @@ def main():
     program.window.show()
     app.processEvents()
     print("usable", flush=True)
+    begun()
     controller.connect_device(SIMULATED[0])
     told = set()
 
