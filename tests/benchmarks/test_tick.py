@@ -13,7 +13,7 @@ import time
 import numpy as np
 import pytest
 
-from armui.control import assessment_inputs
+from armui.control import assessment, assessment_inputs
 from armui.control.authority import Authority
 from armui.control.motion.jog_path import JointJog
 from armui.protocol.codec import Codec
@@ -89,7 +89,7 @@ def held_jog(controller):
 @pytest.mark.timeout(300)
 def test_tick(qapp, monkeypatch, capsys, benchmark):
     observed = Counted(Authority.observe)
-    assessed = Counted(assessment_inputs.assess)
+    assessed = Counted(assessment.assess)
 
     def observe(authority, seen):
         observed(authority, seen)
