@@ -18,7 +18,7 @@ from armui.protocol.codes import ControlMode
 
 if TYPE_CHECKING:
     from armui.control.link.connection import Connection
-    from armui.kinematics.kinematics import Matrix
+    from armui.kinematics.poses import Matrix
     from armui.protocol.codes import MoveMode
     from armui.protocol.frame import Frame
 

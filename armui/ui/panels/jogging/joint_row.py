@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Final
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from armui.arm.limits import ANGLE_STEP_DEG, JointLimits, check_joint
@@ -16,13 +16,14 @@ from armui.ui.widgets import painting
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.track_slider import TrackSlider
+from armui.ui.widgets.translated import Translated
 from armui.ui.widgets.value_label import ValueLabel
 
 _WIDEST_ANGLE: Final = "-000.000°"
 _WIDEST_LIMIT: Final = "-000.00°"
 
 
-class JointRow(QWidget):
+class JointRow(Translated, QWidget):
     """The controls of one joint.
 
     Args:
@@ -215,9 +216,3 @@ class JointRow(QWidget):
         )
         self._minimum.setToolTip(origin)
         self._maximum.setToolTip(origin)
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
