@@ -7,7 +7,8 @@ from tests.sim.talk import target
 
 def test_reading_looks_at_nothing_and_tells_nobody(rig, monkeypatch):
     rig.ready()
-    seen, told = [], []
+    seen: list[object] = []
+    told: list[object] = []
     rig.controller.operating_state_changed.connect(told.append)
     monkeypatch.setattr(Authority, "observe", lambda _self, observation: seen.append(observation))
     rig.time_s += 5.0  # the arm is silent by now
