@@ -12,7 +12,6 @@ import contextlib
 import errno
 import hashlib
 import json
-import math
 import stat
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, fields, replace
@@ -22,9 +21,11 @@ from typing import Any, Final, Literal, TypedDict, Unpack, get_args
 import platformdirs
 from filelock import FileLock, Timeout
 
+from armui.arm.json_fields import finite
 from armui.arm.refusal import Refusal
 from armui.system import paths
 from armui.system.atomic import write_whole
+from armui.system.error_text import error_text
 
 Language = Literal["zh", "en"]
 ThemeName = Literal["light", "dark", "system"]
@@ -123,19 +124,12 @@ def _is_path(value: object) -> bool:
 
 
 def _check_jog_step(value: object) -> Refusal | None:
-    if isinstance(value, bool) or not isinstance(value, int | float):
+    figure = finite(value)
+    if figure is None:
         return Refusal("jog_step_not_a_number", {"value": _shown(value)})
-    if isinstance(value, float) and not math.isfinite(value):
-        return Refusal("jog_step_not_a_number", {"value": str(value)})
-    if not JOG_STEP_MIN_DEG <= value <= JOG_STEP_MAX_DEG:
-        try:
-            figure: float | str = float(value)
-        except OverflowError:
-            figure = _shown(value)
-        return Refusal(
-            "jog_step_out_of_range",
-            {"value": figure, "minimum": JOG_STEP_MIN_DEG, "maximum": JOG_STEP_MAX_DEG},
-        )
+    if not JOG_STEP_MIN_DEG <= figure <= JOG_STEP_MAX_DEG:
+        bounds = {"minimum": JOG_STEP_MIN_DEG, "maximum": JOG_STEP_MAX_DEG}
+        return Refusal("jog_step_out_of_range", {"value": figure, **bounds})
     return None
 
 
@@ -145,8 +139,8 @@ def _check_tool(value: object) -> Refusal | None:
     if len(figures) != len(_TOOL_LONGEST):
         figures = [value] * len(_TOOL_LONGEST)
     for figure, longest in zip(figures, _TOOL_LONGEST, strict=True):
-        good = isinstance(figure, int | float) and not isinstance(figure, bool)
-        if not good or not abs(figure) <= longest:
+        size = finite(figure)
+        if size is None or abs(size) > longest:
             return Refusal(
                 "tool_not_possible", {"value": _shown(figure), "maximum": round(TOOL_LONGEST_MM)}
             )
@@ -222,12 +216,12 @@ class SettingsStore:
                 in_file = _entries(self._path)
                 kept = asdict(self._kept)
                 entries = kept | in_file | {name: kept[name] for name in choices}
-                write_whole(self._path, json.dumps(entries, indent=2) + "\n")
+                self._path.parent.mkdir(parents=True, exist_ok=True)
+                write_whole(self._path, f"{json.dumps(entries, indent=2)}\n".encode())
         except Timeout:
             return Refusal("settings_in_use", params)
         except (OSError, ValueError, RecursionError) as error:
-            text = getattr(error, "strerror", None) or str(error)
-            return Refusal("settings_not_saved", params | {"text": text})
+            return Refusal("settings_not_saved", params | {"text": error_text(error)})
         return None
 
 
@@ -274,7 +268,7 @@ def _read(path: Path) -> tuple[Settings, tuple[Refusal, ...]]:
     except FileNotFoundError:
         return Settings(), ()
     except OSError as error:
-        params = {"path": str(path), "text": error.strerror or str(error)}
+        params = {"path": str(path), "text": error_text(error)}
         return Settings(), (Refusal("settings_unreadable", params),)
     except (ValueError, RecursionError):
         return Settings(), (_put_aside(path),)
@@ -305,6 +299,6 @@ def _put_aside(path: Path) -> Refusal:
     try:
         path.replace(kept)
     except OSError as error:
-        params = {"path": str(path), "text": error.strerror or str(error)}
+        params = {"path": str(path), "text": error_text(error)}
         return Refusal("settings_unreadable", params)
     return Refusal("settings_broken", {"kept": str(kept)})

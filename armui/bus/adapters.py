@@ -13,6 +13,7 @@ import can
 
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.arm.refusal import Refusal
+from armui.system.error_text import error_text
 
 _SEARCH_S: Final = 5.0
 
@@ -90,7 +91,7 @@ def explain(device: Device, error: BaseException) -> Refusal:
         if isinstance(cause, can.CanInterfaceNotImplementedError | ImportError):
             package = _PACKAGES.get(device.interface, device.interface)
             return Refusal("bus_backend_missing", {**params, "package": package})
-    text = str(error) or type(error).__name__
+    text = error_text(error)
     lowered = text.lower()
     for words, code in _CODE_OF_WORDS:
         if any(word in lowered for word in words):

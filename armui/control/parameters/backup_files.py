@@ -14,6 +14,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.protocol.generation import Generation
 from armui.system.atomic import write_whole
+from armui.system.error_text import error_text
 
 _LARGEST_BYTES: Final = 1_000_000
 """A backup has a few thousand; anything like this is another file."""
@@ -28,17 +29,15 @@ def read_backup(path: Path) -> Backup | Refusal:
     except UnicodeDecodeError:
         return Refusal("backup_foreign")
     except OSError as error:
-        text = error.strerror or str(error)
-        return Refusal("backup_unreadable", {"path": str(path), "text": text})
+        return Refusal("backup_unreadable", {"path": str(path), "text": error_text(error)})
 
 
 def write_backup(path: Path, backup: Backup) -> Refusal | None:
     """Keep a backup in a file; ``None``, or why it could not be written."""
     try:
-        write_whole(path, to_text(backup))
+        write_whole(path, to_text(backup).encode())
     except OSError as error:
-        text = error.strerror or str(error)
-        return Refusal("backup_not_written", {"path": str(path), "text": text})
+        return Refusal("backup_not_written", {"path": str(path), "text": error_text(error)})
     return None
 
 

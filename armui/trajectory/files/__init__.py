@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Final
 
+from armui.system.error_text import error_text
 from armui.trajectory.files import csv_file, json_file, log_file, maker_csv, npz_file
 from armui.trajectory.files.errors import TrajectoryFileError, broken
 from armui.trajectory.files.model import LARGEST_BYTES, Content, UnwritableError
@@ -119,8 +120,7 @@ def _named(path: Path) -> Iterator[None]:
     except TrajectoryFileError as error:
         raise TrajectoryFileError(error.reason, error.line, error.column, path.name) from error
     except OSError as error:
-        text = error.strerror or str(error)
-        reason = broken("file_unreadable", text=text).reason
+        reason = broken("file_unreadable", text=error_text(error)).reason
         raise TrajectoryFileError(reason, file=path.name) from error
 
 

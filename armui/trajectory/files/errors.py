@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Final
 
+from armui.arm.json_fields import FieldError, FieldProblem
 from armui.arm.refusal import Refusal
 
 _WORDS: Final[Mapping[str, str]] = {
@@ -50,6 +51,16 @@ _WORDS: Final[Mapping[str, str]] = {
 """Every reason in English; the user interface has its own sentences for the same codes."""
 
 CODES: Final = frozenset(_WORDS)
+
+
+def field_refusal(error: FieldError) -> Refusal:
+    """What is wrong with a field, as a `TrajectoryFileError` says it."""
+    if error.problem is FieldProblem.MISSING:
+        return Refusal("json_field_missing", {"field": error.name})
+    if error.problem is FieldProblem.UNKNOWN:
+        return Refusal("json_field_unknown", {"value": error.name[:60]})
+    bad = {"field": error.name, "expected": error.expected}
+    return error.reason or Refusal("json_field_bad", bad)
 
 
 class TrajectoryFileError(Exception):

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import Final
 
 from armui.arm.refusal import Refusal
+from armui.system.error_text import error_text
 
 REFUSALS: Final = frozenset(
     {
@@ -46,5 +47,5 @@ def on_disk(code: str, name: str) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        text = error.strerror or str(error)
-        raise LibraryError(Refusal(code, {"name": name, "text": text})) from error
+        refusal = Refusal(code, {"name": name, "text": error_text(error)})
+        raise LibraryError(refusal) from error

@@ -20,6 +20,7 @@ import numpy as np
 import trimesh
 import yourdfpy
 
+from armui.system.error_text import error_text
 from armui.viewport.errors import SceneError
 from armui.viewport.process.robot import (
     ARM_JOINT_COUNT,
@@ -91,8 +92,7 @@ def _content(path: Path) -> bytes:
     except FileNotFoundError as error:
         raise SceneError("urdf_missing", path=str(path)) from error
     except OSError as error:
-        text = error.strerror or str(error)
-        raise SceneError("urdf_unreadable", path=str(path), text=text) from error
+        raise SceneError("urdf_unreadable", path=str(path), text=error_text(error)) from error
     except (ET.ParseError, LookupError, ValueError) as error:  # also an encoding nobody knows
         raise SceneError("urdf_not_xml", path=str(path), text=str(error)) from error
     if element.tag != "robot":
