@@ -23,6 +23,7 @@ from filelock import FileLock, Timeout
 
 from armui.arm.json_fields import finite
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.system import paths
 from armui.system.atomic import write_whole
 from armui.system.error_text import error_text
@@ -100,7 +101,7 @@ def check(name: str, value: object) -> Refusal | None:
     }
     if allowed.get(name, False):
         return None
-    return Refusal("setting_bad", {"field": name, "value": _shown(value)})
+    return Refusal(RefusalCode.SETTING_BAD, {"field": name, "value": _shown(value)})
 
 
 def _shown(value: object) -> str:
@@ -126,10 +127,10 @@ def _is_path(value: object) -> bool:
 def _check_jog_step(value: object) -> Refusal | None:
     figure = finite(value)
     if figure is None:
-        return Refusal("jog_step_not_a_number", {"value": _shown(value)})
+        return Refusal(RefusalCode.JOG_STEP_NOT_A_NUMBER, {"value": _shown(value)})
     if not JOG_STEP_MIN_DEG <= figure <= JOG_STEP_MAX_DEG:
         bounds = {"minimum": JOG_STEP_MIN_DEG, "maximum": JOG_STEP_MAX_DEG}
-        return Refusal("jog_step_out_of_range", {"value": figure, **bounds})
+        return Refusal(RefusalCode.JOG_STEP_OUT_OF_RANGE, {"value": figure, **bounds})
     return None
 
 
@@ -142,7 +143,8 @@ def _check_tool(value: object) -> Refusal | None:
         size = finite(figure)
         if size is None or abs(size) > longest:
             return Refusal(
-                "tool_not_possible", {"value": _shown(figure), "maximum": round(TOOL_LONGEST_MM)}
+                RefusalCode.TOOL_NOT_POSSIBLE,
+                {"value": _shown(figure), "maximum": round(TOOL_LONGEST_MM)},
             )
     return None
 
@@ -219,9 +221,9 @@ class SettingsStore:
                 self._path.parent.mkdir(parents=True, exist_ok=True)
                 write_whole(self._path, f"{json.dumps(entries, indent=2)}\n".encode())
         except Timeout:
-            return Refusal("settings_in_use", params)
+            return Refusal(RefusalCode.SETTINGS_IN_USE, params)
         except (OSError, ValueError, RecursionError) as error:
-            return Refusal("settings_not_saved", params | {"text": error_text(error)})
+            return Refusal(RefusalCode.SETTINGS_NOT_SAVED, params | {"text": error_text(error)})
         return None
 
 
@@ -269,7 +271,7 @@ def _read(path: Path) -> tuple[Settings, tuple[Refusal, ...]]:
         return Settings(), ()
     except OSError as error:
         params = {"path": str(path), "text": error_text(error)}
-        return Settings(), (Refusal("settings_unreadable", params),)
+        return Settings(), (Refusal(RefusalCode.SETTINGS_UNREADABLE, params),)
     except (ValueError, RecursionError):
         return Settings(), (_put_aside(path),)
     if not isinstance(entries, dict):
@@ -289,7 +291,7 @@ def _from_entries(entries: Mapping[str, Any]) -> tuple[Settings, tuple[Refusal, 
             good[field.name] = tuple(value) if isinstance(value, list) else value
         else:
             params = {"field": field.name, "value": _shown(value)}
-            problems.append(Refusal("setting_bad", params))
+            problems.append(Refusal(RefusalCode.SETTING_BAD, params))
     return Settings(**good), tuple(problems)
 
 
@@ -300,5 +302,5 @@ def _put_aside(path: Path) -> Refusal:
         path.replace(kept)
     except OSError as error:
         params = {"path": str(path), "text": error_text(error)}
-        return Refusal("settings_unreadable", params)
-    return Refusal("settings_broken", {"kept": str(kept)})
+        return Refusal(RefusalCode.SETTINGS_UNREADABLE, params)
+    return Refusal(RefusalCode.SETTINGS_BROKEN, {"kept": str(kept)})

@@ -17,6 +17,7 @@ from armui.arm.json_fields import FieldError, FieldProblem, Fields
 from armui.arm.limits import JOINTS
 from armui.arm.parameters import KINDS, Group, Parameter
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 
 FORMAT: Final = "armui-parameters"
 VERSION: Final = 1
@@ -85,21 +86,21 @@ def from_text(text: str) -> Backup | Refusal:
     try:
         entries = json.loads(text)
     except json.JSONDecodeError as error:
-        return Refusal("backup_no_json", {"line": error.lineno, "column": error.colno})
+        return Refusal(RefusalCode.BACKUP_NO_JSON, {"line": error.lineno, "column": error.colno})
     except (RecursionError, ValueError):  # thousands of brackets, or of digits
-        return Refusal("backup_foreign")
+        return Refusal(RefusalCode.BACKUP_FOREIGN)
     if not isinstance(entries, dict) or entries.get("format") != FORMAT:
-        return Refusal("backup_foreign")
+        return Refusal(RefusalCode.BACKUP_FOREIGN)
     version = entries.get("version")
     if version != VERSION or isinstance(version, bool):
-        return Refusal("backup_version", {"version": str(version), "known": VERSION})
+        return Refusal(RefusalCode.BACKUP_VERSION, {"version": str(version), "known": VERSION})
     try:
         return _backup(Fields(entries))
     except FieldError as error:
         if error.problem is FieldProblem.MISSING:
-            return Refusal("backup_field_missing", {"field": error.place})
+            return Refusal(RefusalCode.BACKUP_FIELD_MISSING, {"field": error.place})
         bad = {"field": error.place, "value": _shortened(error.value)}
-        return error.reason or Refusal("backup_field_bad", bad)
+        return error.reason or Refusal(RefusalCode.BACKUP_FIELD_BAD, bad)
 
 
 def _backup(entries: Fields) -> Backup:
@@ -117,13 +118,13 @@ def _backup(entries: Fields) -> Backup:
 
 def _values(entries: Fields, rows: Sequence[Fields]) -> Mapping[Parameter, float]:
     if not rows:
-        raise entries.wrong("parameters", Refusal("backup_empty"))
+        raise entries.wrong("parameters", Refusal(RefusalCode.BACKUP_EMPTY))
     values: dict[Parameter, float] = {}
     for place, row in enumerate(rows, start=1):
         parameter = _parameter(row)
         if parameter in values:
             where = {"field": f"parameters[{place}]", "parameter": parameter.name}
-            raise row.wrong("name", Refusal("backup_twice", where))
+            raise row.wrong("name", Refusal(RefusalCode.BACKUP_TWICE, where))
         values[parameter] = _value(row, parameter)
     return values
 

@@ -45,7 +45,7 @@ class Line:
     """Straight, with the hand turning evenly about one axis."""
 
     def __init__(self, start: Matrix, end: Matrix) -> None:
-        self._lines = Lines(start[None], end[None])
+        self._lines = StraightLines(start[None], end[None])
         self.length_mm = float(self._lines.lengths_mm[0])
         self.angle_deg = float(self._lines.angles_deg[0])
 
@@ -55,7 +55,7 @@ class Line:
         return poses
 
 
-class Lines:
+class StraightLines:
     """Many lines at once.
 
     Attributes:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Generic, TypeVar
 from PySide6.QtCore import QObject, Signal
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.system.error_text import error_text
 
 if TYPE_CHECKING:
@@ -73,4 +74,4 @@ class Background(QObject):
         if error is None:
             job.then(done.result())
         else:
-            job.then(Refusal("work_failed", {"text": error_text(error)}))
+            job.then(Refusal(RefusalCode.WORK_FAILED, {"text": error_text(error)}))

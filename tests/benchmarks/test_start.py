@@ -11,6 +11,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -91,7 +92,7 @@ def seconds_to(words, script, cache, *arguments):
     }
     path = cache / "script.py"
     path.write_text(script)
-    took_s = {}
+    took_s: dict[Any, Any] = {}
     began_s = time.perf_counter()
     with subprocess.Popen(
         [sys.executable, str(path), *arguments],

@@ -8,6 +8,7 @@ import gc
 import sys
 import threading
 import time
+from typing import Any
 
 import can
 import numpy as np
@@ -74,7 +75,7 @@ class Presses(threading.Thread):
             button: (center := QPointF(button.rect().center()), button.mapToGlobal(center))
             for button in self._buttons
         }
-        self.pressed_s = {stop: [], bare: []}
+        self.pressed_s: dict[Any, Any] = {stop: [], bare: []}
         self.seen = threading.Event()
         self.enough = threading.Event()
 
@@ -190,7 +191,7 @@ class Loads:
 
     def _check(self, _count):
         def begin():
-            over = []
+            over: list[Any] = []
             job = self.window._checks.prepare(self.checked, RunOptions(), over.append)
             self.window._checks.begin(job)
             return lambda: bool(over)
@@ -204,7 +205,8 @@ def measure(begin, stop, bare):
     for button in (stop, bare):
         button.pressed.connect(mouse.seen.set)
     began_s = time.perf_counter()
-    over, took_s = begin(), []
+    over = begin()
+    took_s: list[float] = []
 
     def look():
         if not took_s and over():
@@ -244,7 +246,8 @@ def test_stop_under_load(qapp, tmp_path, capsys, benchmark):
     folder.mkdir()
     arm_side = can.Bus(interface="virtual", channel=CHANNEL)
     firmware = DeafToStops(Generation.TWO)
-    sent_s, handled_s = [], []
+    sent_s: list[float] = []
+    handled_s: list[float] = []
     controller = ArmController(lambda _device: TimedBus(sent_s.append))
     workers, filer = HelperProcess(), FileThread()
     store = SettingsStore(tmp_path / "settings.json")

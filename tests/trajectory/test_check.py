@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
+import numpy.typing as npt
 import pytest
 
 from armui.kinematics.forward import links
@@ -27,9 +28,10 @@ def checked(*points: Waypoint, start: Sequence[float] = HERE) -> Report:
     return check(run(*points), ARM, start)
 
 
-def recording(times_s: Sequence[float], joints_deg: Sequence[Sequence[float]]) -> Recording:
-    grip = np.full((len(times_s), 1), math.nan)
-    return Recording("r", samples=np.hstack((np.array([times_s]).T, joints_deg, grip)))
+def recording(times_s: npt.ArrayLike, joints_deg: npt.ArrayLike) -> Recording:
+    times, joints = np.array([times_s]).T, np.array(joints_deg)
+    grip = np.full((len(times), 1), math.nan)
+    return Recording("r", samples=np.hstack((times, joints, grip)))
 
 
 ACROSS = pose_near(HERE, (60, -150, 40), 8.0)

@@ -135,7 +135,10 @@ def test_another_kind_of_motion_keeps_the_place():
     before = tuple(model.forward((0.0, 60.0, -60.0, 0.0, 30.0, 0.0)))
 
     line = to_move(joint, MoveMode.MOVE_L, model, joint.target, before)
+    assert isinstance(line, Waypoint)
     arc = to_move(line, MoveMode.MOVE_C, model, joint.target, before)
+    assert isinstance(arc, Waypoint)
+    assert arc.middle is not None
     back = to_move(arc, MoveMode.MOVE_J, model, joint.target, before)
 
     assert line.target == pytest.approx(tuple(model.forward(joint.target)))

@@ -3,6 +3,7 @@
 import subprocess
 import sys
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.system.paths import URDF
 from armui.viewport.camera import HOME_CAMERA
 from armui.viewport.palette import DARK
@@ -175,8 +177,8 @@ def test_another_robot_is_shown_a_broken_one_told_and_ours_comes_back(view, qtbo
     broken = write_arm(tmp_path, hinges=2, name="broken.urdf")
     with qtbot.waitSignal(view.load_failed, timeout=LIMIT_MS) as failed:
         view.set_robot(broken)
-    expected = {"path": str(broken), "found": 2, "wanted": 6}
-    assert failed.args == [Refusal("urdf_joint_count", expected)]
+    expected: dict[str, str | int] = {"path": str(broken), "found": 2, "wanted": 6}
+    assert failed.args == [Refusal(RefusalCode.URDF_JOINT_COUNT, expected)]
     settle(view, qtbot)
     before = image_of(view)
     ball = '<visual><geometry><sphere radius="0.05"/></geometry></visual>'
@@ -227,7 +229,7 @@ def test_a_picture_for_small_pixels_has_more_of_them(view, qtbot):
 
 def test_a_covered_view_has_no_more_drawn_than_it_can_hold(view, qtbot):
     """Three images fit into the memory: the one on the screen must not be drawn over."""
-    frames = []
+    frames: list[Any] = []
     view._client.frame_ready.connect(frames.append)
     view.setUpdatesEnabled(False)  # nothing is painted: no picture is used
     shown = view._picture.frame

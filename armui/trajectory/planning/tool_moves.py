@@ -19,7 +19,7 @@ from armui.arm.model import ArmModel
 from armui.kinematics.follow import follow
 from armui.kinematics.pace import Demand, joint_demand, pace, tool_demand
 from armui.kinematics.singularity import JITTER_DEG, fine_steps, leaps, turns
-from armui.kinematics.tool_path import Arc, Lines
+from armui.kinematics.tool_path import Arc, StraightLines
 
 Array = npt.NDArray[np.float64]
 Whole = npt.NDArray[np.int64]
@@ -106,7 +106,7 @@ class Paths:
 
     def sizes(self) -> tuple[Array, Array]:
         """(m,) lengths in mm and turns in degrees."""
-        lines = Lines(self.starts, self.goals)
+        lines = StraightLines(self.starts, self.goals)
         lengths, angles = lines.lengths_mm, lines.angles_deg
         for index, arc in enumerate(self.arcs):
             if arc is not None:
@@ -115,7 +115,7 @@ class Paths:
 
     def poses(self, shares: Array) -> Array:
         """(m, places, 4, 4) transforms at parts of the ways."""
-        poses = Lines(self.starts, self.goals).poses(shares)
+        poses = StraightLines(self.starts, self.goals).poses(shares)
         for index, arc in enumerate(self.arcs):
             if arc is not None:
                 poses[index] = arc.poses(shares)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from armui.control.operating_state import Level
+from armui.control.events import Level
 from armui.ui.trajectory.text import name_list
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.translated import Translated
