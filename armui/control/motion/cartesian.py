@@ -154,7 +154,7 @@ class Cartesian:
             amount: In mm or degrees.
             frame: Whose axes.
         """
-        unknown = self._context.operating_state().cannot_move or self.why_unknown()
+        unknown = self._context.refresh().cannot_move or self.why_unknown()
         if unknown is not None:
             return self._context.refuse(unknown)
         from armui.kinematics import poses  # noqa: PLC0415 - see above
@@ -179,9 +179,7 @@ class Cartesian:
             *points: Start, middle and end.
         """
         context = self._context
-        refusal = (
-            context.operating_state().cannot_move or self.why_unknown() or self.check_arc(*points)
-        )
+        refusal = context.refresh().cannot_move or self.why_unknown() or self.check_arc(*points)
         if refusal is not None:
             return context.refuse(refusal)
         from armui.kinematics.poses import flange_pose  # noqa: PLC0415 - see above
@@ -220,7 +218,7 @@ class Cartesian:
         figures: dict[str, object],
     ) -> Refusal | None:
         context = self._context
-        refusal = context.operating_state().cannot_move or self.check(target, move_mode)
+        refusal = context.refresh().cannot_move or self.check(target, move_mode)
         if refusal is not None:
             return context.refuse(refusal)
         from armui.kinematics.poses import flange_pose  # noqa: PLC0415 - see above

@@ -12,6 +12,7 @@ from armui.arm.limits import ANGLE_STEP_DEG, JointLimits, check_joint
 from armui.arm.refusal import Refusal
 from armui.ui import format as fmt
 from armui.ui.theme import scaled_font
+from armui.ui.widgets import painting
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.track_slider import TrackSlider
@@ -42,6 +43,7 @@ class JointRow(Translated, QWidget):
 
     def __init__(self, joint: int, limits: JointLimits, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        painting.fill_ground(self)
         self.joint = joint
         self._limits = limits
         self._limits_read = False

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 
 from armui.ui import format as fmt
 from armui.ui.theme import scaled_font
+from armui.ui.widgets import painting
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.translated import Translated
@@ -40,6 +41,7 @@ class PoseRow(Translated, QWidget):
 
     def __init__(self, place: int, name: str, unit: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        painting.fill_ground(self)
         self.name = name
         self._unit = unit
         self._label = QLabel(name)
