@@ -24,7 +24,7 @@ from armui.control.motion.motion_command import (
 from armui.control.safety.hearing import limp, taught, why_silent
 from armui.control.safety.other_command import OtherCommand
 from armui.control.safety.overspeed import OverspeedWatch
-from armui.control.safety.rest import RestWatch
+from armui.control.safety.standstill import RestWatch
 from armui.protocol.codes import ArmStatusCode, ControlMode, MoveMode
 
 if TYPE_CHECKING:
