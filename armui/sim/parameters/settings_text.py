@@ -9,8 +9,10 @@ from dataclasses import asdict
 from typing import Any, Final
 
 from armui.arm.limits import JOINTS, JointLimits
+from armui.arm.parameters import KINDS, Group, ParameterKind
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import EndLoad, LinkageRole
+from armui.protocol.message_fields import signal_names
 from armui.sim.parameters.settings import ArmSettingsRecord, HandleSettings, LinkageSettings
 
 _FORMAT: Final = 1
@@ -105,12 +107,21 @@ def _limits(item: object) -> JointLimits:
 
 
 def _teaching(item: object) -> HandleSettings:
+    """A field that is not there is newer than the text: it has the factory's value."""
     fields = _fields("teaching", item)
+    signals, factory = signal_names(HandleSettings), HandleSettings()._asdict()
+    kinds = {kind.signal: kind for kind in KINDS.values() if kind.group is Group.TEACHING}
     return HandleSettings(
-        _whole("range_percent", fields.get("range_percent"), range(100, 201)),
-        _whole("stroke_limit_mm", fields.get("stroke_limit_mm"), (0, 70, 100)),
-        _whole("friction", fields.get("friction"), range(1, 11)),
+        **{
+            name: _whole(name, fields.get(name, first), _allowed(kinds[signals[name]]))
+            for name, first in factory.items()
+        }
     )
+
+
+def _allowed(kind: ParameterKind) -> Sequence[int]:
+    choices = [int(choice) for choice in kind.choices]
+    return choices or range(int(kind.minimum), int(kind.maximum) + 1)
 
 
 def _linkage(item: object) -> LinkageSettings:
