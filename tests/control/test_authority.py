@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import enum
 from dataclasses import replace
 
 import pytest
@@ -19,19 +20,26 @@ THERE = (40.0, 10.0, -10.0, 0.0, 0.0, 0.0)
 NOWHERE = (20.0, 10.0, -10.0, 0.0, 0.0, 0.0)
 
 
+NORMAL = Status(
+    control_mode=int(ControlMode.CAN_CONTROL),
+    arm_status=int(ArmStatusCode.NORMAL),
+    move_mode=int(MoveMode.MOVE_J),
+    teaching=0,
+    reached=True,
+    speed_percent=None,
+    trajectory_point=None,
+    limit_exceeded=(False,) * 6,
+    communication_fault=(False,) * 6,
+)
+
+
 def status(**changes) -> Status:
-    normal = Status(
-        control_mode=ControlMode.CAN_CONTROL,
-        arm_status=ArmStatusCode.NORMAL,
-        move_mode=MoveMode.MOVE_J,
-        teaching=0,
-        reached=True,
-        speed_percent=None,
-        trajectory_point=None,
-        limit_exceeded=(False,) * 6,
-        communication_fault=(False,) * 6,
-    )
-    return replace(normal, **changes)
+    """What 0x2A1 says; the codec gives codes as plain numbers."""
+    plain = {
+        name: int(each) if isinstance(each, enum.IntEnum) else each
+        for name, each in changes.items()
+    }
+    return replace(NORMAL, **plain)
 
 
 DRIVER = DriverSlow(24.0, 30.0, 30.0, 0.0, *(False,) * 5, True, None, None, False, False)

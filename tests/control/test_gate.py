@@ -1,0 +1,92 @@
+"""The reasons against a command, against a motion by its motors, and by the arm's own word."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState, Heard
+from armui.control import gate
+from armui.control.situation import Busy, StopState
+from armui.protocol.codes import ArmStatusCode, ControlMode
+from tests.control.test_authority import status
+
+OFFLINE = Refusal("offline")
+
+
+@pytest.mark.parametrize(
+    ("unreachable", "stop", "busy", "code"),
+    [
+        (None, StopState.RUNNING, None, None),
+        (None, StopState.RESUMING, None, None),
+        (None, StopState.RUNNING, Busy.ZEROING, "busy"),
+        (None, StopState.STOPPED, Busy.ZEROING, "stopped"),
+        (None, StopState.REQUESTED, Busy.ZEROING, "stop_requested"),
+        (OFFLINE, StopState.REQUESTED, Busy.ZEROING, "offline"),
+    ],
+)
+def test_the_first_reason_against_any_command(unreachable, stop, busy, code):
+    refusal = gate.why_no_command(unreachable, stop, busy)
+    assert (None if refusal is None else refusal.code) == code
+
+
+@pytest.mark.parametrize("busy", Busy)
+def test_what_the_program_waits_for_is_named(busy):
+    assert gate.why_no_command(None, StopState.RUNNING, busy).params == {"what": busy.value}
+
+
+ON = (True,) * 6
+
+
+def test_motors_that_are_all_on_are_no_reason():
+    assert gate.why_not_enabled(ON) is None
+
+
+@pytest.mark.parametrize("joint", range(1, 7))
+def test_a_motor_that_is_off_is_named_before_one_that_is_not_heard(joint):
+    unknown = [None] * 6
+    unknown[joint - 1] = False
+    assert gate.why_not_enabled(tuple(unknown)) == Refusal("not_enabled", {"joints": str(joint)})
+
+
+def test_all_motors_that_are_off_are_named():
+    off = gate.why_not_enabled((False, True, False, True, True, False))
+    assert off.params == {"joints": "1, 3, 6"}
+
+
+@pytest.mark.parametrize("index", range(6))
+def test_a_motor_that_is_not_heard_is_a_reason(index):
+    one = tuple(None if each == index else True for each in range(6))
+    assert gate.why_not_enabled(one) == Refusal("enabled_unknown")
+
+
+READY = ArmState(status=Heard(status(), 0.0), joints_deg=(Heard(0.0, 0.0),) * 6)
+MOVABLE_MODES = {ControlMode.STANDBY, ControlMode.CAN_CONTROL}
+MOVABLE = {
+    ArmStatusCode.NORMAL,
+    ArmStatusCode.NO_SOLUTION,
+    ArmStatusCode.SINGULARITY,
+    ArmStatusCode.TARGET_BEYOND_LIMIT,
+}
+
+
+@pytest.mark.parametrize("mode", ControlMode)
+def test_who_controls_the_arm(mode):
+    refusal = gate.why_not_ready(replace(READY, status=Heard(status(control_mode=mode), 0.0)))
+    expected = None if mode in MOVABLE_MODES else Refusal("other_control", {"mode": mode})
+    assert refusal == expected
+
+
+@pytest.mark.parametrize("code", ArmStatusCode)
+def test_a_fault_of_the_arm(code):
+    refusal = gate.why_not_ready(replace(READY, status=Heard(status(arm_status=code), 0.0)))
+    assert refusal == (None if code in MOVABLE else Refusal("arm_fault", {"status": code}))
+
+
+@pytest.mark.parametrize(
+    "changes", [{"status": None}, {"joints_deg": (*READY.joints_deg[:5], None)}]
+)
+def test_an_arm_that_has_not_been_heard_in_full(changes):
+    assert gate.why_not_ready(replace(READY, **changes)) == Refusal("joints_unknown")
