@@ -16,7 +16,6 @@ import contextlib
 import difflib
 import gc
 import importlib
-import itertools
 import os
 import shutil
 import signal
@@ -27,6 +26,7 @@ import traceback
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
 _COPIED = ("armui", "tests", "resources", "urdf", "pyproject.toml")
@@ -143,26 +143,31 @@ class Mutant:
 def mutants(source: str) -> Iterator[Mutant]:
     """Every change of a module's text that is not only in a string of documentation."""
     import cosmic_ray.plugins as plugins  # noqa: PLC0415 - needed for this command only
+    from cosmic_ray.ast import ast_nodes, get_ast  # noqa: PLC0415
     from cosmic_ray.mutating import mutate_code  # noqa: PLC0415
 
     seen = {_meaning(source)}
+    nodes = list(ast_nodes(get_ast(source)))
     for name in sorted(plugins.operator_names()):
         operator = plugins.get_operator(name)
         if operator.arguments():
             continue
-        for occurrence in itertools.count():
-            try:
-                changed = mutate_code(source, operator(), occurrence)
-            except AttributeError:  # a tuple of exceptions is more than the operator knows
-                continue
-            if changed is None:
-                break
+        for occurrence in range(_places(operator(), nodes)):
+            changed = mutate_code(source, operator(), occurrence)
             text = changed.decode() if isinstance(changed, bytes) else changed
             change = _difference(source, text)
             meaning = _meaning(text)
             if meaning not in seen and not any(word in change for word in _IS_NO_FAULT):
                 seen.add(meaning)
                 yield Mutant(name, text, change)
+
+
+def _places(operator: Any, nodes: list[Any]) -> int:
+    """How many places of a module an operator can change."""
+    try:
+        return sum(len(list(operator.mutation_positions(node))) for node in nodes)
+    except AttributeError:  # a tuple of exceptions is more than the operator knows
+        return 0
 
 
 def _meaning(source: str) -> str:

@@ -11,7 +11,7 @@ from armui.arm.state import ArmState, Heard
 from armui.control import gate
 from armui.control.situation import Busy, StopState
 from armui.protocol.codes import ArmStatusCode, ControlMode
-from tests.control.test_authority import status
+from tests.control.heard_arm import status
 
 OFFLINE = Refusal("offline")
 

@@ -9,7 +9,7 @@ import pytest
 from armui.arm.state import ArmState, Heard
 from armui.control.hearing import limp, taught, why_silent
 from armui.protocol.codes import ArmStatusCode, ControlMode
-from tests.control.test_authority import DRIVER, status
+from tests.control.heard_arm import DRIVER, status
 
 NOW_S = 100.0
 FRESH_S = NOW_S - 0.5

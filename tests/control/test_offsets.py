@@ -8,7 +8,7 @@ from armui.arm.state import ArmState, Heard
 from armui.control.offsets import OffsetFollower, Wished
 from armui.protocol.addressing import OFFSETS, Addressing
 from armui.protocol.codes import ArmStatusCode, ControlMode
-from tests.control.test_authority import status
+from tests.control.heard_arm import status
 
 BEGIN_S = 0.25
 STEP_S = 0.015625

@@ -11,7 +11,7 @@ from armui.control.situation import StopState
 from armui.control.stop import StopKeeper, StopWatch, is_stopped, status_is_fresh
 from armui.protocol.codes import ArmStatusCode
 from armui.protocol.frame import Frame
-from tests.control.test_authority import status
+from tests.control.heard_arm import status
 
 BEGIN_S = 0.25
 STEP_S = 0.015625
