@@ -46,6 +46,8 @@ _OURS = frozenset({"armui", "tests"})
 _OPTIONS = ("-x", "-q", "--assert=plain", "-p", "no:cacheprovider", "-p", "no:unraisableexception")
 _PLUGINS = ("pytestqt.plugin", "pytest_timeout")
 _NOT_PRELOADED = ("armui.viewport", "armui.ui")
+_THE_SAME = ("_Is_Eq", "_IsNot_NotEq")
+"""What is compared by identity is ``None``, a member of an enumeration or a truth value."""
 _LEAST_LIMIT_S = 3.0
 _SLOWER = 5.0
 _IS_NO_FAULT = ("# noqa", "TYPE_CHECKING", "__slots__", "@dataclass(")
@@ -150,7 +152,7 @@ def mutants(source: str) -> Iterator[Mutant]:
     nodes = list(ast_nodes(get_ast(source)))
     for name in sorted(plugins.operator_names()):
         operator = plugins.get_operator(name)
-        if operator.arguments():
+        if operator.arguments() or name.endswith(_THE_SAME):
             continue
         for occurrence in range(_places(operator(), nodes)):
             changed = mutate_code(source, operator(), occurrence)
