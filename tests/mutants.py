@@ -78,46 +78,46 @@ TESTS: dict[str, Judges] = {
     "armui/bus/sending.py": Judges(
         ("tests/bus/test_sending.py",), ("tests/safety/test_s03*", "tests/safety/test_s17*")
     ),
-    "armui/control/stop.py": Judges(
+    "armui/control/safety/emergency_stop.py": Judges(
         ("tests/control/test_stop.py",), ("tests/safety/test_s0[456]*", "tests/safety/test_s27*")
     ),
-    "armui/control/stopping.py": Judges(
+    "armui/control/safety/stopping.py": Judges(
         ("tests/control/test_stopping.py",),
         ("tests/safety/test_s0[456]*", "tests/safety/test_s26*", "tests/safety/test_s27*"),
     ),
-    "armui/control/offsets.py": Judges(
+    "armui/control/link/offsets.py": Judges(
         ("tests/control/test_offsets.py",),
         ("tests/safety/test_s04*", "tests/control/test_linkage.py"),
     ),
-    "armui/control/handshake.py": Judges(
+    "armui/control/link/handshake.py": Judges(
         ("tests/control/test_handshake.py",), ("tests/safety/test_s15*",)
     ),
-    "armui/control/orders.py": Judges(
+    "armui/control/requests/transactions.py": Judges(
         ("tests/control/test_orders.py",),
         ("tests/safety/test_s14*", "tests/control/test_zeroing.py"),
     ),
-    "armui/control/overspeed.py": Judges(
+    "armui/control/safety/overspeed.py": Judges(
         ("tests/control/test_overspeed.py", "tests/control/test_authority_speed.py"),
         ("tests/safety/test_s12*",),
     ),
-    "armui/control/hearing.py": Judges(
+    "armui/control/safety/hearing.py": Judges(
         ("tests/control/test_hearing.py",), ("tests/safety/test_s09*",)
     ),
-    "armui/control/rest.py": Judges(
+    "armui/control/safety/rest.py": Judges(
         ("tests/control/test_rest.py",), ("tests/safety/test_s1[03]*",)
     ),
-    "armui/control/gate.py": Judges(
+    "armui/control/safety/interlocks.py": Judges(
         ("tests/control/test_gate.py",), ("tests/control/test_gates.py",)
     ),
     "armui/control/assessment.py": Judges(
         ("tests/control/test_assessment.py",),
         ("tests/control/test_gates.py", "tests/safety/test_s09*"),
     ),
-    "armui/control/other_command.py": Judges(
+    "armui/control/safety/other_command.py": Judges(
         ("tests/control/test_other_command.py",),
         ("tests/safety/test_s13*", "tests/safety/test_s25*"),
     ),
-    "armui/control/motion_command.py": Judges(
+    "armui/control/motion/motion_command.py": Judges(
         ("tests/control/test_authority*",), ("tests/safety/test_s0[789]*",)
     ),
     "armui/arm/other_hosts.py": Judges(

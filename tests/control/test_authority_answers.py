@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from armui.control.authority import Authority
-from armui.control.motion_command import CommandKind, End, Mover
+from armui.control.motion.motion_command import CommandKind, End, Mover
 from armui.protocol.codes import ControlMode, MoveMode
 from tests.control.heard_arm import HERE, NOWHERE, THERE, Arm, status
 

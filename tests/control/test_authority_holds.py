@@ -6,7 +6,7 @@ import pytest
 
 from armui.arm.limits import JointLimits
 from armui.arm.other_hosts import OtherHosts
-from armui.control.motion_command import End, Hold, Mover
+from armui.control.motion.motion_command import End, Hold, Mover
 from armui.protocol.codes import ArmStatusCode, ControlMode, MoveMode
 from tests.control.heard_arm import HERE, THERE, Arm, status
 

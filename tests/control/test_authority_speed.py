@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from armui.control.motion_command import CommandKind
+from armui.control.motion.motion_command import CommandKind
 from tests.control.heard_arm import HERE, Arm, status
 
 

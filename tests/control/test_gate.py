@@ -7,9 +7,9 @@ from dataclasses import replace
 import pytest
 
 from armui.arm.refusal import Refusal
-from armui.arm.state import ArmState, Heard
-from armui.control import gate
-from armui.control.situation import Busy, StopState
+from armui.arm.state import ArmState, Reading
+from armui.control.operating_state import Busy, StopState
+from armui.control.safety import interlocks
 from armui.protocol.codes import ArmStatusCode, ControlMode
 from tests.control.heard_arm import status
 
@@ -28,41 +28,43 @@ OFFLINE = Refusal("offline")
     ],
 )
 def test_the_first_reason_against_any_command(unreachable, stop, busy, code):
-    refusal = gate.why_no_command(unreachable, stop, busy)
+    refusal = interlocks.why_no_command(unreachable, stop, busy)
     assert (None if refusal is None else refusal.code) == code
 
 
 @pytest.mark.parametrize("busy", Busy)
 def test_what_the_program_waits_for_is_named(busy):
-    assert gate.why_no_command(None, StopState.RUNNING, busy).params == {"what": busy.value}
+    assert interlocks.why_no_command(None, StopState.RUNNING, busy).params == {"what": busy.value}
 
 
 ON = (True,) * 6
 
 
 def test_motors_that_are_all_on_are_no_reason():
-    assert gate.why_not_enabled(ON) is None
+    assert interlocks.why_not_enabled(ON) is None
 
 
 @pytest.mark.parametrize("joint", range(1, 7))
 def test_a_motor_that_is_off_is_named_before_one_that_is_not_heard(joint):
     unknown = [None] * 6
     unknown[joint - 1] = False
-    assert gate.why_not_enabled(tuple(unknown)) == Refusal("not_enabled", {"joints": str(joint)})
+    assert interlocks.why_not_enabled(tuple(unknown)) == Refusal(
+        "not_enabled", {"joints": str(joint)}
+    )
 
 
 def test_all_motors_that_are_off_are_named():
-    off = gate.why_not_enabled((False, True, False, True, True, False))
+    off = interlocks.why_not_enabled((False, True, False, True, True, False))
     assert off.params == {"joints": "1, 3, 6"}
 
 
 @pytest.mark.parametrize("index", range(6))
 def test_a_motor_that_is_not_heard_is_a_reason(index):
     one = tuple(None if each == index else True for each in range(6))
-    assert gate.why_not_enabled(one) == Refusal("enabled_unknown")
+    assert interlocks.why_not_enabled(one) == Refusal("enabled_unknown")
 
 
-READY = ArmState(status=Heard(status(), 0.0), joints_deg=(Heard(0.0, 0.0),) * 6)
+READY = ArmState(status=Reading(status(), 0.0), joints_deg=(Reading(0.0, 0.0),) * 6)
 MOVABLE_MODES = {ControlMode.STANDBY, ControlMode.CAN_CONTROL}
 MOVABLE = {
     ArmStatusCode.NORMAL,
@@ -74,14 +76,16 @@ MOVABLE = {
 
 @pytest.mark.parametrize("mode", ControlMode)
 def test_who_controls_the_arm(mode):
-    refusal = gate.why_not_ready(replace(READY, status=Heard(status(control_mode=mode), 0.0)))
+    refusal = interlocks.why_not_ready(
+        replace(READY, status=Reading(status(control_mode=mode), 0.0))
+    )
     expected = None if mode in MOVABLE_MODES else Refusal("other_control", {"mode": mode})
     assert refusal == expected
 
 
 @pytest.mark.parametrize("code", ArmStatusCode)
 def test_a_fault_of_the_arm(code):
-    refusal = gate.why_not_ready(replace(READY, status=Heard(status(arm_status=code), 0.0)))
+    refusal = interlocks.why_not_ready(replace(READY, status=Reading(status(arm_status=code), 0.0)))
     assert refusal == (None if code in MOVABLE else Refusal("arm_fault", {"status": code}))
 
 
@@ -89,4 +93,4 @@ def test_a_fault_of_the_arm(code):
     "changes", [{"status": None}, {"joints_deg": (*READY.joints_deg[:5], None)}]
 )
 def test_an_arm_that_has_not_been_heard_in_full(changes):
-    assert gate.why_not_ready(replace(READY, **changes)) == Refusal("joints_unknown")
+    assert interlocks.why_not_ready(replace(READY, **changes)) == Refusal("joints_unknown")

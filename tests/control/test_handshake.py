@@ -7,8 +7,8 @@ from dataclasses import replace
 import pytest
 
 from armui.arm.limits import FACTORY_LIMITS
-from armui.arm.state import ArmState, Heard
-from armui.control.handshake import Handshake, Phase
+from armui.arm.state import ArmState, Reading
+from armui.control.link.handshake import Handshake, HandshakePhase
 from armui.protocol.addressing import Addressing
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
@@ -19,8 +19,8 @@ VERSION = Frame(0x4AF, bytes.fromhex("01 00 00 00 00 00 00 00"))
 NOTHING = ArmState()
 ALL_LIMITS = replace(
     NOTHING,
-    limits=tuple(Heard(each, BEGIN_S) for each in FACTORY_LIMITS),
-    accelerations_deg_s2=(Heard(286.5, BEGIN_S),) * 6,
+    limits=tuple(Reading(each, BEGIN_S) for each in FACTORY_LIMITS),
+    accelerations_deg_s2=(Reading(286.5, BEGIN_S),) * 6,
 )
 
 
@@ -87,7 +87,7 @@ def test_it_begins_with_nothing_heard_in_the_newer_generation(talk):
     assert talk.wire.sent == []
     assert talk.handshake.generation is None
     assert talk.handshake.firmware is None
-    assert talk.handshake.phase is Phase.GENERATION
+    assert talk.handshake.phase is HandshakePhase.GENERATION
     assert not talk.handshake.done
 
 
@@ -97,7 +97,7 @@ def test_a_version_settles_generation_2(talk):
     talk.wait(STEP_S, replace(NOTHING, firmware="S-V1.8-8"))
     assert talk.handshake.generation is Generation.TWO
     assert talk.handshake.firmware == "S-V1.8-8"
-    assert talk.handshake.phase is Phase.LIMITS
+    assert talk.handshake.phase is HandshakePhase.LIMITS
     assert len(talk.wire.codecs) == 1
 
 
@@ -121,7 +121,7 @@ def test_an_arm_that_is_asked_and_does_not_answer_is_of_generation_1(talk):
     talk.wait(STEP_S, replace(NOTHING, frames=10_000))  # its pace says nothing
     assert talk.handshake.generation is Generation.ONE
     assert talk.handshake.firmware is None
-    assert talk.handshake.phase is Phase.LIMITS
+    assert talk.handshake.phase is HandshakePhase.LIMITS
     first, second = talk.wire.codecs
     assert (first.generation, second.generation) == (Generation.TWO, Generation.ONE)
     assert first.addressing == second.addressing == offsets
@@ -194,7 +194,7 @@ def test_it_is_done_when_they_are_all_read(talk):
     talk.wire.take()
     talk.wait(STEP_S, ALL_LIMITS)
     assert talk.handshake.done
-    assert talk.handshake.phase is Phase.DONE
+    assert talk.handshake.phase is HandshakePhase.DONE
     talk.wait(2.0)
     assert talk.wire.take() == []
 

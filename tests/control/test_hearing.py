@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import pytest
 
-from armui.arm.state import ArmState, Heard
-from armui.control.hearing import limp, taught, why_silent
+from armui.arm.state import ArmState, Reading
+from armui.control.safety.hearing import limp, taught, why_silent
 from armui.protocol.codes import ArmStatusCode, ControlMode
 from tests.control.heard_arm import DRIVER, status
 
@@ -15,9 +15,9 @@ NOW_S = 100.0
 FRESH_S = NOW_S - 0.5
 STALE_S = NOW_S - 0.51
 HEARD = ArmState(
-    status=Heard(status(), FRESH_S),
-    joints_deg=(Heard(0.0, FRESH_S),) * 6,
-    drivers_slow=(Heard(DRIVER, FRESH_S),) * 6,
+    status=Reading(status(), FRESH_S),
+    joints_deg=(Reading(0.0, FRESH_S),) * 6,
+    drivers_slow=(Reading(DRIVER, FRESH_S),) * 6,
 )
 
 
@@ -29,14 +29,14 @@ def test_all_of_it_heard_within_half_a_second_is_no_silence():
     assert why_silent(HEARD, NOW_S) is None
 
 
-@pytest.mark.parametrize("status_heard", [None, Heard(status(), STALE_S)])
+@pytest.mark.parametrize("status_heard", [None, Reading(status(), STALE_S)])
 def test_a_silent_status_is_named(status_heard):
     silent = replace(HEARD, status=status_heard)
     assert why_silent(silent, NOW_S).code == "feedback_silent"
     assert why_silent(silent, NOW_S).params == {"frames": "0x2A1", "seconds": 0.5}
 
 
-@pytest.mark.parametrize("angle", [None, Heard(0.0, STALE_S)])
+@pytest.mark.parametrize("angle", [None, Reading(0.0, STALE_S)])
 @pytest.mark.parametrize(
     ("index", "frame"),
     [(0, "0x2A5"), (1, "0x2A5"), (2, "0x2A6"), (3, "0x2A6"), (4, "0x2A7"), (5, "0x2A7")],
@@ -57,10 +57,10 @@ OFF = replace(DRIVER, enabled=False)
 @pytest.mark.parametrize(
     ("one", "is_limp"),
     [
-        (Heard(DRIVER, FRESH_S), False),
-        (Heard(OFF, FRESH_S), True),
-        (Heard(OFF, STALE_S), None),
-        (Heard(DRIVER, STALE_S), None),
+        (Reading(DRIVER, FRESH_S), False),
+        (Reading(OFF, FRESH_S), True),
+        (Reading(OFF, STALE_S), None),
+        (Reading(DRIVER, STALE_S), None),
         (None, None),
     ],
     ids=["on", "off", "off, long ago", "on, long ago", "never heard"],
@@ -74,7 +74,7 @@ def test_one_motor_without_power_makes_it_limp_and_one_not_heard_leaves_it_open(
 
 
 def test_a_motor_without_power_tells_more_than_one_not_heard():
-    state = replace(HEARD, drivers_slow=(None, *(Heard(OFF, FRESH_S),) * 5))
+    state = replace(HEARD, drivers_slow=(None, *(Reading(OFF, FRESH_S),) * 5))
     assert limp(state, NOW_S) is True
 
 
@@ -90,7 +90,7 @@ def test_a_motor_without_power_tells_more_than_one_not_heard():
     ],
 )
 def test_when_a_hand_leads_it(changes, led):
-    assert taught(replace(HEARD, status=Heard(status(**changes), FRESH_S))) is led
+    assert taught(replace(HEARD, status=Reading(status(**changes), FRESH_S))) is led
 
 
 def test_nothing_is_known_of_a_hand_before_the_status_is_heard():

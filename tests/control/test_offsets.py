@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from armui.arm.state import ArmState, Heard
-from armui.control.offsets import OffsetFollower, Wished
+from armui.arm.state import ArmState, Reading
+from armui.control.link.offsets import OffsetFollower, Wished
 from armui.protocol.addressing import OFFSETS, Addressing
 from armui.protocol.codes import ArmStatusCode, ControlMode
 from tests.control.heard_arm import status
@@ -34,7 +34,7 @@ class Arm:
             self._heard_s[offset] = self.now_s
         own_s = self._heard_s.get(self.follower.addressing.feedback_offset)
         state = ArmState(
-            status=None if own_s is None else Heard(status(**self.status), own_s),
+            status=None if own_s is None else Reading(status(**self.status), own_s),
             status_heard_s=tuple(self._heard_s.get(each) for each in OFFSETS),
         )
         moved = self.follower.advance(state, self.now_s, came=came)
@@ -80,7 +80,7 @@ def test_an_arm_as_delivered(arm):
     assert OffsetFollower().certain
     assert arm.addressing == PLAIN
     assert arm.certain
-    assert arm.follower.wished is None
+    assert arm.follower.requested is None
     assert arm.moved == []
 
 
@@ -89,7 +89,7 @@ def test_an_arm_as_delivered(arm):
 
 def test_commands_that_move_are_uncertain_until_the_arm_has_answered_in_standby(arm):
     arm.wish(COMMANDS_MOVE)
-    assert arm.follower.wished == Wished(COMMANDS_MOVE, arm.now_s)
+    assert arm.follower.requested == Wished(COMMANDS_MOVE, arm.now_s)
     assert not arm.certain
     arm.wait(2.0)
     assert not arm.certain
@@ -99,7 +99,7 @@ def test_commands_that_move_are_uncertain_until_the_arm_has_answered_in_standby(
     arm.wait(STEP_S)
     assert arm.addressing == COMMANDS_MOVE
     assert arm.certain
-    assert arm.follower.wished is None
+    assert arm.follower.requested is None
     assert len(arm.moved) == 1
 
 
@@ -107,7 +107,7 @@ def test_a_status_of_exactly_a_twentieth_of_a_second_later_was_made_after_it():
     follower = OffsetFollower()
     follower.wish(COMMANDS_MOVE, 0.0)
     follower.answered(0.0)
-    heard = Heard(status(control_mode=ControlMode.STANDBY), 0.05)
+    heard = Reading(status(control_mode=ControlMode.STANDBY), 0.05)
     state = ArmState(status=heard, status_heard_s=(0.05, None, None))
     assert follower.advance(state, 0.05, came=False)
 
@@ -177,7 +177,7 @@ def test_its_feedback_of_before_proves_nothing(arm):
 
 def test_the_answer_is_of_what_was_sent_last(arm):
     arm.answer()
-    assert arm.follower.wished is None
+    assert arm.follower.requested is None
     arm.wish(COMMANDS_MOVE)
     arm.answer()
     arm.wish(Addressing(0x00, 0x20))
@@ -198,7 +198,7 @@ def test_without_a_status_nothing_is_taken():
 
 def test_what_is_in_use_already_needs_no_proof(arm):
     arm.wish(PLAIN)
-    assert arm.follower.wished is None
+    assert arm.follower.requested is None
     assert arm.certain
 
 
@@ -219,7 +219,7 @@ def test_an_offset_that_is_not_known_needs_proof_though_it_is_in_use(arm):
     assert arm.addressing == Addressing(0x10, 0x00)
     assert not arm.certain
     arm.wish(Addressing(0x10, 0x00))
-    assert arm.follower.wished is not None
+    assert arm.follower.requested is not None
     arm.answer()
     arm.wait(0.1)
     assert arm.certain
@@ -245,7 +245,7 @@ def test_new_feedback_proves_what_was_sent_without_an_answer(arm):
     arm.wait(0.0625)
     assert arm.addressing == FEEDBACK_MOVES
     assert arm.certain
-    assert arm.follower.wished is None
+    assert arm.follower.requested is None
     assert len(arm.moved) == 1
 
 
@@ -264,7 +264,7 @@ def test_feedback_other_than_asked_for_is_followed_and_proves_nothing(arm):
     arm.wait(1.0)
     assert arm.addressing == Addressing(0x20, 0x00)
     assert not arm.certain
-    assert arm.follower.wished is None
+    assert arm.follower.requested is None
 
 
 def test_two_arms_are_never_mixed(arm):

@@ -7,8 +7,8 @@ from types import SimpleNamespace
 import pytest
 
 from armui.arm.refusal import Refusal
-from armui.control.orders import Order, OrderLine, ReadBack
-from armui.control.situation import LinkState
+from armui.control.operating_state import LinkState
+from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.protocol.frame import Frame
 
 BEGIN_S = 0.25
@@ -63,16 +63,16 @@ class Program:
         self.done: list = []
         self.heard_s: dict[str, float] = {}
         self.connection = Connection(self)
-        self.line = OrderLine(
+        self.line = TransactionQueue(
             SimpleNamespace(
                 connection=self.connection, clock=lambda: self.now_s, state=lambda: self.heard_s
             )
         )
 
-    def order(self, name, *numbers, **fields) -> Order:
+    def order(self, name, *numbers, **fields) -> Transaction:
         """A command of some frames, or a question without any."""
         fields.setdefault("index", INDEX)
-        return Order(
+        return Transaction(
             tuple(frame(each) for each in numbers),
             lambda refusal: self.done.append((name, refusal and refusal.code)),
             **fields,
@@ -87,7 +87,7 @@ class Program:
             proves,
         )
 
-    def question(self, name, number=None, against=None) -> Order:
+    def question(self, name, number=None, against=None) -> Transaction:
         """Something that is only to be read."""
         return self.order(name, read_back=self.reading(name, number, against))
 
@@ -565,7 +565,7 @@ def test_what_is_being_set_that_a_motion_counts_on(program):
 
 def test_what_ends_may_begin_another(program):
     program.line.submit(
-        Order((frame(1),), lambda _refusal: program.line.submit(program.order("b", 2)), INDEX)
+        Transaction((frame(1),), lambda _refusal: program.line.submit(program.order("b", 2)), INDEX)
     )
     program.answer()
     assert program.frames == [(frame(1),), (frame(2),)]

@@ -7,8 +7,8 @@ from dataclasses import replace
 import pytest
 
 from armui.arm.limits import JointLimits
-from armui.arm.state import ArmState, Heard
-from armui.control.overspeed import OverspeedWatch
+from armui.arm.state import ArmState, Reading
+from armui.control.safety.overspeed import OverspeedWatch
 
 BEGIN_S = 0.25
 STEP_S = 0.015625
@@ -26,12 +26,12 @@ class Motion:
         self.watch = OverspeedWatch()
         self.now_s = BEGIN_S
         self.angles_deg = [0.0] * 6
-        self.limits = (None if limits is None else Heard(limits, BEGIN_S),) * 6
+        self.limits = (None if limits is None else Reading(limits, BEGIN_S),) * 6
         self.refusal = None
 
     def state(self) -> ArmState:
         """The arm as heard now."""
-        heard = tuple(Heard(each, self.now_s) for each in self.angles_deg)
+        heard = tuple(Reading(each, self.now_s) for each in self.angles_deg)
         return ArmState(joints_deg=heard, limits=self.limits)
 
     def turn(self, speed_deg_s: float, steps: int, joint: int = 1, percent: int | None = PERCENT):

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from armui.arm.state import ArmState, Heard
-from armui.control.rest import RestWatch
+from armui.arm.state import ArmState, Reading
+from armui.control.safety.rest import RestWatch
 
 BEGIN_S = 0.25
 STEP_S = 0.0625
@@ -30,7 +30,7 @@ class Joints:
         return self.watch.at_rest
 
     def _observe(self) -> None:
-        heard = tuple(Heard(each, self.now_s) for each in self.angles_deg)
+        heard = tuple(Reading(each, self.now_s) for each in self.angles_deg)
         self.watch.observe(ArmState(joints_deg=heard), self.now_s)
 
 
@@ -85,7 +85,7 @@ def test_a_watch_may_be_told_how_near_and_how_long():
 
 def test_time_without_measuring_is_no_rest(joints):
     joints.look()
-    heard = (Heard(0.0, joints.now_s),) * 6
+    heard = (Reading(0.0, joints.now_s),) * 6
     joints.watch.observe(ArmState(joints_deg=heard), joints.now_s + 0.4)
     assert not joints.watch.at_rest
 
@@ -93,18 +93,18 @@ def test_time_without_measuring_is_no_rest(joints):
 def test_the_angle_heard_longest_ago_counts(joints):
     joints.look()
     later_s = BEGIN_S + 0.4
-    fresh, old = Heard(0.0, later_s), Heard(0.0, BEGIN_S)
+    fresh, old = Reading(0.0, later_s), Reading(0.0, BEGIN_S)
     for heard in ((old, *(fresh,) * 5), (*(fresh,) * 5, old)):
         joints.watch.observe(ArmState(joints_deg=heard), later_s)
         assert not joints.watch.at_rest
 
 
 def stale(joints):
-    return tuple(Heard(each, joints.now_s - 0.51) for each in joints.angles_deg)
+    return tuple(Reading(each, joints.now_s - 0.51) for each in joints.angles_deg)
 
 
 def one_missing(joints):
-    return (*(Heard(each, joints.now_s) for each in joints.angles_deg[:5]), None)
+    return (*(Reading(each, joints.now_s) for each in joints.angles_deg[:5]), None)
 
 
 @pytest.mark.parametrize("heard", [stale, one_missing])

@@ -6,9 +6,14 @@ import functools
 
 import pytest
 
-from armui.arm.state import ArmState, Heard
-from armui.control.situation import StopState
-from armui.control.stop import StopKeeper, StopWatch, is_stopped, status_is_fresh
+from armui.arm.state import ArmState, Reading
+from armui.control.operating_state import StopState
+from armui.control.safety.emergency_stop import (
+    EmergencyStop,
+    StopWatch,
+    is_stopped,
+    status_is_fresh,
+)
 from armui.protocol.codes import ArmStatusCode
 from armui.protocol.frame import Frame
 from tests.control.heard_arm import status
@@ -23,7 +28,7 @@ STOPPED, RUNNING = ArmStatusCode.EMERGENCY_STOP, ArmStatusCode.NORMAL
 @functools.cache
 def told(arm_status, at_s):
     """An arm whose last word was this."""
-    return ArmState(status=Heard(status(arm_status=arm_status), at_s))
+    return ArmState(status=Reading(status(arm_status=arm_status), at_s))
 
 
 class Arm:
@@ -33,7 +38,7 @@ class Arm:
         self.sent: list[tuple[float, tuple[Frame, ...]]] = []
         self.on_the_bus = True
         self.now_s = BEGIN_S
-        self.keeper = StopKeeper(self._send)
+        self.keeper = EmergencyStop(self._send)
 
     def _send(self, frames) -> bool:
         self.sent.append((self.now_s, tuple(frames)))

@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 from armui.arm.device import Device
-from armui.arm.state import ArmState, Heard
-from armui.control.offsets import OffsetFollower
-from armui.control.situation import LinkState, StopState
-from armui.control.stopping import Stopping
+from armui.arm.state import ArmState, Reading
+from armui.control.link.offsets import OffsetFollower
+from armui.control.operating_state import LinkState, StopState
+from armui.control.safety.stopping import Stopping
 from armui.protocol.addressing import OFFSETS, Addressing
 from armui.protocol.codec import Codec
 from armui.protocol.codes import ArmStatusCode, ControlMode, TeachingState
@@ -27,7 +27,7 @@ OTHER = Device("virtual", "two")
 
 
 def told(arm_status=RUNNING, at_s=BEGIN_S, **changes):
-    return ArmState(status=Heard(status(arm_status=arm_status, **changes), at_s))
+    return ArmState(status=Reading(status(arm_status=arm_status, **changes), at_s))
 
 
 class Connection:
@@ -91,7 +91,7 @@ class Desk:
 
 
 @pytest.fixture
-def desk():
+def app_driver():
     return Desk()
 
 
@@ -105,24 +105,24 @@ def on_all(data, first=0x00):
 
 
 @pytest.mark.parametrize("offset", OFFSETS)
-def test_it_goes_out_on_all_three_its_own_first(desk, offset):
-    desk.connection.codec = Codec(Generation.TWO, Addressing(0x00, offset))
-    desk.stopping.stop()
-    assert desk.connection.sent == [on_all(STOP, offset)]
+def test_it_goes_out_on_all_three_its_own_first(app_driver, offset):
+    app_driver.connection.codec = Codec(Generation.TWO, Addressing(0x00, offset))
+    app_driver.stopping.stop()
+    assert app_driver.connection.sent == [on_all(STOP, offset)]
 
 
 @pytest.mark.parametrize(("on_the_bus", "code"), [(True, "stop_sent"), (False, "stop_not_sent")])
-def test_it_is_sent_before_anything_else_is_done(desk, on_the_bus, code):
-    desk.connection.on_the_bus = on_the_bus
-    desk.stopping.stop()
-    assert desk.take() == ["sent", "all ended", code]
+def test_it_is_sent_before_anything_else_is_done(app_driver, on_the_bus, code):
+    app_driver.connection.on_the_bus = on_the_bus
+    app_driver.stopping.stop()
+    assert app_driver.take() == ["sent", "all ended", code]
 
 
-def test_without_a_device_it_is_said_that_it_was_not_sent(desk):
-    desk.connection.device = None
-    desk.stopping.stop()
-    assert desk.take() == ["stop_not_sent"]
-    assert not desk.stopping.keeper.requested
+def test_without_a_device_it_is_said_that_it_was_not_sent(app_driver):
+    app_driver.connection.device = None
+    app_driver.stopping.stop()
+    assert app_driver.take() == ["stop_not_sent"]
+    assert not app_driver.stopping.keeper.requested
 
 
 @pytest.mark.parametrize(
@@ -134,157 +134,157 @@ def test_without_a_device_it_is_said_that_it_was_not_sent(desk):
         (0x10, {0x00, 0x10, 0x20}, ["0x2A1", "0x2C1"]),
     ],
 )
-def test_other_arms_that_are_heard_are_named(desk, own, heard, named):
-    desk.connection.offsets.addressing = Addressing(own, 0x00)
+def test_other_arms_that_are_heard_are_named(app_driver, own, heard, named):
+    app_driver.connection.offsets.addressing = Addressing(own, 0x00)
     fresh, old = BEGIN_S - 0.5, BEGIN_S - 0.51
     times = tuple(fresh if each in heard else old for each in OFFSETS)
-    desk.connection.newest = ArmState(status_heard_s=times)
+    app_driver.connection.newest = ArmState(status_heard_s=times)
     names = []
-    tell = desk.stopping._tell
-    desk.stopping._tell = lambda code, **params: (
+    tell = app_driver.stopping._tell
+    app_driver.stopping._tell = lambda code, **params: (
         tell(code, **params) or names.extend(params.values())
     )
-    desk.stopping.stop()
+    app_driver.stopping.stop()
     assert names == named
-    assert desk.take()[3:] == ["stop_reaches_other"] * len(named)
+    assert app_driver.take()[3:] == ["stop_reaches_other"] * len(named)
 
 
-def test_what_becomes_of_it_is_told_once(desk):
-    desk.stopping.stop()
-    desk.take()
-    desk.advance(seconds=0.5)
-    assert desk.take() == ["sent"]
-    desk.advance()
-    assert desk.take() == ["stop_unconfirmed"]
-    desk.advance()
-    assert desk.take() == []
-    desk.advance(STOPPED)
-    assert desk.take() == ["stop_confirmed"]
-    desk.advance(STOPPED)
-    assert desk.take() == []
+def test_what_becomes_of_it_is_told_once(app_driver):
+    app_driver.stopping.stop()
+    app_driver.take()
+    app_driver.advance(seconds=0.5)
+    assert app_driver.take() == ["sent"]
+    app_driver.advance()
+    assert app_driver.take() == ["stop_unconfirmed"]
+    app_driver.advance()
+    assert app_driver.take() == []
+    app_driver.advance(STOPPED)
+    assert app_driver.take() == ["stop_confirmed"]
+    app_driver.advance(STOPPED)
+    assert app_driver.take() == []
 
 
-def test_the_next_one_that_is_overdue_is_told_again(desk):
+def test_the_next_one_that_is_overdue_is_told_again(app_driver):
     for _ in range(2):
-        desk.stopping.stop()
-        desk.take()
-        desk.advance(seconds=0.6)
-        assert "stop_unconfirmed" in desk.take()
-        desk.advance(STOPPED)
-        desk.take()
+        app_driver.stopping.stop()
+        app_driver.take()
+        app_driver.advance(seconds=0.6)
+        assert "stop_unconfirmed" in app_driver.take()
+        app_driver.advance(STOPPED)
+        app_driver.take()
 
 
-def test_that_it_has_lapsed_is_told_once(desk):
-    desk.stopping.stop()
-    desk.connection.link = LinkState.OFFLINE
-    desk.advance(seconds=9.0)
-    assert "stop_lapsed" not in desk.take()
-    desk.advance(seconds=2.0)
-    assert desk.take() == ["stop_lapsed"]
-    desk.advance()
-    assert desk.take() == []
-    desk.stopping.stop()
-    desk.advance()
-    desk.take()
-    desk.advance(seconds=11.0)
-    assert "stop_lapsed" in desk.take()
+def test_that_it_has_lapsed_is_told_once(app_driver):
+    app_driver.stopping.stop()
+    app_driver.connection.link = LinkState.OFFLINE
+    app_driver.advance(seconds=9.0)
+    assert "stop_lapsed" not in app_driver.take()
+    app_driver.advance(seconds=2.0)
+    assert app_driver.take() == ["stop_lapsed"]
+    app_driver.advance()
+    assert app_driver.take() == []
+    app_driver.stopping.stop()
+    app_driver.advance()
+    app_driver.take()
+    app_driver.advance(seconds=11.0)
+    assert "stop_lapsed" in app_driver.take()
 
 
-def test_an_arm_that_is_online_is_not_away(desk):
-    desk.stopping.stop()
+def test_an_arm_that_is_online_is_not_away(app_driver):
+    app_driver.stopping.stop()
     for _ in range(12):
-        desk.advance(seconds=1.0)
-    assert "stop_lapsed" not in desk.take()
+        app_driver.advance(seconds=1.0)
+    assert "stop_lapsed" not in app_driver.take()
 
 
-def test_where_it_stands_is_by_an_arm_that_is_online(desk):
+def test_where_it_stands_is_by_an_arm_that_is_online(app_driver):
     def stands(resuming=False):
-        return desk.stopping.state(told(STOPPED), BEGIN_S, resuming=resuming)
+        return app_driver.stopping.state(told(STOPPED), BEGIN_S, resuming=resuming)
 
     assert stands() is StopState.STOPPED
     assert stands(resuming=True) is StopState.RESUMING
-    desk.connection.link = LinkState.OFFLINE
+    app_driver.connection.link = LinkState.OFFLINE
     assert stands() is StopState.RUNNING
 
 
-def test_a_stop_that_is_outstanding_may_be_withdrawn(desk):
-    desk.stopping.withdraw()
-    assert desk.take() == []
-    desk.stopping.stop()
-    desk.take()
-    desk.stopping.withdraw()
-    assert desk.take() == ["stop_withdrawn"]
-    assert not desk.stopping.keeper.requested
+def test_a_stop_that_is_outstanding_may_be_withdrawn(app_driver):
+    app_driver.stopping.withdraw()
+    assert app_driver.take() == []
+    app_driver.stopping.stop()
+    app_driver.take()
+    app_driver.stopping.withdraw()
+    assert app_driver.take() == ["stop_withdrawn"]
+    assert not app_driver.stopping.keeper.requested
 
 
 # Another connection -------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(("device", "kept"), [(DEVICE, True), (OTHER, False)])
-def test_an_outstanding_stop_holds_for_the_device_it_was_asked_of(desk, device, kept):
-    desk.stopping.stop()
-    desk.take()
-    desk.stopping.on_connecting(device)
-    assert desk.stopping.keeper.requested is kept
-    assert desk.take() == ([] if kept else ["stop_abandoned"])
-    assert desk.params == ({} if kept else {"device": DEVICE})
+def test_an_outstanding_stop_holds_for_the_device_it_was_asked_of(app_driver, device, kept):
+    app_driver.stopping.stop()
+    app_driver.take()
+    app_driver.stopping.on_connecting(device)
+    assert app_driver.stopping.keeper.requested is kept
+    assert app_driver.take() == ([] if kept else ["stop_abandoned"])
+    assert app_driver.params == ({} if kept else {"device": DEVICE})
 
 
-def test_what_is_confirmed_or_was_never_asked_for_is_not_abandoned(desk):
-    desk.stopping.on_connecting(OTHER)
-    assert desk.take() == []
-    desk.stop_and_confirm()
-    desk.stopping.on_connecting(OTHER)
-    assert desk.take() == []
+def test_what_is_confirmed_or_was_never_asked_for_is_not_abandoned(app_driver):
+    app_driver.stopping.on_connecting(OTHER)
+    assert app_driver.take() == []
+    app_driver.stop_and_confirm()
+    app_driver.stopping.on_connecting(OTHER)
+    assert app_driver.take() == []
 
 
-def test_over_another_connection_nobody_undoes_a_stop(desk):
-    desk.stop_and_confirm()
-    desk.stopping.on_connecting(DEVICE)
-    desk.advance(RUNNING)
-    assert desk.take() == []
+def test_over_another_connection_nobody_undoes_a_stop(app_driver):
+    app_driver.stop_and_confirm()
+    app_driver.stopping.on_connecting(DEVICE)
+    app_driver.advance(RUNNING)
+    assert app_driver.take() == []
 
 
 # Undone -------------------------------------------------------------------------------------------
 
 
-def test_another_host_that_undoes_it_is_told_and_not_stopped_again_by_itself(desk):
-    assert desk.stopping.stop_again is False
-    desk.stop_and_confirm()
-    desk.advance(STOPPED)
-    desk.advance(RUNNING)
-    assert desk.take() == ["stop_undone"]
-    assert not desk.stopping.keeper.requested
+def test_another_host_that_undoes_it_is_told_and_not_stopped_again_by_itself(app_driver):
+    assert app_driver.stopping.stop_again is False
+    app_driver.stop_and_confirm()
+    app_driver.advance(STOPPED)
+    app_driver.advance(RUNNING)
+    assert app_driver.take() == ["stop_undone"]
+    assert not app_driver.stopping.keeper.requested
 
 
-def test_as_a_setting_it_is_stopped_again(desk):
-    desk.stopping.stop_again = True
-    desk.stop_and_confirm()
-    desk.advance(RUNNING)
-    assert desk.take() == ["stop_undone", "sent", "all ended", "stop_sent"]
-    assert desk.stopping.keeper.requested
+def test_as_a_setting_it_is_stopped_again(app_driver):
+    app_driver.stopping.stop_again = True
+    app_driver.stop_and_confirm()
+    app_driver.advance(RUNNING)
+    assert app_driver.take() == ["stop_undone", "sent", "all ended", "stop_sent"]
+    assert app_driver.stopping.keeper.requested
 
 
-def test_our_own_resume_undoes_nothing(desk):
-    desk.stopping.stop_again = True
-    desk.stop_and_confirm()
-    desk.advance(RUNNING, resuming=True)
-    assert desk.take() == []
+def test_our_own_resume_undoes_nothing(app_driver):
+    app_driver.stopping.stop_again = True
+    app_driver.stop_and_confirm()
+    app_driver.advance(RUNNING, resuming=True)
+    assert app_driver.take() == []
 
 
 # Halt and hold ------------------------------------------------------------------------------------
 
 
-def halt(desk):
-    return desk.stopping.halt(lambda: desk.happened.append("driven ended"))
+def halt(app_driver):
+    return app_driver.stopping.halt(lambda: app_driver.happened.append("driven ended"))
 
 
 @pytest.mark.parametrize(("on_the_bus", "code"), [(True, "halt_sent"), (False, "halt_not_out")])
-def test_a_halt_is_sent_before_anything_else_is_done(desk, on_the_bus, code):
-    desk.connection.on_the_bus = on_the_bus
-    assert halt(desk) is None
-    assert desk.take() == ["sent", "driven ended", code]
-    assert desk.connection.sent == [on_all(ABORT)]
+def test_a_halt_is_sent_before_anything_else_is_done(app_driver, on_the_bus, code):
+    app_driver.connection.on_the_bus = on_the_bus
+    assert halt(app_driver) is None
+    assert app_driver.take() == ["sent", "driven ended", code]
+    assert app_driver.connection.sent == [on_all(ABORT)]
 
 
 REPLAYS = [
@@ -298,11 +298,11 @@ NONE = [{}, {"arm_status": ArmStatusCode.TEACHING_RECORDING}, {"arm_status": STO
 @pytest.mark.parametrize(
     ("changes", "aborts"), [*((each, True) for each in REPLAYS), *((each, False) for each in NONE)]
 )
-def test_a_recording_that_the_arm_runs_is_aborted_too(desk, changes, aborts):
-    desk.connection.newest = told(**changes)
-    assert halt(desk) is None
+def test_a_recording_that_the_arm_runs_is_aborted_too(app_driver, changes, aborts):
+    app_driver.connection.newest = told(**changes)
+    assert halt(app_driver) is None
     expected = [*on_all(ABORT), *(on_all(ABORT_TEACHING) if aborts else [])]
-    assert desk.connection.sent == [expected]
+    assert app_driver.connection.sent == [expected]
 
 
 @pytest.mark.parametrize(
@@ -315,52 +315,52 @@ def test_a_recording_that_the_arm_runs_is_aborted_too(desk, changes, aborts):
         (DEVICE, LinkState.ONLINE, None),
     ],
 )
-def test_when_there_is_nothing_to_halt(desk, device, link, code):
-    desk.connection.device, desk.connection.link = device, link
-    refusal = desk.stopping.why_no_halt()
+def test_when_there_is_nothing_to_halt(app_driver, device, link, code):
+    app_driver.connection.device, app_driver.connection.link = device, link
+    refusal = app_driver.stopping.why_no_halt()
     assert (refusal and refusal.code) == code
-    assert halt(desk) == refusal
+    assert halt(app_driver) == refusal
     if code is not None:
-        assert desk.take() == ["refused"]
-        assert desk.params == {"reason": refusal}
-        assert desk.connection.sent == []
+        assert app_driver.take() == ["refused"]
+        assert app_driver.params == {"reason": refusal}
+        assert app_driver.connection.sent == []
 
 
-def test_rest_after_a_halt_is_told_once(desk):
-    halt(desk)
-    desk.take()
-    desk.advance(seconds=1.25)
-    assert desk.take() == []
-    desk.advance(still=True, seconds=0.05)
-    assert desk.take() == ["halt_at_rest"]
-    desk.advance(still=True)
-    assert desk.take() == []
+def test_rest_after_a_halt_is_told_once(app_driver):
+    halt(app_driver)
+    app_driver.take()
+    app_driver.advance(seconds=1.25)
+    assert app_driver.take() == []
+    app_driver.advance(still=True, seconds=0.05)
+    assert app_driver.take() == ["halt_at_rest"]
+    app_driver.advance(still=True)
+    assert app_driver.take() == []
 
 
 @pytest.mark.parametrize(("after_s", "its_doing"), [(1.3, True), (1.35, False)])
-def test_later_than_that_the_rest_of_the_arm_is_not_its_doing(desk, after_s, its_doing):
-    desk.now_s = 0.0
-    halt(desk)
-    desk.advance(seconds=after_s)
-    desk.take()
-    desk.advance(still=True)
-    assert desk.take() == (["halt_at_rest"] if its_doing else [])
+def test_later_than_that_the_rest_of_the_arm_is_not_its_doing(app_driver, after_s, its_doing):
+    app_driver.now_s = 0.0
+    halt(app_driver)
+    app_driver.advance(seconds=after_s)
+    app_driver.take()
+    app_driver.advance(still=True)
+    assert app_driver.take() == (["halt_at_rest"] if its_doing else [])
 
 
 ENDS = {
-    "stop": lambda desk: desk.stopping.stop(),
-    "another connection": lambda desk: desk.stopping.on_connecting(DEVICE),
+    "stop": lambda app_driver: app_driver.stopping.stop(),
+    "another connection": lambda app_driver: app_driver.stopping.on_connecting(DEVICE),
 }
 
 
 @pytest.mark.parametrize("what", ENDS)
-def test_what_ends_the_following_of_a_halt(desk, what):
-    halt(desk)
-    ENDS[what](desk)
-    desk.advance(still=True)
-    assert "halt_at_rest" not in desk.take()
+def test_what_ends_the_following_of_a_halt(app_driver, what):
+    halt(app_driver)
+    ENDS[what](app_driver)
+    app_driver.advance(still=True)
+    assert "halt_at_rest" not in app_driver.take()
 
 
-def test_a_rest_nobody_asked_for_is_not_told(desk):
-    desk.advance(still=True)
-    assert desk.take() == []
+def test_a_rest_nobody_asked_for_is_not_told(app_driver):
+    app_driver.advance(still=True)
+    assert app_driver.take() == []
