@@ -79,7 +79,8 @@ TESTS: dict[str, Judges] = {
         ("tests/bus/test_sending.py",), ("tests/safety/test_s03*", "tests/safety/test_s17*")
     ),
     "armui/control/safety/emergency_stop.py": Judges(
-        ("tests/control/test_stop.py",), ("tests/safety/test_s0[456]*", "tests/safety/test_s27*")
+        ("tests/control/test_emergency_stop.py",),
+        ("tests/safety/test_s0[456]*", "tests/safety/test_s27*"),
     ),
     "armui/control/safety/stopping.py": Judges(
         ("tests/control/test_stopping.py",),
@@ -93,7 +94,7 @@ TESTS: dict[str, Judges] = {
         ("tests/control/test_handshake.py",), ("tests/safety/test_s15*",)
     ),
     "armui/control/requests/transactions.py": Judges(
-        ("tests/control/test_orders.py",),
+        ("tests/control/test_transactions.py",),
         ("tests/safety/test_s14*", "tests/control/test_zeroing.py"),
     ),
     "armui/control/safety/overspeed.py": Judges(
@@ -107,7 +108,7 @@ TESTS: dict[str, Judges] = {
         ("tests/control/test_rest.py",), ("tests/safety/test_s1[03]*",)
     ),
     "armui/control/safety/interlocks.py": Judges(
-        ("tests/control/test_gate.py",), ("tests/control/test_gates.py",)
+        ("tests/control/test_interlocks.py",), ("tests/control/test_gates.py",)
     ),
     "armui/control/assessment.py": Judges(
         ("tests/control/test_assessment.py",),
