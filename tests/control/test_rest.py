@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from armui.arm.state import ArmState, Reading
-from armui.control.safety.rest import RestWatch
+from armui.control.safety.rest import QUIET_DEG, QUIET_S, RestWatch
 
 BEGIN_S = 0.25
 STEP_S = 0.0625
@@ -120,3 +120,12 @@ def test_forget(joints):
     assert joints.look(0.5)
     joints.watch.forget()
     assert not joints.watch.at_rest
+
+
+@pytest.mark.parametrize(("speed_deg_s", "quiet"), [(0.4, True), (1.1, False)])
+def test_to_be_quiet_is_to_move_slower_than_a_degree_a_second(speed_deg_s, quiet):
+    joints = Joints(within_deg=QUIET_DEG, for_s=QUIET_S)
+    assert not joints.look()
+    joints.now_s += 0.03125
+    joints.angles_deg[0] += speed_deg_s * 0.03125
+    assert joints.look() is quiet
