@@ -74,7 +74,7 @@ class Authority:
         self._cancelled_s: float | None = None
         self._zero_since_s = 0.0
         self._mode_sent: tuple[MoveMode, float] | None = None
-        self._limits: tuple[JointLimits | None, ...] = (None,) * 6
+        self._limits: tuple[JointLimits | None, ...] = ()
         self.other = OtherCommand()
         self.command: MotionCommand | None = None
         self.ended: End | None = None

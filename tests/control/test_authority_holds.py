@@ -270,10 +270,13 @@ def test_the_arm_has_three_tenths_of_a_second_to_leave_standby(arm, after_s, end
 
 @pytest.mark.parametrize("mode", set(ControlMode) - {ControlMode.CAN_CONTROL})
 def test_outside_can_control_there_is_no_command_of_ours(arm, mode):
-    arm.send()
+    arm.send(HERE)
+    arm.authority.paused()
     arm.status = status(control_mode=mode)
     arm.wait(0.4)
-    assert arm.authority.command is None
+    led = mode in {ControlMode.TEACHING, ControlMode.LINKED_TEACHING_INPUT}
+    assert arm.authority.ended is (End.TAUGHT if led else End.OTHER_MODE)
+    assert arm.authority.holds == frozenset()
 
 
 @pytest.mark.parametrize("code", [ArmStatusCode.NO_SOLUTION, ArmStatusCode.COLLISION])
