@@ -143,6 +143,7 @@ def test_an_answer_that_cannot_be_read_is_of_generation_2_all_the_same(talk):
 def test_an_arm_that_may_not_be_asked_is_told_by_its_pace(talk, per_s, generation):
     talk.wire.may_send = False
     talk.wait(1.0)
+    talk.now_s += 3.0
     heard = round(per_s * (talk.now_s + STEP_S - BEGIN_S))
     talk.wait(STEP_S, replace(NOTHING, frames=heard))
     assert talk.handshake.generation is generation

@@ -127,10 +127,12 @@ def test_another_speed_shown_begins_anew(motion):
     assert motion.turn(100.0, 1) is not None
 
 
-def test_angles_that_are_not_all_known_are_none(motion):
+@pytest.mark.parametrize("index", [0, 5])
+def test_angles_that_are_not_all_known_are_none(motion, index):
     motion.turn(100.0, 7)
     state = motion.state()
-    assert motion.watch.observe(replace(state, joints_deg=(None,) * 6), PERCENT) is None
+    some = (*state.joints_deg[:index], None, *state.joints_deg[index + 1 :])
+    assert motion.watch.observe(replace(state, joints_deg=some), PERCENT) is None
     assert motion.watch.observe(state, PERCENT) is None
     assert motion.turn(100.0, 7) is None
 
@@ -142,6 +144,16 @@ def test_the_same_angles_seen_again_are_measured_once(motion):
     again = [motion.watch.observe(state, PERCENT) for _ in range(20)]
     assert first is not None
     assert again == [first] * 20
+
+
+def test_a_measurement_is_complete_with_its_last_frame(motion):
+    """0x2A7 comes last: until then the new angles of other joints have no time of their own."""
+    motion.turn(30.0, 8)
+    newer = motion.now_s
+    last = Reading(0.0, float(str(newer - STEP_S)))
+    early = (Reading(motion.angles_deg[0] + 2.0, newer), *(Reading(0.0, newer),) * 3, last, last)
+    state = replace(motion.state(), joints_deg=early)
+    assert [motion.watch.observe(state, PERCENT) for _ in range(3)] == [None] * 3
 
 
 def test_a_long_gap_between_two_measurements_is_judged_by_what_lies_between(motion):
