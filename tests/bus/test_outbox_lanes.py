@@ -262,6 +262,18 @@ def test_what_has_begun_is_outdated_too(outbox, driver):
     assert driver.sent == frames(1, 3)
 
 
+def test_what_has_begun_goes_on_after_its_time_whatever_waits_behind(outbox, driver, time_s):
+    def be_slow():
+        driver.on_send = lambda: None
+        time_s[0] += 0.125
+
+    driver.on_send = be_slow
+    outbox.put(frames(1, 2), keep_s=0.0625)
+    outbox.put(frames(3), keep_s=9.0)
+    outbox.send_waiting()
+    assert driver.sent == frames(1, 2, 3)
+
+
 @pytest.mark.parametrize(("hung_s", "sent"), [(0.25, [1, 2, 3]), (0.5, [1, 3])])
 def test_the_rest_of_a_batch_whose_frame_hung_is_dropped(outbox, driver, time_s, hung_s, sent):
     def hang():

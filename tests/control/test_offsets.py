@@ -51,7 +51,8 @@ class Arm:
 
     def wish(self, addressing: Addressing, *, ends_input: bool = False) -> None:
         """Send offsets to the arm."""
-        self.follower.wish(addressing, self.now_s, ends_input=ends_input)
+        more = {"ends_input": True} if ends_input else {}
+        self.follower.wish(addressing, self.now_s, **more)
 
     def answer(self) -> None:
         """The arm says that it keeps them."""
@@ -291,6 +292,33 @@ def test_other_feedback_of_long_ago_is_none(arm):
     arm.wait(2.0)
     assert arm.addressing == PLAIN
     assert arm.moved == []
+
+
+def test_of_two_others_nobody_asked_for_the_first_is_taken(arm):
+    arm.heard_under = {0x10, 0x20}
+    arm.wait(1.0)
+    assert arm.addressing == Addressing(0x10, 0x00)
+
+
+def test_a_look_that_comes_late_sees_it_as_well(arm):
+    arm.heard_under = {0x10}
+    arm.now_s += 0.7
+    assert arm.look()
+
+
+def test_feedback_that_is_to_move_back_has_not_moved_while_it_is_heard(arm):
+    arm.wish(FEEDBACK_MOVES)
+    arm.heard_under = {0x10}
+    arm.wait(1.0)
+    arm.wish(PLAIN)
+    assert arm.certain
+    arm.answer()
+    arm.wait(1.0)
+    assert arm.addressing == FEEDBACK_MOVES
+    arm.heard_under = {0x00}
+    arm.wait(1.0)
+    assert arm.addressing == PLAIN
+    assert arm.certain
 
 
 def test_an_arm_that_falls_silent_keeps_its_identifiers(arm):

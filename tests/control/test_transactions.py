@@ -9,12 +9,14 @@ import pytest
 from armui.arm.refusal import Refusal
 from armui.control.operating_state import LinkState
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
+from armui.protocol.codes import SettingIndex
 from armui.protocol.frame import Frame
 
 BEGIN_S = 0.25
 STEP_S = 0.015625
-INDEX = 0x79
-OTHER_INDEX = 0x7A
+INDEX = SettingIndex.END_LIMIT_SETTING
+LOWER_INDEX = int(INDEX) - 1
+OTHER_INDEX = int(INDEX) + 1
 NO = Refusal("no")
 
 
@@ -84,7 +86,7 @@ class Program:
             (question(number or 1),),
             lambda state, since_s: state.get(name, -1.0) >= since_s,
             lambda _state: against,
-            proves,
+            **({} if proves else {"proves": False}),
         )
 
     def question(self, name, number=None, against=None) -> Transaction:
@@ -97,7 +99,7 @@ class Program:
 
     def answer(self, index=INDEX, name="SettingResponse") -> None:
         """The arm answers."""
-        message = SimpleNamespace(name=name, signals={"Index": index})
+        message = SimpleNamespace(name=name, signals={"Index": int(index)})
         self.connection.answered.emit(message)
 
     def wait(self, seconds) -> None:
@@ -132,7 +134,13 @@ def test_an_order_is_sent_at_once_and_done_when_it_is_answered(program):
 
 
 @pytest.mark.parametrize(
-    ("index", "name"), [(OTHER_INDEX, "SettingResponse"), (INDEX, "JointLimits")]
+    ("index", "name"),
+    [
+        (OTHER_INDEX, "SettingResponse"),
+        (LOWER_INDEX, "SettingResponse"),
+        (INDEX, "JointLimits"),
+        (INDEX, "Version"),
+    ],
 )
 def test_another_answer_is_not_its_own(program, index, name):
     program.line.submit(program.order("a", 1))
@@ -443,7 +451,7 @@ def test_a_new_action_comes_before_the_further_steps_of_an_older(program):
     assert [name for name, _ in program.done] == ["a", "c", "b"]
 
 
-@pytest.mark.parametrize(("after_s", "begins"), [(0.984375, True), (1.0, False)])
+@pytest.mark.parametrize(("after_s", "begins"), [(0.984375, True), (1.0, False), (1.5, False)])
 def test_an_action_begins_within_a_second_or_not_at_all(program, after_s, begins):
     program.line.submit(program.order("a", 1, index=OTHER_INDEX))
     program.line.submit(program.order("b", 2))
