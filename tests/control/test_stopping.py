@@ -190,6 +190,13 @@ def test_that_it_has_lapsed_is_told_once(app_driver):
     assert "stop_lapsed" in app_driver.take()
 
 
+def test_that_it_has_lapsed_is_told_at_the_first_look(app_driver):
+    app_driver.stopping.stop()
+    app_driver.connection.link = LinkState.OFFLINE
+    app_driver.advance(seconds=11.0)
+    assert "stop_lapsed" in app_driver.take()
+
+
 def test_an_arm_that_is_online_is_not_away(app_driver):
     app_driver.stopping.stop()
     for _ in range(12):
