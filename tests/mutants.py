@@ -98,7 +98,7 @@ TESTS: dict[str, Judges] = {
         ("tests/control/test_handshake.py",), ("tests/safety/test_s15*",)
     ),
     "armui/control/requests/transactions.py": Judges(
-        ("tests/control/test_transactions.py",),
+        ("tests/control/test_transaction*",),
         ("tests/safety/test_s14*", "tests/control/test_zeroing.py"),
     ),
     "armui/control/safety/overspeed.py": Judges(

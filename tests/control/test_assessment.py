@@ -9,6 +9,7 @@ import pytest
 from armui.arm.device import Device
 from armui.arm.limits import FACTORY_LIMITS, JointLimits
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
 from armui.control.assessment import Activity, AssessmentInputs, assess
 from armui.control.link.offsets import OffsetFollower
@@ -24,7 +25,7 @@ OFF = replace(DRIVER, enabled=False)
 LIMITS = JointLimits(-90.0, 90.0, 100.0)
 
 
-class Desk:
+class Console:
     """An arm, what the program does, and what may be done."""
 
     def __init__(self) -> None:
@@ -67,8 +68,8 @@ class Desk:
 
 
 @pytest.fixture
-def desk():
-    return Desk()
+def console():
+    return Console()
 
 
 def code(refusal):
@@ -78,88 +79,92 @@ def code(refusal):
 # Reasons ------------------------------------------------------------------------------------------
 
 
-def speed_zero(desk):
-    desk.given(speed_percent=0)
+def speed_zero(console):
+    console.given(speed_percent=0)
 
 
-def held(desk):
-    desk.arm.authority.paused()
+def held(console):
+    console.arm.authority.paused()
 
 
-def running(desk):
-    desk.does(running=True)
+def running(console):
+    console.does(running=True)
 
 
-def not_ready(desk):
-    desk.arm.status = status(control_mode=ControlMode.REMOTE_CONTROL)
+def not_ready(console):
+    console.arm.status = status(control_mode=ControlMode.REMOTE_CONTROL)
 
 
-def disabled(desk):
-    desk.changes["drivers_slow"] = (Reading(OFF, desk.arm.now_s),) * 6
+def disabled(console):
+    console.changes["drivers_slow"] = (Reading(OFF, console.arm.now_s),) * 6
 
 
-def other_host(desk):
-    desk.arm.other()
-    desk.arm.look()
+def other_host(console):
+    console.arm.other()
+    console.arm.look()
 
 
-def silent(desk):
-    desk.arm.silent.add("joints")
-    desk.arm.wait(0.6)
-    desk.arm.silent.clear()
+def silent(console):
+    console.arm.silent.add("joints")
+    console.arm.wait(0.6)
+    console.arm.silent.clear()
 
 
-def altering(desk):
-    desk.does(altering="limits")
+def altering(console):
+    console.does(altering="limits")
 
 
-def uncertain(desk):
+def uncertain(console):
     offsets = OffsetFollower()
     offsets.control_known = False
-    desk.given(offsets=offsets)
+    console.given(offsets=offsets)
 
 
-def busy(desk):
-    desk.given(busy=Busy.ENABLING)
+def busy(console):
+    console.given(busy=Busy.ENABLING)
 
 
-def stopped(desk):
-    desk.given(stop=StopState.STOPPED)
+def stopped(console):
+    console.given(stop=StopState.STOPPED)
 
 
-def offline(desk):
-    desk.given(link=LinkState.OFFLINE)
+def offline(console):
+    console.given(link=LinkState.OFFLINE)
 
 
 AGAINST_A_MOTION = [
-    (speed_zero, "speed_zero"),
-    (held, "plan_paused"),
-    (running, "run_under_way"),
+    (speed_zero, RefusalCode.SPEED_ZERO),
+    (held, RefusalCode.PLAN_PAUSED),
+    (running, RefusalCode.RUN_UNDER_WAY),
 ]
 AGAINST_A_RUN = [
-    (not_ready, "other_control"),
-    (disabled, "not_enabled"),
-    (other_host, "other_host"),
-    (silent, "feedback_silent"),
-    (altering, "busy"),
-    (uncertain, "control_offset_unknown"),
+    (not_ready, RefusalCode.OTHER_CONTROL),
+    (disabled, RefusalCode.NOT_ENABLED),
+    (other_host, RefusalCode.OTHER_HOST),
+    (silent, RefusalCode.FEEDBACK_SILENT),
+    (altering, RefusalCode.BUSY),
+    (uncertain, RefusalCode.CONTROL_OFFSET_UNKNOWN),
 ]
-AGAINST_ANYTHING = [(busy, "busy"), (stopped, "stopped"), (offline, "offline")]
+AGAINST_ANYTHING = [
+    (busy, RefusalCode.BUSY),
+    (stopped, RefusalCode.STOPPED),
+    (offline, RefusalCode.OFFLINE),
+]
 
 
-def test_nothing_speaks_against_a_motion_of_an_arm_that_is_ready(desk):
-    operating = desk.assess()
+def test_nothing_speaks_against_a_motion_of_an_arm_that_is_ready(console):
+    operating = console.assess()
     assert operating.cannot_move is None
     assert operating.cannot_run is None
     assert operating.cannot_enable is None
     assert operating.cannot_send_motion is None
 
 
-def test_each_reason_goes_before_those_that_matter_less(desk):
+def test_each_reason_goes_before_those_that_matter_less(console):
     for kind, table in enumerate((AGAINST_A_MOTION, AGAINST_A_RUN, AGAINST_ANYTHING)):
         for happens, reason in table:
-            happens(desk)
-            operating = desk.assess()
+            happens(console)
+            operating = console.assess()
             assert code(operating.cannot_move) == reason
             assert code(operating.cannot_run) == (reason if kind > 0 else None)
             assert code(operating.cannot_enable) == (reason if kind > 1 else None)
@@ -168,22 +173,22 @@ def test_each_reason_goes_before_those_that_matter_less(desk):
 @pytest.mark.parametrize(
     ("happens", "reason"), [*AGAINST_A_MOTION, *AGAINST_A_RUN, *AGAINST_ANYTHING]
 )
-def test_each_reason_alone(desk, happens, reason):
-    happens(desk)
-    assert code(desk.assess().cannot_move) == reason
+def test_each_reason_alone(console, happens, reason):
+    happens(console)
+    assert code(console.assess().cannot_move) == reason
     frames_may_not_leave = happens in {other_host, silent}
-    sends = desk.assess().cannot_send_motion
+    sends = console.assess().cannot_send_motion
     assert code(sends) == (reason if frames_may_not_leave else None)
 
 
-def test_what_is_being_set_is_named(desk):
-    altering(desk)
-    assert desk.assess().cannot_run.params == {"what": "limits"}
+def test_what_is_being_set_is_named(console):
+    altering(console)
+    assert console.assess().cannot_run.params == {"what": "limits"}
 
 
-def test_a_connection_that_only_listens_sends_nothing(desk):
-    desk.given(device=replace(DEVICE, listen_only=True))
-    assert code(desk.assess().cannot_enable) == "listen_only"
+def test_a_connection_that_only_listens_sends_nothing(console):
+    console.given(device=replace(DEVICE, listen_only=True))
+    assert code(console.assess().cannot_enable) == RefusalCode.LISTEN_ONLY
 
 
 # Motors -------------------------------------------------------------------------------------------
@@ -194,24 +199,24 @@ def test_a_connection_that_only_listens_sends_nothing(desk):
     [(0.5, DRIVER, True), (0.5, OFF, False), (0.51, DRIVER, None), (0.51, OFF, None)],
 )
 @pytest.mark.parametrize("index", range(6))
-def test_a_motor_is_on_by_a_fresh_word_of_its_own(desk, index, age_s, driver, enabled):
-    desk.arm.now_s = 2.0
+def test_a_motor_is_on_by_a_fresh_word_of_its_own(console, index, age_s, driver, enabled):
+    console.arm.now_s = 2.0
     six = [None] * 6
     six[index] = Reading(driver, 2.0 - age_s)
-    desk.changes["drivers_slow"] = tuple(six)
+    console.changes["drivers_slow"] = tuple(six)
     expected = [None] * 6
     expected[index] = enabled
-    assert desk.assess().enabled == tuple(expected)
+    assert console.assess().enabled == tuple(expected)
 
 
 # Limits -------------------------------------------------------------------------------------------
 
 
-def test_limits_that_were_read_go_before_the_factorys(desk):
+def test_limits_that_were_read_go_before_the_factorys(console):
     wrong = JointLimits(-90.0, 90.0, 6553.5)
     read = Reading(LIMITS, 0.0)
-    desk.changes["limits"] = (read, None, Reading(wrong, 0.0), None, None, read)
-    operating = desk.assess()
+    console.changes["limits"] = (read, None, Reading(wrong, 0.0), None, None, read)
+    operating = console.assess()
     assert operating.limits == (LIMITS, *FACTORY_LIMITS[1:5], LIMITS)
     assert operating.limits_read == (True, False, False, False, False, True)
 
@@ -219,57 +224,57 @@ def test_limits_that_were_read_go_before_the_factorys(desk):
 # Moving -------------------------------------------------------------------------------------------
 
 
-def moves(desk):
-    desk.arm.send()
-    desk.arm.status = status(reached=False)
-    desk.arm.turn(5)
+def moves(console):
+    console.arm.send()
+    console.arm.status = status(reached=False)
+    console.arm.turn(5)
 
 
-def test_an_arm_moves_that_says_so_and_is_measured_to(desk):
-    assert desk.assess().moving is False
-    moves(desk)
-    assert desk.assess().moving is True
-    desk.arm.status = status()
-    assert desk.assess().moving is False
-    desk.arm.status = status(reached=False)
-    desk.arm.wait(0.5)
-    assert desk.assess().moving is False
+def test_an_arm_moves_that_says_so_and_is_measured_to(console):
+    assert console.assess().moving is False
+    moves(console)
+    assert console.assess().moving is True
+    console.arm.status = status()
+    assert console.assess().moving is False
+    console.arm.status = status(reached=False)
+    console.arm.wait(0.5)
+    assert console.assess().moving is False
 
 
-def test_before_the_status_is_heard_nothing_moves(desk):
-    moves(desk)
-    desk.changes["status"] = None
-    assert desk.assess().moving is False
+def test_before_the_status_is_heard_nothing_moves(console):
+    moves(console)
+    console.changes["status"] = None
+    assert console.assess().moving is False
 
 
-def test_a_motion_held_back_counts_as_moving(desk):
-    held(desk)
-    assert desk.assess().moving is True
+def test_a_motion_held_back_counts_as_moving(console):
+    held(console)
+    assert console.assess().moving is True
 
 
 @pytest.mark.parametrize(
     "fields",
     [{"link": LinkState.OFFLINE}, {"stop": StopState.STOPPED}, {"stop": StopState.REQUESTED}],
 )
-def test_an_arm_that_is_away_or_stopped_does_not(desk, fields):
-    moves(desk)
-    desk.given(**fields)
-    assert desk.assess().moving is False
-    held(desk)
-    assert desk.assess().moving is False
+def test_an_arm_that_is_away_or_stopped_does_not(console, fields):
+    moves(console)
+    console.given(**fields)
+    assert console.assess().moving is False
+    held(console)
+    assert console.assess().moving is False
 
 
 # A teaching input ---------------------------------------------------------------------------------
 
 
 @pytest.fixture
-def teaching_input(desk):
+def teaching_input(console):
     """Commands are heard, and drivers; the controller is not."""
-    desk.arm.now_s = 2.0
-    desk.changes.update(
+    console.arm.now_s = 2.0
+    console.changes.update(
         status=None, joints_deg=(None,) * 6, foreign_targets_s=1.5, pose=(None,) * 6
     )
-    return desk
+    return console
 
 
 def test_commands_without_feedback_are_a_teaching_inputs(teaching_input):
@@ -306,9 +311,9 @@ def test_at_first_the_program_does_nothing_to_the_arm():
     assert Activity() == Activity(False, False, False, None, False)
 
 
-def test_what_the_program_does_and_knows_is_told(desk):
-    problem = Refusal("link_lost")
-    desk.given(
+def test_what_the_program_does_and_knows_is_told(console):
+    problem = Refusal(RefusalCode.LINK_LOST)
+    console.given(
         link_problem=problem,
         stop_unconfirmed=True,
         stop_lapsed=True,
@@ -316,8 +321,8 @@ def test_what_the_program_does_and_knows_is_told(desk):
         generation=Generation.ONE,
         activity=Activity(True, True, True, "zero", True),
     )
-    desk.inputs.offsets.addressing = Addressing(0x10, 0x20)
-    operating = desk.assess()
+    console.inputs.offsets.addressing = Addressing(0x10, 0x20)
+    operating = console.assess()
     assert (operating.link, operating.device) == (LinkState.ONLINE, DEVICE)
     assert operating.link_problem is problem
     assert operating.stop is StopState.RUNNING
@@ -330,32 +335,32 @@ def test_what_the_program_does_and_knows_is_told(desk):
     assert operating.control_certain is True
 
 
-def test_a_stop_is_not_lapsed_unless_it_is_said(desk):
-    assert desk.assess().stop_lapsed is False
-    assert desk.assess().other_host is None
+def test_a_stop_is_not_lapsed_unless_it_is_said(console):
+    assert console.assess().stop_lapsed is False
+    assert console.assess().other_host is None
 
 
-def test_who_moves_the_arm_is_told(desk):
-    assert desk.assess().mover is Mover.NOBODY
-    desk.arm.send()
-    desk.arm.wait(0.1)
-    held(desk)
-    operating = desk.assess()
+def test_who_moves_the_arm_is_told(console):
+    assert console.assess().mover is Mover.NOBODY
+    console.arm.send()
+    console.arm.wait(0.1)
+    held(console)
+    operating = console.assess()
     assert operating.mover is Mover.OURS
     assert operating.holds == {Hold.PAUSE}
     assert operating.held_target_deg == THERE
     assert operating.cancel_unheeded is False
 
 
-def test_a_cancel_that_is_not_heeded_is_told(desk):
-    moves(desk)
-    desk.arm.authority.cancelled(desk.arm.now_s)
-    desk.arm.turn(60)
-    assert desk.assess().cancel_unheeded is True
-    assert desk.arm.joints_deg != HERE
+def test_a_cancel_that_is_not_heeded_is_told(console):
+    moves(console)
+    console.arm.authority.cancelled(console.arm.now_s)
+    console.arm.turn(60)
+    assert console.assess().cancel_unheeded is True
+    assert console.arm.joints_deg != HERE
 
 
 @pytest.mark.parametrize("fault", [ArmStatusCode.COLLISION])
-def test_a_fault_of_the_arm_is_told(desk, fault):
-    desk.arm.status = status(arm_status=fault)
-    assert desk.assess().cannot_run == Refusal("arm_fault", {"status": fault})
+def test_a_fault_of_the_arm_is_told(console, fault):
+    console.arm.status = status(arm_status=fault)
+    assert console.assess().cannot_run == Refusal(RefusalCode.ARM_FAULT, {"status": fault})

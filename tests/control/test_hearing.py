@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import pytest
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
 from armui.control.safety.hearing import limp, taught, why_silent
 from armui.protocol.codes import ArmStatusCode, ControlMode
@@ -32,7 +33,7 @@ def test_all_of_it_heard_within_half_a_second_is_no_silence():
 @pytest.mark.parametrize("status_heard", [None, Reading(status(), STALE_S)])
 def test_a_silent_status_is_named(status_heard):
     silent = replace(HEARD, status=status_heard)
-    assert why_silent(silent, NOW_S).code == "feedback_silent"
+    assert why_silent(silent, NOW_S).code == RefusalCode.FEEDBACK_SILENT
     assert why_silent(silent, NOW_S).params == {"frames": "0x2A1", "seconds": 0.5}
 
 

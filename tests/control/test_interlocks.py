@@ -7,13 +7,14 @@ from dataclasses import replace
 import pytest
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
 from armui.control.operating_state import Busy, StopState
 from armui.control.safety import interlocks
 from armui.protocol.codes import ArmStatusCode, ControlMode
 from tests.control.heard_arm import status
 
-OFFLINE = Refusal("offline")
+OFFLINE = Refusal(RefusalCode.OFFLINE)
 
 
 @pytest.mark.parametrize(
@@ -21,10 +22,10 @@ OFFLINE = Refusal("offline")
     [
         (None, StopState.RUNNING, None, None),
         (None, StopState.RESUMING, None, None),
-        (None, StopState.RUNNING, Busy.ZEROING, "busy"),
-        (None, StopState.STOPPED, Busy.ZEROING, "stopped"),
-        (None, StopState.REQUESTED, Busy.ZEROING, "stop_requested"),
-        (OFFLINE, StopState.REQUESTED, Busy.ZEROING, "offline"),
+        (None, StopState.RUNNING, Busy.ZEROING, RefusalCode.BUSY),
+        (None, StopState.STOPPED, Busy.ZEROING, RefusalCode.STOPPED),
+        (None, StopState.REQUESTED, Busy.ZEROING, RefusalCode.STOP_REQUESTED),
+        (OFFLINE, StopState.REQUESTED, Busy.ZEROING, RefusalCode.OFFLINE),
     ],
 )
 def test_the_first_reason_against_any_command(unreachable, stop, busy, code):
@@ -49,7 +50,7 @@ def test_a_motor_that_is_off_is_named_before_one_that_is_not_heard(joint):
     unknown = [None] * 6
     unknown[joint - 1] = False
     assert interlocks.why_not_enabled(tuple(unknown)) == Refusal(
-        "not_enabled", {"joints": str(joint)}
+        RefusalCode.NOT_ENABLED, {"joints": str(joint)}
     )
 
 
@@ -61,7 +62,7 @@ def test_all_motors_that_are_off_are_named():
 @pytest.mark.parametrize("index", range(6))
 def test_a_motor_that_is_not_heard_is_a_reason(index):
     one = tuple(None if each == index else True for each in range(6))
-    assert interlocks.why_not_enabled(one) == Refusal("enabled_unknown")
+    assert interlocks.why_not_enabled(one) == Refusal(RefusalCode.ENABLED_UNKNOWN)
 
 
 READY = ArmState(status=Reading(status(), 0.0), joints_deg=(Reading(0.0, 0.0),) * 6)
@@ -79,18 +80,22 @@ def test_who_controls_the_arm(mode):
     refusal = interlocks.why_not_ready(
         replace(READY, status=Reading(status(control_mode=mode), 0.0))
     )
-    expected = None if mode in MOVABLE_MODES else Refusal("other_control", {"mode": mode})
+    expected = None if mode in MOVABLE_MODES else Refusal(RefusalCode.OTHER_CONTROL, {"mode": mode})
     assert refusal == expected
 
 
 @pytest.mark.parametrize("code", ArmStatusCode)
 def test_a_fault_of_the_arm(code):
     refusal = interlocks.why_not_ready(replace(READY, status=Reading(status(arm_status=code), 0.0)))
-    assert refusal == (None if code in MOVABLE else Refusal("arm_fault", {"status": code}))
+    assert refusal == (
+        None if code in MOVABLE else Refusal(RefusalCode.ARM_FAULT, {"status": code})
+    )
 
 
 @pytest.mark.parametrize(
     "changes", [{"status": None}, {"joints_deg": (*READY.joints_deg[:5], None)}]
 )
 def test_an_arm_that_has_not_been_heard_in_full(changes):
-    assert interlocks.why_not_ready(replace(READY, **changes)) == Refusal("joints_unknown")
+    assert interlocks.why_not_ready(replace(READY, **changes)) == Refusal(
+        RefusalCode.JOINTS_UNKNOWN
+    )

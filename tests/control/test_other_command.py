@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from armui.arm.other_hosts import OtherHosts
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
 from armui.control.safety.other_command import OtherCommand, OtherMode
 from armui.protocol.codes import ArmStatusCode, ControlMode
@@ -171,7 +172,8 @@ def test_it_is_over_two_seconds_later_and_at_rest(company, after_s, at_rest, com
 
 
 @pytest.mark.parametrize(
-    ("after_s", "code"), [(0.49, "other_host_streams"), (0.5, None), (2.1, "nobody_else")]
+    ("after_s", "code"),
+    [(0.49, RefusalCode.OTHER_HOST_STREAMS), (0.5, None), (2.1, RefusalCode.NOBODY_ELSE)],
 )
 def test_when_it_may_be_taken_over(company, after_s, code):
     company.say(0x155, "00" * 8)
@@ -186,7 +188,10 @@ def test_when_it_may_be_taken_over(company, after_s, code):
 
 @pytest.mark.parametrize(
     ("mode", "reason"),
-    [("01 04 00 AD 00 00 00 00", "other_mode"), ("01 01 32 00 00 00 00 00", "other_host")],
+    [
+        ("01 04 00 AD 00 00 00 00", RefusalCode.OTHER_MODE),
+        ("01 01 32 00 00 00 00 00", RefusalCode.OTHER_HOST),
+    ],
 )
 def test_the_reason_names_the_mode_before_the_host(company, mode, reason):
     company.say(0x151, mode)
@@ -212,11 +217,11 @@ def test_a_leader_arm_is_named_as_one(company):
             company.say(each, "01 01 32 00 00 00 00 00", NOW_S + 0.005 * k)
         company.look(NOW_S + 0.005 * k)
     assert company.other.is_leader
-    assert company.other.why_not().code == "leader_arm"
+    assert company.other.why_not().code == RefusalCode.LEADER_ARM
     company.say(0x150, "01 00 00 00 00 00 00 00", NOW_S + 0.05)
     company.look(NOW_S + 0.05)
     assert not company.other.is_leader
-    assert company.other.why_not().code == "other_host"
+    assert company.other.why_not().code == RefusalCode.OTHER_HOST
 
 
 def test_frames_for_another_arm_count_until_our_own_offset_is_known(company):

@@ -5,7 +5,9 @@ from __future__ import annotations
 import pytest
 
 from armui.arm.device import Device
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
+from armui.control.events import EventCode
 from armui.control.link.offsets import OffsetFollower
 from armui.control.operating_state import LinkState, StopState
 from armui.control.safety.stopping import Stopping
@@ -49,7 +51,7 @@ class Connection:
         return self.on_the_bus
 
 
-class Desk:
+class Console:
     """A `Stopping` and all it needs.
 
     Attributes:
@@ -87,12 +89,12 @@ class Desk:
         """A stop, and the arm's word."""
         self.stopping.stop()
         self.advance(STOPPED)
-        assert self.take()[-1] == "stop_confirmed"
+        assert self.take()[-1] == EventCode.STOP_CONFIRMED
 
 
 @pytest.fixture
-def app_driver():
-    return Desk()
+def console():
+    return Console()
 
 
 def on_all(data, first=0x00):
@@ -105,24 +107,26 @@ def on_all(data, first=0x00):
 
 
 @pytest.mark.parametrize("offset", OFFSETS)
-def test_it_goes_out_on_all_three_its_own_first(app_driver, offset):
-    app_driver.connection.codec = Codec(Generation.TWO, Addressing(0x00, offset))
-    app_driver.stopping.stop()
-    assert app_driver.connection.sent == [on_all(STOP, offset)]
+def test_it_goes_out_on_all_three_its_own_first(console, offset):
+    console.connection.codec = Codec(Generation.TWO, Addressing(0x00, offset))
+    console.stopping.stop()
+    assert console.connection.sent == [on_all(STOP, offset)]
 
 
-@pytest.mark.parametrize(("on_the_bus", "code"), [(True, "stop_sent"), (False, "stop_not_sent")])
-def test_it_is_sent_before_anything_else_is_done(app_driver, on_the_bus, code):
-    app_driver.connection.on_the_bus = on_the_bus
-    app_driver.stopping.stop()
-    assert app_driver.take() == ["sent", "all ended", code]
+@pytest.mark.parametrize(
+    ("on_the_bus", "code"), [(True, EventCode.STOP_SENT), (False, EventCode.STOP_NOT_SENT)]
+)
+def test_it_is_sent_before_anything_else_is_done(console, on_the_bus, code):
+    console.connection.on_the_bus = on_the_bus
+    console.stopping.stop()
+    assert console.take() == ["sent", "all ended", code]
 
 
-def test_without_a_device_it_is_said_that_it_was_not_sent(app_driver):
-    app_driver.connection.device = None
-    app_driver.stopping.stop()
-    assert app_driver.take() == ["stop_not_sent"]
-    assert not app_driver.stopping.keeper.requested
+def test_without_a_device_it_is_said_that_it_was_not_sent(console):
+    console.connection.device = None
+    console.stopping.stop()
+    assert console.take() == [EventCode.STOP_NOT_SENT]
+    assert not console.stopping.keeper.requested
 
 
 @pytest.mark.parametrize(
@@ -134,164 +138,166 @@ def test_without_a_device_it_is_said_that_it_was_not_sent(app_driver):
         (0x10, {0x00, 0x10, 0x20}, ["0x2A1", "0x2C1"]),
     ],
 )
-def test_other_arms_that_are_heard_are_named(app_driver, own, heard, named):
-    app_driver.connection.offsets.addressing = Addressing(own, 0x00)
+def test_other_arms_that_are_heard_are_named(console, own, heard, named):
+    console.connection.offsets.addressing = Addressing(own, 0x00)
     fresh, old = BEGIN_S - 0.5, BEGIN_S - 0.51
     times = tuple(fresh if each in heard else old for each in OFFSETS)
-    app_driver.connection.newest = ArmState(status_heard_s=times)
+    console.connection.newest = ArmState(status_heard_s=times)
     names = []
-    tell = app_driver.stopping._tell
-    app_driver.stopping._tell = lambda code, **params: (
+    tell = console.stopping._tell
+    console.stopping._tell = lambda code, **params: (
         tell(code, **params) or names.extend(params.values())
     )
-    app_driver.stopping.stop()
+    console.stopping.stop()
     assert names == named
-    assert app_driver.take()[3:] == ["stop_reaches_other"] * len(named)
+    assert console.take()[3:] == [EventCode.STOP_REACHES_OTHER] * len(named)
 
 
-def test_what_becomes_of_it_is_told_once(app_driver):
-    app_driver.stopping.stop()
-    app_driver.take()
-    app_driver.advance(seconds=0.5)
-    assert app_driver.take() == ["sent"]
-    app_driver.advance()
-    assert app_driver.take() == ["stop_unconfirmed"]
-    app_driver.advance()
-    assert app_driver.take() == []
-    app_driver.advance(STOPPED)
-    assert app_driver.take() == ["stop_confirmed"]
-    app_driver.advance(STOPPED)
-    assert app_driver.take() == []
+def test_what_becomes_of_it_is_told_once(console):
+    console.stopping.stop()
+    console.take()
+    console.advance(seconds=0.5)
+    assert console.take() == ["sent"]
+    console.advance()
+    assert console.take() == [EventCode.STOP_UNCONFIRMED]
+    console.advance()
+    assert console.take() == []
+    console.advance(STOPPED)
+    assert console.take() == [EventCode.STOP_CONFIRMED]
+    console.advance(STOPPED)
+    assert console.take() == []
 
 
-def test_the_next_one_that_is_overdue_is_told_again(app_driver):
+def test_the_next_one_that_is_overdue_is_told_again(console):
     for _ in range(2):
-        app_driver.stopping.stop()
-        app_driver.take()
-        app_driver.advance(seconds=0.6)
-        assert "stop_unconfirmed" in app_driver.take()
-        app_driver.advance(STOPPED)
-        app_driver.take()
+        console.stopping.stop()
+        console.take()
+        console.advance(seconds=0.6)
+        assert EventCode.STOP_UNCONFIRMED in console.take()
+        console.advance(STOPPED)
+        console.take()
 
 
-def test_that_it_has_lapsed_is_told_once(app_driver):
-    app_driver.stopping.stop()
-    app_driver.connection.link = LinkState.OFFLINE
-    app_driver.advance(seconds=9.0)
-    assert "stop_lapsed" not in app_driver.take()
-    app_driver.advance(seconds=2.0)
-    assert app_driver.take() == ["stop_lapsed"]
-    app_driver.advance()
-    assert app_driver.take() == []
-    app_driver.stopping.stop()
-    app_driver.advance()
-    app_driver.take()
-    app_driver.advance(seconds=11.0)
-    assert "stop_lapsed" in app_driver.take()
+def test_that_it_has_lapsed_is_told_once(console):
+    console.stopping.stop()
+    console.connection.link = LinkState.OFFLINE
+    console.advance(seconds=9.0)
+    assert EventCode.STOP_LAPSED not in console.take()
+    console.advance(seconds=2.0)
+    assert console.take() == [EventCode.STOP_LAPSED]
+    console.advance()
+    assert console.take() == []
+    console.stopping.stop()
+    console.advance()
+    console.take()
+    console.advance(seconds=11.0)
+    assert EventCode.STOP_LAPSED in console.take()
 
 
-def test_that_it_has_lapsed_is_told_at_the_first_look(app_driver):
-    app_driver.stopping.stop()
-    app_driver.connection.link = LinkState.OFFLINE
-    app_driver.advance(seconds=11.0)
-    assert "stop_lapsed" in app_driver.take()
+def test_that_it_has_lapsed_is_told_at_the_first_look(console):
+    console.stopping.stop()
+    console.connection.link = LinkState.OFFLINE
+    console.advance(seconds=11.0)
+    assert EventCode.STOP_LAPSED in console.take()
 
 
-def test_an_arm_that_is_online_is_not_away(app_driver):
-    app_driver.stopping.stop()
+def test_an_arm_that_is_online_is_not_away(console):
+    console.stopping.stop()
     for _ in range(12):
-        app_driver.advance(seconds=1.0)
-    assert "stop_lapsed" not in app_driver.take()
+        console.advance(seconds=1.0)
+    assert EventCode.STOP_LAPSED not in console.take()
 
 
-def test_where_it_stands_is_by_an_arm_that_is_online(app_driver):
+def test_where_it_stands_is_by_an_arm_that_is_online(console):
     def stands(resuming=False):
-        return app_driver.stopping.state(told(STOPPED), BEGIN_S, resuming=resuming)
+        return console.stopping.state(told(STOPPED), BEGIN_S, resuming=resuming)
 
     assert stands() is StopState.STOPPED
     assert stands(resuming=True) is StopState.RESUMING
-    app_driver.connection.link = LinkState.OFFLINE
+    console.connection.link = LinkState.OFFLINE
     assert stands() is StopState.RUNNING
 
 
-def test_a_stop_that_is_outstanding_may_be_withdrawn(app_driver):
-    app_driver.stopping.withdraw()
-    assert app_driver.take() == []
-    app_driver.stopping.stop()
-    app_driver.take()
-    app_driver.stopping.withdraw()
-    assert app_driver.take() == ["stop_withdrawn"]
-    assert not app_driver.stopping.keeper.requested
+def test_a_stop_that_is_outstanding_may_be_withdrawn(console):
+    console.stopping.withdraw()
+    assert console.take() == []
+    console.stopping.stop()
+    console.take()
+    console.stopping.withdraw()
+    assert console.take() == [EventCode.STOP_WITHDRAWN]
+    assert not console.stopping.keeper.requested
 
 
 # Another connection -------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(("device", "kept"), [(DEVICE, True), (OTHER, False)])
-def test_an_outstanding_stop_holds_for_the_device_it_was_asked_of(app_driver, device, kept):
-    app_driver.stopping.stop()
-    app_driver.take()
-    app_driver.stopping.on_connecting(device)
-    assert app_driver.stopping.keeper.requested is kept
-    assert app_driver.take() == ([] if kept else ["stop_abandoned"])
-    assert app_driver.params == ({} if kept else {"device": DEVICE})
+def test_an_outstanding_stop_holds_for_the_device_it_was_asked_of(console, device, kept):
+    console.stopping.stop()
+    console.take()
+    console.stopping.on_connecting(device)
+    assert console.stopping.keeper.requested is kept
+    assert console.take() == ([] if kept else [EventCode.STOP_ABANDONED])
+    assert console.params == ({} if kept else {"device": DEVICE})
 
 
-def test_what_is_confirmed_or_was_never_asked_for_is_not_abandoned(app_driver):
-    app_driver.stopping.on_connecting(OTHER)
-    assert app_driver.take() == []
-    app_driver.stop_and_confirm()
-    app_driver.stopping.on_connecting(OTHER)
-    assert app_driver.take() == []
+def test_what_is_confirmed_or_was_never_asked_for_is_not_abandoned(console):
+    console.stopping.on_connecting(OTHER)
+    assert console.take() == []
+    console.stop_and_confirm()
+    console.stopping.on_connecting(OTHER)
+    assert console.take() == []
 
 
-def test_over_another_connection_nobody_undoes_a_stop(app_driver):
-    app_driver.stop_and_confirm()
-    app_driver.stopping.on_connecting(DEVICE)
-    app_driver.advance(RUNNING)
-    assert app_driver.take() == []
+def test_over_another_connection_nobody_undoes_a_stop(console):
+    console.stop_and_confirm()
+    console.stopping.on_connecting(DEVICE)
+    console.advance(RUNNING)
+    assert console.take() == []
 
 
 # Undone -------------------------------------------------------------------------------------------
 
 
-def test_another_host_that_undoes_it_is_told_and_not_stopped_again_by_itself(app_driver):
-    assert app_driver.stopping.stop_again is False
-    app_driver.stop_and_confirm()
-    app_driver.advance(STOPPED)
-    app_driver.advance(RUNNING)
-    assert app_driver.take() == ["stop_undone"]
-    assert not app_driver.stopping.keeper.requested
+def test_another_host_that_undoes_it_is_told_and_not_stopped_again_by_itself(console):
+    assert console.stopping.stop_again is False
+    console.stop_and_confirm()
+    console.advance(STOPPED)
+    console.advance(RUNNING)
+    assert console.take() == [EventCode.STOP_UNDONE]
+    assert not console.stopping.keeper.requested
 
 
-def test_as_a_setting_it_is_stopped_again(app_driver):
-    app_driver.stopping.stop_again = True
-    app_driver.stop_and_confirm()
-    app_driver.advance(RUNNING)
-    assert app_driver.take() == ["stop_undone", "sent", "all ended", "stop_sent"]
-    assert app_driver.stopping.keeper.requested
+def test_as_a_setting_it_is_stopped_again(console):
+    console.stopping.stop_again = True
+    console.stop_and_confirm()
+    console.advance(RUNNING)
+    assert console.take() == [EventCode.STOP_UNDONE, "sent", "all ended", EventCode.STOP_SENT]
+    assert console.stopping.keeper.requested
 
 
-def test_our_own_resume_undoes_nothing(app_driver):
-    app_driver.stopping.stop_again = True
-    app_driver.stop_and_confirm()
-    app_driver.advance(RUNNING, resuming=True)
-    assert app_driver.take() == []
+def test_our_own_resume_undoes_nothing(console):
+    console.stopping.stop_again = True
+    console.stop_and_confirm()
+    console.advance(RUNNING, resuming=True)
+    assert console.take() == []
 
 
 # Halt and hold ------------------------------------------------------------------------------------
 
 
-def halt(app_driver):
-    return app_driver.stopping.halt(lambda: app_driver.happened.append("driven ended"))
+def halt(console):
+    return console.stopping.halt(lambda: console.happened.append("driven ended"))
 
 
-@pytest.mark.parametrize(("on_the_bus", "code"), [(True, "halt_sent"), (False, "halt_not_out")])
-def test_a_halt_is_sent_before_anything_else_is_done(app_driver, on_the_bus, code):
-    app_driver.connection.on_the_bus = on_the_bus
-    assert halt(app_driver) is None
-    assert app_driver.take() == ["sent", "driven ended", code]
-    assert app_driver.connection.sent == [on_all(ABORT)]
+@pytest.mark.parametrize(
+    ("on_the_bus", "code"), [(True, EventCode.HALT_SENT), (False, EventCode.HALT_NOT_OUT)]
+)
+def test_a_halt_is_sent_before_anything_else_is_done(console, on_the_bus, code):
+    console.connection.on_the_bus = on_the_bus
+    assert halt(console) is None
+    assert console.take() == ["sent", "driven ended", code]
+    assert console.connection.sent == [on_all(ABORT)]
 
 
 REPLAYS = [
@@ -305,69 +311,73 @@ NONE = [{}, {"arm_status": ArmStatusCode.TEACHING_RECORDING}, {"arm_status": STO
 @pytest.mark.parametrize(
     ("changes", "aborts"), [*((each, True) for each in REPLAYS), *((each, False) for each in NONE)]
 )
-def test_a_recording_that_the_arm_runs_is_aborted_too(app_driver, changes, aborts):
-    app_driver.connection.newest = told(**changes)
-    assert halt(app_driver) is None
+def test_a_recording_that_the_arm_runs_is_aborted_too(console, changes, aborts):
+    console.connection.newest = told(**changes)
+    assert halt(console) is None
     expected = [*on_all(ABORT), *(on_all(ABORT_TEACHING) if aborts else [])]
-    assert app_driver.connection.sent == [expected]
+    assert console.connection.sent == [expected]
 
 
 @pytest.mark.parametrize(
     ("device", "link", "code"),
     [
-        (Device("virtual", "one", listen_only=True), LinkState.ONLINE, "halt_listen_only"),
-        (DEVICE, LinkState.OFFLINE, "offline"),
-        (DEVICE, LinkState.LOST, "link_lost"),
-        (None, LinkState.NO_DEVICE, "not_connected"),
+        (
+            Device("virtual", "one", listen_only=True),
+            LinkState.ONLINE,
+            RefusalCode.HALT_LISTEN_ONLY,
+        ),
+        (DEVICE, LinkState.OFFLINE, RefusalCode.OFFLINE),
+        (DEVICE, LinkState.LOST, RefusalCode.LINK_LOST),
+        (None, LinkState.NO_DEVICE, RefusalCode.NOT_CONNECTED),
         (DEVICE, LinkState.ONLINE, None),
     ],
 )
-def test_when_there_is_nothing_to_halt(app_driver, device, link, code):
-    app_driver.connection.device, app_driver.connection.link = device, link
-    refusal = app_driver.stopping.why_no_halt()
+def test_when_there_is_nothing_to_halt(console, device, link, code):
+    console.connection.device, console.connection.link = device, link
+    refusal = console.stopping.why_no_halt()
     assert (refusal and refusal.code) == code
-    assert halt(app_driver) == refusal
+    assert halt(console) == refusal
     if code is not None:
-        assert app_driver.take() == ["refused"]
-        assert app_driver.params == {"reason": refusal}
-        assert app_driver.connection.sent == []
+        assert console.take() == [EventCode.REFUSED]
+        assert console.params == {"reason": refusal}
+        assert console.connection.sent == []
 
 
-def test_rest_after_a_halt_is_told_once(app_driver):
-    halt(app_driver)
-    app_driver.take()
-    app_driver.advance(seconds=1.25)
-    assert app_driver.take() == []
-    app_driver.advance(still=True, seconds=0.05)
-    assert app_driver.take() == ["halt_at_rest"]
-    app_driver.advance(still=True)
-    assert app_driver.take() == []
+def test_rest_after_a_halt_is_told_once(console):
+    halt(console)
+    console.take()
+    console.advance(seconds=1.25)
+    assert console.take() == []
+    console.advance(still=True, seconds=0.05)
+    assert console.take() == [EventCode.HALT_AT_REST]
+    console.advance(still=True)
+    assert console.take() == []
 
 
 @pytest.mark.parametrize(("after_s", "its_doing"), [(1.3, True), (1.35, False)])
-def test_later_than_that_the_rest_of_the_arm_is_not_its_doing(app_driver, after_s, its_doing):
-    app_driver.now_s = 0.0
-    halt(app_driver)
-    app_driver.advance(seconds=after_s)
-    app_driver.take()
-    app_driver.advance(still=True)
-    assert app_driver.take() == (["halt_at_rest"] if its_doing else [])
+def test_later_than_that_the_rest_of_the_arm_is_not_its_doing(console, after_s, its_doing):
+    console.now_s = 0.0
+    halt(console)
+    console.advance(seconds=after_s)
+    console.take()
+    console.advance(still=True)
+    assert console.take() == ([EventCode.HALT_AT_REST] if its_doing else [])
 
 
 ENDS = {
-    "stop": lambda app_driver: app_driver.stopping.stop(),
-    "another connection": lambda app_driver: app_driver.stopping.on_connecting(DEVICE),
+    "stop": lambda console: console.stopping.stop(),
+    "another connection": lambda console: console.stopping.on_connecting(DEVICE),
 }
 
 
 @pytest.mark.parametrize("what", ENDS)
-def test_what_ends_the_following_of_a_halt(app_driver, what):
-    halt(app_driver)
-    ENDS[what](app_driver)
-    app_driver.advance(still=True)
-    assert "halt_at_rest" not in app_driver.take()
+def test_what_ends_the_following_of_a_halt(console, what):
+    halt(console)
+    ENDS[what](console)
+    console.advance(still=True)
+    assert EventCode.HALT_AT_REST not in console.take()
 
 
-def test_a_rest_nobody_asked_for_is_not_told(app_driver):
-    app_driver.advance(still=True)
-    assert app_driver.take() == []
+def test_a_rest_nobody_asked_for_is_not_told(console):
+    console.advance(still=True)
+    assert console.take() == []
