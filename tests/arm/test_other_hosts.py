@@ -194,12 +194,11 @@ def test_what_lacks_one_of_them_is_a_program(hosts, missing):
 
 
 def test_what_moves_the_arm_otherwise_too_is_a_program(hosts):
-    stream(hosts, LEADER, 10)
-    hosts.note(0x150, b"", BEGIN_S)
+    stream(hosts, (0x150, *LEADER), 10)
     assert not hosts.traffic().leads(OWN)
 
 
-@pytest.mark.parametrize(("more", "leads"), [(3, True), (4, False)])
+@pytest.mark.parametrize(("more", "leads"), [(3, True), (4, False), (10, False)])
 @pytest.mark.parametrize("which", LEADER)
 def test_lockstep_allows_for_a_frame_lost_and_a_cycle_under_way(hosts, which, more, leads):
     stream(hosts, LEADER, 10)
@@ -207,7 +206,7 @@ def test_lockstep_allows_for_a_frame_lost_and_a_cycle_under_way(hosts, which, mo
     assert hosts.traffic().leads(OWN) is leads
 
 
-@pytest.mark.parametrize(("period_s", "leads"), [(0.05, True), (0.0625, False)])
+@pytest.mark.parametrize(("period_s", "leads"), [(0.05, True), (1 / 19.5, False)])
 def test_a_leader_sends_at_twenty_hertz_at_least(hosts, period_s, leads):
     stream(hosts, LEADER, 9, period_s, begin_s=0.0)
     assert hosts.traffic().leads(OWN) is leads

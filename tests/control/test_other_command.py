@@ -137,6 +137,13 @@ def test_a_new_connection_starts_without_a_mode(company):
     company.look(NOW_S, move_mode=4)
     company.other.reconnected()
     assert company.other.mode is None
+    assert company.look(NOW_S + 0.1, move_mode=4) is OtherMode.MIT
+
+
+def test_over_a_new_connection_a_stop_of_before_ends_no_mode(company):
+    company.look(NOW_S, move_mode=4, arm_status=ArmStatusCode.EMERGENCY_STOP)
+    company.other.reconnected()
+    assert company.look(NOW_S + 0.1, move_mode=4) is OtherMode.MIT
 
 
 @pytest.mark.parametrize(
@@ -155,8 +162,9 @@ def test_its_frames_are_named_while_they_are_of_late(company):
     company.say(0x151, "01 01 32 00 00 00 00 00", NOW_S + 1.5)
     company.look(NOW_S + 1.9)
     assert company.other.frames == "0x151, 0x155"
-    company.look(NOW_S + 2.0)
-    assert company.other.frames == "0x151"
+    for later_s in (2.0, 2.5):
+        company.look(NOW_S + later_s)
+        assert company.other.frames == "0x151"
 
 
 @pytest.mark.parametrize(
@@ -173,7 +181,12 @@ def test_it_is_over_two_seconds_later_and_at_rest(company, after_s, at_rest, com
 
 @pytest.mark.parametrize(
     ("after_s", "code"),
-    [(0.49, RefusalCode.OTHER_HOST_STREAMS), (0.5, None), (2.1, RefusalCode.NOBODY_ELSE)],
+    [
+        (0.49, RefusalCode.OTHER_HOST_STREAMS),
+        (0.5, None),
+        (0.75, None),
+        (2.1, RefusalCode.NOBODY_ELSE),
+    ],
 )
 def test_when_it_may_be_taken_over(company, after_s, code):
     company.say(0x155, "00" * 8)
@@ -231,6 +244,9 @@ def test_frames_for_another_arm_count_until_our_own_offset_is_known(company):
     assert company.other.frames == "0x155, 0x165"
     company.look(NOW_S + 1.5)
     assert company.other.frames == "0x155"
+    company.look(NOW_S + 1.5, offsets=(0x00, 0x10))
+    assert company.other.frames == "0x155, 0x165"
+    company.look(NOW_S + 1.5)
     assert company.other.last_s == NOW_S + 1.0  # what was heard was heard
     company.look(NOW_S + 2.9)
     assert company.other.commands
