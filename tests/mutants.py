@@ -75,6 +75,13 @@ TESTS: dict[str, Judges] = {
         ("tests/control/test_authority*",),
         ("tests/safety/test_s0[789]*", "tests/safety/test_s1[0123]*"),
     ),
+    "armui/control/authority_watch.py": Judges(
+        ("tests/control/test_authority_watch.py",),
+        ("tests/safety/test_s07*", "tests/safety/test_s13*"),
+    ),
+    "armui/control/context.py": Judges(
+        ("tests/control/test_context.py",), ("tests/safety/test_s12*", "tests/safety/test_s13*")
+    ),
     "armui/bus/outbox.py": Judges(
         ("tests/bus/test_outbox*",),
         ("tests/bus/test_worker.py", "tests/safety/test_s03*", "tests/safety/test_s17*"),
