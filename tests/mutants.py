@@ -1,8 +1,9 @@
 """Mutation testing of the modules that keep the safety promises: ``python -m tests.mutants``.
 
-Each module is changed in one place at a time by the operators of cosmic-ray, and the tests named
-for it are run; a change that no test notices is told with its line. Not part of CI: it takes
-minutes to hours. It needs cosmic-ray (``pip install -e .[mutation]``) and a system that can fork.
+Each module is changed in one place at a time, and the tests named for it are run; a change that no
+test notices is told with its line. Not part of CI: all modules take half an hour. It needs
+cosmic-ray (``pip install -e .[mutation]``) and a system that can fork. What it has found stands in
+``resources/docs/mutation.md``.
 
 cosmic-ray's own runner starts a Python and loads Qt for each of them; here the tests run in forks
 of a process that has loaded everything but the project.
@@ -13,21 +14,20 @@ from __future__ import annotations
 import argparse
 import ast
 import contextlib
-import difflib
 import gc
 import importlib
 import os
-import re
 import shutil
 import signal
 import sys
 import tempfile
 import time
 import traceback
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+
+from tests.mutations import Mutant, mutants
 
 ROOT = Path(__file__).resolve().parents[1]
 _COPIED = ("armui", "tests", "resources", "urdf", "pyproject.toml")
@@ -47,14 +47,8 @@ _OURS = frozenset({"armui", "tests"})
 _OPTIONS = ("-x", "-q", "--assert=plain", "-p", "no:cacheprovider", "-p", "no:unraisableexception")
 _PLUGINS = ("pytestqt.plugin", "pytest_timeout")
 _NOT_PRELOADED = ("armui.viewport", "armui.ui")
-_BY_IDENTITY = re.compile(r"Operator_(Is|IsNot)_(?!Is)")
-"""What is compared by identity is ``None``, a member of an enumeration or a truth value: equality
-is the same there, and an order is a fault of types."""
-_BITS = re.compile(r"Operator_(Add|Sub|Mul|Div|Mod)_(Bit|[LR]Shift)")
-"""Arithmetic is done with times, angles and speeds, which have no bits."""
 _LEAST_LIMIT_S = 3.0
 _SLOWER = 5.0
-_IS_NO_FAULT = ("# noqa", "TYPE_CHECKING", "__slots__", "@dataclass(")
 
 
 @dataclass(frozen=True)
@@ -137,81 +131,6 @@ TESTS: dict[str, Judges] = {
     ),
 }
 """Which tests must notice a change of which module."""
-
-
-@dataclass(frozen=True)
-class Mutant:
-    """One change of one module.
-
-    Attributes:
-        operator: cosmic-ray's name of it.
-        source: The module's text with it.
-        change: The lines that differ.
-    """
-
-    operator: str
-    source: str
-    change: str
-
-
-def mutants(source: str) -> Iterator[Mutant]:
-    """Every change of a module's text that is not only in a string of documentation."""
-    import cosmic_ray.plugins as plugins  # noqa: PLC0415 - needed for this command only
-    from cosmic_ray.ast import ast_nodes, get_ast  # noqa: PLC0415
-    from cosmic_ray.mutating import mutate_code  # noqa: PLC0415
-
-    seen = {_meaning(source), None}
-    nodes = list(ast_nodes(get_ast(source)))
-    for name in sorted(plugins.operator_names()):
-        operator = plugins.get_operator(name)
-        if operator.arguments() or _BY_IDENTITY.search(name) or _BITS.search(name):
-            continue
-        for occurrence in range(_places(operator(), nodes)):
-            changed = mutate_code(source, operator(), occurrence)
-            text = changed.decode() if isinstance(changed, bytes) else changed
-            change = _difference(source, text)
-            meaning = _meaning(text)
-            if meaning not in seen and not _is_no_fault(name, change):
-                seen.add(meaning)
-                yield Mutant(name, text, change)
-
-
-def _is_no_fault(name: str, change: str) -> bool:
-    """Whether a change alters only what the type checker or another check looks after."""
-    unchecked = "strict=False" in change and name.endswith("ReplaceTrueWithFalse")
-    return unchecked or any(word in change for word in _IS_NO_FAULT)
-
-
-def _places(operator: Any, nodes: list[Any]) -> int:
-    """How many places of a module an operator can change."""
-    try:
-        return sum(len(list(operator.mutation_positions(node))) for node in nodes)
-    except AttributeError:  # a tuple of exceptions is more than the operator knows
-        return 0
-
-
-def _meaning(source: str) -> str | None:
-    """What a module does, without its annotations: nothing evaluates them; ``None``: nothing."""
-    try:
-        tree = ast.parse(source)
-    except SyntaxError:
-        return None
-    for node in ast.walk(tree):
-        if isinstance(node, ast.AnnAssign | ast.arg):
-            node.annotation = ast.Constant(None)
-        elif isinstance(node, ast.arguments):
-            # whether an argument may be given by its place, too, is the type checker's matter
-            node.args = [*node.posonlyargs, *node.args, *node.kwonlyargs]
-            node.defaults = [*node.defaults, *filter(None, node.kw_defaults)]
-            node.posonlyargs, node.kwonlyargs, node.kw_defaults = [], [], []
-        elif isinstance(node, ast.FunctionDef):
-            node.returns = None
-    return ast.dump(tree)
-
-
-def _difference(before: str, after: str) -> str:
-    lines = difflib.unified_diff(before.splitlines(), after.splitlines(), n=0, lineterm="")
-    return "\n".join(f"    {line}" for line in lines if not line.startswith(("---", "+++")))
 
 
 def run_tests(tests: list[str], options: tuple[str, ...], limit_s: float) -> int | None:
@@ -303,7 +222,7 @@ def _load(folder: Path, module: str) -> None:
     gc.freeze()
 
 
-def examine(module: str, chosen: Callable[[int], bool], *, fast_only: bool) -> int:
+def examine(module: str, chosen: Callable[[int, Mutant], bool], *, fast_only: bool) -> int:
     """Run all mutants of a module; tells the survivors and returns how many there are."""
     source = (ROOT / module).read_text(encoding="utf-8")
     judges = TESTS[module]
@@ -327,7 +246,7 @@ def examine(module: str, chosen: Callable[[int], bool], *, fast_only: bool) -> i
         for path in (folder / module).parent.glob(f"__pycache__/{Path(module).stem}.*"):
             path.unlink()
         every = list(mutants(source))
-        numbered = [(k, mutant) for k, mutant in enumerate(every) if chosen(k)]
+        numbered = [(k, mutant) for k, mutant in enumerate(every) if chosen(k, mutant)]
         sys.stdout.write(f"{module}: {len(numbered)} of {len(every)} mutants\n")
         survivors = 0
         began_s = time.monotonic()
@@ -347,7 +266,7 @@ def examine(module: str, chosen: Callable[[int], bool], *, fast_only: bool) -> i
         return survivors
 
 
-def _apart(module: str, chosen: Callable[[int], bool], *, fast_only: bool) -> int:
+def _apart(module: str, chosen: Callable[[int, Mutant], bool], *, fast_only: bool) -> int:
     """The same in a process of its own: another module needs others to be loaded."""
     sys.stdout.flush()
     child = os.fork()
@@ -377,6 +296,7 @@ def main() -> int:
     parser.add_argument("--first", type=int, default=0, help="number of the first mutant (0)")
     parser.add_argument("--last", type=int, help="number behind the last mutant")
     parser.add_argument("--only", type=int, nargs="+", help="numbers of single mutants")
+    parser.add_argument("--operator", default="", help="part of the operator's name")
     parser.add_argument("--fast", action="store_true", help="only the tests of the module itself")
     options = parser.parse_args()
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
@@ -389,8 +309,10 @@ def main() -> int:
         __import__(f"_pytest.{name}")
     last = sys.maxsize if options.last is None else options.last
 
-    def chosen(number: int) -> bool:
-        return options.first <= number < last and number in (options.only or [number])
+    def chosen(number: int, mutant: Mutant) -> bool:
+        of_kind = options.operator in mutant.operator
+        in_range = options.first <= number < last and number in (options.only or [number])
+        return of_kind and in_range
 
     left = [_apart(module, chosen, fast_only=options.fast) for module in options.module or TESTS]
     return 1 if any(left) else 0
