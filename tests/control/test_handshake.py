@@ -168,6 +168,13 @@ def test_the_limits_of_all_joints_are_asked_for(talk):
     assert not talk.handshake.done
 
 
+def test_they_are_asked_for_as_soon_as_the_version_is_known(talk):
+    talk.wait(STEP_S)
+    talk.settle()
+    talk.wait(STEP_S)
+    assert talk.wire.take() == questions(1, 2, 3, 4, 5, 6)
+
+
 def test_what_is_missing_is_asked_for_again_after_a_fifth_of_a_second(talk):
     talk.settle()
     some = replace(ALL_LIMITS, limits=(*ALL_LIMITS.limits[:4], None, ALL_LIMITS.limits[5]))

@@ -273,6 +273,10 @@ def test_over_a_lost_link_nothing_survives(program):
     program.wait(2.0)
     assert len(program.done) == 3
     assert program.frames == [(frame(1),)]
+    program.line.submit(program.order("d", 4))
+    program.answer()
+    assert program.frames == [(frame(1),), (frame(4),)]
+    assert not program.line.busy
 
 
 def test_what_is_being_set_that_a_motion_counts_on(program):
