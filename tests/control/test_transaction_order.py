@@ -219,6 +219,19 @@ def test_a_command_does_not_wait_for_a_value_that_is_read_back_either(program):
     assert program.done == [("b", None), ("a", None)]
 
 
+def test_a_value_set_aside_is_read_however_late(program):
+    program.line.submit(program.order("a", 1, read_back=program.reading("a")))
+    program.answer()
+    program.wait(0.5)
+    program.line.submit(program.order("b", 2))
+    program.wait(1.0)
+    assert program.done == [("b", RefusalCode.SETTING_UNANSWERED)]
+    assert program.frames[-1] == (question(1),)
+    program.heard("a")
+    program.wait(STEP_S)
+    assert program.done[-1] == ("a", None)
+
+
 def test_a_question_does_not_set_another_aside(program):
     program.line.submit(program.question("a", 1))
     program.line.submit(program.question("b", 2))
@@ -252,6 +265,18 @@ def test_a_stop_ends_those_that_say_so(program):
     assert len(program.done) == 2
     program.answer()
     assert program.done[-1] == ("b", None)
+
+
+def test_a_question_that_a_stop_ends_is_not_asked_afterwards(program):
+    program.line.submit(
+        program.order("a", 1),
+        program.order("q", read_back=program.reading("q"), ends_with_stop=True),
+    )
+    program.line.halt()
+    program.answer()
+    program.wait(2.0)
+    assert program.frames == [(frame(1),)]
+    assert program.done == [("q", RefusalCode.ENDED_BY_STOP), ("a", None)]
 
 
 def test_a_stop_with_nothing_under_way(program):
