@@ -162,6 +162,7 @@ def test_over_a_new_connection_everything_is_heard_anew(arm):
     assert arm.authority.at_rest
     arm.authority.end(End.FORGOTTEN)
     assert not arm.authority.at_rest
+    assert arm.authority.measured_deg() is None
     assert arm.authority.mode_in_force() is None
     assert arm.authority.other.why_not().code == RefusalCode.OTHER_HOST
 

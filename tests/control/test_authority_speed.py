@@ -79,7 +79,11 @@ def test_nor_is_a_command_that_is_not_under_way(arm):
     assert arm.authority.overspeed is None
 
 
-@pytest.mark.parametrize("does", [Arm.send, lambda arm: arm.authority.told_percent(10)])
+@pytest.mark.parametrize(
+    "does",
+    [lambda arm: arm.send(HERE, percent=10), lambda arm: arm.authority.told_percent(10)],
+    ids=["another command", "another percentage"],
+)
 def test_another_speed_shown_is_compared_with_what_comes_after(arm, does):
     arm.send(HERE, percent=90)
     assert not too_fast(arm)
@@ -87,7 +91,6 @@ def test_another_speed_shown_is_compared_with_what_comes_after(arm, does):
     arm.turn(4, 2.0)
     assert arm.authority.overspeed is None
     does(arm)
-    arm.authority.told_percent(10)
     arm.turn(4, 2.0)
     assert arm.authority.overspeed is None
     arm.turn(3, 2.0)
