@@ -226,7 +226,7 @@ def examine(module: str, chosen: Callable[[int, Mutant], bool], *, fast_only: bo
     """Run all mutants of a module; tells the survivors and returns how many there are."""
     source = (ROOT / module).read_text(encoding="utf-8")
     judges = TESTS[module]
-    rounds = [(_files(judges.fast), ("--noconftest",))]
+    rounds: list[tuple[list[str], tuple[str, ...]]] = [(_files(judges.fast), ("--noconftest",))]
     if not fast_only:
         rounds.append((_files(judges.slow), ()))
     with tempfile.TemporaryDirectory() as name:

@@ -71,7 +71,7 @@ def _without_a_statement(source: str) -> Iterator[str]:
             kept = True
         else:
             kept = isinstance(node, ast.Expr) and isinstance(node.value, ast.Call)
-        if kept and node.col_offset > 0:
+        if kept and isinstance(node, ast.stmt) and node.col_offset > 0:
             indent = " " * node.col_offset
             rest = lines[node.end_lineno :]
             yield "\n".join([*lines[: node.lineno - 1], f"{indent}pass", *rest, ""])

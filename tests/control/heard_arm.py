@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import enum
 from dataclasses import replace
+from typing import Any
 
 from armui.arm.limits import JointLimits
 from armui.arm.other_hosts import OtherHosts
@@ -11,6 +12,7 @@ from armui.arm.state import ArmState, DriverSlow, Reading, Status
 from armui.control.authority import Authority
 from armui.control.motion.motion_command import CommandKind, Observation
 from armui.protocol.codes import ArmStatusCode, ControlMode, MoveMode
+from tests.ui.arm_states import heard_six
 
 START_S = 0.25
 HERE = (0.0, 10.0, -10.0, 0.0, 0.0, 0.0)
@@ -33,7 +35,7 @@ NORMAL = Status(
 
 def status(**changes) -> Status:
     """What 0x2A1 says; the codec gives codes as plain numbers."""
-    plain = {
+    plain: dict[str, Any] = {
         name: int(each) if isinstance(each, enum.IntEnum) else each
         for name, each in changes.items()
     }
@@ -64,7 +66,7 @@ class Arm:
         self.waiting = False
         self.authority = Authority()
         self._status = Reading(self.status, self.now_s)
-        self._joints = tuple(Reading(each, self.now_s) for each in HERE)
+        self._joints = heard_six(HERE, self.now_s)
         self.wait(0.5)
 
     def look(self) -> None:
@@ -73,7 +75,7 @@ class Arm:
         if "status" not in self.silent:
             self._status = Reading(self.status, now_s)
         if "joints" not in self.silent:
-            self._joints = tuple(Reading(each, now_s) for each in self.joints_deg)
+            self._joints = heard_six(self.joints_deg, now_s)
         driver = Reading(replace(DRIVER, enabled=self.enabled), now_s)
         limits = None if self.limits is None else Reading(self.limits, now_s)
         state = ArmState(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
@@ -41,7 +42,7 @@ class Console:
             generation=Generation.TWO,
             authority=self.arm.authority,
         )
-        self.changes: dict = {}
+        self.changes: dict[str, Any] = {}
 
     @property
     def state(self) -> ArmState:
@@ -201,7 +202,7 @@ def test_a_connection_that_only_listens_sends_nothing(console):
 @pytest.mark.parametrize("index", range(6))
 def test_a_motor_is_on_by_a_fresh_word_of_its_own(console, index, age_s, driver, enabled):
     console.arm.now_s = 2.0
-    six = [None] * 6
+    six: list[Any] = [None] * 6
     six[index] = Reading(driver, 2.0 - age_s)
     console.changes["drivers_slow"] = tuple(six)
     expected = [None] * 6

@@ -10,6 +10,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.motion.motion_command import CommandKind, End, Hold, Mover
 from armui.protocol.codes import ArmStatusCode, ControlMode, MoveMode
 from tests.control.heard_arm import HERE, NOWHERE, THERE, Arm, status
+from tests.moments import now
 
 
 @pytest.fixture
@@ -26,10 +27,10 @@ def test_at_rest_with_nobody_a_step_starts_where_the_arm_is(arm):
 def test_a_command_is_ours_under_way_and_when_it_has_arrived(arm):
     arm.send()
     arm.wait(0.1)
-    assert arm.authority.mover is Mover.OURS
+    assert now(arm.authority.mover) is Mover.OURS
     assert arm.authority.joint_base_deg() == THERE
     arm.arrive()
-    assert arm.authority.mover is Mover.NOBODY
+    assert now(arm.authority.mover) is Mover.NOBODY
     assert arm.authority.joint_base_deg() == THERE
 
 

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any, cast
+
 import pytest
 
 from armui.arm.other_hosts import OtherHosts
+from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
 from armui.control.authority import Authority
@@ -16,6 +19,8 @@ from armui.control.operating_state import LinkState
 from armui.protocol.addressing import Addressing
 from armui.protocol.codes import MoveMode
 from tests.control.heard_arm import DRIVER, HERE, status
+from tests.moments import now
+from tests.ui.arm_states import heard_six
 
 BEGIN_S = 0.25
 STEP_S = 0.015625
@@ -41,7 +46,7 @@ class Connection:
         now_s = self._program.now_s
         return ArmState(
             status=Reading(self.status, now_s),
-            joints_deg=tuple(Reading(each, now_s) for each in self.joints_deg),
+            joints_deg=heard_six(self.joints_deg, now_s),
             drivers_slow=(Reading(DRIVER, now_s),) * 6,
         )
 
@@ -63,11 +68,13 @@ class Program:
 
     def __init__(self) -> None:
         self.now_s = BEGIN_S
-        self.told: list[tuple] = []
-        self.ended: list = []
+        self.told: list[tuple[EventCode, dict[str, Any]]] = []
+        self.ended: list[Refusal] = []
         self.authority = Authority()
         self.connection = Connection(self)
-        self.watch = AuthorityWatch(self.authority, self.connection, self._tell, self.ended.append)
+        self.watch = AuthorityWatch(
+            self.authority, cast("Any", self.connection), self._tell, self.ended.append
+        )
         self.wait(0.5)
 
     def _tell(self, code, **params) -> None:
@@ -98,7 +105,7 @@ class Program:
         )
 
     @property
-    def codes(self) -> list:
+    def codes(self) -> list[EventCode]:
         """The codes of the notices."""
         return [code for code, _ in self.told]
 
@@ -112,7 +119,7 @@ def program():
 
 
 def test_it_hears_the_arm(program):
-    assert program.authority.mover is Mover.NOBODY
+    assert now(program.authority.mover) is Mover.NOBODY
     program.connection.link = LinkState.OFFLINE
     program.wait(STEP_S)
     assert program.authority.mover is Mover.UNKNOWN
@@ -122,7 +129,7 @@ def test_without_a_device_nothing_is_heard(program):
     program.connection.device = None
     program.connection.link = LinkState.NO_DEVICE
     program.watch.observe(program.now_s)
-    assert program.authority.mover is Mover.NOBODY
+    assert now(program.authority.mover) is Mover.NOBODY
 
 
 def test_frames_that_have_not_left_are_about_to_move_the_arm(program):

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any, cast
 
 import pytest
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.arm.state import ArmState
 from armui.control.context import Context
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand
+from armui.control.operating_state import OperatingState
 from armui.protocol.codec import Codec
 from armui.protocol.codes import ControlMode, MoveMode
 from armui.protocol.frame import Frame
@@ -26,7 +29,7 @@ class Connection:
 
     def __init__(self) -> None:
         self.codec = Codec(Generation.TWO)
-        self.happened: list = []
+        self.happened: list[Any] = []
         self.works = True
 
     def void(self, newest) -> None:
@@ -43,15 +46,17 @@ class Part:
     def __init__(self) -> None:
         self.arm = Arm()
         self.connection = Connection()
-        self.told: list = []
+        self.told: list[Any] = []
         self.looks = 0
         self.context = Context(
-            self.connection,
-            lambda code, **params: self.told.append((code, params)),
-            lambda: self.arm.now_s,
-            lambda: None,
-            self._look,
-            self.arm.authority,
+            connection=cast("Any", self.connection),
+            tell=lambda code, **params: self.told.append((code, params)),
+            clock=lambda: self.arm.now_s,
+            state=ArmState,
+            operating_state=OperatingState,
+            refresh=OperatingState,
+            observe=self._look,
+            authority=self.arm.authority,
         )
 
     def _look(self) -> None:

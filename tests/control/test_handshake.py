@@ -10,8 +10,11 @@ from armui.arm.limits import FACTORY_LIMITS
 from armui.arm.state import ArmState, Reading
 from armui.control.link.handshake import Handshake, HandshakePhase
 from armui.protocol.addressing import Addressing
+from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from tests.moments import now
+from tests.ui.arm_states import heard_six
 
 BEGIN_S = 0.25
 STEP_S = 0.015625
@@ -19,7 +22,7 @@ VERSION = Frame(0x4AF, bytes.fromhex("01 00 00 00 00 00 00 00"))
 NOTHING = ArmState()
 ALL_LIMITS = replace(
     NOTHING,
-    limits=tuple(Reading(each, BEGIN_S) for each in FACTORY_LIMITS),
+    limits=heard_six(FACTORY_LIMITS, BEGIN_S),
     accelerations_deg_s2=(Reading(286.5, BEGIN_S),) * 6,
 )
 
@@ -36,7 +39,7 @@ class Wire:
 
     def __init__(self) -> None:
         self.sent: list[Frame] = []
-        self.codecs: list = []
+        self.codecs: list[Codec] = []
         self.may_send = True
 
     def send(self, frames) -> bool:
@@ -85,7 +88,7 @@ def test_it_begins_with_nothing_heard_in_the_newer_generation(talk):
     assert codec.generation is Generation.TWO
     assert codec.addressing == Addressing()
     assert talk.wire.sent == []
-    assert talk.handshake.generation is None
+    assert now(talk.handshake.generation) is None
     assert talk.handshake.firmware is None
     assert talk.handshake.phase is HandshakePhase.GENERATION
     assert not talk.handshake.done
@@ -110,14 +113,14 @@ def test_the_question_is_asked_at_once_and_once_again_after_half_a_second(talk):
     assert talk.wire.take() == [VERSION]
     talk.wait(0.484375)
     assert talk.wire.take() == []
-    assert talk.handshake.generation is None
+    assert now(talk.handshake.generation) is None
 
 
 def test_an_arm_that_is_asked_and_does_not_answer_is_of_generation_1(talk):
     offsets = Addressing(0x10, 0x20)
     talk = Talk(offsets)
     talk.wait(1.0)
-    assert talk.handshake.generation is None
+    assert now(talk.handshake.generation) is None
     talk.wait(STEP_S, replace(NOTHING, frames=10_000))  # its pace says nothing
     assert talk.handshake.generation is Generation.ONE
     assert talk.handshake.firmware is None
@@ -130,7 +133,7 @@ def test_an_arm_that_is_asked_and_does_not_answer_is_of_generation_1(talk):
 
 def test_an_answer_that_cannot_be_read_is_of_generation_2_all_the_same(talk):
     talk.wait(1.0, replace(NOTHING, version_heard_s=BEGIN_S + 0.1))
-    assert talk.handshake.generation is None
+    assert now(talk.handshake.generation) is None
     talk.wait(STEP_S, replace(NOTHING, version_heard_s=BEGIN_S + 0.1))
     assert talk.handshake.generation is Generation.TWO
     assert talk.handshake.firmware is None

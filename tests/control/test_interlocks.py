@@ -8,7 +8,7 @@ import pytest
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.arm.state import ArmState, Reading
+from armui.arm.state import ArmState, Reading, Six
 from armui.control.operating_state import Busy, StopState
 from armui.control.safety import interlocks
 from armui.protocol.codes import ArmStatusCode, ControlMode
@@ -41,15 +41,21 @@ def test_what_the_program_waits_for_is_named(busy):
 ON = (True,) * 6
 
 
+def six(values) -> Six[bool | None]:
+    """One value for each motor."""
+    one, two, three, four, five, six = values
+    return one, two, three, four, five, six
+
+
 def test_motors_that_are_all_on_are_no_reason():
     assert interlocks.why_not_enabled(ON) is None
 
 
 @pytest.mark.parametrize("joint", range(1, 7))
 def test_a_motor_that_is_off_is_named_before_one_that_is_not_heard(joint):
-    unknown = [None] * 6
+    unknown: list[bool | None] = [None] * 6
     unknown[joint - 1] = False
-    assert interlocks.why_not_enabled(tuple(unknown)) == Refusal(
+    assert interlocks.why_not_enabled(six(unknown)) == Refusal(
         RefusalCode.NOT_ENABLED, {"joints": str(joint)}
     )
 
@@ -62,7 +68,7 @@ def test_all_motors_that_are_off_are_named():
 @pytest.mark.parametrize("index", range(6))
 def test_a_motor_that_is_not_heard_is_a_reason(index):
     one = tuple(None if each == index else True for each in range(6))
-    assert interlocks.why_not_enabled(one) == Refusal(RefusalCode.ENABLED_UNKNOWN)
+    assert interlocks.why_not_enabled(six(one)) == Refusal(RefusalCode.ENABLED_UNKNOWN)
 
 
 READY = ArmState(status=Reading(status(), 0.0), joints_deg=(Reading(0.0, 0.0),) * 6)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 from armui.arm.state import ArmState, Reading
@@ -24,7 +26,7 @@ class Arm:
         self.follower = OffsetFollower()
         self.now_s = BEGIN_S
         self.heard_under: set[int] = {0x00}
-        self.status: dict = {"control_mode": ControlMode.STANDBY}
+        self.status: dict[str, Any] = {"control_mode": ControlMode.STANDBY}
         self._heard_s: dict[int, float] = {}
         self.moved: list[float] = []
 

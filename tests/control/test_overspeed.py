@@ -7,9 +7,11 @@ from dataclasses import replace
 import pytest
 
 from armui.arm.limits import JointLimits
+from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
 from armui.control.safety.overspeed import OverspeedWatch
+from tests.ui.arm_states import heard_six
 
 BEGIN_S = 0.25
 STEP_S = 0.015625
@@ -28,11 +30,11 @@ class Motion:
         self.now_s = BEGIN_S
         self.angles_deg = [0.0] * 6
         self.limits = (None if limits is None else Reading(limits, BEGIN_S),) * 6
-        self.refusal = None
+        self.refusal: Refusal | None = None
 
     def state(self) -> ArmState:
         """The arm as heard now."""
-        heard = tuple(Reading(each, self.now_s) for each in self.angles_deg)
+        heard = heard_six(self.angles_deg, self.now_s)
         return ArmState(joints_deg=heard, limits=self.limits)
 
     def turn(self, speed_deg_s: float, steps: int, joint: int = 1, percent: int | None = PERCENT):

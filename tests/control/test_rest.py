@@ -6,6 +6,7 @@ import pytest
 
 from armui.arm.state import ArmState, Reading
 from armui.control.safety.rest import QUIET_DEG, QUIET_S, RestWatch
+from tests.ui.arm_states import heard_six
 
 BEGIN_S = 0.25
 STEP_S = 0.0625
@@ -30,7 +31,7 @@ class Joints:
         return self.watch.at_rest
 
     def _observe(self) -> None:
-        heard = tuple(Reading(each, self.now_s) for each in self.angles_deg)
+        heard = heard_six(self.angles_deg, self.now_s)
         self.watch.observe(ArmState(joints_deg=heard), self.now_s)
 
 

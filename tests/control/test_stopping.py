@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any, cast
+
 import pytest
 
 from armui.arm.device import Device
@@ -56,15 +58,18 @@ class Console:
 
     Attributes:
         happened: What was sent, told and ended, in order.
+        params: The figures of the newest notice.
+        named: Those of all notices.
     """
 
     def __init__(self) -> None:
         self.now_s = BEGIN_S
         self.happened: list[str] = []
-        self.params: dict = {}
+        self.params: dict[str, Any] = {}
+        self.named: list[Any] = []
         self.connection = Connection(self.happened)
         self.stopping = Stopping(
-            self.connection,
+            cast("Any", self.connection),
             self._tell,
             lambda: self.now_s,
             lambda: self.happened.append("all ended"),
@@ -73,6 +78,7 @@ class Console:
     def _tell(self, code, **params) -> None:
         self.happened.append(code)
         self.params = params
+        self.named.extend(params.values())
 
     def take(self) -> list[str]:
         """What happened since this was asked last."""
@@ -143,13 +149,8 @@ def test_other_arms_that_are_heard_are_named(console, own, heard, named):
     fresh, old = BEGIN_S - 0.5, BEGIN_S - 0.51
     times = tuple(fresh if each in heard else old for each in OFFSETS)
     console.connection.newest = ArmState(status_heard_s=times)
-    names = []
-    tell = console.stopping._tell
-    console.stopping._tell = lambda code, **params: (
-        tell(code, **params) or names.extend(params.values())
-    )
     console.stopping.stop()
-    assert names == named
+    assert console.named == named
     assert console.take()[3:] == [EventCode.STOP_REACHES_OTHER] * len(named)
 
 

@@ -17,6 +17,7 @@ from tests.control.transaction_line import (
     frame,
     question,
 )
+from tests.moments import now
 
 
 @pytest.fixture
@@ -105,12 +106,19 @@ def test_what_was_checked_is_checked_again_before_each_frame(program):
     program.line.submit(program.order("a", 1, recheck=lambda: reasons.pop(0)))
     program.wait(0.5)
     assert len(program.sent) == 1
-    assert program.done == [("a", "no")]
+    assert program.done == [("a", RefusalCode.BUSY)]
+
+
+def test_it_is_checked_by_the_newest_operating_state(program):
+    looks = []
+    program.line.submit(program.order("a", 1, recheck=lambda: looks.append(program.looks)))
+    program.wait(0.5)
+    assert looks == [1, 2]
 
 
 def test_what_is_not_right_at_once_is_not_sent(program):
     program.line.submit(program.order("a", 1, recheck=lambda: NO), program.order("b", 2))
-    assert program.done == [("a", "no")]
+    assert program.done == [("a", RefusalCode.BUSY)]
     assert program.frames == [(frame(2),)]
 
 
@@ -305,11 +313,11 @@ def test_over_a_lost_link_nothing_survives(program):
 
 
 def test_what_is_being_set_that_a_motion_counts_on(program):
-    assert program.line.altering is None
+    assert now(program.line.altering) is None
     program.line.submit(program.order("a", 1), program.order("b", 2, alters="limits"))
-    assert program.line.altering == "limits"
+    assert now(program.line.altering) == "limits"
     program.answer()
-    assert program.line.altering == "limits"
+    assert now(program.line.altering) == "limits"
     program.answer()
     assert program.line.altering is None
 

@@ -60,7 +60,7 @@ def test_an_answer_that_nobody_waits_for_changes_nothing(program):
 def test_an_answer_may_speak_against_it(program):
     program.line.submit(program.order("a", 1, against=lambda _answer: NO))
     program.answer()
-    assert program.done == [("a", "no")]
+    assert program.done == [("a", RefusalCode.BUSY)]
 
 
 def test_an_order_without_an_answer_is_done_when_it_is_sent(program):
@@ -138,7 +138,7 @@ def test_the_value_read_decides(program):
     program.answer()
     program.heard("a")
     program.wait(STEP_S)
-    assert program.done == [("a", "no")]
+    assert program.done == [("a", RefusalCode.BUSY)]
 
 
 def test_a_value_of_before_the_question_is_none(program):

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from types import SimpleNamespace
+from typing import Any, cast
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.protocol.codes import SettingIndex
@@ -15,7 +17,7 @@ STEP_S = 0.015625
 INDEX = SettingIndex.END_LIMIT_SETTING
 LOWER_INDEX = int(INDEX) - 1
 OTHER_INDEX = int(INDEX) + 1
-NO = Refusal("no")
+NO = Refusal(RefusalCode.BUSY)
 
 
 def frame(number):
@@ -36,7 +38,7 @@ class Signal:
 class Connection:
     """Stands for the way to the arm."""
 
-    def __init__(self, program) -> None:
+    def __init__(self, program: Program) -> None:
         self._program = program
         self.answered = Signal()
         self.arm: int | None = 1
@@ -54,20 +56,27 @@ class Program:
     Attributes:
         sent: When, what, and how long it may wait.
         done: Name and outcome of each order, in the order in which they ended.
-        read_s: When the value that is read back was heard last, by order.
+        heard_s: When the value that is read back was heard last, by order.
+        looks: How often the operating state was computed anew.
     """
 
     def __init__(self) -> None:
         self.now_s = BEGIN_S
-        self.sent: list = []
-        self.done: list = []
+        self.sent: list[Any] = []
+        self.done: list[Any] = []
         self.heard_s: dict[str, float] = {}
         self.connection = Connection(self)
-        self.line = TransactionQueue(
-            SimpleNamespace(
-                connection=self.connection, clock=lambda: self.now_s, state=lambda: self.heard_s
-            )
+        self.looks = 0
+        context = SimpleNamespace(
+            connection=self.connection,
+            clock=lambda: self.now_s,
+            state=lambda: self.heard_s,
+            refresh=self._look,
         )
+        self.line = TransactionQueue(cast("Any", context))
+
+    def _look(self) -> None:
+        self.looks += 1
 
     def order(self, name, *numbers, **fields) -> Transaction:
         """A command of some frames, or a question without any."""
@@ -82,7 +91,7 @@ class Program:
         """How an order is checked: by a question, and what speaks against what was read."""
         return ReadBack(
             (question(number or 1),),
-            lambda state, since_s: state.get(name, -1.0) >= since_s,
+            lambda _state, since_s: self.heard_s.get(name, -1.0) >= since_s,
             lambda _state: against,
             **({} if proves else {"proves": False}),
         )
@@ -108,6 +117,6 @@ class Program:
             self.line.advance()
 
     @property
-    def frames(self) -> list:
+    def frames(self) -> list[Any]:
         """What was sent, each call's frames."""
         return [frames for _, frames, _ in self.sent]
