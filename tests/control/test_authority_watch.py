@@ -300,6 +300,12 @@ def test_a_mode_without_frames_is_reported_too(program):
     report = program.watch.report()
     assert report.reason.code == RefusalCode.OTHER_MODE
     assert report.since is program.watch.report().since
+    program.connection.status = status()
+    program.wait(STEP_S)
+    assert program.watch.report() is None
+    program.connection.status = status(move_mode=MoveMode.MOVE_M)
+    program.wait(STEP_S)
+    assert program.watch.report().since is not report.since
 
 
 def test_over_another_connection_it_is_told_anew(program):
