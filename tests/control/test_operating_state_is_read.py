@@ -1,5 +1,6 @@
 """The operating state is read without a look at the arm; what sends a motion looks for itself."""
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.authority import Authority
 from tests.company import OtherHost
 from tests.sim.talk import target
@@ -43,10 +44,10 @@ def test_a_motion_is_judged_by_what_was_heard_since_the_last_tick(rig):
     assert rig.controller.operating_state is operating_state
     assert operating_state.cannot_move is None
     context = rig.controller._context
-    assert context.why_no_motion().code == "other_host"
+    assert context.why_no_motion().code == RefusalCode.OTHER_HOST
     assert rig.controller.operating_state is operating_state  # the gate tells nobody in mid-command
-    assert rig.controller.motion.jog(1, 1.0).code == "other_host"
-    assert rig.controller.operating_state.cannot_move.code == "other_host"
+    assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.OTHER_HOST
+    assert rig.controller.operating_state.cannot_move.code == RefusalCode.OTHER_HOST
 
 
 def test_a_command_of_the_operator_is_judged_by_the_time_it_is_given(rig):
@@ -54,5 +55,5 @@ def test_a_command_of_the_operator_is_judged_by_the_time_it_is_given(rig):
     assert rig.controller.operating_state.cannot_move is None
     rig.heard()
     rig.time_s += 5.0
-    assert rig.controller.motion.jog(1, 1.0).code == "feedback_silent"
+    assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.FEEDBACK_SILENT
     assert not rig.heard()
