@@ -19,6 +19,7 @@ from armui.protocol.codes import (
     SettingIndex,
 )
 from armui.protocol.frame import Frame
+from armui.protocol.message_fields import record_reader, signal_names
 from armui.sim.parameters.settings import (
     ArmSettingsRecord,
     HandleSettings,
@@ -37,6 +38,8 @@ _END_LIMIT_NAMES: Final = (
 _ROUNDING_GRACE: Final = 1.02
 """29 RPM on the bus are 28.65 RPM in the arm: what is read back may be written again."""
 
+_HANDLE_SIGNALS: Final = signal_names(HandleSettings)
+_read_handle: Final = record_reader(HandleSettings)
 _COLLISION_NAMES: Final = tuple(f"J{joint}" for joint in JOINTS)
 _ON_OFF: Final = ("On", "Off")
 _READS_ONLY: Final = frozenset({"LimitQuery", "LightControl"})
@@ -203,15 +206,9 @@ class ParameterServer:
             levels = dict(zip(_COLLISION_NAMES, settings.collision_levels, strict=True))
             return [self._codec.encode("CollisionFeedback", **levels)]
         if query is ParameterQuery.TEACHING_SETTING:
-            handle = settings.teaching
-            return [
-                self._codec.encode(
-                    "TeachingFeedback",
-                    TeachingRange=handle.range_percent,
-                    StrokeLimit=handle.stroke_limit_mm,
-                    Friction=handle.friction,
-                )
-            ]
+            kept = settings.teaching._asdict()
+            values = {_HANDLE_SIGNALS[field]: value for field, value in kept.items()}
+            return [self._codec.encode("TeachingFeedback", **values)]
         return []
 
     def _end_limit_setting(self, signals: Signals) -> list[Frame]:
@@ -226,9 +223,8 @@ class ParameterServer:
         return [self.answer(SettingIndex.COLLISION_SETTING)]
 
     def _teaching_setting(self, signals: Signals) -> list[Frame]:
-        self.settings.teaching = HandleSettings(
-            int(signals["TeachingRange"]), int(signals["StrokeLimit"]), int(signals["Friction"])
-        )
+        whole = {name: int(value) for name, value in signals.items()}
+        self.settings.teaching = _read_handle(whole)
         return [self.answer(SettingIndex.TEACHING_SETTING)]
 
     def _light_control(self, signals: Signals) -> list[Frame]:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Final
 
 from armui.arm.json_fields import FieldError, Fields
 from armui.arm.limits import JOINTS, JointLimits
+from armui.arm.parameters import KINDS, Group, ParameterKind
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import EndLoad, LinkageRole
+from armui.protocol.message_fields import signal_names
 from armui.sim.parameters.settings import ArmSettingsRecord, HandleSettings, LinkageSettings
 
 _FORMAT: Final = 1
@@ -60,7 +63,7 @@ def from_text(text: str) -> ArmSettingsRecord:
 
 def _settings(record: Fields) -> ArmSettingsRecord:
     joints = (len(JOINTS),)
-    teaching, linkage = record.object("teaching"), record.object("linkage")
+    linkage = record.object("linkage")
     return ArmSettingsRecord(
         limits=[
             JointLimits(*(each.number(name) for name in ("min_deg", "max_deg", "max_speed_deg_s")))
@@ -70,11 +73,7 @@ def _settings(record: Fields) -> ArmSettingsRecord:
         end_limits=record.numbers("end_limits", (_END_LIMITS,)),
         collision_levels=record.wholes("collision_levels", len(JOINTS), range(_HIGHEST_LEVEL + 1)),
         load=EndLoad(record.whole("load", allowed=_LOADS)),
-        teaching=HandleSettings(
-            teaching.whole("range_percent", allowed=range(100, 201)),
-            teaching.whole("stroke_limit_mm", allowed=(0, 70, 100)),
-            teaching.whole("friction", allowed=range(1, 11)),
-        ),
+        teaching=_teaching(record.object("teaching")),
         linkage=LinkageSettings(
             LinkageRole(linkage.whole("role", allowed=list(LinkageRole))),
             *(
@@ -84,3 +83,20 @@ def _settings(record: Fields) -> ArmSettingsRecord:
         ),
         zeros_deg=list(record.numbers("zeros_deg", joints)),
     )
+
+
+def _teaching(fields: Fields) -> HandleSettings:
+    """A field that is not there is newer than the text: it has the factory's value."""
+    signals, factory = signal_names(HandleSettings), HandleSettings()._asdict()
+    kinds = {kind.signal: kind for kind in KINDS.values() if kind.group is Group.TEACHING}
+    return HandleSettings(
+        **{
+            name: fields.whole(name, first, _allowed(kinds[signals[name]]))
+            for name, first in factory.items()
+        }
+    )
+
+
+def _allowed(kind: ParameterKind) -> Sequence[int]:
+    choices = [int(choice) for choice in kind.choices]
+    return choices or range(int(kind.minimum), int(kind.maximum) + 1)
