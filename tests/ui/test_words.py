@@ -207,14 +207,16 @@ def test_a_simulated_arm_has_a_name_in_the_operators_language(chinese: None) -> 
 @pytest.mark.parametrize(
     ("code", "danger"),
     [
-        ("disable_sent", "机械臂会下落，请扶住机械臂"),
-        ("resume_sent", "机械臂会下落，请扶住机械臂"),
-        ("stop_sent", "请扶住机械臂"),
-        ("stop_unconfirmed", "请切断其电源"),
-        ("stop_not_sent", "请切断其电源"),
+        (EventCode.DISABLE_SENT, "机械臂会下落，请扶住机械臂"),
+        (EventCode.RESUME_SENT, "机械臂会下落，请扶住机械臂"),
+        (EventCode.STOP_SENT, "请扶住机械臂"),
+        (EventCode.STOP_UNCONFIRMED, "请切断其电源"),
+        (EventCode.STOP_NOT_SENT, "请切断其电源"),
     ],
 )
-def test_physical_danger_is_said_in_plain_words(chinese: None, code: str, danger: str) -> None:
+def test_physical_danger_is_said_in_plain_words(
+    chinese: None, code: EventCode, danger: str
+) -> None:
     assert danger in notice(code)
 
 
