@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     import argparse
     from collections.abc import Iterator
 
-    from armui.protocol.detect import Verdict
+    from armui.protocol.detect import GenerationVerdict
     from armui.session.frames import FrameBatch
 
 _FRAMES_LOOKED_AT: Final = 6_000
@@ -116,7 +116,7 @@ def _say_damages(log: LogFile, said: int) -> int:
     return len(log.damages)
 
 
-def _detect(batches: Iterator[FrameBatch]) -> tuple[list[FrameBatch], Verdict]:
+def _detect(batches: Iterator[FrameBatch]) -> tuple[list[FrameBatch], GenerationVerdict]:
     """Reads a log's beginning until its generation is certain.
 
     Returns:

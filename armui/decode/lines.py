@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 
 import numpy as np
 
-from armui.protocol.codec import Message, Oddity
+from armui.protocol.codec import Message, InvalidFrame
 from armui.protocol.columns import bit_mask, payload_words, signal_column
 from armui.protocol.frame import Frame
 from armui.session.frames import NOT_OF_THE_ARM, FrameFlag
@@ -247,8 +247,8 @@ class LineFormat:
         return f"{json.dumps(name)}: {_literal(json.dumps(signal))}"
 
 
-def _reading_of(decoded: Message | Oddity) -> _Reading:
-    if isinstance(decoded, Oddity):
+def _reading_of(decoded: Message | InvalidFrame) -> _Reading:
+    if isinstance(decoded, InvalidFrame):
         return _Reading(decoded.message, (decoded.kind.value, decoded.detail))
     return _Reading(decoded, None)
 

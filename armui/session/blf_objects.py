@@ -40,6 +40,8 @@ _LARGEST: Final = 1 << 24
 """A larger object is taken for a damaged length."""
 _PIECE: Final = 1 << 20
 _PACKED_PIECE: Final = 1 << 14
+_PATIENT_BYTES: Final = 1 << 26
+"""So many unpacked bytes without an object, and the rest of a container is passed over."""
 _PADDING: Final = 7
 """Most bytes between two objects."""
 
@@ -60,6 +62,7 @@ class ObjectStream:
         self._ahead = b""
         self._tail = b""
         self._cut = False
+        self._idle_bytes = 0
 
     def pieces(self) -> Iterator[bytes]:
         """Some whole objects each, without gaps between pieces."""
@@ -109,10 +112,11 @@ class ObjectStream:
         while (found := self._ahead.find(_SIGNATURE)) < 0:
             more = self._source.read(_PIECE)
             if not more:
+                self._lose_thread()
                 self._note(place, "no object begins here, and none follows")
                 return False
             gone = max(len(self._ahead) - len(_SIGNATURE) + 1, 0)
-            skipped = (skipped + self._ahead[:gone])[: _PADDING + 1]
+            skipped += self._ahead[: max(_PADDING + 1 - len(skipped), 0)]
             self.position += gone
             self._ahead = self._ahead[gone:] + more
         skipped += self._ahead[:found]
@@ -143,6 +147,8 @@ class ObjectStream:
                 while piece:
                     yield unpacker.decompress(piece, _PIECE)
                     piece = unpacker.unconsumed_tail
+                    if self._idle_bytes > _PATIENT_BYTES:
+                        return
         except zlib.error as error:
             self._note(place, f"damaged here ({error})")
             self._lose_thread()
@@ -151,17 +157,15 @@ class ObjectStream:
         """What comes next may begin in the middle of an object, whose beginning is lost."""
         self._tail = b""
         self._cut = True
+        self._idle_bytes = 0
 
     def _whole(self, data: bytes, place: int) -> Iterator[bytes]:
         """The whole objects in data that follow on the tail of what was there before."""
         data = self._tail + data
         self._tail = b""
-        pos = run = 0
         if self._cut:
-            pos = run = max(data.find(_SIGNATURE), 0)
-            self._cut = pos == 0 and not data.startswith(_SIGNATURE)
-            if self._cut:
-                return
+            data = self._behind_damage(data)
+        pos = run = 0
         unpack = _BASE.unpack_from
         while True:
             begin = data.find(_SIGNATURE, pos, pos + _PADDING + 1)
@@ -172,7 +176,7 @@ class ObjectStream:
                 begin = data.find(_SIGNATURE, pos)
                 self._note(place, "what this part of the file holds is damaged")
                 if begin < 0:
-                    self._tail = data[-len(_SIGNATURE) + 1 :]
+                    self._lose_thread()
                     return
                 run = pos = begin
             if len(data) - begin < _BASE.size:
@@ -193,6 +197,16 @@ class ObjectStream:
             pos = begin + size
         yield data[run:pos]
         self._tail = data[pos:]
+
+    def _behind_damage(self, data: bytes) -> bytes:
+        """From where an object begins again; nothing if none does."""
+        begin = data.find(_SIGNATURE)
+        if begin < 0:
+            self._idle_bytes += len(data)
+            return b""
+        self._cut = False
+        self._idle_bytes = 0
+        return data[begin:]
 
     def _completed(self, shortened: bytes, least: int, place: int) -> Iterator[bytes]:
         """An object whose last, unused bytes were left out, with them; nothing if more lacks."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sqlite3
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import can
 
@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from armui.session.gather import Gatherer
 
 _ROWS: Final = 4_096
+_MOST_FAILURES: Final = 200
+_ALL_ROWS: Final = "SELECT * FROM messages"
 _LONGEST_VALUE: Final = 1 << 16
 """Bytes of a value; a frame has 64 at most."""
 
@@ -43,12 +45,30 @@ class _Database(can.SqliteReader):
         Raises:
             sqlite3.Error: The file is damaged from here on.
         """
-        for row in self._conn.execute("SELECT * FROM messages"):
+        number = 0
+        for _failure in range(_MOST_FAILURES):
             try:
-                message: can.Message | Exception = self._assemble_message(row)
-            except Exception as error:  # noqa: BLE001 - a row holds whatever somebody put there
-                message = error
-            yield message
+                for row in self._conn.execute(f"{_ALL_ROWS} LIMIT -1 OFFSET {number}"):
+                    number += 1
+                    yield self._message(row)
+            except sqlite3.Error:
+                # sqlite3 reads one row ahead: the last one before the bad one was not given yet
+                try:
+                    row = self._conn.execute(f"{_ALL_ROWS} LIMIT 1 OFFSET {number}").fetchone()
+                except sqlite3.Error as error:
+                    yield error
+                else:
+                    yield self._message(row)
+                number += 1
+            else:
+                return
+        raise sqlite3.DatabaseError("too many of its rows cannot be read")
+
+    def _message(self, row: Any) -> can.Message | Exception:
+        try:
+            return self._assemble_message(row)
+        except Exception as error:  # noqa: BLE001 - a row holds whatever somebody put there
+            return error
 
 
 def read_database(path: Path, gatherer: Gatherer) -> Iterator[FrameBatch]:

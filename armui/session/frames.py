@@ -155,6 +155,11 @@ class DamageList:
         return self._kept[index:]
 
     @property
+    def full(self) -> bool:
+        """Whether further places are only counted."""
+        return len(self._kept) >= MOST_DAMAGES
+
+    @property
     def not_kept(self) -> int:
         """How many were counted only."""
         return self.count - len(self._kept)

@@ -31,7 +31,7 @@ _EXCERPT: Final = 60
 _PATIENT_LINES: Final = 1_000
 """So many unreadable lines before the first frame, and the file is no log."""
 _PATIENT_BYTES: Final = 1 << 26
-"""So many bytes without a frame at the beginning, and the file is no log."""
+"""So many bytes without a frame, and the file is no log, or none from here on."""
 
 
 class NonsenseError(Exception):
@@ -55,11 +55,15 @@ class _Lines:
         self._header = re.compile(log_format.header, re.IGNORECASE)
         self._silent = re.compile(log_format.silent, re.IGNORECASE)
         self._sound = re.compile(log_format.sound, re.IGNORECASE)
+        self._format = log_format
+        self._strict = bool(log_format.sound)
         self._opening = log_format.opening
         self._opened = not self._opening
         self._plain = not log_format.opening and log_format.header == r"(?!)"
         self._again: str | None = None
         self._rewritten = 0
+        self._frames_before = 0
+        self._sense_until = 0
         self._unreadable = 0
         self.number = 0
         self.pending = ""
@@ -91,7 +95,10 @@ class _Lines:
                         self._opened = True
                         yield self._opening
                 self.pending = line
-                yield line
+                if self._strict and not self._sound.match(line):
+                    self.go_on()
+                else:
+                    yield line
                 while self._again is not None:
                     self.pending, self._again = self._again, None
                     yield self.pending
@@ -103,33 +110,38 @@ class _Lines:
         """Gives up on a file that has been nothing but nonsense for long.
 
         Raises:
-            NonsenseError: It has.
+            NonsenseError: It has, from its beginning.
         """
-        if not self.hopeful and self._source.taken > _PATIENT_BYTES:
-            raise NonsenseError
+        frames = self._gatherer.frames + self.rows
+        if frames > self._frames_before:
+            self._frames_before, self._sense_until = frames, self._source.taken
+        elif self._source.taken - self._sense_until > _PATIENT_BYTES:
+            if not self.hopeful:
+                raise NonsenseError
+            self._source.broken = "nothing in so many bytes is a frame; the rest is not read"
 
     def close(self) -> None:
         """Called by readers at their end; the file belongs to whoever opened it."""
 
-    def go_on(self, log_format: TextFormat) -> None:
+    def go_on(self) -> None:
         """After the reader has failed: the line is tried in other words once, or noted.
 
         A new generator of the reader comes next, which swallows the opening again.
         """
         self._opened = not self._opening
         can_rewrite = self.number != self._rewritten
-        self._again = log_format.rewrite(self.pending) if can_rewrite else None
+        self._again = self._format.rewrite(self.pending) if can_rewrite else None
         self._rewritten = self.number
         if self._again is None:
             self.skip()
 
-    def settle_with(self, message: can.Message, log_format: TextFormat) -> bool:
+    def settle_with(self, message: can.Message) -> bool:
         """Takes the pending line for read, if a message can have come of it."""
         if not self._sound.match(self.pending):
             self.skip()
             return False
         if message.is_error_frame or message.is_extended_id:
-            log_format.complete(message, self.pending)
+            self._format.complete(message, self.pending)
         self.pending = ""
         self.hopeful = True
         return True
@@ -149,9 +161,12 @@ class _Lines:
         """Notes the pending line as unreadable."""
         if not self.pending:
             return
-        text = self.pending
-        excerpt = text if len(text) <= _EXCERPT else text[:_EXCERPT] + "..."
-        self._gatherer.note(f"line {self.number}", ascii(excerpt), self.rows)
+        if self._gatherer.damages.full:
+            self._gatherer.damages.count += 1
+        else:
+            text = self.pending
+            excerpt = text if len(text) <= _EXCERPT else text[:_EXCERPT] + "..."
+            self._gatherer.note(f"line {self.number}", ascii(excerpt), self.rows)
         self.pending = ""
         self._unreadable += 1
         if not self.hopeful and self._unreadable > _PATIENT_LINES:
@@ -221,10 +236,10 @@ def _read(lines: _Lines, log_format: TextFormat, gatherer: Gatherer) -> Iterator
         except Exception:  # noqa: BLE001 - a damaged line makes the readers raise whatever it hits
             if not lines.pending:
                 break
-            lines.go_on(log_format)
+            lines.go_on()
             messages = iter(reader)
             continue
-        if not lines.settle_with(message, log_format):
+        if not lines.settle_with(message):
             continue
         gathered.append(message)
         places.append(lines.number)

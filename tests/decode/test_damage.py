@@ -258,7 +258,9 @@ class TestNoLog:
 def test_unknown_suffix(tmp_path, capsys, name):
     log = tmp_path / name
     log.write_text(GOOD[".log"])
-    assert_one_line_and_exit_2(log, capsys, "known are .log, .asc, .blf, .trc, .csv, .db, .mf4, .txt")
+    assert_one_line_and_exit_2(
+        log, capsys, "known are .log, .asc, .blf, .trc, .csv, .db, .mf4, .txt"
+    )
 
 
 def test_something_else_with_gz(tmp_path, capsys):
