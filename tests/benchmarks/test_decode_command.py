@@ -17,10 +17,10 @@ from pathlib import Path
 
 import pytest
 
-from armui.system.paths import RESOURCES
 from armui.protocol.codec import Codec
 from armui.protocol.database import load_database
 from armui.protocol.generation import Generation
+from armui.system.paths import RESOURCES
 
 RUNS = int(os.environ.get("DECODE_RUNS", "5"))
 FRAMES = int(os.environ.get("DECODE_FRAMES", "200000"))
