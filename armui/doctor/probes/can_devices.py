@@ -44,12 +44,19 @@ def look_at_can() -> CanFacts:
     if not sys.platform.startswith("linux"):
         return CanFacts(devices=devices, error=error)
     return CanFacts(
-        links=tuple(links_of(_ip_json(), _serials(_NET))),
+        links=look_at_links(),
         usb=tuple(usb_adapters(_USB)),
         ports=tuple(_serial_ports(_DEV)),
         devices=devices,
         error=error,
     )
+
+
+def look_at_links() -> tuple[LinkFacts, ...]:
+    """The CAN interfaces of Linux; none elsewhere."""
+    if not sys.platform.startswith("linux"):
+        return ()
+    return tuple(links_of(_ip_json(), _serials(_NET)))
 
 
 def links_of(text: str, serials: Mapping[str, str]) -> list[LinkFacts]:
