@@ -11,11 +11,10 @@ from collections.abc import Callable, Sequence
 from typing import Final
 
 from armui.doctor.finding import Finding
-from armui.doctor.report import findings_of_json
+from armui.doctor.report import findings_of_json, load_texts
 
 _PATIENCE_S: Final = 180.0
 _LAST_WORDS: Final = 300
-_END_S: Final = 0.1
 
 Tell = Callable[[list[Finding] | str], object]
 """Given the findings, or in one line why there are none; called in another thread."""
@@ -45,7 +44,11 @@ class DoctorProcess:
             self._ended = True
             if self._process is not None and self._process.poll() is None:
                 self._process.kill()
-        self._thread.join(_END_S)
+
+    def wait(self, within_s: float) -> bool:
+        """Whether it has ended, after a time at most."""
+        self._thread.join(within_s)
+        return not self._thread.is_alive()
 
     def _run(self, command: list[str]) -> None:
         try:
@@ -78,6 +81,7 @@ class DoctorProcess:
             return self._process
 
     def _answer(self, answer: list[Finding] | str) -> None:
+        load_texts()  # here, where nobody waits for the disk
         with self._lock:
             if self._ended:
                 return

@@ -42,7 +42,6 @@ class Words:
 
     def __init__(self, language: Language) -> None:
         self.language: Language = language
-        self._texts = _load()
 
     def text(self, finding: Finding) -> str:
         """A finding as a sentence."""
@@ -61,11 +60,12 @@ class Words:
         return _MARKS[self.language][level]
 
     def _get(self, table: str, name: str) -> str:
-        return self._texts[table][name][self.language]
+        return load_texts()[table][name][self.language]
 
 
 @cache
-def _load() -> Mapping[str, Mapping[str, Mapping[str, str]]]:
+def load_texts() -> Mapping[str, Mapping[str, Mapping[str, str]]]:
+    """The words, by table, name and language; read once, by whoever may wait for the disk."""
     import tomllib  # noqa: PLC0415 - Python 3.10 lacks it, and is to be told so
 
     return tomllib.loads((_resources() / _TEXTS).read_text("utf-8"))

@@ -22,7 +22,7 @@ from armui.ui.dialogs.online_since import OnlineSince
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
-_SIZE_PX: Final = (720, 620)
+_SIZE_PX: Final = (720, 700)
 _REFRESH_MS: Final = 1000
 _LEAST_S: Final = 0.5
 _COLUMN_GAP_PX: Final = 28
