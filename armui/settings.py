@@ -23,6 +23,7 @@ import platformdirs
 from filelock import FileLock, Timeout
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.system import paths
 from armui.system.atomic import write_whole
 
@@ -99,7 +100,7 @@ def check(name: str, value: object) -> Refusal | None:
     }
     if allowed.get(name, False):
         return None
-    return Refusal("setting_bad", {"field": name, "value": _shown(value)})
+    return Refusal(RefusalCode.SETTING_BAD, {"field": name, "value": _shown(value)})
 
 
 def _shown(value: object) -> str:
@@ -124,16 +125,16 @@ def _is_path(value: object) -> bool:
 
 def _check_jog_step(value: object) -> Refusal | None:
     if isinstance(value, bool) or not isinstance(value, int | float):
-        return Refusal("jog_step_not_a_number", {"value": _shown(value)})
+        return Refusal(RefusalCode.JOG_STEP_NOT_A_NUMBER, {"value": _shown(value)})
     if isinstance(value, float) and not math.isfinite(value):
-        return Refusal("jog_step_not_a_number", {"value": str(value)})
+        return Refusal(RefusalCode.JOG_STEP_NOT_A_NUMBER, {"value": str(value)})
     if not JOG_STEP_MIN_DEG <= value <= JOG_STEP_MAX_DEG:
         try:
             figure: float | str = float(value)
         except OverflowError:
             figure = _shown(value)
         return Refusal(
-            "jog_step_out_of_range",
+            RefusalCode.JOG_STEP_OUT_OF_RANGE,
             {"value": figure, "minimum": JOG_STEP_MIN_DEG, "maximum": JOG_STEP_MAX_DEG},
         )
     return None
@@ -148,7 +149,8 @@ def _check_tool(value: object) -> Refusal | None:
         good = isinstance(figure, int | float) and not isinstance(figure, bool)
         if not good or not abs(figure) <= longest:
             return Refusal(
-                "tool_not_possible", {"value": _shown(figure), "maximum": round(TOOL_LONGEST_MM)}
+                RefusalCode.TOOL_NOT_POSSIBLE,
+                {"value": _shown(figure), "maximum": round(TOOL_LONGEST_MM)},
             )
     return None
 
@@ -224,10 +226,10 @@ class SettingsStore:
                 entries = kept | in_file | {name: kept[name] for name in choices}
                 write_whole(self._path, json.dumps(entries, indent=2) + "\n")
         except Timeout:
-            return Refusal("settings_in_use", params)
+            return Refusal(RefusalCode.SETTINGS_IN_USE, params)
         except (OSError, ValueError, RecursionError) as error:
             text = getattr(error, "strerror", None) or str(error)
-            return Refusal("settings_not_saved", params | {"text": text})
+            return Refusal(RefusalCode.SETTINGS_NOT_SAVED, params | {"text": text})
         return None
 
 
@@ -275,7 +277,7 @@ def _read(path: Path) -> tuple[Settings, tuple[Refusal, ...]]:
         return Settings(), ()
     except OSError as error:
         params = {"path": str(path), "text": error.strerror or str(error)}
-        return Settings(), (Refusal("settings_unreadable", params),)
+        return Settings(), (Refusal(RefusalCode.SETTINGS_UNREADABLE, params),)
     except (ValueError, RecursionError):
         return Settings(), (_put_aside(path),)
     if not isinstance(entries, dict):
@@ -295,7 +297,7 @@ def _from_entries(entries: Mapping[str, Any]) -> tuple[Settings, tuple[Refusal, 
             good[field.name] = tuple(value) if isinstance(value, list) else value
         else:
             params = {"field": field.name, "value": _shown(value)}
-            problems.append(Refusal("setting_bad", params))
+            problems.append(Refusal(RefusalCode.SETTING_BAD, params))
     return Settings(**good), tuple(problems)
 
 
@@ -306,5 +308,5 @@ def _put_aside(path: Path) -> Refusal:
         path.replace(kept)
     except OSError as error:
         params = {"path": str(path), "text": error.strerror or str(error)}
-        return Refusal("settings_unreadable", params)
-    return Refusal("settings_broken", {"kept": str(kept)})
+        return Refusal(RefusalCode.SETTINGS_UNREADABLE, params)
+    return Refusal(RefusalCode.SETTINGS_BROKEN, {"kept": str(kept)})

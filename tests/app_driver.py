@@ -189,7 +189,10 @@ class AppDriver(ArmRig):
         deadline.timeout.connect(loop.quit)
         timer.start()
         deadline.start()
-        loop.exec()
+        try:
+            loop.exec()
+        finally:  # what it looks at may be gone when the next test lets Qt work
+            timer.stop()
         assert condition(), "it never came"
 
     def close(self) -> None:

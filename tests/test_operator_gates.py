@@ -3,6 +3,7 @@
 import pytest
 from PySide6.QtWidgets import QTableView, QWidget
 
+from armui.control.events import EventCode
 from armui.control.run.progress import RunPhase
 from armui.protocol.frame import Frame
 from armui.trajectory.library.store import Library
@@ -89,7 +90,7 @@ def test_disabling_and_stopping_stay_on(ready):
     ready.hold()
     ready.step()
     assert [frame.arbitration_id for frame in ready.ear.heard] == [0x150, 0x471]
-    failed = next(notice for notice in ready.notices if notice.code == "run_failed")
+    failed = next(notice for notice in ready.notices if notice.code == EventCode.RUN_FAILED)
     assert "Motors were disabled while it ran" in words.notice(failed)
 
 

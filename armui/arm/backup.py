@@ -16,6 +16,7 @@ from typing import Any, Final
 from armui.arm.limits import JOINTS
 from armui.arm.parameters import KINDS, Group, Parameter
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 
 FORMAT: Final = "armui-parameters"
 VERSION: Final = 1
@@ -51,7 +52,7 @@ class Backup:
 class _WrongError(Exception):
     """What is wrong with a file; never leaves this module."""
 
-    def __init__(self, code: str, **params: float | str) -> None:
+    def __init__(self, code: RefusalCode, **params: float | str) -> None:
         super().__init__(code)
         self.refusal = Refusal(code, params)
 
@@ -99,17 +100,19 @@ def _parsed(text: str) -> object:
     try:
         return json.loads(text)
     except json.JSONDecodeError as error:
-        raise _WrongError("backup_no_json", line=error.lineno, column=error.colno) from error
+        raise _WrongError(
+            RefusalCode.BACKUP_NO_JSON, line=error.lineno, column=error.colno
+        ) from error
     except (RecursionError, ValueError) as error:  # thousands of brackets, or of digits
-        raise _WrongError("backup_foreign") from error
+        raise _WrongError(RefusalCode.BACKUP_FOREIGN) from error
 
 
 def _backup(entries: Mapping[str, Any]) -> Backup:
     if entries.get("format") != FORMAT:
-        raise _WrongError("backup_foreign")
+        raise _WrongError(RefusalCode.BACKUP_FOREIGN)
     version = entries.get("version")
     if version != VERSION or isinstance(version, bool):
-        raise _WrongError("backup_version", version=str(version), known=VERSION)
+        raise _WrongError(RefusalCode.BACKUP_VERSION, version=str(version), known=VERSION)
     arm = _object(_field(entries, "arm"), "arm")
     generation = _field(arm, "generation", "arm.")
     if isinstance(generation, bool) or generation not in _GENERATIONS:
@@ -129,14 +132,14 @@ def _values(rows: object) -> Mapping[Parameter, float]:
     if not isinstance(rows, list):
         raise _bad("parameters", rows)
     if not rows:
-        raise _WrongError("backup_empty")
+        raise _WrongError(RefusalCode.BACKUP_EMPTY)
     values: dict[Parameter, float] = {}
     for place, entries in enumerate(rows, start=1):
         where = f"parameters[{place}]"
         row = _object(entries, where)
         parameter = _parameter(row, f"{where}.")
         if parameter in values:
-            raise _WrongError("backup_twice", field=where, parameter=parameter.name)
+            raise _WrongError(RefusalCode.BACKUP_TWICE, field=where, parameter=parameter.name)
         values[parameter] = _value(row, parameter, f"{where}.")
     return values
 
@@ -180,14 +183,14 @@ def _time(text: object) -> datetime:
 
 def _field(entries: Mapping[str, Any], name: str, where: str = "") -> Any:
     if name not in entries:
-        raise _WrongError("backup_field_missing", field=f"{where}{name}")
+        raise _WrongError(RefusalCode.BACKUP_FIELD_MISSING, field=f"{where}{name}")
     return entries[name]
 
 
 def _object(value: object, where: str) -> Mapping[str, Any]:
     if isinstance(value, dict):
         return value
-    raise _WrongError("backup_foreign") if not where else _bad(where, value)
+    raise _WrongError(RefusalCode.BACKUP_FOREIGN) if not where else _bad(where, value)
 
 
 def _text(value: object, where: str) -> str:
@@ -197,7 +200,7 @@ def _text(value: object, where: str) -> str:
 
 
 def _bad(where: str, value: object) -> _WrongError:
-    return _WrongError("backup_field_bad", field=where, value=_shortened(str(value)))
+    return _WrongError(RefusalCode.BACKUP_FIELD_BAD, field=where, value=_shortened(str(value)))
 
 
 def _shortened(text: str) -> str:

@@ -10,6 +10,7 @@ import numpy as np
 
 from armui.arm.limits import JointLimits, check_joints
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.kinematics.kinematics import Joints, Kinematics, Matrix, Pose, pose_to_matrix
 from armui.kinematics.tool_path import ToolPath, follow
 
@@ -36,12 +37,14 @@ def check_pose(
     """
     solutions = kinematics.inverse(pose, near_deg)
     if not solutions:
-        return Refusal("pose_out_of_reach", {"missing": round(kinematics.missing_mm(pose), 1)})
+        return Refusal(
+            RefusalCode.POSE_OUT_OF_REACH, {"missing": round(kinematics.missing_mm(pose), 1)}
+        )
     troubles = [check_joints(solution, limits) for solution in solutions]
     for solution, trouble in zip(solutions, troubles, strict=True):
         if trouble is None:
             return solution
-    return Refusal("pose_beyond_limits", troubles[0].params if troubles[0] else {})
+    return Refusal(RefusalCode.POSE_BEYOND_LIMITS, troubles[0].params if troubles[0] else {})
 
 
 def check_path(
@@ -63,14 +66,14 @@ def check_path(
         gone_percent = round(100.0 * index / (len(joints) - 1))
         here, before = joints[index], joints[index - 1]
         if np.isnan(here[0]):
-            return Refusal("path_out_of_reach", {"gone": gone_percent})
+            return Refusal(RefusalCode.PATH_OUT_OF_REACH, {"gone": gone_percent})
         steps = np.abs(here - before)
         if steps.max() > _STEEPEST_DEG:
             joint = int(np.argmax(steps)) + 1
-            return Refusal("path_singular", {"joint": joint, "gone": gone_percent})
+            return Refusal(RefusalCode.PATH_SINGULAR, {"joint": joint, "gone": gone_percent})
         beyond = check_joints(here.tolist(), limits)
         if beyond is not None:
-            return Refusal("path_beyond_limits", {**beyond.params, "gone": gone_percent})
+            return Refusal(RefusalCode.PATH_BEYOND_LIMITS, {**beyond.params, "gone": gone_percent})
     return None
 
 

@@ -14,6 +14,7 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.bus.link import BusReport
 from armui.control.assessment import assess
@@ -29,7 +30,7 @@ from armui.control.devices.linkage import LinkageControl
 from armui.control.devices.motors import Motors
 from armui.control.devices.teaching import TeachingControl
 from armui.control.devices.zeroing import Zeroing
-from armui.control.events import CODES
+from armui.control.events import LEVELS, EventCode, Notice
 from armui.control.link.connection import Connection
 from armui.control.link.device_finder import DeviceFinder
 from armui.control.link.dropped_frames import DroppedFrames
@@ -39,7 +40,7 @@ from armui.control.motion.jogging import Jogging
 from armui.control.motion.joint_motion import Motion
 from armui.control.motion.motion_command import End
 from armui.control.motion.planned_motion import PlannedMotion
-from armui.control.operating_state import Busy, Notice, OperatingState
+from armui.control.operating_state import Busy, OperatingState
 from armui.control.parameters.arm_settings import ArmSettings
 from armui.control.part_failure import end_motion_of
 from armui.control.parts import Parts
@@ -233,14 +234,14 @@ class ArmController(QObject):
         device = self._connection.device
         if device is None:
             return
-        self._end_run_because(Refusal("run_left"))
+        self._end_run_because(Refusal(RefusalCode.RUN_LEFT))
         if self._authority.holds:
             cut_short(self._context)
         self._forget_arm()
         self._connection.close()
         self._timer.stop()
         self._state = ArmState()
-        self._notice("disconnected", device=device)
+        self._notice(EventCode.DISCONNECTED, device=device)
         self.state_changed.emit(self._state)
         self._refresh()
         self.recovery.advance()
@@ -281,8 +282,8 @@ class ArmController(QObject):
         """Whether a stop that another host undoes is sent again by itself."""
         self._stop.stop_again = on
 
-    def _notice(self, code: str, **params: object) -> None:
-        self.noticed.emit(Notice(datetime.now().astimezone(), CODES[code], code, params))
+    def _notice(self, code: EventCode, **params: object) -> None:
+        self.noticed.emit(Notice(datetime.now().astimezone(), LEVELS[code], code, params))
 
     def tick(self) -> None:
         """Take in what was heard and move on what is under way; the controller's timer calls it."""
@@ -321,10 +322,10 @@ class ArmController(QObject):
         self.jogging.stop()
         cut_short(self._context)
 
-    def _on_connection(self, report: BusReport, code: str) -> None:
-        if code == "link_lost":
+    def _on_connection(self, report: BusReport, code: EventCode) -> None:
+        if code == EventCode.LINK_LOST:
             self._parts.forget()
-        elif code == "connect_failed":
+        elif code == EventCode.CONNECT_FAILED:
             self._timer.stop()
             self._forget_arm()
         self._notice(code, device=report.device, reason=report.problem)

@@ -12,6 +12,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.motion.motion_command import (
     CommandKind,
     End,
@@ -142,13 +143,13 @@ class Authority:
     def why_silent(self) -> Refusal | None:
         """The feedback that a motion counts on and that is not heard, or ``None``."""
         seen = self._seen
-        return Refusal("not_connected") if seen is None else why_silent(seen.state, seen.now_s)
+        return why_silent(seen.state, seen.now_s) if seen else Refusal(RefusalCode.NOT_CONNECTED)
 
     def why_held(self) -> Refusal | None:
         """The motion that is held back in the arm, as a reason against another one."""
         if Hold.PAUSE in self.holds:
-            return Refusal("plan_paused")
-        return Refusal("held_at_zero") if self.holds else None
+            return Refusal(RefusalCode.PLAN_PAUSED)
+        return Refusal(RefusalCode.HELD_AT_ZERO) if self.holds else None
 
     @property
     def held_target_deg(self) -> tuple[float, ...] | None:

@@ -7,6 +7,7 @@ from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
+from armui.control.events import EventCode
 from armui.control.motion.motion_command import Observation
 from armui.control.operating_state import LinkState, OtherHostReport
 from armui.protocol.addressing import OFFSETS
@@ -76,15 +77,15 @@ class AuthorityWatch:
         commanded = other.commands and (named or self._was_commanded)
         if commanded is not self._was_commanded:
             self._was_commanded = commanded
-            code = "leader_arm_moves" if other.is_leader else "other_host_moves"
-            self._tell(code if commanded else "other_host_gone", frames=other.frames)
+            code = EventCode.LEADER_ARM_MOVES if other.is_leader else EventCode.OTHER_HOST_MOVES
+            self._tell(code if commanded else EventCode.OTHER_HOST_GONE, frames=other.frames)
         if authority.cancel_unheeded and not self._was_unheeded:
-            self._tell("cancel_unheeded")
+            self._tell(EventCode.CANCEL_UNHEEDED)
         self._was_unheeded = authority.cancel_unheeded
         if authority.overspeed is not None:
             reason = authority.overspeed
             self._end_motion(reason)
-            self._tell("motion_too_fast", reason=reason)
+            self._tell(EventCode.MOTION_TOO_FAST, reason=reason)
 
     def take_over(self, now_s: float) -> Refusal | None:
         """Take the arm from another host that pauses: ``None``, or why not.
@@ -94,7 +95,7 @@ class AuthorityWatch:
         self.observe(now_s)
         refusal = self._authority.other.take_over()
         if refusal is None:
-            self._tell("taken_over")
+            self._tell(EventCode.TAKEN_OVER)
         return refusal
 
     def report(self) -> OtherHostReport | None:

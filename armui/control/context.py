@@ -7,8 +7,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.authority import Authority
+from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand
 from armui.control.motion.speed import speed_frames
 from armui.control.operating_state import OperatingState
@@ -24,7 +26,7 @@ if TYPE_CHECKING:
 class Tell(Protocol):
     """Tells the operator something: the code of a notice and its figures."""
 
-    def __call__(self, code: str, **params: object) -> None: ...  # noqa: D102 - said above
+    def __call__(self, code: EventCode, **params: object) -> None: ...  # noqa: D102 - said above
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +51,7 @@ class Context:
 
     def refuse(self, refusal: Refusal) -> Refusal:
         """Tell the operator why something was not done; returns the reason."""
-        self.tell("refused", reason=refusal)
+        self.tell(EventCode.REFUSED, reason=refusal)
         return refusal
 
     def why_no_motion(self) -> Refusal | None:
@@ -97,7 +99,7 @@ class Context:
         self.connection.void(command.number)
         if not self.connection.send([*lead, *frames], keep_s, command.number):
             self.authority.end(End.NOT_SENT)
-            return Refusal("link_lost")
+            return Refusal(RefusalCode.LINK_LOST)
         return command
 
     def send_on(
@@ -121,9 +123,9 @@ class Context:
             return refusal
         further = self.authority.extend(command, joints_deg, self.clock())
         if further is None:
-            return Refusal("command_over")
+            return Refusal(RefusalCode.COMMAND_OVER)
         if not self.connection.send(frames, keep_s, further.number):
-            return Refusal("link_lost")
+            return Refusal(RefusalCode.LINK_LOST)
         return further
 
     def lead_frames(self, speed_percent: int) -> list[Frame]:

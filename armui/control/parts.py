@@ -6,6 +6,7 @@ import logging
 from collections.abc import Callable, Sequence
 
 from armui.control.context import ControllerPart, Tell
+from armui.control.events import EventCode
 
 _LOG = logging.getLogger(__name__)
 
@@ -59,7 +60,7 @@ class Parts:
             _LOG.exception("%s has failed", name)
             if name not in self._failed:
                 self._failed.add(name)
-                self._tell("part_failed", part=name)
+                self._tell(EventCode.PART_FAILED, part=name)
             if name not in self._out_of_order:
                 self._out_of_order.add(name)
                 self._end_motion(type(part).__module__)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Generic, TypeVar
 from PySide6.QtCore import QObject, Signal
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor, Future
@@ -72,4 +73,4 @@ class Background(QObject):
         if error is None:
             job.then(done.result())
         else:
-            job.then(Refusal("work_failed", {"text": str(error) or type(error).__name__}))
+            job.then(Refusal(RefusalCode.WORK_FAILED, {"text": str(error) or type(error).__name__}))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QCoreApplication, QRect, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPainter
 
-from armui.viewport.errors import NO_OPENGL, PROCESS_HUNG
+from armui.arm.refusal_codes import RefusalCode
 
 if TYPE_CHECKING:
     from armui.viewport.news import Lost
@@ -23,14 +23,14 @@ _PLATE_OPACITY: Final = 0.85
 
 def lost_text(lost: Lost) -> str:
     """Why there is no picture, and what comes next."""
-    if lost.reason.code == NO_OPENGL:
+    if lost.reason.code == RefusalCode.NO_OPENGL:
         return QCoreApplication.translate(
             "ArmView",
             "The 3D view is not available: this computer offers no OpenGL. Install a graphics "
             "driver or Mesa (on Debian the packages libegl1 and libgl1-mesa-dri) and start the "
             "3D view again.",
         )
-    if lost.reason.code == PROCESS_HUNG:
+    if lost.reason.code == RefusalCode.PICTURE_PROCESS_HUNG:
         text = QCoreApplication.translate("ArmView", "The 3D view did not answer any more.")
     else:
         text = QCoreApplication.translate("ArmView", "The 3D view has ended ({text}).")

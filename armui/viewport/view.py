@@ -62,7 +62,7 @@ class ArmView(QWidget):
     Signals:
         joint_picked: a link was double-clicked; its joint number, 1–6.
         load_failed: why a robot description can't be shown, a `Refusal` with one of the codes
-            `armui.viewport.errors.LOAD_REFUSALS`; the old one stays.
+            `armui.arm.refusal_codes.RefusalCode`; the old one stays.
         mark_picked: a point of the previewed path was clicked; its row, from 0.
         first_frame_shown: the arm is on the screen for the first time.
         settled: the picture on the screen shows the newest state, see `is_settled`.

@@ -8,6 +8,7 @@ import pytest
 
 from armui.arm.limits import JointLimits
 from armui.arm.other_hosts import OtherHosts
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, DriverSlow, Reading, Status
 from armui.control.authority import Authority
 from armui.control.motion.motion_command import CommandKind, End, Hold, Mover, Observation
@@ -241,7 +242,7 @@ def test_another_host_is_remembered_over_a_new_connection(arm):
     arm.authority.end(End.FORGOTTEN)
     arm.hosts = OtherHosts()
     arm.wait(0.5)
-    assert arm.authority.why_not().code == "other_host"
+    assert arm.authority.why_not().code == RefusalCode.OTHER_HOST
     arm.wait(1.6)
     assert arm.authority.why_not() is None
 
@@ -287,12 +288,12 @@ def test_frames_of_a_command_that_is_over_are_outdated(arm):
 def test_another_host_counts_for_two_seconds_and_until_the_arm_rests(arm):
     arm.other()
     arm.wait(1.9)
-    assert arm.authority.why_not().code == "other_host"
+    assert arm.authority.why_not().code == RefusalCode.OTHER_HOST
     assert arm.authority.mover is Mover.OTHER_HOST
     for k in range(20):
         arm.joints_deg = (1.0 * k, *HERE[1:])
         arm.wait(0.02)
-    assert arm.authority.why_not().code == "other_host"
+    assert arm.authority.why_not().code == RefusalCode.OTHER_HOST
     arm.wait(0.4)
     assert arm.authority.why_not() is None
 
@@ -313,7 +314,7 @@ def test_after_a_take_over_its_next_frame_counts_again(arm):
     arm.wait(0.1)
     arm.other()
     arm.wait(0.1)
-    assert arm.authority.why_not().code == "other_host"
+    assert arm.authority.why_not().code == RefusalCode.OTHER_HOST
 
 
 @pytest.mark.parametrize(("offsets", "counts"), [((0,), False), ((0, 0x10, 0x20), True)])
@@ -335,7 +336,7 @@ def test_zero_percent_holds_back_what_is_under_way_and_nothing_else(arm):
     arm.wait(0.1)
     arm.authority.told_percent(0)
     assert arm.authority.holds == {Hold.SPEED_ZERO}
-    assert arm.authority.why_not().code == "held_at_zero"
+    assert arm.authority.why_not().code == RefusalCode.HELD_AT_ZERO
     assert arm.authority.mover is Mover.OURS
 
 

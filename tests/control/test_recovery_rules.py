@@ -12,14 +12,15 @@ import pytest
 from armui.arm.device import Device
 from armui.arm.other_hosts import OtherHosts, OtherTraffic
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, DriverSlow, Reading, Status
 from armui.control.assessment import AssessmentInputs, assess
 from armui.control.authority import Authority
 from armui.control.devices.teaching_phase import why_not
+from armui.control.events import Level
 from armui.control.motion.motion_command import Hold, Observation
 from armui.control.operating_state import (
     Busy,
-    Level,
     LinkState,
     OperatingState,
     OtherHostReport,
@@ -298,7 +299,7 @@ def test_what_was_tried_in_vain_leads_to_the_next_stronger_means():
     )
     assert first.action is Action.CLEAR_ERRORS
     assert words.step(first).startswith("The arm did not react.")
-    assert (second.action, second.failed) == (Action.RESET, Refusal("step_in_vain"))
+    assert (second.action, second.failed) == (Action.RESET, Refusal(RefusalCode.STEP_IN_VAIN))
     assert second.dangerous
 
 

@@ -6,6 +6,7 @@ import can
 import pytest
 
 from armui.arm.device import Device
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState, StopState
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.ui.widgets.stop_button import StopButton
@@ -63,7 +64,7 @@ def test_after_ten_seconds_the_operator_is_asked(moving, qtbot):
     assert "stop_lapsed" in rig.codes()
     step = rig.controller.recovery.step
     assert (step.kind, step.action) == (StepKind.STOP_LAPSED, Action.WITHDRAW_STOP)
-    assert rig.controller.operating_state.cannot_move.code == "stop_requested"
+    assert rig.controller.operating_state.cannot_move.code == RefusalCode.STOP_REQUESTED
     rig.controller.emergency_stop()
     rig.run_until(lambda: rig.controller.operating_state.stop is StopState.STOPPED)
 

@@ -7,6 +7,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import StopState
 from armui.protocol.codes import LinkageRole, TeachingState
 from armui.protocol.frame import Frame
@@ -126,11 +127,11 @@ def _full():
 
 
 def test_refused_only_where_nothing_can_be_reached(rig):
-    assert rig.controller.halt_and_hold().code == "not_connected"
+    assert rig.controller.halt_and_hold().code == RefusalCode.NOT_CONNECTED
     rig.device = replace(rig.device, listen_only=True)
     rig.controller.connect_device(rig.device)
     rig.run(1.0)
-    assert rig.controller.halt_and_hold().code == "halt_listen_only"
+    assert rig.controller.halt_and_hold().code == RefusalCode.HALT_LISTEN_ONLY
     rig.controller.emergency_stop()
     rig._settle()
     said = []

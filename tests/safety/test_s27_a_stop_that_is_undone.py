@@ -3,7 +3,8 @@
 import pytest
 from PySide6.QtWidgets import QCheckBox
 
-from armui.control.operating_state import Level, StopState
+from armui.control.events import Level
+from armui.control.operating_state import StopState
 from armui.ui.dialogs.settings import SettingsDialog
 from tests.sim.talk import RESUME
 

@@ -13,6 +13,7 @@ from hypothesis import given
 
 from armui.arm.limits import FACTORY_LIMITS
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.kinematics.kinematics import Kinematics
 from armui.protocol.codes import MoveMode
 from armui.trajectory.planning.convert import to_joints, to_pose
@@ -82,7 +83,7 @@ def test_what_no_arm_can_do_is_refused_by_field(changes, code, field):
 
 def test_a_refusal_names_value_limits_and_unit():
     assert check_point(replace(POINT, dwell_s=5000.0)) == Refusal(
-        "point_out_of_range",
+        RefusalCode.POINT_OUT_OF_RANGE,
         {"field": "dwell", "value": 5000.0, "minimum": 0.0, "maximum": 3600.0, "unit": "s"},
     )
 
@@ -135,12 +136,12 @@ def test_a_way_within_the_limits_goes_before_a_nearer_one():
 def test_a_pose_out_of_reach_stays_a_pose():
     far = Waypoint(MoveMode.MOVE_P, (900.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     assert to_joints(far, KINEMATICS, HERE) == Refusal(
-        "convert_out_of_reach", {"x": 900.0, "y": 0.0, "z": 0.0}
+        RefusalCode.CONVERT_OUT_OF_REACH, {"x": 900.0, "y": 0.0, "z": 0.0}
     )
 
 
 def test_no_conversion_invents_the_middle_of_an_arc():
-    assert to_pose(POINT, KINEMATICS, MoveMode.MOVE_C).code == "convert_needs_middle"
+    assert to_pose(POINT, KINEMATICS, MoveMode.MOVE_C).code == RefusalCode.CONVERT_NEEDS_MIDDLE
 
 
 # Find and replace ---------------------------------------------------------------------------------
@@ -151,7 +152,7 @@ def test_find_and_replace_in_notes():
     assert list(search.find_text(points, "over")) == [0, 2]
     assert list(search.find_text(points, "over", match_case=True)) == [0]
     assert search.replace_text(points[0], "tray", "box").note == "over the box"
-    assert search.replace_text(points[0], "tray", "x" * 5000).code == "text_too_long"
+    assert search.replace_text(points[0], "tray", "x" * 5000).code == RefusalCode.TEXT_TOO_LONG
 
 
 def test_find_and_replace_figures():
@@ -163,8 +164,8 @@ def test_find_and_replace_figures():
     assert search.replace_figure(points[0], "X", 71.0) is points[0]
     assert search.replace_figure(points[0], "speed", 20.0).speed_percent == 20
     assert search.replace_figure(points[0], "dwell", 2.0).dwell_s == 2.0
-    assert search.replace_figure(points[0], "J2", 400.0).code == "point_out_of_range"
-    assert search.replace_figure(points[0], "speed", 20.5).code == "point_not_whole"
+    assert search.replace_figure(points[0], "J2", 400.0).code == RefusalCode.POINT_OUT_OF_RANGE
+    assert search.replace_figure(points[0], "speed", 20.5).code == RefusalCode.POINT_NOT_WHOLE
 
 
 def test_the_points_alone_need_no_numpy():

@@ -14,7 +14,8 @@ from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.devices.gripper_ranges import Figures, figures_of
 from armui.control.devices.teaching_phase import why_not
-from armui.control.operating_state import Level, OperatingState
+from armui.control.events import Level
+from armui.control.operating_state import OperatingState
 from armui.control.parameters.setting_cell import SettingCellState
 from armui.control.parameters.setting_checks import Changes
 from armui.control.safety.recovery_steps import Action, Step, StepKind

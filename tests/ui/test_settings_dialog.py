@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QLineEdit
 from pytestqt.qtbot import QtBot
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.settings import SettingsStore
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.dialogs.settings import SettingsDialog
@@ -140,7 +141,7 @@ def test_what_the_3d_view_finds_wrong_with_it_is_shown(
 ) -> None:
     file = tmp_path / "other.urdf"
     file.write_text("<robot/>")
-    reason = Refusal("urdf_joint_count", {"path": "other.urdf", "found": 0, "wanted": 6})
+    reason = Refusal(RefusalCode.URDF_JOINT_COUNT, {"path": "other.urdf", "found": 0, "wanted": 6})
     store.subscribe(lambda _settings: preferences.show_robot_problem(reason))
     preferences._on_urdf_chosen(file)
 

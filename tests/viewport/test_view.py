@@ -11,6 +11,7 @@ from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.system.paths import URDF
 from armui.viewport.camera import HOME_CAMERA
 from armui.viewport.palette import DARK
@@ -176,7 +177,7 @@ def test_another_robot_is_shown_a_broken_one_told_and_ours_comes_back(view, qtbo
     with qtbot.waitSignal(view.load_failed, timeout=LIMIT_MS) as failed:
         view.set_robot(broken)
     expected = {"path": str(broken), "found": 2, "wanted": 6}
-    assert failed.args == [Refusal("urdf_joint_count", expected)]
+    assert failed.args == [Refusal(RefusalCode.URDF_JOINT_COUNT, expected)]
     settle(view, qtbot)
     before = image_of(view)
     ball = '<visual><geometry><sphere radius="0.05"/></geometry></visual>'

@@ -11,8 +11,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.context import Context
+from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind
 from armui.control.motion.point_frames import leading_mode
 from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
@@ -90,12 +92,12 @@ class Cartesian:
         """The reason against computing with poses: not heard, or not those of this kind of arm."""
         state = self._context.state()
         if state.angles_deg() is None:
-            return Refusal("joints_unknown")
+            return Refusal(RefusalCode.JOINTS_UNKNOWN)
         if state.end_pose() is None:
-            return Refusal("pose_unknown")
+            return Refusal(RefusalCode.POSE_UNKNOWN)
         if self._context.operating_state().moving or self._fits(self.kinematics(), state):
             return None
-        return Refusal("model_differs")
+        return Refusal(RefusalCode.MODEL_DIFFERS)
 
     @staticmethod
     def _fits(model: Kinematics, state: ArmState) -> bool:
@@ -138,7 +140,7 @@ class Cartesian:
 
     def move(self, target: Sequence[float], move_mode: MoveMode) -> Refusal | None:
         """Send the tool centre point to a pose, with MOVE P or on a straight line with MOVE L."""
-        code = "sent_line" if move_mode is MoveMode.MOVE_L else "sent_pose"
+        code = EventCode.SENT_LINE if move_mode is MoveMode.MOVE_L else EventCode.SENT_POSE
         figures: dict[str, object] = dict(zip(map(str.lower, AXES), target, strict=True))
         return self._move(target, move_mode, code, figures)
 
@@ -161,12 +163,12 @@ class Cartesian:
 
         measured_deg = self._context.authority.measured_deg()
         if measured_deg is None:
-            return self._context.refuse(Refusal("joints_unknown"))
+            return self._context.refuse(Refusal(RefusalCode.JOINTS_UNKNOWN))
         measured = tool_matrix(self.kinematics().matrix(measured_deg), self.tool)
         target = shifted(self._base(measured), axis, amount, frame)
         unit = "mm" if axis < LINEAR_AXES else "°"
         figures: dict[str, object] = {"axis": AXES[axis], "step": f"{amount:+g} {unit}"}
-        return self._move(matrix_to_pose(target), MoveMode.MOVE_L, "stepped_tool", figures)
+        return self._move(matrix_to_pose(target), MoveMode.MOVE_L, EventCode.STEPPED_TOOL, figures)
 
     def move_arc(self, *points: Sequence[float]) -> Refusal | None:
         """Move on the arc through three poses of the tool centre point (MOVE C).
@@ -188,7 +190,7 @@ class Cartesian:
         codec, percent = context.connection.codec, self._motion.speed_percent
         frames = leading_mode(codec, context.state(), MoveMode.MOVE_C, percent)
         frames += commands.move_arc(codec, start, middle, end, speed_percent=percent)
-        return self._send(frames, MoveMode.MOVE_C, points[-1], "sent_arc", {})
+        return self._send(frames, MoveMode.MOVE_C, points[-1], EventCode.SENT_ARC, {})
 
     def check_arc(self, *points: Sequence[float]) -> Refusal | None:
         """Whether the arm stands at the start of an arc and can follow it to its end."""
@@ -202,19 +204,20 @@ class Cartesian:
         off_mm, off_deg = apart(flanges[0], model.forward(start_deg))
         if off_mm > _AT_START_MM or off_deg > _AT_START_DEG:
             return Refusal(
-                "arc_not_at_start", {"distance": round(off_mm, 1), "turned": round(off_deg, 1)}
+                RefusalCode.ARC_NOT_AT_START,
+                {"distance": round(off_mm, 1), "turned": round(off_deg, 1)},
             )
         try:
             arc = Arc(*map(pose_to_matrix, flanges))
         except ArcError:
-            return Refusal("arc_is_none")
+            return Refusal(RefusalCode.ARC_IS_NONE)
         return check_path(model, arc, start_deg, self._context.operating_state().limits)
 
     def _move(
         self,
         target: Sequence[float],
         move_mode: MoveMode,
-        code: str,
+        code: EventCode,
         figures: dict[str, object],
     ) -> Refusal | None:
         context = self._context
@@ -238,7 +241,7 @@ class Cartesian:
         frames: Sequence[Frame],
         move_mode: MoveMode,
         target: Sequence[float],
-        code: str,
+        code: EventCode,
         figures: dict[str, object],
     ) -> Refusal | None:
         from armui.kinematics.kinematics import Pose, pose_to_matrix  # noqa: PLC0415 - see above

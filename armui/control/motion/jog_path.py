@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final, Protocol
 
 from armui.arm.limits import JointLimits, check_joints
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.kinematics.axes import LINEAR_AXES, JogFrame
 
 if TYPE_CHECKING:
@@ -90,7 +91,9 @@ class JointJogPath:
 
     def end(self) -> Refusal:
         """The limit."""
-        return Refusal("jog_at_limit", {"joint": self._jog.joint, "limit": self._bound_deg})
+        return Refusal(
+            RefusalCode.JOG_AT_LIMIT, {"joint": self._jog.joint, "limit": self._bound_deg}
+        )
 
 
 class ToolJogPath:
@@ -144,9 +147,10 @@ class ToolJogPath:
             return solutions[0]
         bound = "minimum" if beyond.params["value"] < beyond.params["minimum"] else "maximum"  # type: ignore[operator]  # both are angles
         return Refusal(
-            "jog_at_limit", {"joint": beyond.params["joint"], "limit": beyond.params[bound]}
+            RefusalCode.JOG_AT_LIMIT,
+            {"joint": beyond.params["joint"], "limit": beyond.params[bound]},
         )
 
     def end(self) -> Refusal:
         """The edge of the arm's reach."""
-        return Refusal("jog_out_of_reach")
+        return Refusal(RefusalCode.JOG_OUT_OF_REACH)

@@ -11,6 +11,7 @@ from armui import __version__
 from armui.arm.backup import Backup, from_text, to_text
 from armui.arm.parameters import Parameter, heard
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.protocol.generation import Generation
 from armui.system.atomic import write_whole
@@ -23,13 +24,13 @@ def read_backup(path: Path) -> Backup | Refusal:
     """The backup in a file, or why it is none."""
     try:
         if path.stat().st_size > _LARGEST_BYTES:
-            return Refusal("backup_foreign")
+            return Refusal(RefusalCode.BACKUP_FOREIGN)
         return from_text(path.read_text(encoding="utf-8-sig"))
     except UnicodeDecodeError:
-        return Refusal("backup_foreign")
+        return Refusal(RefusalCode.BACKUP_FOREIGN)
     except OSError as error:
         text = error.strerror or str(error)
-        return Refusal("backup_unreadable", {"path": str(path), "text": text})
+        return Refusal(RefusalCode.BACKUP_UNREADABLE, {"path": str(path), "text": text})
 
 
 def write_backup(path: Path, backup: Backup) -> Refusal | None:
@@ -38,7 +39,7 @@ def write_backup(path: Path, backup: Backup) -> Refusal | None:
         write_whole(path, to_text(backup))
     except OSError as error:
         text = error.strerror or str(error)
-        return Refusal("backup_not_written", {"path": str(path), "text": text})
+        return Refusal(RefusalCode.BACKUP_NOT_WRITTEN, {"path": str(path), "text": text})
     return None
 
 

@@ -6,6 +6,7 @@ from typing import Final
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.safety.interlocks import joint_list
 
@@ -20,7 +21,7 @@ def why_moving(state: ArmState) -> Refusal | None:
         for joint, speed in zip(JOINTS, _speeds_deg_s(state), strict=True)
         if speed is not None and abs(speed) >= STILL_DEG_S
     ]
-    return Refusal("joints_moving", {"joints": joint_list(moving)}) if moving else None
+    return Refusal(RefusalCode.JOINTS_MOVING, {"joints": joint_list(moving)}) if moving else None
 
 
 def why_not_still(state: ArmState) -> Refusal | None:
@@ -28,7 +29,7 @@ def why_not_still(state: ArmState) -> Refusal | None:
     speeds = zip(JOINTS, _speeds_deg_s(state), strict=True)
     unknown = [joint for joint, speed in speeds if speed is None]
     if unknown:
-        return Refusal("speed_unknown", {"joints": joint_list(unknown)})
+        return Refusal(RefusalCode.SPEED_UNKNOWN, {"joints": joint_list(unknown)})
     return why_moving(state)
 
 

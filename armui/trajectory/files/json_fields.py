@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 
 Path = tuple[str | int, ...]
 """Keys and indices that lead from the whole file to a value."""
@@ -32,7 +33,9 @@ class Fields:
         self.path = path
         if not isinstance(value, dict):
             name = str(path[-1]) if path else "{}"
-            raise FieldError(Refusal("json_field_bad", {"field": name, "expected": "{…}"}), path)
+            raise FieldError(
+                Refusal(RefusalCode.JSON_FIELD_BAD, {"field": name, "expected": "{…}"}), path
+            )
         self._values: dict[str, Any] = value
         self._asked: set[str] = set()
 
@@ -41,7 +44,7 @@ class Fields:
 
     def bad(self, name: str, expected: str) -> FieldError:
         """The error that says what should have been there."""
-        reason = Refusal("json_field_bad", {"field": name, "expected": expected})
+        reason = Refusal(RefusalCode.JSON_FIELD_BAD, {"field": name, "expected": expected})
         return FieldError(reason, (*self.path, name))
 
     def text(self, name: str, default: str | None = None) -> str:
@@ -78,7 +81,7 @@ class Fields:
             values = _numbers(value, counts)
             if values is None:
                 expected = f"[{' / '.join(map(str, counts))} × 0.0]"
-                reason = Refusal("json_field_bad", {"field": name, "expected": expected})
+                reason = Refusal(RefusalCode.JSON_FIELD_BAD, {"field": name, "expected": expected})
                 raise FieldError(reason, (*self.path, name, index))
             yield values
 
@@ -108,7 +111,7 @@ class Fields:
         left = self._values.keys() - self._asked
         if left:
             name = min(left)
-            reason = Refusal("json_field_unknown", {"value": name[:60]})
+            reason = Refusal(RefusalCode.JSON_FIELD_UNKNOWN, {"value": name[:60]})
             raise FieldError(reason, (*self.path, name))
 
     def _list(self, name: str, default: list[Any] | None = None) -> list[Any]:
@@ -121,7 +124,7 @@ class Fields:
         self._asked.add(name)
         value = self._values.get(name, default)
         if value is None and name not in self._values:
-            raise FieldError(Refusal("json_field_missing", {"field": name}), self.path)
+            raise FieldError(Refusal(RefusalCode.JSON_FIELD_MISSING, {"field": name}), self.path)
         return value
 
 

@@ -9,6 +9,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files.errors import TrajectoryFileError, broken
 from armui.trajectory.files.json_fields import FieldError, Fields
 from armui.trajectory.files.json_places import place_of
@@ -73,9 +74,9 @@ def read(text: str, name: str) -> Content:
     try:
         whole = json.loads(text)
     except json.JSONDecodeError as error:
-        raise broken("json_bad", error.lineno, error.colno, text=error.msg) from error
+        raise broken(RefusalCode.JSON_BAD, error.lineno, error.colno, text=error.msg) from error
     except (RecursionError, ValueError) as error:  # nested too deep; a number of 5000 digits
-        raise broken("json_bad", text=str(error)) from error
+        raise broken(RefusalCode.JSON_BAD, text=str(error)) from error
     try:
         return _content(Fields(whole, ()), name)
     except FieldError as error:
@@ -112,7 +113,7 @@ def _content(whole: Fields, name: str) -> Content:
     if kind not in _KINDS:
         raise whole.bad("format", " / ".join(_KINDS))
     if whole.whole("version") != VERSION:
-        raise broken("file_version", value=whole.whole("version"), maximum=VERSION)
+        raise broken(RefusalCode.FILE_VERSION, value=whole.whole("version"), maximum=VERSION)
     common = {
         "name": whole.text("name", name),
         "note": whole.text("note", ""),

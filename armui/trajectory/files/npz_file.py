@@ -12,6 +12,7 @@ from typing import BinaryIO, Final
 
 import numpy as np
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files.errors import TrajectoryFileError, broken
 from armui.trajectory.files.json_fields import FieldError, Fields
 from armui.trajectory.files.model import LARGEST_BYTES, Content, parse_time, verified, verify
@@ -59,9 +60,9 @@ def read(data: bytes) -> Content:
     except FieldError as error:
         raise TrajectoryFileError(error.reason) from error
     except Exception as error:  # zipfile and numpy raise a dozen kinds on damaged archives
-        raise broken("file_damaged", text=str(error)) from error
+        raise broken(RefusalCode.FILE_DAMAGED, text=str(error)) from error
     if samples.ndim != 2 or samples.shape[1] != COLUMN_COUNT or samples.dtype.kind != "f":
-        raise broken("file_damaged", text=f"samples {samples.dtype} {samples.shape}")
+        raise broken(RefusalCode.FILE_DAMAGED, text=f"samples {samples.dtype} {samples.shape}")
     return verified(Recording(name, note, samples.astype(np.float64), modified))
 
 
@@ -78,7 +79,7 @@ def name_in(file: BinaryIO) -> str | None:
 def _member(archive: zipfile.ZipFile, name: str) -> bytes:
     """A member's bytes, unless they claim to be more than any recording has."""
     if archive.getinfo(name).file_size > LARGEST_BYTES:
-        raise broken("file_damaged", text=f"{name} is too large")
+        raise broken(RefusalCode.FILE_DAMAGED, text=f"{name} is too large")
     return archive.read(name)
 
 

@@ -13,7 +13,7 @@ from armui.arm.limits import JOINTS
 from armui.arm.model import ArmModel
 from armui.kinematics.batch import flange_heights, jacobians, margins
 from armui.trajectory.planning.collision import collisions
-from armui.trajectory.planning.findings import Finding, Severity
+from armui.trajectory.planning.findings import Finding, FindingCode, Severity
 from armui.trajectory.planning.planned_path import PlannedPath
 from armui.trajectory.planning.recording_check import check_recorded
 from armui.trajectory.planning.stops import TOOL_MOVES, bounds
@@ -101,7 +101,7 @@ def check(
 
 def _empty(points: Sequence[Waypoint]) -> Iterator[Finding]:
     if not points:
-        yield Finding("empty")
+        yield Finding(FindingCode.EMPTY)
 
 
 def _grippers(points: Sequence[Waypoint], arm: ArmModel) -> Iterator[Finding]:
@@ -111,7 +111,7 @@ def _grippers(points: Sequence[Waypoint], arm: ArmModel) -> Iterator[Finding]:
         action = point.gripper
         if isinstance(action, GripperOpening) and action.opening_mm > arm.stroke_mm:
             figures = {"value": float(action.opening_mm), "maximum": float(arm.stroke_mm)}
-            yield Finding("gripper_beyond_stroke", figures, row)
+            yield Finding(FindingCode.GRIPPER_BEYOND_STROKE, figures, row)
 
 
 def _limits(path: PlannedPath, led: Flags, arm: ArmModel) -> Iterator[Finding]:
@@ -133,7 +133,10 @@ def _limits(path: PlannedPath, led: Flags, arm: ArmModel) -> Iterator[Finding]:
             "maximum": limits.max_deg,
         }
         yield _at(
-            path, index, "target_beyond_limit" if last[index] else "path_beyond_limit", figures
+            path,
+            index,
+            FindingCode.TARGET_BEYOND_LIMIT if last[index] else FindingCode.PATH_BEYOND_LIMIT,
+            figures,
         )
 
 
@@ -148,7 +151,9 @@ def _near_singular(path: PlannedPath, led: Flags, arm: ArmModel) -> Iterator[Fin
     smallest = np.linalg.svd(grids, compute_uv=False)[:, -1]
     for index, value in zip(nearest.tolist(), smallest.tolist(), strict=True):
         if value < NEAR_SINGULAR:
-            yield _at(path, index, "near_singular", {"value": value, "minimum": NEAR_SINGULAR})
+            yield _at(
+                path, index, FindingCode.NEAR_SINGULAR, {"value": value, "minimum": NEAR_SINGULAR}
+            )
 
 
 def _large_turns(path: PlannedPath, posed: Flags) -> Iterator[Finding]:
@@ -158,7 +163,7 @@ def _large_turns(path: PlannedPath, posed: Flags) -> Iterator[Finding]:
     for which in np.flatnonzero((turns > LARGE_TURN_DEG).any(axis=1) & posed[lasts]).tolist():
         joint = int(np.argmax(turns[which]))
         figures = {"joint": JOINTS[joint], "value": round(float(turns[which, joint]), 1)}
-        yield _at(path, int(lasts[which]), "large_turn", figures)
+        yield _at(path, int(lasts[which]), FindingCode.LARGE_TURN, figures)
 
 
 def _far_from_start(path: PlannedPath) -> Iterator[Finding]:
@@ -167,14 +172,14 @@ def _far_from_start(path: PlannedPath) -> Iterator[Finding]:
     joint = int(np.argmax(away))
     if away[joint] > FAR_FROM_START_DEG:
         figures = {"joint": JOINTS[joint], "value": round(float(away[joint]), 1)}
-        yield _at(path, int(first_row[-1]), "far_from_start", figures)
+        yield _at(path, int(first_row[-1]), FindingCode.FAR_FROM_START, figures)
 
 
 def _below_floor(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
     heights = np.minimum(path.places_mm[:, 2], flange_heights(arm.kinematics, path.joints_deg))
     below = FLOOR_MM - heights
     for index in _worst(below > 0.0, below, path.rows, path.expected_s == ()):
-        yield _at(path, index, "below_floor", {"value": round(float(below[index]), 1)})
+        yield _at(path, index, FindingCode.BELOW_FLOOR, {"value": round(float(below[index]), 1)})
 
 
 def _tool_too_fast(path: PlannedPath, free: Flags, arm: ArmModel) -> Iterator[Finding]:
@@ -186,7 +191,7 @@ def _tool_too_fast(path: PlannedPath, free: Flags, arm: ArmModel) -> Iterator[Fi
     fast = free & (speeds > _SPEED_SLACK * most)
     for index in _worst(fast, speeds, path.rows, path.expected_s == ()):
         figures = {"value": round(float(speeds[index])), "maximum": round(most)}
-        yield _at(path, index, "tool_too_fast", figures)
+        yield _at(path, index, FindingCode.TOOL_TOO_FAST, figures)
 
 
 def _collisions(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
@@ -203,7 +208,7 @@ def _collisions(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
         if row not in told and not before:
             told.add(row)
             one, other = hits[which].split("/")
-            yield _at(path, index, "links_collide", {"one": one, "other": other})
+            yield _at(path, index, FindingCode.LINKS_COLLIDE, {"one": one, "other": other})
 
 
 def _worst(
@@ -230,7 +235,7 @@ def _by_row(path: PlannedPath, flags: Sequence[bool]) -> Flags:
 
 
 def _at(
-    path: PlannedPath, index: int, code: str, figures: Mapping[str, float | int | str]
+    path: PlannedPath, index: int, code: FindingCode, figures: Mapping[str, float | int | str]
 ) -> Finding:
     return Finding(
         code,

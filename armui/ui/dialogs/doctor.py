@@ -19,13 +19,13 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.device import Device
-from armui.control.operating_state import Level as MessageLevel
 from armui.doctor.finding import Finding, Level, Section
 from armui.doctor.process import DoctorProcess
 from armui.doctor.report import Words, as_text
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.connected_arm import judge_connected
 from armui.ui.dialogs.finding_row import FindingRow
+from armui.ui.panels.parameters.level_cell import Level as MessageLevel
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.message_line import MessageLine
 

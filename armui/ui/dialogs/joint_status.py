@@ -22,7 +22,8 @@ from PySide6.QtWidgets import (
 
 from armui.arm.joint_status import Item, Word
 from armui.arm.limits import JOINTS
-from armui.control.operating_state import Level, Notice, OperatingState
+from armui.control.events import EventCode, Level, Notice
+from armui.control.operating_state import OperatingState
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.joint_status_cell import JointCellDelegate, cell_width
@@ -35,7 +36,9 @@ if TYPE_CHECKING:
 
 _HEADER_PAD_PX: Final = 20
 _FRAME_PX: Final = 1
-_OURS: Final = frozenset({"clear_error_sent", "clear_error_answered", "clear_error_unanswered"})
+_OURS: Final = frozenset(
+    {EventCode.CLEAR_ERROR_SENT, EventCode.CLEAR_ERROR_ANSWERED, EventCode.CLEAR_ERROR_UNANSWERED}
+)
 
 
 class JointStatusDialog(ArmDialog):

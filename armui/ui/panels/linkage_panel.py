@@ -16,7 +16,9 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.refusal import Refusal
-from armui.control.operating_state import LinkState, Notice, OperatingState
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.events import Notice
+from armui.control.operating_state import LinkState, OperatingState
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import LinkageRole
 from armui.ui import words
@@ -197,7 +199,7 @@ class LinkagePanel(Panel):
         operating_state = self._operating_state
         refusal = self._refusal
         if refusal is None and not operating_state.control_certain:
-            refusal = Refusal("control_offset_unknown")
+            refusal = Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
         if refusal is None and not operating_state.teaching_input and self._notice is None:
             refusal = operating_state.unreachable
         self._say(refusal, self._notice)

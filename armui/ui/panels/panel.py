@@ -10,7 +10,8 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QLabel, QLayout, QScrollArea, QVBoxLayout, QWidget
 
 from armui.arm.refusal import Refusal
-from armui.control.operating_state import Level, Notice
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.events import Level, Notice
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.widgets.message_line import MessageLine
@@ -19,11 +20,11 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
 _LEVELS: Final = {
-    "not_connected": Level.INFO,
-    "link_lost": Level.FAULT,
-    "stopped": Level.FAULT,
-    "stop_requested": Level.FAULT,
-    "arm_fault": Level.FAULT,
+    RefusalCode.NOT_CONNECTED: Level.INFO,
+    RefusalCode.LINK_LOST: Level.FAULT,
+    RefusalCode.STOPPED: Level.FAULT,
+    RefusalCode.STOP_REQUESTED: Level.FAULT,
+    RefusalCode.ARM_FAULT: Level.FAULT,
 }
 _GAP_PX: Final = 12
 

@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
-from armui.control.operating_state import Level
+from armui.control.events import Level
 from armui.system.failures import Failure
 from armui.ui.widgets.message_line import MessageLine
 

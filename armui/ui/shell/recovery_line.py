@@ -9,7 +9,8 @@ from PySide6.QtCore import QEvent, QRectF, QSize, Qt
 from PySide6.QtGui import QMouseEvent, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
-from armui.control.operating_state import Level, OperatingState
+from armui.control.events import Level
+from armui.control.operating_state import OperatingState
 from armui.control.safety.recovery_steps import Action, Step, StepKind
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm

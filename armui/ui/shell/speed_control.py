@@ -8,6 +8,7 @@ from PySide6.QtCore import QEvent, QSignalBlocker, Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox, QWidget
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.operating_state import OperatingState
 from armui.protocol.generation import Generation
@@ -88,7 +89,9 @@ class SpeedControl(QWidget):
 
     def _allow(self, operating_state: OperatingState) -> None:
         """A run sends each point with its own speed: another one would change it in silence."""
-        reason = words.refusal(Refusal("run_under_way")) if operating_state.running else ""
+        reason = (
+            words.refusal(Refusal(RefusalCode.RUN_UNDER_WAY)) if operating_state.running else ""
+        )
         use = self.tr("Speed of motions, 0–100 % of the arm's highest; 0 % means no motion.")
         for widget in (self._slider, self._field):
             widget.setEnabled(not reason)

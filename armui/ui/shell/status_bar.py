@@ -12,7 +12,8 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Status
-from armui.control.operating_state import Level, Notice, OperatingState
+from armui.control.events import Level, Notice
+from armui.control.operating_state import OperatingState
 from armui.protocol.codes import ArmStatusCode, TeachingState
 from armui.ui import format as fmt
 from armui.ui import words

@@ -17,9 +17,11 @@ from PySide6.QtWidgets import (
 
 from armui.arm.gripper import GripperState
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
 from armui.control.devices.gripper_ranges import figures_of
-from armui.control.operating_state import Notice, OperatingState
+from armui.control.events import Notice
+from armui.control.operating_state import OperatingState
 from armui.protocol.generation import Generation
 from armui.ui import words
 from armui.ui.freshness import is_stale
@@ -151,7 +153,7 @@ class GripperPanel(Panel):
             start = None if heard is None else heard.value.travel
         effort = self._effort.field.value
         if start is None or effort is None:
-            self._accepted(self._effort.refusal() or Refusal("gripper_silent"))
+            self._accepted(self._effort.refusal() or Refusal(RefusalCode.GRIPPER_SILENT))
             return
         target = min(max(start + sign * figure.step, figure.minimum), figure.maximum)
         if self._accepted(self._controller.gripper.move(round(target, 3), effort)):
@@ -282,7 +284,7 @@ class GripperPanel(Panel):
         refusal = self._refusal or self._operating_state.cannot_enable
         if refusal is None and self._notice is None:
             refusal = self._travel.refusal() or self._effort.refusal()
-        if refusal is not None and refusal.code == "busy" and self._refusal is None:
+        if refusal is not None and refusal.code == RefusalCode.BUSY and self._refusal is None:
             refusal = None  # what is under way will say itself how it ends
         self._say(refusal, self._notice)
 

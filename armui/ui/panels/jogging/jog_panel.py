@@ -18,7 +18,8 @@ from PySide6.QtWidgets import (
 
 from armui.arm.refusal import Refusal
 from armui.control.devices.zeroing import ENDED
-from armui.control.operating_state import Notice, OperatingState
+from armui.control.events import EventCode, Notice
+from armui.control.operating_state import OperatingState
 from armui.ui import words
 from armui.ui.panels.jogging.key_pad import KeyPad, Keys
 from armui.ui.panels.jogging.step_box import StepBox
@@ -159,7 +160,7 @@ class JogPanel(Panel):
     def _on_noticed(self, notice: Notice) -> None:
         """What ended a jog is said where the operator looks; a new zero makes targets void."""
         reason = notice.params.get("reason")
-        if notice.code == "jog_ended" and isinstance(reason, Refusal) and self.isVisible():
+        if notice.code == EventCode.JOG_ENDED and isinstance(reason, Refusal) and self.isVisible():
             self._accepted(reason)
         elif notice.code in ENDED:
             # the same figures are another place by the new zero

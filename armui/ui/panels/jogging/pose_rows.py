@@ -8,6 +8,7 @@ from PySide6.QtCore import QEvent, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.kinematics.axes import AXES, LINEAR_AXES
 from armui.ui.panels.jogging.pose_row import PoseRow
 
@@ -61,13 +62,15 @@ class PoseRows(QWidget):
         targets = [value for value in values if value is not None]
         if len(targets) == len(AXES):
             return targets
-        return self.nonsense() or Refusal("pose_unknown")
+        return self.nonsense() or Refusal(RefusalCode.POSE_UNKNOWN)
 
     def nonsense(self) -> Refusal | None:
         """What is to be said against the first text that is no figure."""
         for row in self._rows:
             if row.field.is_nonsense():
-                return Refusal("pose_not_a_number", {"axis": row.name, "value": row.field.text()})
+                return Refusal(
+                    RefusalCode.POSE_NOT_A_NUMBER, {"axis": row.name, "value": row.field.text()}
+                )
         return None
 
     def fill(self, pose: Sequence[float] | None) -> None:

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.devices.lights import RANGES, check_light
 from armui.control.operating_state import OperatingState
 from armui.protocol.codes import ALL_LAMPS
@@ -299,4 +300,4 @@ def _why_wrong(name: str, field: FigureField) -> Refusal | None:
         return check_light(**{name: int(value)})
     bounds = {"minimum": RANGES[name][0], "maximum": RANGES[name][-1]}
     text = field.text().strip() or fmt.NOTHING
-    return Refusal("light_not_a_number", {"light": name, "value": text, **bounds})
+    return Refusal(RefusalCode.LIGHT_NOT_A_NUMBER, {"light": name, "value": text, **bounds})

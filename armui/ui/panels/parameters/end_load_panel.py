@@ -20,9 +20,11 @@ from PySide6.QtWidgets import (
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.devices.end_reports import is_reporting
-from armui.control.operating_state import LinkState, Notice, OperatingState
+from armui.control.events import Notice
+from armui.control.operating_state import LinkState, OperatingState
 from armui.protocol.codes import EndLoad
 from armui.ui import format as fmt
 from armui.ui import words
@@ -122,7 +124,7 @@ class EndLoadPanel(Panel):
     def _on_send(self) -> None:
         chosen = self._loads.checkedId()
         if chosen < 0:
-            self._accepted(Refusal("load_not_chosen"))
+            self._accepted(Refusal(RefusalCode.LOAD_NOT_CHOSEN))
         else:
             self._accepted(self._controller.end_reports.set_load(EndLoad(chosen)))
 

@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QVBoxLay
 
 from armui.arm.state import ArmState
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of
-from armui.control.operating_state import Level, Notice, OperatingState
+from armui.control.events import EventCode, Level, Notice
+from armui.control.operating_state import OperatingState
 from armui.control.safety.recovery_steps import Action, Step
 from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.ui import format as fmt
@@ -174,7 +175,7 @@ class TeachingPanel(Panel):
         self._show_new()
 
     def _on_noticed(self, notice: Notice) -> None:
-        if notice.code == "teaching_unanswered":
+        if notice.code == EventCode.TEACHING_UNANSWERED:
             self._unanswered = notice
             self._show_all()
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
-from armui.control.operating_state import Level
+from armui.control.events import Level
 from armui.ui.trajectory.library.bin_dialog import BinDialog
 from armui.ui.trajectory.library.library_actions import LibraryActions
 from armui.ui.trajectory.library.library_work import LibraryWork

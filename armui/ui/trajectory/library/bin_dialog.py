@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QSize, Signal
 from PySide6.QtWidgets import QAbstractItemView, QLabel, QPushButton, QTableWidgetItem, QWidget
 
-from armui.control.operating_state import Level
+from armui.control.events import Level
 from armui.trajectory.library.bin import KEPT
 from armui.trajectory.library.store import Deleted
 from armui.ui.dialogs.base import ArmDialog

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent
 
-from armui.control.operating_state import Level
+from armui.control.events import Level
 from armui.ui.trajectory.text import name_list
 from armui.ui.widgets.message_line import MessageLine
 

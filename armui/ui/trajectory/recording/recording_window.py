@@ -11,7 +11,9 @@ from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
 
 from armui.arm.refusal import Refusal
-from armui.control.operating_state import Level, OperatingState
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.events import Level
+from armui.control.operating_state import OperatingState
 from armui.trajectory.library.store import Library
 from armui.trajectory.samples import thin
 from armui.trajectory.samples.recording import Recording
@@ -73,8 +75,7 @@ class RecordingWindow(ArmDialog):
         self._library = library
         self._work = LibraryWork(library, background, self)
         self._joining = self._leaving = False
-        self._recording = recording
-        self._result = recording
+        self._recording = self._result = recording
         self._unsaved = False
         self._timer = QTimer(self, singleShot=True, interval=_AFTER_MS)
         self._timer.timeout.connect(self._work_out)
@@ -363,7 +364,7 @@ class RecordingWindow(ArmDialog):
     def _show_usable(self, operating_state: OperatingState) -> None:
         reason = None if self._controller.recorder.recording else operating_state.unreachable
         if self._joining:
-            reason = Refusal("busy", {"what": "recording"})
+            reason = Refusal(RefusalCode.BUSY, {"what": "recording"})
         if reason is None and self._unsaved:
             self._record.setToolTip(self.tr("Recording anew takes the place of what is not saved"))
         else:

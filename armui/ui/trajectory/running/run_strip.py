@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import StopState
 from armui.control.run.progress import ENDLESS, Progress, RunPhase
 from armui.trajectory.files import Content
@@ -250,7 +251,7 @@ class RunStrip(QWidget):
     def _run_checked(self, options: RunOptions, checked: Preflight) -> None:
         if checked.errors:
             self.checked.emit(checked, None)
-            self.refused.emit(Refusal("findings_against", {"count": checked.errors}))
+            self.refused.emit(Refusal(RefusalCode.FINDINGS_AGAINST, {"count": checked.errors}))
         elif checked.findings or checked.took_s > _SURPRISING_S:
             self.checked.emit(checked, lambda: self._start(checked, options))
         else:

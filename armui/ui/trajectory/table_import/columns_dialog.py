@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from armui.control.operating_state import Level
+from armui.control.events import Level
 from armui.protocol.codes import MoveMode
 from armui.trajectory import columns
 from armui.trajectory.columns import ColumnMapping
