@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 
-class Level(enum.Enum):
+class Severity(enum.Enum):
     """How grave a finding is."""
 
     OK = "ok"
@@ -32,13 +32,13 @@ class Finding:
     Attributes:
         section: What it is about.
         code: Names its words in ``resources/doctor/texts.toml``.
-        level: How grave it is.
+        severity: How grave it is.
         params: What the words mention.
         commands: The remedy, to be copied; a line each.
     """
 
     section: Section
     code: str
-    level: Level
+    severity: Severity
     params: Mapping[str, str] = field(default_factory=dict)
     commands: tuple[str, ...] = ()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from armui.doctor.facts import Facts, PackageFacts, ProgramFacts, ScreenFacts
-from armui.doctor.finding import Finding, Level, Section
+from armui.doctor.finding import Finding, Section, Severity
 from armui.doctor.judge_arm import judge_heard
 from armui.doctor.judge_can import judge_can
 
@@ -59,7 +59,7 @@ def judge(facts: Facts) -> list[Finding]:
     for heard in facts.heard:
         findings += judge_heard(heard)
     if facts.can is not None and not facts.heard:
-        findings.append(Finding(Section.ARM, "no_device_to_listen", Level.WARNING))
+        findings.append(Finding(Section.ARM, "no_device_to_listen", Severity.WARNING))
     return findings
 
 
@@ -74,15 +74,15 @@ def judge_program(facts: ProgramFacts) -> list[Finding]:
     """Python and packages."""
     params = {"armui": facts.armui, "version": facts.python, "system": facts.system}
     if facts.python_suffices:
-        findings = [Finding(Section.PROGRAM, "python", Level.OK, params)]
+        findings = [Finding(Section.PROGRAM, "python", Severity.OK, params)]
     else:
-        findings = [Finding(Section.PROGRAM, "python_old", Level.FAULT, params)]
+        findings = [Finding(Section.PROGRAM, "python_old", Severity.FAULT, params)]
     wrong = [each for each in facts.packages if not each.satisfied]
     findings += [_package(each, facts.executable) for each in wrong]
     needed = [each for each in facts.packages if not each.extra]
     if needed and not any(each in wrong for each in needed):
         count = {"count": str(len(needed))}
-        findings.append(Finding(Section.PROGRAM, "packages", Level.OK, count))
+        findings.append(Finding(Section.PROGRAM, "packages", Severity.OK, count))
     return findings
 
 
@@ -95,10 +95,10 @@ def _package(facts: PackageFacts, executable: str) -> Finding:
     }
     command = f'{_quoted(executable)} -m pip install "{facts.name}{facts.wanted}"'
     if facts.installed is not None:
-        return Finding(Section.PROGRAM, "package_other", Level.FAULT, params, (command,))
+        return Finding(Section.PROGRAM, "package_other", Severity.FAULT, params, (command,))
     if facts.extra:
-        return Finding(Section.PROGRAM, "package_optional", Level.NOTE, params, (command,))
-    return Finding(Section.PROGRAM, "package_missing", Level.FAULT, params, (command,))
+        return Finding(Section.PROGRAM, "package_optional", Severity.NOTE, params, (command,))
+    return Finding(Section.PROGRAM, "package_missing", Severity.FAULT, params, (command,))
 
 
 def judge_screen(facts: ScreenFacts, program: ProgramFacts | None) -> list[Finding]:
@@ -110,26 +110,30 @@ def judge_screen(facts: ScreenFacts, program: ProgramFacts | None) -> list[Findi
             Finding(
                 Section.SCREEN,
                 "libraries_missing",
-                Level.FAULT,
+                Severity.FAULT,
                 {"libraries": ", ".join(facts.missing_libraries)},
                 _install(facts.missing_libraries, families),
             )
         )
     if facts.qt is None:
         text = {"text": facts.qt_error}
-        findings.append(Finding(Section.SCREEN, "qt_not_loaded", Level.FAULT, text))
+        findings.append(Finding(Section.SCREEN, "qt_not_loaded", Severity.FAULT, text))
     elif not facts.has_display:
         findings.append(
             Finding(
-                Section.SCREEN, "no_display", Level.FAULT, {"qt": facts.qt}, ("export DISPLAY=:0",)
+                Section.SCREEN,
+                "no_display",
+                Severity.FAULT,
+                {"qt": facts.qt},
+                ("export DISPLAY=:0",),
             )
         )
     elif facts.platform is None:
         params = {"qt": facts.qt, "text": facts.qt_error}
-        findings.append(Finding(Section.SCREEN, "qt_platform_failed", Level.FAULT, params))
+        findings.append(Finding(Section.SCREEN, "qt_platform_failed", Severity.FAULT, params))
     else:
         params = {"qt": facts.qt, "platform": facts.platform}
-        findings.append(Finding(Section.SCREEN, "qt", Level.OK, params))
+        findings.append(Finding(Section.SCREEN, "qt", Severity.OK, params))
     findings.append(_opengl(facts, families))
     return findings
 
@@ -138,11 +142,11 @@ def _opengl(facts: ScreenFacts, families: tuple[str, ...]) -> Finding:
     if facts.opengl is None:
         params = {"text": facts.opengl_error}
         commands = _install(("libEGL.so.1", "libGL.so.1", "libXrender.so.1"), families)
-        return Finding(Section.SCREEN, "opengl_failed", Level.WARNING, params, commands)
+        return Finding(Section.SCREEN, "opengl_failed", Severity.WARNING, params, commands)
     params = {"renderer": facts.opengl}
     if any(word in facts.opengl.lower() for word in _SOFTWARE_RENDERERS):
-        return Finding(Section.SCREEN, "opengl_software", Level.NOTE, params)
-    return Finding(Section.SCREEN, "opengl", Level.OK, params)
+        return Finding(Section.SCREEN, "opengl_software", Severity.NOTE, params)
+    return Finding(Section.SCREEN, "opengl", Severity.OK, params)
 
 
 def _install(libraries: tuple[str, ...], families: tuple[str, ...]) -> tuple[str, ...]:

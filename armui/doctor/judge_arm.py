@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from armui.doctor.facts import ArmFacts, HeardFacts, LimitFacts
-from armui.doctor.finding import Finding, Level, Section
+from armui.doctor.finding import Finding, Section, Severity
 
 _NORMAL: Final = 0
 _EMERGENCY_STOP: Final = 1
@@ -36,25 +36,25 @@ def judge_heard(heard: HeardFacts) -> list[Finding]:
         return [_not_opened(heard, base)]
     findings: list[Finding] = []
     if heard.bus_off:
-        findings.append(_finding("heard_bus_off", Level.FAULT, base, _restart(heard)))
+        findings.append(_finding("heard_bus_off", Severity.FAULT, base, _restart(heard)))
     if heard.error_frames:
         params = {**base, "count": str(heard.error_frames)}
-        level = Level.WARNING if heard.arm is not None else Level.FAULT
+        level = Severity.WARNING if heard.arm is not None else Severity.FAULT
         findings.append(_finding("error_frames", level, params))
     if heard.arm is not None:
         findings += judge_arm(heard.arm, heard)
         if heard.asked and not heard.answered:
-            findings.append(_finding("no_answer", Level.FAULT, base))
+            findings.append(_finding("no_answer", Severity.FAULT, base))
     else:
         findings.append(_no_arm(heard, base))
     if heard.other_offsets:
         offsets = ", ".join(f"0x{each:02X}" for each in heard.other_offsets)
-        findings.append(_finding("second_arm", Level.WARNING, {**base, "offsets": offsets}))
+        findings.append(_finding("second_arm", Severity.WARNING, {**base, "offsets": offsets}))
     if heard.other_hosts and not _is_leader(heard):
         frames = ", ".join(
             f"0x{each.arbitration_id:03X} ({each.rate_hz:.0f}/s)" for each in heard.other_hosts
         )
-        findings.append(_finding("other_host", Level.WARNING, {**base, "frames": frames}))
+        findings.append(_finding("other_host", Severity.WARNING, {**base, "frames": frames}))
     return findings
 
 
@@ -75,7 +75,7 @@ def _not_opened(heard: HeardFacts, base: dict[str, str]) -> Finding:
             "sudo udevadm control --reload && sudo udevadm trigger",
         )
     code = heard.problem if heard.problem in _PROBLEMS else "bus_failed"
-    return _finding(code, Level.FAULT, params, commands)
+    return _finding(code, Severity.FAULT, params, commands)
 
 
 _PROBLEMS: Final = (
@@ -94,16 +94,16 @@ def _no_arm(heard: HeardFacts, base: dict[str, str]) -> Finding:
     if _is_leader(heard):
         ids = heard.shifted_feedback or tuple(each.arbitration_id for each in heard.other_hosts)
         params = {**base, "ids": _ids(ids)}
-        return _finding("teaching_input", Level.FAULT, params, _end_teaching_input(heard))
+        return _finding("teaching_input", Severity.FAULT, params, _end_teaching_input(heard))
     if heard.frames:
         params = {**base, "ids": _ids(heard.unknown_ids)}
-        return _finding("no_arm", Level.FAULT, params)
+        return _finding("no_arm", Severity.FAULT, params)
     commands = (
         (f"ip -details -statistics link show {heard.channel}",)
         if heard.interface == "socketcan"
         else ()
     )
-    return _finding("nothing_heard", Level.FAULT, base, commands)
+    return _finding("nothing_heard", Severity.FAULT, base, commands)
 
 
 def judge_arm(arm: ArmFacts, heard: HeardFacts) -> list[Finding]:
@@ -116,12 +116,14 @@ def judge_arm(arm: ArmFacts, heard: HeardFacts) -> list[Finding]:
         "offset": f"0x{arm.feedback_offset:02X}",
         "firmware": arm.firmware or "",
     }
-    findings = [_finding("arm", Level.OK, params), *_firmware(arm, heard, params)]
+    findings = [_finding("arm", Severity.OK, params), *_firmware(arm, heard, params)]
     if arm.feedback_offset:
-        findings.append(_finding("offset", Level.NOTE, params))
+        findings.append(_finding("offset", Severity.NOTE, params))
     if arm.teaching_input:
         ids = {**params, "ids": "0x2A1"}
-        findings.append(_finding("teaching_input", Level.WARNING, ids, _end_teaching_input(heard)))
+        findings.append(
+            _finding("teaching_input", Severity.WARNING, ids, _end_teaching_input(heard))
+        )
     findings += _status(arm, params)
     findings += _drivers(arm, params)
     findings += _feedback(arm, heard, params)
@@ -129,7 +131,7 @@ def judge_arm(arm: ArmFacts, heard: HeardFacts) -> list[Finding]:
     if damaged:
         joints = {**params, "joints": ", ".join(damaged)}
         commands = _send(heard, 0x477, "0002000000000000")
-        findings.append(_finding("limits_damaged", Level.FAULT, joints, commands))
+        findings.append(_finding("limits_damaged", Severity.FAULT, joints, commands))
     return findings
 
 
@@ -137,27 +139,29 @@ def _firmware(arm: ArmFacts, heard: HeardFacts, params: dict[str, str]) -> list[
     if arm.firmware is None:
         if arm.generation == 1:
             return []
-        return [_finding("firmware_unknown", Level.NOTE, params, _ask(heard))]
+        return [_finding("firmware_unknown", Severity.NOTE, params, _ask(heard))]
     version = _version(arm.firmware)
-    findings = [_finding("firmware", Level.OK, params)]
+    findings = [_finding("firmware", Severity.OK, params)]
     if version is not None and version < _RECOMMENDED:
-        findings.append(_finding("firmware_old", Level.NOTE, params))
+        findings.append(_finding("firmware_old", Severity.NOTE, params))
     if version == _LOSES_REFERENCE:
-        findings.append(_finding("reference_lost", Level.NOTE, params))
+        findings.append(_finding("reference_lost", Severity.NOTE, params))
     return findings
 
 
 def _status(arm: ArmFacts, params: dict[str, str]) -> list[Finding]:
     if arm.status_code is None:
-        return [_finding("status_silent", Level.WARNING, params)]
+        return [_finding("status_silent", Severity.WARNING, params)]
     findings: list[Finding] = []
     status = {**params, "status": f"0x{arm.status_code:02X} {arm.status_word}".strip()}
     if arm.status_code == _EMERGENCY_STOP:
-        findings.append(_finding("stopped", Level.WARNING, status))
+        findings.append(_finding("stopped", Severity.WARNING, status))
     elif arm.status_code != _NORMAL:
-        findings.append(_finding("status", Level.WARNING, status))
+        findings.append(_finding("status", Severity.WARNING, status))
     if arm.mode_word and arm.mode_word not in _USUAL_MODES:
-        findings.append(_finding("unusual_mode", Level.WARNING, {**params, "mode": arm.mode_word}))
+        findings.append(
+            _finding("unusual_mode", Severity.WARNING, {**params, "mode": arm.mode_word})
+        )
     return findings
 
 
@@ -165,16 +169,16 @@ def _drivers(arm: ArmFacts, params: dict[str, str]) -> list[Finding]:
     findings: list[Finding] = []
     if arm.unreachable:
         joints = {**params, "joints": ", ".join(map(str, arm.unreachable))}
-        findings.append(_finding("joints_unreachable", Level.FAULT, joints))
+        findings.append(_finding("joints_unreachable", Severity.FAULT, joints))
     if arm.beyond_limit:
         joints = {**params, "joints": ", ".join(map(str, arm.beyond_limit))}
-        findings.append(_finding("joints_beyond_limit", Level.WARNING, joints))
+        findings.append(_finding("joints_beyond_limit", Severity.WARNING, joints))
     if arm.driver_faults:
         faults = ", ".join(f"J{joint}: {fault}" for joint, fault in arm.driver_faults)
-        findings.append(_finding("driver_faults", Level.FAULT, {**params, "faults": faults}))
+        findings.append(_finding("driver_faults", Severity.FAULT, {**params, "faults": faults}))
     if arm.lowest_voltage is not None and 0 < arm.lowest_voltage < _LOW_V:
         voltage = {**params, "voltage": f"{arm.lowest_voltage:.1f}"}
-        findings.append(_finding("voltage_low", Level.WARNING, voltage))
+        findings.append(_finding("voltage_low", Severity.WARNING, voltage))
     return findings
 
 
@@ -183,10 +187,10 @@ def _feedback(arm: ArmFacts, heard: HeardFacts, params: dict[str, str]) -> list[
     findings: list[Finding] = []
     if _all_zero(arm) or (arm.teaching is not None and _SILENT_BY_TEACHING_LEVEL in arm.teaching):
         commands = _mend_teaching(arm.teaching, heard) if arm.generation == 2 else ()
-        findings.append(_finding("feedback_zero", Level.FAULT, params, commands))
+        findings.append(_finding("feedback_zero", Severity.FAULT, params, commands))
     tilt = arm.pose[4]
     if tilt is not None and abs(tilt) > _TILT_DEG:
-        findings.append(_finding("euler_edge", Level.NOTE, {**params, "ry": f"{tilt:.1f}"}))
+        findings.append(_finding("euler_edge", Severity.NOTE, {**params, "ry": f"{tilt:.1f}"}))
     return findings
 
 
@@ -265,6 +269,6 @@ def _name(heard: HeardFacts) -> str:
 
 
 def _finding(
-    code: str, level: Level, params: dict[str, str], commands: tuple[str, ...] = ()
+    code: str, level: Severity, params: dict[str, str], commands: tuple[str, ...] = ()
 ) -> Finding:
     return Finding(Section.ARM, code, level, params, commands)

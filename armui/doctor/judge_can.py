@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from armui.doctor.facts import CanFacts, LinkFacts, SerialPortFacts, UsbAdapterFacts
-from armui.doctor.finding import Finding, Level, Section
+from armui.doctor.finding import Finding, Section, Severity
 
 _USUAL_BITRATE: Final = 1_000_000
 _KNOWN_BITRATES: Final = (_USUAL_BITRATE, 500_000)
@@ -19,7 +19,7 @@ def judge_can(facts: CanFacts) -> list[Finding]:
     """Adapters, drivers, permissions, interfaces."""
     findings: list[Finding] = []
     if facts.error:
-        findings.append(_finding("search_failed", Level.FAULT, {"text": facts.error}))
+        findings.append(_finding("search_failed", Severity.FAULT, {"text": facts.error}))
     findings += [_without_driver(each) for each in facts.usb if not each.links]
     findings += [_closed_port(each) for each in facts.ports if not each.may_open]
     for link in facts.links:
@@ -30,7 +30,7 @@ def judge_can(facts: CanFacts) -> list[Finding]:
     findings += [
         _finding(
             "device",
-            Level.OK,
+            Severity.OK,
             {"device": f"{each.interface} {each.channel}", "serial": each.serial or "—"},
         )
         for each in others
@@ -38,7 +38,7 @@ def judge_can(facts: CanFacts) -> list[Finding]:
     if len(hardware) > 1:
         findings.append(_several(hardware))
     if not facts.links and not others and not facts.usb and not facts.ports:
-        findings.append(_finding("no_devices", Level.WARNING, {}))
+        findings.append(_finding("no_devices", Severity.WARNING, {}))
     return findings
 
 
@@ -52,23 +52,23 @@ def judge_link(link: LinkFacts) -> list[Finding]:
         "kind": link.kind,
     }
     if not link.up:
-        return [_finding("link_down", Level.FAULT, params, _up(link))]
+        return [_finding("link_down", Severity.FAULT, params, _up(link))]
     findings = [_state(link, params)]
     if link.bitrate is not None and link.bitrate not in _KNOWN_BITRATES:
-        findings.append(_finding("bitrate_odd", Level.WARNING, params, _again(link)))
+        findings.append(_finding("bitrate_odd", Severity.WARNING, params, _again(link)))
     elif link.bitrate is not None and link.bitrate != _USUAL_BITRATE:
-        findings.append(_finding("bitrate_old", Level.NOTE, params, _again(link)))
+        findings.append(_finding("bitrate_old", Severity.NOTE, params, _again(link)))
     if link.listen_only:
-        findings.append(_finding("link_listen_only", Level.WARNING, params, _again(link)))
+        findings.append(_finding("link_listen_only", Severity.WARNING, params, _again(link)))
     if link.kind == "can" and not link.restart_ms:
         commands = (
             f"sudo ip link set {link.name} down",
             f"sudo ip link set {link.name} up type can restart-ms 100",
         )
-        findings.append(_finding("no_restart", Level.NOTE, params, commands))
+        findings.append(_finding("no_restart", Severity.NOTE, params, commands))
     if link.dropped:
         params = {**params, "count": str(link.dropped)}
-        findings.append(_finding("kernel_dropped", Level.NOTE, params))
+        findings.append(_finding("kernel_dropped", Severity.NOTE, params))
     return findings
 
 
@@ -77,12 +77,12 @@ def _state(link: LinkFacts, params: dict[str, str]) -> Finding:
     params = {**params, "tx": _count(link.tx_errors), "rx": _count(link.rx_errors)}
     if link.state == "BUS-OFF":
         commands = (f"sudo ip link set {link.name} type can restart",)
-        return _finding("bus_off", Level.FAULT, params, commands)
+        return _finding("bus_off", Severity.FAULT, params, commands)
     if link.state == "ERROR-PASSIVE" or errors >= _PASSIVE_COUNT:
-        return _finding("error_passive", Level.FAULT, params, _again(link))
+        return _finding("error_passive", Severity.FAULT, params, _again(link))
     if link.state == "ERROR-WARNING" or errors >= _WARNING_COUNT:
-        return _finding("error_warning", Level.WARNING, params)
-    return _finding("link", Level.OK, params)
+        return _finding("error_warning", Severity.WARNING, params)
+    return _finding("link", Severity.OK, params)
 
 
 def _count(value: int | None) -> str:
@@ -106,13 +106,13 @@ def _without_driver(adapter: UsbAdapterFacts) -> Finding:
         "usb": adapter.usb_id,
         "serial": adapter.serial or "—",
     }
-    return _finding("no_driver", Level.FAULT, params, ("sudo modprobe gs_usb",))
+    return _finding("no_driver", Severity.FAULT, params, ("sudo modprobe gs_usb",))
 
 
 def _closed_port(port: SerialPortFacts) -> Finding:
     group = port.group or "dialout"
     params = {"path": port.path, "group": group}
-    return _finding("port_closed", Level.FAULT, params, (f'sudo usermod -aG {group} "$USER"',))
+    return _finding("port_closed", Severity.FAULT, params, (f'sudo usermod -aG {group} "$USER"',))
 
 
 def _several(links: list[LinkFacts]) -> Finding:
@@ -124,10 +124,10 @@ def _several(links: list[LinkFacts]) -> Finding:
         for each in links
         if each.serial
     )
-    return _finding("several", Level.NOTE, {"names": names}, commands)
+    return _finding("several", Severity.NOTE, {"names": names}, commands)
 
 
 def _finding(
-    code: str, level: Level, params: dict[str, str], commands: tuple[str, ...] = ()
+    code: str, level: Severity, params: dict[str, str], commands: tuple[str, ...] = ()
 ) -> Finding:
     return Finding(Section.CAN, code, level, params, commands)

@@ -11,23 +11,23 @@ from pathlib import Path
 from typing import Final, Literal
 
 from armui import __version__
-from armui.doctor.finding import Finding, Level, Section
+from armui.doctor.finding import Finding, Section, Severity
 
 Language = Literal["zh", "en"]
 
 _TEXTS: Final = Path("doctor") / "texts.toml"
 _MARKS: Final = {
     "en": {
-        Level.OK: "[ ok ]",
-        Level.NOTE: "[note]",
-        Level.WARNING: "[warn]",
-        Level.FAULT: "[FAIL]",
+        Severity.OK: "[ ok ]",
+        Severity.NOTE: "[note]",
+        Severity.WARNING: "[warn]",
+        Severity.FAULT: "[FAIL]",
     },
     "zh": {
-        Level.OK: "[正常]",
-        Level.NOTE: "[提示]",
-        Level.WARNING: "[注意]",
-        Level.FAULT: "[故障]",
+        Severity.OK: "[正常]",
+        Severity.NOTE: "[提示]",
+        Severity.WARNING: "[注意]",
+        Severity.FAULT: "[故障]",
     },
 }
 _INDENT: Final = "       "
@@ -55,9 +55,9 @@ class Words:
         """A sentence of the report itself."""
         return self._get("report", name)
 
-    def mark(self, level: Level) -> str:
-        """How a level is marked at the beginning of a line."""
-        return _MARKS[self.language][level]
+    def mark(self, severity: Severity) -> str:
+        """How a severity is marked at the beginning of a line."""
+        return _MARKS[self.language][severity]
 
     def _get(self, table: str, name: str) -> str:
         return load_texts()[table][name][self.language]
@@ -103,7 +103,7 @@ def as_text(findings: Sequence[Finding], words: Words, *, arm_answers: bool, ask
         if mine:
             lines += ["", words.section(section)]
         for finding in mine:
-            lines.append(f"{words.mark(finding.level)} {words.text(finding)}")
+            lines.append(f"{words.mark(finding.severity)} {words.text(finding)}")
             lines += [f"{_INDENT}$ {command}" for command in finding.commands]
     lines += ["", words.plain("arm_answers" if arm_answers else "no_arm_answers")]
     return "\n".join(lines) + "\n"
@@ -121,7 +121,7 @@ def as_json(findings: Sequence[Finding], words: Words, *, arm_answers: bool, ask
                     {
                         "section": each.section.value,
                         "code": each.code,
-                        "level": each.level.value,
+                        "severity": each.severity.value,
                         "text": words.text(each),
                         "commands": list(each.commands),
                         "params": dict(each.params),
@@ -146,7 +146,7 @@ def findings_of_json(text: str) -> list[Finding]:
         Finding(
             Section(each["section"]),
             each["code"],
-            Level(each["level"]),
+            Severity(each["severity"]),
             each["params"],
             tuple(each["commands"]),
         )

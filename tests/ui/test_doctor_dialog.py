@@ -11,7 +11,7 @@ from pytestqt.qtbot import QtBot
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.control.operating_state import LinkState
-from armui.doctor.finding import Finding, Level, Section
+from armui.doctor.finding import Finding, Section, Severity
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.dialogs.doctor import DoctorDialog
 from tests.ui.arm_states import NOW_S, arm_state, operating_state
@@ -20,11 +20,11 @@ from tests.ui.fake_controller import FakeController
 
 LEFT = Qt.MouseButton.LeftButton
 DOWN = Finding(
-    Section.CAN, "link_down", Level.FAULT, {"channel": "can0"}, ("sudo ip link set can0 up",)
+    Section.CAN, "link_down", Severity.FAULT, {"channel": "can0"}, ("sudo ip link set can0 up",)
 )
-FINE = Finding(Section.PROGRAM, "packages", Level.OK, {"count": "12"})
+FINE = Finding(Section.PROGRAM, "packages", Severity.OK, {"count": "12"})
 NOTHING_HEARD = Finding(
-    Section.ARM, "nothing_heard", Level.FAULT, {"device": "x", "seconds": "2", "count": "0"}
+    Section.ARM, "nothing_heard", Severity.FAULT, {"device": "x", "seconds": "2", "count": "0"}
 )
 
 

@@ -19,13 +19,13 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.device import Device
-from armui.doctor.finding import Finding, Level, Section
+from armui.control.events import Level
+from armui.doctor.finding import Finding, Section, Severity
 from armui.doctor.process import DoctorProcess
 from armui.doctor.report import Words, as_text
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.connected_arm import judge_connected
 from armui.ui.dialogs.finding_row import FindingRow
-from armui.ui.panels.parameters.level_cell import Level as MessageLevel
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.message_line import MessageLine
 
@@ -210,18 +210,18 @@ class DoctorDialog(ArmDialog):
             return
         if isinstance(self._answer, str):
             text = self.tr("The examination failed: {text}").format(text=self._answer)
-            self._message.show_message(text, MessageLevel.FAULT)
+            self._message.show_message(text, Level.FAULT)
             return
-        levels = [each.level for each in self._findings()]
-        faults, warnings = levels.count(Level.FAULT), levels.count(Level.WARNING)
+        levels = [each.severity for each in self._findings()]
+        faults, warnings = levels.count(Severity.FAULT), levels.count(Severity.WARNING)
         if faults or warnings:
             text = self.tr("Faults: {faults}, warnings: {warnings}").format(
                 faults=faults, warnings=warnings
             )
-            level = MessageLevel.FAULT if faults else MessageLevel.WARNING
+            level = Level.FAULT if faults else Level.WARNING
             self._message.show_message(text, level)
         elif levels:
-            self._message.show_message(self.tr("No fault was found."), MessageLevel.DONE)
+            self._message.show_message(self.tr("No fault was found."), Level.DONE)
         else:
             self._message.show_message("")
 
@@ -240,7 +240,7 @@ class DoctorDialog(ArmDialog):
             layout.addWidget(heading)
             for finding in findings:
                 layout.addWidget(
-                    FindingRow(finding, words.text(finding), words.mark(finding.level))
+                    FindingRow(finding, words.text(finding), words.mark(finding.severity))
                 )
         layout.addStretch(1)
         column.setAutoFillBackground(False)

@@ -9,7 +9,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QFontDatabase, QGuiApplication
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
 
-from armui.doctor.finding import Finding, Level
+from armui.doctor.finding import Finding, Severity
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 
@@ -30,7 +30,7 @@ class FindingRow(QWidget):
         self, finding: Finding, text: str, mark: str, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
-        self._level = finding.level
+        self._level = finding.severity
         self._icon = QLabel()
         self._icon.setFixedWidth(_ICON_PX)
         self._icon.setToolTip(mark)
@@ -72,10 +72,10 @@ class FindingRow(QWidget):
     def _draw_icon(self) -> None:
         colors = colors_of(self)
         name, ink = {
-            Level.OK: ("info", colors.ok),
-            Level.NOTE: ("info", colors.accent),
-            Level.WARNING: ("warning", colors.warn),
-            Level.FAULT: ("warning", colors.stop),
+            Severity.OK: ("info", colors.ok),
+            Severity.NOTE: ("info", colors.accent),
+            Severity.WARNING: ("warning", colors.warn),
+            Severity.FAULT: ("warning", colors.stop),
         }[self._level]
         self._icon.setPixmap(icons.pixmap(name, ink, _ICON_PX, self.devicePixelRatioF()))
 
