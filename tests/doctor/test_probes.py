@@ -9,7 +9,7 @@ import pytest
 
 from armui.doctor.probes.can_devices import links_of, usb_adapters
 from armui.doctor.probes.program import look_at_program, satisfies
-from armui.doctor.probes.screen import look_at_screen
+from armui.doctor.probes.screen import look_at_screen, missing_libraries
 
 # ip -details -statistics -json link show, iproute2 6.1, abridged
 IP = [
@@ -98,6 +98,18 @@ def test_this_python_and_its_packages():
     assert by_name["numpy"].satisfied
     assert by_name["pyside6-essentials"].installed is not None
     assert by_name["gs-usb"].extra == "adapters"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows finds libraries in another way")
+def test_system_libraries_that_qt_wants_and_that_are_not_there(tmp_path, monkeypatch):
+    ldd = tmp_path / "ldd"
+    ldd.write_text(
+        "#!/bin/sh\necho '\tlibxcb-cursor.so.0 => not found'\n"
+        "echo '\tlibc.so.6 => /lib/libc.so.6 (0x1)'\necho '\tlibEGL.so.1 => not found'\n"
+    )
+    ldd.chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=":")
+    assert missing_libraries() == ["libxcb-cursor.so.0", "libEGL.so.1"]
 
 
 @pytest.mark.timeout(120)

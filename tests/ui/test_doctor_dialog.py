@@ -89,6 +89,12 @@ def test_the_report_is_copied_whole(qtbot, dialog, examinations):
     assert "$ sudo ip link set can0 up" in text
 
 
+def test_many_findings_come_a_few_at_a_time(qtbot, dialog, examinations):
+    answer(qtbot, dialog, examinations, [FINE, *[DOWN] * 40])
+    qtbot.waitUntil(lambda: len(dialog.findChildren(QLineEdit)) == 40)
+    assert message(dialog) == "Faults: 40, warnings: 0"
+
+
 def test_nothing_wrong(qtbot, dialog, examinations):
     answer(qtbot, dialog, examinations, [FINE])
     assert message(dialog) == "No fault was found."

@@ -48,7 +48,7 @@ def look_at_screen() -> ScreenFacts:
     """The facts; takes some seconds."""
     answers, error = _run(_QT_CODE)
     words = dict(line.split(" ", 1) for line in answers.splitlines() if " " in line)
-    missing = dict.fromkeys([*_missing_libraries(), *_IN_MESSAGE.findall(error)])
+    missing = dict.fromkeys([*missing_libraries(), *_IN_MESSAGE.findall(error)])
     opengl, opengl_error = _look_at_opengl()
     return ScreenFacts(
         has_display=has_display(),
@@ -101,7 +101,7 @@ def _run(code: str) -> tuple[str, str]:
     return said, words[-_LAST_WORDS:] or f"it ended with {done.returncode}"
 
 
-def _missing_libraries() -> list[str]:
+def missing_libraries() -> list[str]:
     """System libraries that Qt's files name and that are not there; Linux only."""
     ldd = shutil.which("ldd")
     spec = find_spec("PySide6")

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any, Final, Protocol
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QGuiApplication
 from PySide6.QtWidgets import (
     QFrame,
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
 
 _SIZE_PX: Final = (860, 640)
 _GAP_PX: Final = 12
+_AT_ONCE: Final = 8
 
 
 class Examination(Protocol):
@@ -72,6 +74,7 @@ class DoctorDialog(ArmDialog):
         self._number = 0
         self._began = (0.0, 0)
         self._answer: list[Finding] | str | None = None
+        self._rows: list[Callable[[], QWidget]] = []
         self._build()
         self.resize(*_SIZE_PX)
         self.copy_button.clicked.connect(self._on_copy)
@@ -227,25 +230,30 @@ class DoctorDialog(ArmDialog):
 
     def _refresh_rows(self) -> None:
         words = self._words()
+        self._rows = []
+        for section in Section:
+            findings = [each for each in self._findings() if each.section is section]
+            if findings:
+                self._rows.append(partial(_heading, words.section(section)))
+            self._rows += [partial(_row, each, words) for each in findings]
         column = QWidget()
         layout = QVBoxLayout(column)
         layout.setContentsMargins(0, 0, _GAP_PX, 0)
         layout.setSpacing(_GAP_PX)
-        for section in Section:
-            findings = [each for each in self._findings() if each.section is section]
-            if not findings:
-                continue
-            heading = QLabel(words.section(section))
-            heading.setProperty("rank", "muted")
-            layout.addWidget(heading)
-            for finding in findings:
-                layout.addWidget(
-                    FindingRow(finding, words.text(finding), words.mark(finding.severity))
-                )
         layout.addStretch(1)
+        self._column = layout
+        self._add_rows()
         column.setAutoFillBackground(False)
         self._area.setWidget(column)
         self._area.viewport().setAutoFillBackground(False)
+
+    def _add_rows(self) -> None:
+        """Some rows at a time: many at once would hold up the window, and the stop with it."""
+        now, self._rows = self._rows[:_AT_ONCE], self._rows[_AT_ONCE:]
+        for make in now:
+            self._column.insertWidget(self._column.count() - 1, make())
+        if self._rows:
+            QTimer.singleShot(0, self, self._add_rows)
 
     # The end ----------------------------------------------------------------------------------
 
@@ -265,3 +273,13 @@ class DoctorDialog(ArmDialog):
         if self._under_way is not None:
             self._under_way.end()
             self._under_way = None
+
+
+def _heading(text: str) -> QWidget:
+    label = QLabel(text)
+    label.setProperty("rank", "muted")
+    return label
+
+
+def _row(finding: Finding, words: Words) -> QWidget:
+    return FindingRow(finding, words.text(finding), words.mark(finding.severity))
