@@ -8,6 +8,7 @@ import os
 import subprocess
 import sys
 import uuid
+from contextlib import contextmanager
 from pathlib import Path
 
 import can
@@ -16,9 +17,11 @@ import pytest
 from armui.doctor import add_arguments, run
 from armui.doctor.command import Probes
 from armui.doctor.facts import CanFacts, DeviceFacts, LinkFacts, ProgramFacts, ScreenFacts
+from armui.protocol.codes import LinkageRole
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
+from armui.sim.parameters.flash import MemoryFlash
 
 ROOT = Path(__file__).parents[2]
 
@@ -48,16 +51,22 @@ def channel() -> str:
     return uuid.uuid4().hex
 
 
-@pytest.fixture
-def arm(channel):
+@contextmanager
+def on_the_bus(firmware: Firmware, channel: str):
     """A simulated arm on a bus of its own."""
     with can.Bus(interface="virtual", channel=channel) as bus:
-        node = Node(Firmware(Generation.TWO, version="S-V1.8-9"), bus)
+        node = Node(firmware, bus)
         node.start()
         try:
             yield node
         finally:
             node.stop()
+
+
+@pytest.fixture
+def arm(channel):
+    with on_the_bus(Firmware(Generation.TWO, version="S-V1.8-9"), channel) as node:
+        yield node
 
 
 def test_an_arm_is_heard_and_nothing_is_sent(capsys, arm, channel):
@@ -79,6 +88,58 @@ def test_asking_is_said_and_answered(capsys, arm, channel):
     assert arm.received > 10
     # questions alone: nothing has moved, and nothing was set
     assert not any(arm.firmware.enabled)
+
+
+def flash_with(**linkage) -> MemoryFlash:
+    flash = MemoryFlash()
+    settings = flash.load()
+    settings.linkage = settings.linkage._replace(**linkage)
+    flash.save(settings)
+    return flash
+
+
+# Failures seen in the field, in the simulated arm.
+
+
+def test_an_arm_that_has_become_a_teaching_input(capsys, channel):
+    flash = flash_with(role=LinkageRole.TEACHING_INPUT)
+    with on_the_bus(Firmware(Generation.TWO, flash=flash), channel):
+        code, report = look(capsys, "--interface", "virtual", "--channel", channel)
+    assert code == 1
+    (finding,) = [each for each in report["findings"] if each["code"] == "teaching_input"]
+    assert "bytes.fromhex('FC00000000000000')" in finding["commands"][0]
+    assert "other_host" not in codes(report)
+
+
+def test_limits_that_are_damaged_in_the_flash(capsys, channel):
+    firmware = Firmware(Generation.TWO, version="S-V1.8-9")
+    firmware.corrupt_limits(2)
+    with on_the_bus(firmware, channel):
+        code, report = look(
+            capsys, "--ask", "--seconds", "2", "--interface", "virtual", "--channel", channel
+        )
+    assert code == 0
+    (finding,) = [each for each in report["findings"] if each["code"] == "limits_damaged"]
+    assert finding["params"]["joints"] == "2"
+
+
+def test_a_shifted_arm(capsys, channel):
+    flash = flash_with(feedback_offset=0x10, control_offset=0x10)
+    with on_the_bus(Firmware(Generation.TWO, flash=flash), channel):
+        code, report = look(capsys, "--interface", "virtual", "--channel", channel)
+    assert code == 0
+    (finding,) = [each for each in report["findings"] if each["code"] == "offset"]
+    assert finding["params"]["offset"] == "0x10"
+
+
+def test_generation_1(capsys, channel):
+    with on_the_bus(Firmware(Generation.ONE), channel):
+        code, report = look(
+            capsys, "--ask", "--seconds", "2", "--interface", "virtual", "--channel", channel
+        )
+    assert code == 0
+    (finding,) = [each for each in report["findings"] if each["code"] == "arm"]
+    assert finding["params"]["generation"] == "1"
 
 
 def test_nobody_there(capsys, channel):
