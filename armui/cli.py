@@ -57,8 +57,16 @@ def _run_window(parser: argparse.ArgumentParser, options: argparse.Namespace) ->
             file=sys.stderr,
         )
         return 2
-    from armui import app  # noqa: PLC0415 - Qt is loaded only for the window
-    from armui.start import StartOptions  # noqa: PLC0415 - needs packages that may be missing
+    try:
+        from armui import app  # noqa: PLC0415 - Qt is loaded only for the window
+        from armui.start import StartOptions  # noqa: PLC0415 - needs packages that may be missing
+    except ImportError as error:  # a package, or a system library that Qt wants
+        print(
+            f"armui: the window cannot be loaded: {error}. `armui doctor` says what is missing, "
+            "and how to install it.",
+            file=sys.stderr,
+        )
+        return 2
 
     return app.run(
         StartOptions(

@@ -14,6 +14,7 @@ from pathlib import Path
 import can
 import pytest
 
+from armui.cli import main
 from armui.doctor import add_arguments, run
 from armui.doctor.command import Probes
 from armui.doctor.facts import CanFacts, DeviceFacts, LinkFacts, ProgramFacts, ScreenFacts
@@ -200,3 +201,11 @@ def test_without_a_single_package_it_says_which_are_missing():
                if each["code"] == "package_missing"}  # fmt: skip
     assert {"numpy", "python-can", "PySide6-Essentials", "cantools"} <= missing
     assert "search_failed" in codes(report)
+
+
+def test_a_window_that_cannot_be_loaded_names_the_doctor(monkeypatch, capsys):
+    """As without a system library that Qt wants: the import fails."""
+    monkeypatch.setitem(sys.modules, "armui.app", None)
+    monkeypatch.delattr("armui.app", raising=False)
+    assert main(["--sim"]) == 2
+    assert "`armui doctor` says what is missing" in capsys.readouterr().err
