@@ -21,7 +21,12 @@ _PACKAGES: Final = (
         "armui.ui",
     ),
 )
-_OTHERS: Final = ("scipy.spatial.transform", "concurrent.futures.process", "multiprocessing")
+_OTHERS: Final = (
+    "filelock",
+    "scipy.spatial.transform",
+    "concurrent.futures.process",
+    "multiprocessing",
+)
 
 
 def steps() -> Iterator[str]:

@@ -30,7 +30,7 @@ ROOT = Path(__file__).parents[2]
 NOTHING = CanFacts()
 
 
-def look(capsys, *words: str, can_facts: CanFacts = NOTHING) -> tuple[int, dict]:
+def look(capsys, *words: str, can_facts: CanFacts = NOTHING) -> tuple[int, dict[str, Any]]:
     """The exit code and the JSON report, with probes that find this computer in order."""
     probes = Probes(
         program=lambda: ProgramFacts("0.1.0", "3.11.9", True, "python3", "Linux"),
@@ -43,7 +43,7 @@ def look(capsys, *words: str, can_facts: CanFacts = NOTHING) -> tuple[int, dict]
     return code, json.loads(capsys.readouterr().out)
 
 
-def codes(report: dict) -> list[str]:
+def codes(report: dict[str, Any]) -> list[str]:
     return [each["code"] for each in report["findings"]]
 
 
@@ -205,7 +205,6 @@ def test_without_a_single_package_it_says_which_are_missing():
 
 def test_a_window_that_cannot_be_loaded_names_the_doctor(monkeypatch, capsys):
     """As without a system library that Qt wants: the import fails."""
-    monkeypatch.setitem(sys.modules, "armui.app", None)
-    monkeypatch.delattr("armui.app", raising=False)
+    monkeypatch.setitem(sys.modules, "armui.system.quick_start", None)
     assert main(["--sim"]) == 2
     assert "`armui doctor` says what is missing" in capsys.readouterr().err

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from armui.session.frames import FrameFlag, LoggedFrame
+from armui.session.frames import Damage, FrameFlag, LoggedFrame
 from armui.session.reader import LogFile
 from tests.session.foreign_blf import container, file, frame, obj
 
@@ -60,12 +60,12 @@ End TriggerBlock
 """  # noqa: E501
 
 
-def read(path: Path) -> tuple[list[LoggedFrame], list]:
+def read(path: Path) -> tuple[list[LoggedFrame], list[Damage]]:
     with LogFile(path) as log:
         return [each for batch in log.batches() for each in batch], log.damages.since(0)
 
 
-def as_python_can_has_it(path: Path) -> list[tuple]:
+def as_python_can_has_it(path: Path) -> list[tuple[object, ...]]:
     with can.LogReader(path) as reader:
         return [
             (m.timestamp, m.arbitration_id, bytes(m.data), m.channel, m.is_extended_id,
@@ -74,7 +74,7 @@ def as_python_can_has_it(path: Path) -> list[tuple]:
         ]  # fmt: skip
 
 
-def in_those_terms(frames: list[LoggedFrame]) -> list[tuple]:
+def in_those_terms(frames: list[LoggedFrame]) -> list[tuple[object, ...]]:
     return [
         (f.time_s, f.frame.arbitration_id, f.frame.data, f.channel,
          bool(f.flags & FrameFlag.EXTENDED), bool(f.flags & FrameFlag.REMOTE),

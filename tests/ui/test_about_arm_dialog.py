@@ -38,8 +38,8 @@ def links(monkeypatch) -> list[LinkFacts]:
 
 @pytest.fixture
 def dialog(qtbot: QtBot, controller: FakeController, links) -> AboutArmDialog:
-    online = OnlineSince(controller, controller)
-    return AboutArmDialog(controller, online, Background(AtOnce(), parent=controller))
+    online = OnlineSince(controller.as_real, controller)
+    return AboutArmDialog(controller.as_real, online, Background(AtOnce(), parent=controller))
 
 
 def value(dialog: AboutArmDialog, key: str) -> str:
@@ -49,12 +49,13 @@ def value(dialog: AboutArmDialog, key: str) -> str:
 
 
 def connect(controller: FakeController, at_s: float = NOW_S, **changes) -> None:
+    one, two, three, four, five, six = (Reading(each, at_s) for each in FACTORY_LIMITS)
     state = replace(
         arm_state(at_s=at_s),
         firmware="S-V1.8-9",
         frames=0,
-        limits=tuple(Reading(each, at_s) for each in FACTORY_LIMITS),
-        accelerations_deg_s2=(Reading(286.5, at_s), *[None] * 5),
+        limits=(one, two, three, four, five, six),
+        accelerations_deg_s2=(Reading(286.5, at_s), None, None, None, None, None),
     )
     controller.hear(state)
     controller.be(operating_state(device=CAN0, generation=Generation.TWO, **changes))

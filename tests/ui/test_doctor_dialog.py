@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
@@ -10,6 +12,7 @@ from pytestqt.qtbot import QtBot
 
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState
 from armui.doctor.finding import Finding, Section, Severity
 from armui.ui.dialogs.connect import ConnectDialog
@@ -34,7 +37,7 @@ class Examinations:
     def __init__(self) -> None:
         self.arguments: list[list[str]] = []
         self.ended = 0
-        self.tell = None
+        self.tell: Any = None
 
     def __call__(self, arguments, tell):
         self.arguments.append(list(arguments))
@@ -52,7 +55,7 @@ def examinations() -> Examinations:
 
 @pytest.fixture
 def dialog(qtbot: QtBot, controller: FakeController, examinations: Examinations) -> DoctorDialog:
-    dialog = DoctorDialog(controller, None, examinations)
+    dialog = DoctorDialog(controller.as_real, None, examinations)
     qtbot.addWidget(dialog)
     dialog.open()
     qtbot.waitExposed(dialog)
@@ -159,12 +162,12 @@ def test_a_device_without_an_arm(qtbot, controller, dialog, examinations):
 
 
 def test_the_diagnosis_is_offered_when_connecting_fails(qtbot, controller):
-    dialog = ConnectDialog(controller)
+    dialog = ConnectDialog(controller.as_real)
     shown(qtbot, dialog)
     assert not dialog.diagnosis_button.isVisible()
     adapter = Device("gs_usb", "0")
     controller.devices_found.emit([adapter])
-    refusal = Refusal("bus_busy", {"device": "gs_usb 0", "interface": "gs_usb"})
+    refusal = Refusal(RefusalCode.BUS_BUSY, {"device": "gs_usb 0", "interface": "gs_usb"})
     controller.be(operating_state(link=LinkState.NO_DEVICE, device=None, link_problem=refusal))
     assert dialog.diagnosis_button.isVisible()
     with qtbot.waitSignal(dialog.diagnosis_wanted) as wanted:
@@ -173,7 +176,7 @@ def test_the_diagnosis_is_offered_when_connecting_fails(qtbot, controller):
 
 
 def test_and_when_nothing_is_heard(qtbot, controller):
-    dialog = ConnectDialog(controller)
+    dialog = ConnectDialog(controller.as_real)
     shown(qtbot, dialog)
     controller.be(operating_state(link=LinkState.OFFLINE))
     assert dialog.diagnosis_button.isVisible()

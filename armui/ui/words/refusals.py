@@ -20,7 +20,7 @@ from armui.ui.words.setting_refusals import SETTING_REFUSALS, with_units
 from armui.ui.words.text import NOT_KNOWN, sentence
 from armui.ui.words.trajectory_refusals import TRAJECTORY_REFUSALS, with_figures
 
-_REFUSALS: Final[Mapping[str, object]] = {
+_REFUSALS: Final[Mapping[RefusalCode, object]] = {
     RefusalCode.NOT_CONNECTED: QT_TRANSLATE_NOOP(
         "Refusal",
         "No arm is connected. Click the button at the top left, choose a device and connect it.",
@@ -305,7 +305,7 @@ _REFUSALS: Final[Mapping[str, object]] = {
     ),
 }
 
-_ALL: Final[Mapping[str, object]] = {
+_ALL: Final[Mapping[RefusalCode, object]] = {
     **_REFUSALS,
     **SETTING_REFUSALS,
     **BACKUP_REFUSALS,
