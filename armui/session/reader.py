@@ -7,6 +7,7 @@ batches of frames and a list of damaged places.
 from __future__ import annotations
 
 import logging
+import re
 from typing import TYPE_CHECKING, Final
 
 from armui.session.blf_logs import read_blf_log
@@ -24,6 +25,18 @@ if TYPE_CHECKING:
     from typing import Self
 
 SUFFIXES: Final = (".log", ".asc", ".blf", ".trc", ".csv", ".db", ".mf4", ".txt")
+_BEGINNING: Final = 4_096
+_SIGNS: Final = {
+    ".blf": re.compile(rb"\ALOGG"),
+    ".db": re.compile(rb"\ASQLite format 3\0"),
+    ".mf4": re.compile(rb"\AMDF "),
+    ".gz": re.compile(rb"\A\x1f\x8b"),
+    ".trc": re.compile(rb"^;\$FILEVERSION", re.MULTILINE),
+    ".asc": re.compile(rb"^base\s+(hex|dec)\s", re.MULTILINE | re.IGNORECASE),
+    ".csv": re.compile(rb"^timestamp,arbitration_id,"),
+    ".log": re.compile(rb"^\(\d+\.\d+\) \S+ [0-9A-Fa-f]+#", re.MULTILINE),
+}
+"""What the files of each format have near their beginning."""
 _NOT_PACKED: Final = (".db", ".mf4")
 """Formats that are not read from their beginning to their end, so that .gz cannot be put on top."""
 
@@ -125,10 +138,25 @@ class LogFile:
         return read_text_log(self._source, TEXT_FORMATS[self._suffix], self._gatherer)
 
     def _no_log(self) -> NotALogError:
+        looks_like = _looks_like(self.path)
+        hint = ""
+        if self._source.broken:
+            hint = f" ({self._source.broken})"
+        elif looks_like not in {"", self._suffix}:
+            hint = f"; it looks like a {looks_like} file: give it that suffix"
         return NotALogError(
-            f"no CAN log: nothing in it reads as a frame of a {self._suffix} file"
-            + (f" ({self._source.broken})" if self._source.broken else "")
+            f"no CAN log: nothing in it reads as a frame of a {self._suffix} file{hint}"
         )
+
+
+def _looks_like(path: Path) -> str:
+    """The suffix that a file's beginning speaks for, "" if none."""
+    try:
+        with path.open("rb") as stream:
+            beginning = stream.read(_BEGINNING)
+    except OSError:
+        return ""
+    return next((suffix for suffix, sign in _SIGNS.items() if sign.search(beginning)), "")
 
 
 def _log_suffix(path: Path) -> str:

@@ -10,6 +10,7 @@ import sys
 import uuid
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import can
 import pytest

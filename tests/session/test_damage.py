@@ -154,6 +154,15 @@ def test_nonsense_is_no_log(tmp_path, suffix):
         read(path)
 
 
+@pytest.mark.parametrize("right", [".asc", ".trc", ".csv", ".blf", ".db", ".log"])
+def test_a_log_under_a_foreign_suffix_says_what_it_looks_like(tmp_path, right):
+    whole = written(tmp_path / f"run{right}", some(5))
+    wrong = tmp_path / ("renamed.csv" if right == ".log" else "renamed.log")
+    wrong.write_bytes(whole.read_bytes())
+    with pytest.raises(NotALogError, match=f"it looks like a {right} file"):
+        read(wrong)
+
+
 def test_logs_of_two_kinds_in_one_file(tmp_path):
     path = tmp_path / "mixed.log"
     path.write_text(LINE * 3 + "timestamp,arbitration_id\n1.0,0x2a5,0,0,0,0,\n" + LINE * 3)
