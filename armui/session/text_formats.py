@@ -15,6 +15,8 @@ _NEVER: Final = r"(?!)"
 _ERROR_FLAG: Final = 0x20000000
 _CANDUMP_FRAME: Final = re.compile(r"\s([0-9a-f]+)#([0-9a-f]*)", re.IGNORECASE)
 _CANDUMP_LENGTH_CODE: Final = re.compile(r"(#[0-9a-f]{16})_[9-f]\b", re.IGNORECASE)
+_LONGEST_SCREEN_LINE: Final = 400
+"""Characters; 64 bytes of CAN FD with their text take some 300."""
 _CANDUMP_SCREEN: Final = re.compile(
     r"\((?P<time>[\d.]+)\)\s+(?P<channel>\S+)\s+(?:(?P<sent>TX)\s+[-BE\s]+|RX\s+[-BE\s]+)?"
     r"(?P<id>[0-9a-f]{3}|[0-9a-f]{8})\s+(?:\[\d\]|(?P<fd>\[\d\d\]))\s+"
@@ -84,7 +86,8 @@ def _rewrite_candump(line: str) -> str | None:
     without_code = _CANDUMP_LENGTH_CODE.sub(r"\1", line)
     if without_code != line:
         return without_code
-    found = _CANDUMP_SCREEN.match(line)
+    # of a longer one, made to be slow to match, nothing would be left to read
+    found = _CANDUMP_SCREEN.match(line) if len(line) <= _LONGEST_SCREEN_LINE else None
     if found is None:
         return None
     payload = "R" if found["remote"] else (found["data"] or "").replace(" ", "")

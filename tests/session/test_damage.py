@@ -7,6 +7,7 @@ import random
 import sqlite3
 import tracemalloc
 import zlib
+from contextlib import suppress
 
 import can
 import pytest
@@ -118,6 +119,25 @@ def test_a_line_that_never_ends_between_two_frames(tmp_path, memory):
     assert [d.place for d in damages] == ["line 2"]
 
 
+NASTY = {
+    ".log": ["(1) c 123 [8] 00{} x", "(1.0) can0{} 2A5#00", "(1) c TX{}"],
+    ".asc": ["1.0 {} a", "1.0 1{} status", "date{} x", "1.0{}", "begin triggerblock{}"],
+    ".trc": ["1) 1.0{} st", "1{}"],
+    ".csv": ["1.0{},1,0,0,0,0,"],
+}
+
+
+@pytest.mark.timeout(30)
+@pytest.mark.parametrize("suffix", NASTY)
+@pytest.mark.parametrize("filling", [" ", "1", "a ", "00 ", "B ", "1.1"])
+def test_lines_made_to_be_slow_to_match_hang_nothing(tmp_path, suffix, filling):
+    path = tmp_path / f"slow{suffix}"
+    lines = [each.format(filling * (16_000 // len(filling))) for each in NASTY[suffix]]
+    path.write_text("\n".join(lines * 20))
+    with suppress(NotALogError):
+        read(path)
+
+
 def test_a_last_line_without_its_end_is_a_line(tmp_path):
     path = tmp_path / "run.log"
     path.write_bytes(b"\xef\xbb\xbf" + (LINE * 2).encode().replace(b"\n", b"\r\n").rstrip())
@@ -127,12 +147,12 @@ def test_a_last_line_without_its_end_is_a_line(tmp_path):
 
 def test_millions_of_bad_lines_are_counted_not_kept(tmp_path, memory):
     path = tmp_path / "bad.log"
-    path.write_text(LINE + "abc def\n" * 300_000 + LINE)
+    path.write_text(LINE + "abc def\n" * 60_000 + LINE)
     with LogFile(path) as log:
         count = sum(len(batch) for batch in log.batches())
         assert count == 2
         assert len(log.damages) == MOST_DAMAGES
-        assert log.damages.count == 300_000
+        assert log.damages.count == 60_000
         assert log.damages.since(0)[0].before_frame == 1
 
 
