@@ -44,6 +44,8 @@ class KeyPad(Translated, QFrame):
     """A key of a direction went down: the place in ``keys``, and +1 or −1."""
     let_go = Signal()
     """The hold is over; comes once after each :attr:`pressed`."""
+    unattended = Signal()
+    """It ended because the operator gave no sign for too long."""
 
     def __init__(self, keys: Keys, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -58,6 +60,7 @@ class KeyPad(Translated, QFrame):
         self._continuous = False
         self._guard = HoldGuard(self)
         self._guard.lost.connect(self._forget)
+        self._guard.unattended.connect(self.unattended)
         self._hint = QLabel()
         self._hint.setObjectName(f"{name}_hint")
         self._hint.setWordWrap(True)
