@@ -11,7 +11,15 @@ from collections.abc import Iterator
 from typing import Any, Final
 
 _PACKAGES: Final = (
-    *("armui.arm", "armui.protocol", "armui.trajectory", "armui.bus", "armui.control", "armui.ui"),
+    *(
+        "armui.arm",
+        "armui.protocol",
+        "armui.telemetry",
+        "armui.trajectory",
+        "armui.bus",
+        "armui.control",
+        "armui.ui",
+    ),
 )
 _OTHERS: Final = ("scipy.spatial.transform", "concurrent.futures.process", "multiprocessing")
 

@@ -56,6 +56,7 @@ from armui.protocol.codes import TrajectoryCommand
 
 if TYPE_CHECKING:
     from armui.bus.worker import Opener
+    from armui.telemetry.store import Telemetry
 
 _TICK_MS: Final = 33
 _SENT_WITHIN_S: Final = 0.15
@@ -74,6 +75,7 @@ class ArmController(QObject):
         simulated: Arms made of software, listed with the devices found.
         find: The search for devices.
         clock: Monotonic time in seconds.
+        telemetry: Keeps what is heard and commanded; one of its own by default.
 
     Attributes:
         motion: Moves the joints.
@@ -118,13 +120,16 @@ class ArmController(QObject):
         find: Callable[[], list[Device]] | None = None,
         clock: Callable[[], float] = steady_s,
         parent: QObject | None = None,
+        *,
+        telemetry: Telemetry | None = None,
     ) -> None:
         super().__init__(parent)
         self._clock = clock
+        self._telemetry = telemetry
         self._finder = DeviceFinder(simulated, find, self)
         self._finder.found.connect(self.devices_found)
         self._finder.searching_changed.connect(self.searching_changed)
-        self._connection = Connection(opener, clock, self)
+        self._connection = Connection(opener, clock, self, tap=lambda: self.telemetry)
         self._connection.changed.connect(self._on_connection)
         self._connection.arm_came.connect(self._on_arm_came)
         self._stop = Stopping(self._connection, self._notice, clock, self._halt_parts)
@@ -200,6 +205,16 @@ class ArmController(QObject):
     def situation(self) -> Situation:
         """What the operator can do now."""
         return self._situation
+
+    @property
+    def telemetry(self) -> Telemetry:
+        """What was heard and commanded, over time."""
+        if self._telemetry is None:
+            # numpy and cantools are loaded with the first device: the window starts without them
+            from armui.telemetry.store import Telemetry  # noqa: PLC0415
+
+            self._telemetry = Telemetry(self._clock)
+        return self._telemetry
 
     # Devices ----------------------------------------------------------------------------------
 

@@ -22,6 +22,7 @@ from armui.protocol.generation import Generation
 
 if TYPE_CHECKING:
     from armui.bus.samples import SampleRing
+    from armui.bus.tap import Tap
     from armui.bus.worker import BusWorker, Opener
     from armui.control.handshake import Handshake
     from armui.protocol.codec import Codec
@@ -37,6 +38,11 @@ _OPEN_CODES: Final = {BusState.LOST: "reconnected", BusState.BLOCKED: "bus_unblo
 class Connection(QObject):
     """The way to an arm.
 
+    Args:
+        opener: Opens a device.
+        clock: Monotonic time in seconds.
+        tap: Who else is told of every frame; asked for when a device is opened.
+
     Signals:
         changed: A :class:`BusReport` and the code of the notice it is worth.
         answered: A decoded message that answers a command.
@@ -49,9 +55,16 @@ class Connection(QObject):
     arm_came = Signal()
 
     def __init__(
-        self, opener: Opener, clock: Callable[[], float], parent: QObject | None = None
+        self,
+        opener: Opener,
+        clock: Callable[[], float],
+        parent: QObject | None = None,
+        *,
+        tap: Callable[[], Tap] | None = None,
     ) -> None:
         super().__init__(parent)
+        self._make_tap = tap
+        self._tap: Tap | None = None
         self._opener = opener
         self._clock = clock
         self._worker: BusWorker | None = None
@@ -125,6 +138,7 @@ class Connection(QObject):
 
         self.device = device
         self.problem = None
+        self._tap = None if self._make_tap is None else self._make_tap()
         self._codec = Codec(Generation.TWO)
         self.offsets = OffsetFollower()
         self._bus_state = BusState.OPENING
@@ -137,7 +151,9 @@ class Connection(QObject):
             self._clock,
             listen_only=device.listen_only,
             number=self._worker_number,
+            tap=self._tap,
         )
+        self._tell_generation()
         self._worker.reported.connect(self._on_report)
         self._worker.answered.connect(self.answered)
         self._worker.start()
@@ -236,7 +252,12 @@ class Connection(QObject):
         if self.handshake is not None and online:
             self.handshake.advance(self._worker.state, now_s)
             self._codec = self.handshake.codec
+        self._tell_generation()
         return self.newest
+
+    def _tell_generation(self) -> None:
+        if self._tap is not None:
+            self._tap.know_generation(self.generation)
 
     def _understood(self, state: ArmState) -> ArmState:
         """What can be told of the arm as long as it is not known which protocol it speaks."""
@@ -253,6 +274,7 @@ class Connection(QObject):
         self._online = False
         self._last_feedback_s = None
         self.offsets.listen_anew(now_s)
+        self._tell_generation()
         worker.use_codec(self.codec)
 
     def _begin_handshake(self, worker: BusWorker, now_s: float) -> None:
