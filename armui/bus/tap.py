@@ -92,7 +92,7 @@ class TapLine:
         try:
             self._tap.on_open(bitrate)
             self._tap.on_codec(codec)
-        except Exception:
+        except Exception:  # noqa: BLE001 - whatever it is: receiving goes on
             self._give_up()
 
     def flush(self, codec: Codec, now_s: float) -> None:
@@ -103,7 +103,7 @@ class TapLine:
             if self.sent:
                 self._tap.on_sent(self._decoded(codec))
             self._tap.on_look(now_s)
-        except Exception:
+        except Exception:  # noqa: BLE001 - whatever it is: receiving goes on
             self._give_up()
         self.heard = []
 
@@ -112,14 +112,14 @@ class TapLine:
         self.flush(before, now_s)
         try:
             self._tap.on_codec(codec)
-        except Exception:
+        except Exception:  # noqa: BLE001 - whatever it is: receiving goes on
             self._give_up()
 
     def error_frame(self) -> None:
         """The adapter has reported an error on the bus."""
         try:
             self._tap.on_error_frame()
-        except Exception:
+        except Exception:  # noqa: BLE001 - whatever it is: receiving goes on
             self._give_up()
 
     def _decoded(self, codec: Codec) -> list[Taken]:

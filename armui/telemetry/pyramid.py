@@ -92,7 +92,8 @@ class Pyramid:
 
         Args:
             numbers: Which, ascending, none before the last one put in.
-            lows, highs: For each block, one row a signal.
+            lows: For each block, one row a signal.
+            highs: As above.
         """
         for level in self._levels:
             numbers, lows, highs = _merged(level, numbers, lows, highs)
@@ -110,8 +111,10 @@ class Pyramid:
 
         Args:
             exponent: Buckets are 2^exponent seconds wide, no finer than the finest level.
-            begin, end: Numbers of buckets of this width.
-            block, rows: Which signals.
+            begin: Number of the first bucket, of this width.
+            end: Number of the one behind the last.
+            block: Of which signals.
+            rows: Which ones of them.
 
         Returns:
             Which buckets hold anything, and their extremes.

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from armui.telemetry.pyramid import BASE_EXPONENT, Extremes, Pyramid, firsts
+from armui.telemetry.pyramid import BASE_EXPONENT, Pyramid, firsts
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -202,7 +202,8 @@ class Series:
         """The samples from one time to another, both included.
 
         Args:
-            begin_s, end_s: Monotonic times.
+            begin_s: Monotonic time.
+            end_s: As above.
             around: With the last one before and the first one after.
 
         Returns:
@@ -229,14 +230,14 @@ class Series:
 
         Args:
             exponent: The buckets are 2^exponent seconds wide.
-            begin, end: The first one, and the one behind the last, by number.
+            begin: The number of the first one.
+            end: The number of the one behind the last.
             fields: Of which figures or codes; all of one kind.
         """
         size = max(0, end - begin)
         heard = np.zeros(size, np.bool_)
         low = np.full((len(fields), size), np.nan)
         high = low.copy()
-        raw_begin_s = begin * 2.0**exponent
         folded, pyramid = self._folded, self._pyramid
         if size and exponent >= BASE_EXPONENT and pyramid is not None:
             names = self.shape.figures
@@ -245,55 +246,44 @@ class Series:
             heard, (low, high) = pyramid.read(exponent, begin, end, block, rows)
             samples = self._span(folded, self._place(end * 2.0**exponent))
         else:
-            samples = self._span(self._place(raw_begin_s), self._place(end * 2.0**exponent))
-        self._add(samples, exponent, begin, fields, heard, (low, high))
+            samples = self._span(
+                self._place(begin * 2.0**exponent), self._place(end * 2.0**exponent)
+            )
+        envelope = Envelope(exponent, begin, heard, low, high)
+        self._add(samples, fields, envelope)
         if self.shape.held:
-            self._hold(exponent, begin, fields, heard, (low, high))
-        return Envelope(exponent, begin, heard, low, high)
+            self._hold(fields, envelope)
+        return envelope
 
-    def _add(
-        self,
-        samples: NDArray[Any],
-        exponent: int,
-        begin: int,
-        fields: Sequence[str],
-        heard: NDArray[np.bool_],
-        extremes: Extremes,
-    ) -> None:
-        """Take samples into buckets, in place."""
-        numbers = np.floor(samples["time_s"] * 2.0**-exponent).astype(np.int64) - begin
-        inside = (numbers >= 0) & (numbers < heard.size)
+    @staticmethod
+    def _add(samples: NDArray[Any], fields: Sequence[str], into: Envelope) -> None:
+        """Take samples into buckets."""
+        numbers = np.floor(samples["time_s"] * 2.0**-into.exponent).astype(np.int64) - into.begin
+        inside = (numbers >= 0) & (numbers < into.heard.size)
         if not inside.all():
             numbers, samples = numbers[inside], samples[inside]
         if numbers.size == 0:
             return
         first = firsts(numbers)
         numbers = numbers[first]
-        heard[numbers] = True
-        low, high = extremes
-        for place, field in enumerate(fields):
+        into.heard[numbers] = True
+        low, high = into.low, into.high
+        for row, field in enumerate(fields):
             values = samples[field].astype(np.float64)
-            low[place, numbers] = np.fmin(low[place, numbers], np.fmin.reduceat(values, first))
-            high[place, numbers] = np.fmax(high[place, numbers], np.fmax.reduceat(values, first))
+            low[row, numbers] = np.fmin(low[row, numbers], np.fmin.reduceat(values, first))
+            high[row, numbers] = np.fmax(high[row, numbers], np.fmax.reduceat(values, first))
 
-    def _hold(
-        self,
-        exponent: int,
-        begin: int,
-        fields: Sequence[str],
-        heard: NDArray[np.bool_],
-        extremes: Extremes,
-    ) -> None:
-        """Fill buckets without a sample with the last one before them, in place."""
-        edges = np.flatnonzero(np.diff(heard, prepend=True, append=True))
+    def _hold(self, fields: Sequence[str], into: Envelope) -> None:
+        """Fill buckets without a sample with the last one before them."""
+        edges = np.flatnonzero(np.diff(into.heard, prepend=True, append=True))
         for first, behind in zip(edges[::2], edges[1::2], strict=True):
-            place = self._place((begin + int(first)) * 2.0**exponent) - 1
+            place = self._place((into.begin + int(first)) * 2.0**into.exponent) - 1
             before = self._span(place, place + 1)
             if before.size == 0:
                 continue
             for row, field in enumerate(fields):
-                extremes[0][row, first:behind] = extremes[1][row, first:behind] = before[field][0]
-            heard[first:behind] = not np.isnan(before[fields[0]][0])
+                into.low[row, first:behind] = into.high[row, first:behind] = before[field][0]
+            into.heard[first:behind] = not np.isnan(before[fields[0]][0])
 
     def _place(self, time_s: float) -> int:
         """The first sample that is not before a time, counted from the first there ever was."""

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, QSize, Qt
-from PySide6.QtGui import QCloseEvent, QShowEvent
+from PySide6.QtGui import QCloseEvent, QContextMenuEvent, QShowEvent
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QMainWindow,
@@ -36,9 +36,11 @@ from armui.ui.top_bar import TopBar
 from armui.ui.trajectory.path_preview import PathPreview
 from armui.ui.trajectory.preview_bar import PreviewBar
 from armui.ui.unsaved import KeepsWork, leave_then, unsaved
+from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.failure_line import FailureLine
 from armui.ui.widgets.joint_status_button import JointStatusButton
 from armui.ui.widgets.library_button import LibraryButton
+from armui.ui.widgets.plots_button import PlotsButton
 from armui.ui.widgets.recovery_line import RecoveryLine
 from armui.ui.widgets.view_region import ViewRegion
 from armui.viewport import palette as scene_palette
@@ -108,7 +110,9 @@ class MainWindow(QMainWindow):
 
     def _lay_out(self) -> None:
         self._library_button = LibraryButton()
-        self._menu = SideMenu(self._entries, (self._library_button, self._joint_status_button))
+        self._plots_button = PlotsButton()
+        below = (self._library_button, self._plots_button, self._joint_status_button)
+        self._menu = SideMenu(self._entries, below)
         self._panels = OperationArea(self._entries)
         self._panels.setMinimumWidth(_PANEL_WIDTH_PX - 40)
 
@@ -147,6 +151,7 @@ class MainWindow(QMainWindow):
         self._menu.chosen.connect(self._on_entry_chosen)
         self._joint_status_button.clicked.connect(self.open_joint_status_dialog)
         self._library_button.clicked.connect(self.open_library_window)
+        self._plots_button.clicked.connect(self.open_plot_window)
         self._view_region.help_wanted.connect(self.open_help_dialog)
         self._view_region.reset_wanted.connect(self._view.reset_view)
         self._view_region.settings_wanted.connect(self.open_settings_dialog)
@@ -263,6 +268,28 @@ class MainWindow(QMainWindow):
 
         self._open("library", make)
 
+    def open_plot_window(self) -> None:
+        """Show the window 曲线."""
+
+        def make() -> QDialog:
+            from armui.ui.watch.plot_window import PlotWindow  # noqa: PLC0415 - pyqtgraph, numpy
+
+            background = Background(self._workers, self._files, self)
+            call = self._files.call if isinstance(self._files, FileThread) else None
+            settings = self._preferences.path
+            return PlotWindow(self._controller, background, settings, self, call)
+
+        self._open("plots", make)
+
+    def show_as_curves(self, keys: Sequence[str]) -> None:
+        """Show quantities in the window 曲线, by their keys (`armui.telemetry.quantities`)."""
+        from armui.ui.watch.plot_window import PlotWindow  # noqa: PLC0415 - as above
+
+        self.open_plot_window()
+        window = self._dialogs["plots"]
+        if isinstance(window, PlotWindow):
+            window.add_curves(keys)
+
     def open_help_dialog(self) -> None:
         """Show how the 3D view is used."""
 
@@ -313,6 +340,10 @@ class MainWindow(QMainWindow):
         elif event.type() == QEvent.Type.PaletteChange:
             self._color_view()
         super().changeEvent(event)
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        """A figure can be shown as a curve."""
+        offer_curves(self, event)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Catch up with what went by while the window was hidden."""

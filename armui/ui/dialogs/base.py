@@ -7,10 +7,13 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
+from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.stop_button import StopButton
 
 if TYPE_CHECKING:
+    from PySide6.QtGui import QContextMenuEvent
+
     from armui.control.arm_controller import ArmController
 
 _MARGIN_PX: Final = 20
@@ -80,6 +83,10 @@ class ArmDialog(QDialog):
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language; called anew when that changes."""
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        """A figure can be shown as a curve."""
+        offer_curves(self, event)
 
     def changeEvent(self, event: QEvent) -> None:
         """Follow the language."""

@@ -12,6 +12,7 @@ from armui.arm.limits import ANGLE_STEP_DEG, JointLimits, check_joint
 from armui.arm.refusal import Refusal
 from armui.ui import format as fmt
 from armui.ui.theme import scaled_font
+from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.track_slider import TrackSlider
@@ -54,6 +55,9 @@ class JointRow(QWidget):
         self.field.setObjectName(f"target_field_{joint}")
         self.measured = ValueLabel(_WIDEST_ANGLE)
         self.measured.setObjectName(f"measured_{joint}")
+        tell_quantities(
+            self, *(f"{source}.joint_angle.{joint}" for source in ("arm", "own", "other"))
+        )
         self.slider = TrackSlider(ANGLE_STEP_DEG)
         self.slider.setObjectName(f"target_slider_{joint}")
         self.slider.setSingleStep(round(1.0 / ANGLE_STEP_DEG))

@@ -1,0 +1,202 @@
+"""Above each plot: which colour is which quantity, and its value now."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QMimeData, QPoint, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QDrag, QFontMetricsF, QPainter
+from PySide6.QtWidgets import QApplication, QSizePolicy, QWidget
+
+from armui.ui.theme import colors_of, scaled_font
+
+if TYPE_CHECKING:
+    from PySide6.QtGui import QMouseEvent, QPaintEvent, QResizeEvent
+
+MIME: Final = "application/x-armui-quantities"
+"""Keys of quantities, one a line; a plot they are taken from stands behind a tab."""
+
+_SWATCH_PX: Final = 14.0
+_GAP_PX: Final = 6.0
+_BETWEEN_PX: Final = 18.0
+_LINE_PX: Final = 4.0
+_WIDEST: Final = "−0000.000"
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One curve in the legend.
+
+    Attributes:
+        key: Of the quantity.
+        name: In the operator's language.
+        color: Of the curve.
+        value: As text; "" where it shall have no room.
+        stale: Not heard for half a second.
+    """
+
+    key: str
+    name: str
+    color: str
+    value: str = ""
+    stale: bool = False
+
+
+def mime_of(keys: Sequence[str], plot: int | None = None) -> QMimeData:
+    """Quantities on their way into a plot."""
+    data = QMimeData()
+    text = "\n".join(keys) if plot is None else "\n".join(f"{key}\t{plot}" for key in keys)
+    data.setData(MIME, text.encode())
+    return data
+
+
+def from_mime(data: QMimeData) -> tuple[list[str], int | None]:
+    """Which quantities come, and from which plot; none of what is anything else."""
+    if not data.hasFormat(MIME):
+        return [], None
+    lines = bytes(data.data(MIME).data()).decode("utf-8", "replace").splitlines()
+    parts = [line.partition("\t") for line in lines]
+    plots = {plot for _key, _tab, plot in parts}
+    plot = next(iter(plots)) if len(plots) == 1 else ""
+    return [key for key, _tab, _plot in parts], int(plot) if plot.isdecimal() else None
+
+
+class Legend(QWidget):
+    """Painted: a new value costs one repaint and no new layout.
+
+    Args:
+        plot: The place of its plot: goes with what is dragged away.
+
+    Signals:
+        chosen: An entry was clicked: its key.
+    """
+
+    chosen = Signal(str)
+
+    def __init__(self, plot: int, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._plot = plot
+        self._entries: tuple[Entry, ...] = ()
+        self._title = ""
+        self._places: list[QRectF] = []
+        self._pressed: QPoint | None = None
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+
+    @property
+    def entries(self) -> tuple[Entry, ...]:
+        """What it shows."""
+        return self._entries
+
+    @property
+    def title(self) -> str:
+        """What stands before the entries."""
+        return self._title
+
+    def show_entries(self, entries: Sequence[Entry], title: str = "") -> None:
+        """Show these, behind what they have in common."""
+        wanted = tuple(entries)
+        if (wanted, title) == (self._entries, self._title):
+            return
+        names = [(each.key, each.name) for each in wanted]
+        moved = title != self._title or names != [(each.key, each.name) for each in self._entries]
+        self._entries, self._title = wanted, title
+        if moved:
+            self._arrange()
+        self.update()
+
+    def key_at(self, place: QPoint) -> str | None:
+        """The quantity of the entry at a place."""
+        for rect, entry in zip(self._places, self._entries, strict=True):
+            if rect.contains(QPointF(place)):
+                return entry.key
+        return None
+
+    def place_of(self, key: str) -> QPoint:
+        """The middle of an entry.
+
+        Raises:
+            ValueError: It is not shown.
+        """
+        keys = [entry.key for entry in self._entries]
+        return self._places[keys.index(key)].center().toPoint()
+
+    def _arrange(self) -> None:
+        metrics = QFontMetricsF(self.font())
+        line_px = metrics.height() + _LINE_PX
+        top = 0.0
+        left = begin = self._title_px()
+        self._places = []
+        for entry in self._entries:
+            width = _SWATCH_PX + 2 * _GAP_PX + metrics.horizontalAdvance(entry.name)
+            width += metrics.horizontalAdvance(_WIDEST)
+            if left > begin and left + width > self.width():
+                left, top = begin, top + line_px
+            self._places.append(QRectF(left, top, min(width, float(self.width())), line_px))
+            left += width + _BETWEEN_PX
+        self.setFixedHeight(round(top + line_px))
+
+    def _title_px(self) -> float:
+        if not self._title:
+            return 0.0
+        metrics = QFontMetricsF(scaled_font(self, 1.0, bold=True))
+        return metrics.horizontalAdvance(self._title) + _BETWEEN_PX
+
+    def minimumSizeHint(self) -> QSize:
+        """It wraps."""
+        return QSize(120, self.fontMetrics().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Wrap anew."""
+        super().resizeEvent(event)
+        self._arrange()
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw it."""
+        colors = colors_of(self)
+        metrics = QFontMetricsF(self.font())
+        painter = QPainter(self)
+        if self._title:
+            painter.setFont(scaled_font(self, 1.0, bold=True))
+            painter.setPen(QColor(colors.text))
+            whole = QRectF(0, 0, self._title_px(), metrics.height() + _LINE_PX)
+            painter.drawText(whole, Qt.AlignmentFlag.AlignVCenter, self._title)
+            painter.setFont(self.font())
+        for rect, entry in zip(self._places, self._entries, strict=True):
+            middle = rect.center().y()
+            painter.fillRect(QRectF(rect.left(), middle - 1.5, _SWATCH_PX, 3.0), entry.color)
+            left = rect.left() + _SWATCH_PX + _GAP_PX
+            text = QRectF(left, rect.top(), rect.right() - left, rect.height())
+            flags = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft
+            painter.setPen(QColor(colors.muted if entry.stale else colors.text))
+            painter.drawText(text, flags, entry.name)
+            text.setLeft(left + metrics.horizontalAdvance(entry.name) + _GAP_PX)
+            painter.setPen(QColor(colors.muted))
+            painter.drawText(text, flags, entry.value)
+        painter.end()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """A drag may begin."""
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._pressed = event.position().toPoint()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Take a quantity to another plot."""
+        pressed, now = self._pressed, event.position().toPoint()
+        if pressed is None:
+            return
+        key = self.key_at(pressed)
+        far = (now - pressed).manhattanLength() >= QApplication.startDragDistance()
+        if key is not None and far:
+            self._pressed = None
+            drag = QDrag(self)
+            drag.setMimeData(mime_of([key], self._plot))
+            drag.exec(Qt.DropAction.MoveAction)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """A click without a drag chooses."""
+        key = None if self._pressed is None else self.key_at(event.position().toPoint())
+        self._pressed = None
+        if key is not None:
+            self.chosen.emit(key)

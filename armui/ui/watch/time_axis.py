@@ -1,0 +1,52 @@
+"""The axis of time: seconds, or minutes and seconds, before the right end's moment."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import pyqtgraph as pg
+
+_STEPS_S: Final = (
+    *(0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5),
+    *(1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 60.0, 120.0, 300.0, 600.0),
+)
+_TICK_PX: Final = 90.0
+_MINUTES_FROM_S: Final = 10.0
+
+
+def tick_step_s(span_s: float, width_px: float) -> float:
+    """How far apart the labels are."""
+    wanted_s = span_s * _TICK_PX / max(width_px, _TICK_PX)
+    return next((step_s for step_s in _STEPS_S if step_s >= wanted_s), _STEPS_S[-1])
+
+
+def time_label(time_s: float, step_s: float) -> str:
+    """A time on the axis: ``-2.5 s``, ``-12:30``."""
+    time_s = round(time_s, 6) + 0.0
+    if step_s >= _MINUTES_FROM_S and abs(time_s) >= 60.0:
+        minutes, seconds = divmod(round(abs(time_s)), 60)
+        return f"{'−' if time_s < 0 else ''}{minutes}:{seconds:02d}"
+    decimals = max(0, len(f"{step_s:.3f}".rstrip("0")) - 2) if step_s < 1.0 else 0
+    text = f"{abs(time_s):.{decimals}f} s"
+    return f"−{text}" if time_s < 0 else text
+
+
+class TimeAxis(pg.AxisItem):  # type: ignore[misc]
+    """Labels in steps of a clock."""
+
+    def __init__(self) -> None:
+        super().__init__("bottom", maxTickLength=-4)
+        self.enableAutoSIPrefix(False)
+
+    def tickSpacing(  # noqa: N802 - pyqtgraph's
+        self,
+        minVal: float,
+        maxVal: float,
+        size: float,
+    ) -> list[tuple[float, float]]:
+        """One kind of tick."""
+        return [(tick_step_s(maxVal - minVal, size), 0.0)]
+
+    def tickStrings(self, values: list[float], scale: float, spacing: float) -> list[str]:  # noqa: ARG002, N802
+        """Their labels."""
+        return [time_label(value, spacing) for value in values]
