@@ -51,7 +51,7 @@ def sample_lines(
 def envelope_lines(envelope: Envelope, *, held: bool = False) -> list[list[Line]]:
     """The extremes of buckets, for each field: a line that goes up and down once in two of them."""
     width_s = 2.0**envelope.exponent
-    lines = []
+    lines: list[list[Line]] = []
     for low, high in zip(envelope.low, envelope.high, strict=True):
         places = np.flatnonzero(~np.isnan(low))
         if not places.size:

@@ -7,13 +7,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
 
 import pyqtgraph as pg
-from PySide6.QtCore import QLineF, QRectF
+from PySide6.QtCore import QLineF, QPointF, QRectF
 from PySide6.QtGui import QColor, QPen, QPolygonF
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QPainter
 
 CURSOR_NAMES: Final = ("A", "B")
+_NAME_PX: Final = 4.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,4 +109,12 @@ class CurvesItem(pg.GraphicsObject):  # type: ignore[misc]
         for at_s in self._cursors:
             if at_s is not None:
                 painter.drawLine(QLineF(at_s, bounds.top(), at_s, bounds.bottom()))
+        to_view = painter.worldTransform()
+        painter.resetTransform()
+        for name, at_s in zip(CURSOR_NAMES, self._cursors, strict=False):
+            if at_s is not None:
+                # figures grow upwards: the upper end is the rectangle's bottom
+                top = to_view.map(QPointF(at_s, bounds.bottom()))
+                place = top + QPointF(_NAME_PX, painter.fontMetrics().ascent())
+                painter.drawText(place, name)
         painter.restore()

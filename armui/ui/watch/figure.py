@@ -199,11 +199,11 @@ def _draw_plot(painter: QPainter, figure: Figure, plot: FigurePlot, place: QRect
     for (_name, color), lines in zip(plot.names, plot.lines, strict=True):
         painter.setPen(QPen(QColor(color), 1.2))
         for times_s, figures in lines:
-            x = (times_s - figure.edge_s - figure.begin_s) / (figure.end_s - figure.begin_s)
-            y = (figures - low) / (high - low)
+            across = (times_s - figure.edge_s - figure.begin_s) / (figure.end_s - figure.begin_s)
+            up = (figures - low) / (high - low)
             points = zip(
-                (place.left() + place.width() * x).tolist(),
-                (place.bottom() - place.height() * y).tolist(),
+                (place.left() + place.width() * across).tolist(),
+                (place.bottom() - place.height() * up).tolist(),
                 strict=True,
             )
             painter.drawPolyline(QPolygonF([QPointF(*point) for point in points]))

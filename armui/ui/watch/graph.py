@@ -172,7 +172,8 @@ class Graph(pg.GraphicsView):  # type: ignore[misc]
     @property
     def width_px(self) -> int:
         """How many pixels the time has."""
-        return max(1, round(self.box.rect().width() or self.width() - AXIS_PX))
+        width: float = self.box.rect().width() or self.width() - AXIS_PX
+        return max(1, round(width))
 
     def set_colors(self, colors: Colors) -> None:
         """Take the colours of a theme."""

@@ -80,6 +80,7 @@ class PlotBar(QWidget):
         button = QPushButton()
         button.setObjectName(name)
         button.setCheckable(checkable)
+        button.setProperty("toggle", checkable)
         button.setAutoDefault(False)
         return button
 

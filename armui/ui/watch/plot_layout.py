@@ -12,6 +12,7 @@ from armui.telemetry.quantities import QUANTITIES
 MOST_PLOTS: Final = 12
 MOST_CURVES: Final = 12
 """In one plot: more can't be told apart."""
+_MOST_SPAN_S: Final = 1e6
 
 Plots = tuple[tuple[str, ...], ...]
 """For each plot the keys of its quantities."""
@@ -50,7 +51,7 @@ SETS: Final[Mapping[str, Plots]] = {
     ),
     "bus": (("bus.frames_per_s",), ("bus.bus_load",), ("bus.error_frames_per_s",)),
 }
-"""«Did it follow?», «What got hot?», «Why did it stop?», «Where was the tool?», «Is the bus well?»."""
+"""Each answers a question: did it follow, what got hot, why did it stop, and so on."""
 
 FIRST_SET: Final = "follow"
 
@@ -142,8 +143,9 @@ def from_text(text: str) -> tuple[Plots, float] | None:
         return None
     plots = tidy(_keys(entries.get("plots")))
     span_s = entries.get("span_s")
-    good = isinstance(span_s, int | float) and not isinstance(span_s, bool)
-    return (plots, float(span_s)) if plots and good and 0 < span_s < 1e6 else None
+    if not plots or isinstance(span_s, bool) or not isinstance(span_s, int | float):
+        return None
+    return (plots, float(span_s)) if 0 < span_s < _MOST_SPAN_S else None
 
 
 def _keys(plots: Any) -> Iterator[list[str]]:

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 
     from armui.telemetry.quantities import Quantity
     from armui.telemetry.store import Telemetry
+    from armui.ui.watch.curve_shapes import Line
     from armui.ui.watch.time_frame import Range, Shown
 
 _LIGHT_CURVES: Final = (
@@ -45,7 +46,7 @@ _DARK_CURVES: Final = (
 )
 """Red is none of them: it means stop or fault."""
 
-LEAST_PX: Final = 118
+LEAST_PX: Final = 100
 
 
 class PlotPane(QWidget):
@@ -161,7 +162,7 @@ class PlotPane(QWidget):
     def as_figure(self, shown: Shown, edge_s: float, now_s: float) -> FigurePlot:
         """The same for a picture on paper."""
         begin_s, end_s = edge_s + shown.begin_s, min(edge_s + shown.end_s, now_s)
-        lines = {}
+        lines: dict[tuple[str, str], list[Line]] = {}
         for cache in self._caches:
             copied = CurveCache(cache.series, cache.fields, lambda times, figures: (times, figures))
             copied.update(begin_s, max(end_s, begin_s), self.graph.width_px)
@@ -181,17 +182,14 @@ class PlotPane(QWidget):
         """The values now, beside the names."""
         colors = self.curve_colors
         entries = []
-        same = len({(each.kind, each.source) for each in self.quantities}) == 1
-        first = self.quantities[0]
-        shared = same and first.number is not None and len(self.quantities) > 1
-        for each in self.quantities:
+        title, short = names.in_common(self.quantities)
+        for each, name in zip(self.quantities, short, strict=True):
             latest = self._telemetry.series[each.series].latest(each.field)
             at_s, value = latest or (None, None)
             stale = not (each.held or is_fresh(at_s, now_s))
             text = names.quantity_value(each, None if latest is None else value)
-            name = f"J{each.number}" if shared else names.quantity(each)
             entries.append(Entry(each.key, name, colors[each.key], text, stale))
-        self.legend.show_entries(entries, names.quantity_kind(first) if shared else "")
+        self.legend.show_entries(entries, title)
 
     def show_cursors(self, at_s: Sequence[float | None], edge_s: float) -> None:
         """Draw the cursors at monotonic times."""

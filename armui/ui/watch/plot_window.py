@@ -70,6 +70,7 @@ class PlotWindow(ArmDialog):
         self.cursor_table = CursorTable(self.board, telemetry)
         self._message = MessageLine()
         self._message.setObjectName("plot_message")
+        self._message.hide()
         how: dict[str, Any] = {} if call is None else {"call": call}
         self.export = PlotExport(controller, self.board, background, self, **how)
         self._keep_timer = QTimer(self, singleShot=True, interval=_KEEP_AFTER_MS)
@@ -99,7 +100,7 @@ class PlotWindow(ArmDialog):
         self.board.plots_changed.connect(self._on_changed)
         self.board.frame_changed.connect(self._on_changed)
         self.bar.save_wanted.connect(self._on_save)
-        self.export.said.connect(self._message.show_message)
+        self.export.said.connect(self._say)
         self._keep_timer.timeout.connect(self._keep)
 
     # What others ask for ----------------------------------------------------------------------
@@ -153,7 +154,7 @@ class PlotWindow(ArmDialog):
     def _on_kept(self, result: Refusal | None) -> None:
         if isinstance(result, Refusal):
             text = self.tr("The arrangement of the plots could not be kept: {text}")
-            self._message.show_message(text.format_map(result.params), Level.WARNING)
+            self._say(text.format_map(result.params), Level.WARNING)
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Keep the layout now."""
@@ -187,7 +188,11 @@ class PlotWindow(ArmDialog):
         else:
             text = self.tr("A plot takes {count} curves, so that they can be told apart.")
             count = MOST_CURVES
-        self._message.show_message(text.format(count=count), Level.WARNING)
+        self._say(text.format(count=count), Level.WARNING)
+
+    def _say(self, text: str, level: Level) -> None:
+        self._message.show_message(text, level)
+        self._message.show()
 
     def _on_save(self, what: str) -> None:
         if what == "copy_picture":

@@ -128,6 +128,7 @@ class QuantityList(QWidget):
                 item.setText(names.quantity_group(Source(first)))
         for key, item in self._items.items():
             item.setText(names.quantity(QUANTITIES[key]))
+            item.setToolTip(item.text())
         self.tree.expandToDepth(0)
         self.show_heard()
 

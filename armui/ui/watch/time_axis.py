@@ -38,14 +38,10 @@ class TimeAxis(pg.AxisItem):  # type: ignore[misc]
         super().__init__("bottom", maxTickLength=-4)
         self.enableAutoSIPrefix(False)
 
-    def tickSpacing(  # noqa: N802 - pyqtgraph's
-        self,
-        minVal: float,
-        maxVal: float,
-        size: float,
-    ) -> list[tuple[float, float]]:
-        """One kind of tick."""
-        return [(tick_step_s(maxVal - minVal, size), 0.0)]
+    def tickSpacing(self, *span_and_length: float) -> list[tuple[float, float]]:  # noqa: N802
+        """One kind of tick: of the smallest and the largest time, and the length in pixels."""
+        first_s, last_s, length_px = span_and_length
+        return [(tick_step_s(last_s - first_s, length_px), 0.0)]
 
     def tickStrings(self, values: list[float], scale: float, spacing: float) -> list[str]:  # noqa: ARG002, N802
         """Their labels."""

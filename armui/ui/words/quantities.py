@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
@@ -65,6 +65,12 @@ _SOURCES: Final[Mapping[Source, object]] = {
     Source.OWN: QT_TRANSLATE_NOOP("Quantity", "{name}, our command"),
     Source.OTHER: QT_TRANSLATE_NOOP("Quantity", "{name}, other host's command"),
 }
+_SHORT_SOURCES: Final[Mapping[Source, object]] = {
+    Source.ARM: QT_TRANSLATE_NOOP("Quantity", "measured"),
+    Source.OWN: QT_TRANSLATE_NOOP("Quantity", "our command"),
+    Source.OTHER: QT_TRANSLATE_NOOP("Quantity", "other host's command"),
+    Source.BUS: QT_TRANSLATE_NOOP("Quantity", "bus"),
+}
 _GROUPS: Final[Mapping[Source, object]] = {
     Source.ARM: QT_TRANSLATE_NOOP("Quantity", "Measured"),
     Source.OWN: QT_TRANSLATE_NOOP("Quantity", "Commanded by this program"),
@@ -92,6 +98,23 @@ def quantity(what: Quantity) -> str:
     if what.source in _SOURCES:
         return _translated(_SOURCES[what.source]).format(name=name)
     return name
+
+
+def in_common(quantities: Sequence[Quantity]) -> tuple[str, list[str]]:
+    """What several have in common, and what tells them apart: «电机温度», «J1», «J2» ….
+
+    The first is "", and the others are whole names, where they have nothing in common.
+    """
+    first = quantities[0]
+    several = len(quantities) > 1
+    same_kind = len({(each.kind, each.source) for each in quantities}) == 1
+    if several and same_kind and first.number is not None:
+        return quantity_kind(first), [f"J{each.number}" for each in quantities]
+    if several and len({(each.kind, each.number) for each in quantities}) == 1:
+        name = _translated(_KINDS[first.kind])
+        name = name if first.number is None else f"J{first.number} {name}"
+        return name, [_translated(_SHORT_SOURCES[each.source]) for each in quantities]
+    return "", [quantity(each) for each in quantities]
 
 
 def quantity_group(source: Source) -> str:
@@ -130,25 +153,8 @@ def quantity_difference(what: Quantity, difference: float | None) -> str:
 
 
 def _code_word(what: Quantity, code: int) -> str | None:
-    if what.kind == "control_mode":
-        return status.control_mode_short(code)
-    if what.kind == "arm_status":
-        return status.arm_status(code)
-    if what.kind == "move_mode":
-        return status.move_mode(code)
-    if what.kind == "teaching":
-        return status.teaching(code)
-    if what.kind == "not_reached":
-        return status.reached(code == 0)
-    if what.kind in {"enabled", "gripper_enabled"}:
-        yes = QCoreApplication.translate("Quantity", "yes")
-        return yes if code else QCoreApplication.translate("Quantity", "no")
-    if what.kind in {"beyond_limit", "no_communication"}:
-        return _bits(code, [f"J{joint}" for joint in JOINTS])
-    if what.kind in {"driver_faults", "gripper_faults"}:
-        names = DRIVER_FAULTS if what.kind == "driver_faults" else GRIPPER_FAULTS
-        return _bits(code, [_translated(_FAULTS[name]) for name in names])
-    return None
+    say = _CODES.get(what.kind)
+    return None if say is None else say(code)
 
 
 def _bits(code: int, names: list[str]) -> str:
@@ -158,3 +164,31 @@ def _bits(code: int, names: list[str]) -> str:
 
 def _translated(source: object) -> str:
     return QCoreApplication.translate("Quantity", str(source))
+
+
+def _yes_or_no(code: int) -> str:
+    yes = QCoreApplication.translate("Quantity", "yes")
+    return yes if code else QCoreApplication.translate("Quantity", "no")
+
+
+def _joints(code: int) -> str:
+    return _bits(code, [f"J{joint}" for joint in JOINTS])
+
+
+def _faults_of(names: tuple[str, ...]) -> Callable[[int], str]:
+    return lambda code: _bits(code, [_translated(_FAULTS[name]) for name in names])
+
+
+_CODES: Final[Mapping[str, Callable[[int], str]]] = {
+    "control_mode": status.control_mode_short,
+    "arm_status": status.arm_status,
+    "move_mode": status.move_mode,
+    "teaching": status.teaching,
+    "not_reached": lambda code: status.reached(code == 0),
+    "enabled": _yes_or_no,
+    "gripper_enabled": _yes_or_no,
+    "beyond_limit": _joints,
+    "no_communication": _joints,
+    "driver_faults": _faults_of(DRIVER_FAULTS),
+    "gripper_faults": _faults_of(GRIPPER_FAULTS),
+}
