@@ -15,17 +15,17 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 from PySide6.QtWidgets import QApplication
 
-from armui import failures, paths, preload
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.control.arm_controller import ArmController
-from armui.control.neighbours import Neighbours
+from armui.control.link.neighbours import Neighbours
 from armui.control.part_failure import end_motion_of
-from armui.failures import Failure, FailureHandler
-from armui.helper_process import FileThread, HelperProcess
-from armui.log_file import log_to
 from armui.protocol.generation import Generation
 from armui.settings import Choices, Settings, SettingsStore, default_path
 from armui.start import StartOptions
+from armui.system import failures, paths, preload
+from armui.system.failures import Failure, FailureHandler
+from armui.system.helper_process import FileThread, HelperProcess
+from armui.system.log_file import log_to
 from armui.ui.main_window import MainWindow
 from armui.ui.theme import Theme, apply_theme
 from armui.ui.translation import Translator

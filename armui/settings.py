@@ -22,9 +22,9 @@ from typing import Any, Final, Literal, TypedDict, Unpack, get_args
 import platformdirs
 from filelock import FileLock, Timeout
 
-from armui import paths
 from armui.arm.refusal import Refusal
-from armui.atomic import write_whole
+from armui.system import paths
+from armui.system.atomic import write_whole
 
 Language = Literal["zh", "en"]
 ThemeName = Literal["light", "dark", "system"]

@@ -10,10 +10,10 @@ import can
 from armui.protocol.codes import LinkageRole
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
-from armui.sim.flash import MemoryFlash
 from armui.sim.node import Node
-from armui.sim.settings import Linkage, Settings
-from tests.bench import Bench
+from armui.sim.parameters.flash import MemoryFlash
+from armui.sim.parameters.settings import ArmSettingsRecord, LinkageSettings
+from tests.arm_rig import ArmRig
 from tests.sim.talk import ENABLE, RESUME, STOP, frame, mode, pose_target, target
 
 _EPSILON_S = 1e-9
@@ -54,17 +54,17 @@ class OtherHost:
     """Another program on the bench's bus; it writes frames as candump does (`tests.sim.talk`).
 
     Args:
-        bench: Where it is plugged in; it is unplugged with :meth:`close`.
+        rig: Where it is plugged in; it is unplugged with :meth:`close`.
 
     Attributes:
         streams: What it says over and over.
     """
 
-    def __init__(self, bench: Bench) -> None:
-        self._bench = bench
+    def __init__(self, rig: ArmRig) -> None:
+        self._bench = rig
         self.streams: list[Stream] = []
-        self._channel = bench.channel
-        bench.company.append(self)
+        self._channel = rig.channel
+        rig.company.append(self)
 
     def say(self, *lines: str) -> None:
         """Put frames on the bus, ID#DATA each."""
@@ -141,7 +141,7 @@ class OtherArm:
     first arm's, and it obeys the same 0x471 and 0x475, as 0x470 moves none of them.
 
     Args:
-        bench: Where it is plugged in; it is unplugged with :meth:`close`.
+        rig: Where it is plugged in; it is unplugged with :meth:`close`.
         offset: What 0x470 adds to its feedback and its motion commands: 0, 0x10 or 0x20.
         role: A teaching input leads: it sends 0x151, 0x155–0x157 and 0x159, 200 times a second,
             for the arm at `target_offset`, and no feedback.
@@ -149,14 +149,14 @@ class OtherArm:
         joints_deg: Where it lies.
 
     Attributes:
-        firmware: The arm; `firmware.hand` leads a leader, `firmware.drivers_tell` lets its
+        firmware: The arm; `firmware.hand_guiding` leads a leader, `firmware.drivers_tell` lets its
             drivers go on sending.
         node: Its way to the bus.
     """
 
     def __init__(
         self,
-        bench: Bench,
+        rig: ArmRig,
         offset: int = 0x10,
         *,
         role: LinkageRole = LinkageRole.MOTION_OUTPUT,
@@ -164,20 +164,20 @@ class OtherArm:
         joints_deg: Iterable[float] = (0.0,) * 6,
         generation: Generation | None = None,
     ) -> None:
-        self._bench = bench
+        self._bench = rig
         flash = MemoryFlash()
-        flash.save(Settings(linkage=Linkage(role, offset, offset, target_offset)))
+        flash.save(ArmSettingsRecord(linkage=LinkageSettings(role, offset, offset, target_offset)))
         self.firmware = Firmware(
-            generation or bench.firmware.generation, joints_deg=tuple(joints_deg), flash=flash
+            generation or rig.firmware.generation, joints_deg=tuple(joints_deg), flash=flash
         )
-        self._bus = can.Bus(interface="virtual", channel=bench.channel)
+        self._bus = can.Bus(interface="virtual", channel=rig.channel)
         self.node = Node(self.firmware, self._bus)
-        bench.company.append(self)
+        rig.company.append(self)
 
     @classmethod
-    def leader(cls, bench: Bench, **how) -> "OtherArm":
+    def leader(cls, rig: ArmRig, **how) -> "OtherArm":
         """A teaching input that leads the bench's arm."""
-        return cls(bench, 0, role=LinkageRole.TEACHING_INPUT, **how)
+        return cls(rig, 0, role=LinkageRole.TEACHING_INPUT, **how)
 
     def step(self, dt_s: float) -> None:
         """Let time pass."""

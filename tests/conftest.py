@@ -11,9 +11,9 @@ import pytest
 from PySide6.QtCore import QCoreApplication, QEvent
 
 from armui.protocol.generation import Generation
-from tests.bench import Bench
+from tests.app_driver import AppDriver, Slow
+from tests.arm_rig import ArmRig
 from tests.company import OtherHost
-from tests.desk import Desk, Slow
 
 _ENDING_S = 2.0
 
@@ -28,52 +28,52 @@ def generation(request):
 
 
 @pytest.fixture
-def bench(qapp, request):
+def rig(qapp, request):
     """A simulated arm of generation 2 and the controller, not connected yet."""
-    bench = Bench(request.node.nodeid)
-    yield bench
-    bench.close()
+    rig = ArmRig(request.node.nodeid)
+    yield rig
+    rig.close()
 
 
 @pytest.fixture
 def any_bench(qapp, request, generation):
     """The same, in both generations."""
-    bench = Bench(request.node.nodeid, generation)
-    yield bench
-    bench.close()
+    rig = ArmRig(request.node.nodeid, generation)
+    yield rig
+    rig.close()
 
 
 @pytest.fixture
-def other_host(bench):
-    """A second host on the bus of `bench`."""
-    host = OtherHost(bench)
+def other_host(rig):
+    """A second host on the bus of `rig`."""
+    host = OtherHost(rig)
     yield host
     host.close()
 
 
 @pytest.fixture
-def desk(qapp, request, tmp_path):
+def app_driver(qapp, request, tmp_path):
     """The main window before a simulated arm of generation 2, not connected yet, in English."""
-    desk = Desk(qapp, request.node.nodeid, tmp_path / "settings.json", Generation.TWO)
-    yield desk
-    desk.close()
+    app_driver = AppDriver(qapp, request.node.nodeid, tmp_path / "settings.json", Generation.TWO)
+    yield app_driver
+    app_driver.close()
 
 
 @pytest.fixture
 def slow_desk(qapp, request, tmp_path):
-    """The same; what takes long is only done when `desk.workers` is told to work."""
+    """The same; what takes long is only done when `app_driver.workers` is told to work."""
     settings = tmp_path / "settings.json"
-    desk = Desk(qapp, request.node.nodeid, settings, Generation.TWO, Slow())
-    yield desk
-    desk.close()
+    app_driver = AppDriver(qapp, request.node.nodeid, settings, Generation.TWO, Slow())
+    yield app_driver
+    app_driver.close()
 
 
 @pytest.fixture
 def any_desk(qapp, request, tmp_path, generation):
     """The same, in both generations."""
-    desk = Desk(qapp, request.node.nodeid, tmp_path / "settings.json", generation)
-    yield desk
-    desk.close()
+    app_driver = AppDriver(qapp, request.node.nodeid, tmp_path / "settings.json", generation)
+    yield app_driver
+    app_driver.close()
 
 
 def pytest_runtest_setup():

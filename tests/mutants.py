@@ -35,27 +35,30 @@ _IS_NO_FAULT = ("# noqa", "TYPE_CHECKING", "__slots__")
 
 TESTS: dict[str, tuple[str, ...]] = {
     "armui/bus/outbox.py": ("tests/bus", "tests/safety/test_s03*", "tests/safety/test_s17*"),
-    "armui/control/stop.py": (
+    "armui/control/safety/emergency_stop.py": (
         "tests/safety/test_s0[456]*",
         "tests/safety/test_s27*",
         "tests/control/test_arm_controller.py",
     ),
     "armui/control/authority.py": ("tests/control/test_authority*",),
-    "armui/control/other_command.py": (
+    "armui/control/safety/other_command.py": (
         "tests/control/test_other_command.py",
         "tests/control/test_authority*",
     ),
-    "armui/control/overspeed.py": ("tests/control/test_authority*",),
-    "armui/control/hearing.py": ("tests/control/test_authority*",),
-    "armui/control/rest.py": ("tests/control/test_authority*",),
-    "armui/control/gate.py": ("tests/control/test_gates.py", "tests/safety/test_s*"),
+    "armui/control/safety/overspeed.py": ("tests/control/test_authority*",),
+    "armui/control/safety/hearing.py": ("tests/control/test_authority*",),
+    "armui/control/safety/rest.py": ("tests/control/test_authority*",),
+    "armui/control/safety/interlocks.py": ("tests/control/test_gates.py", "tests/safety/test_s*"),
     "armui/control/assessment.py": ("tests/control/test_gates.py", "tests/safety/test_s*"),
-    "armui/control/offsets.py": ("tests/safety/test_s04*", "tests/control/test_linkage.py"),
-    "armui/control/handshake.py": (
+    "armui/control/link/offsets.py": ("tests/safety/test_s04*", "tests/control/test_linkage.py"),
+    "armui/control/link/handshake.py": (
         "tests/safety/test_s15*",
         "tests/control/test_arm_controller.py",
     ),
-    "armui/control/orders.py": ("tests/safety/test_s14*", "tests/control/test_zeroing.py"),
+    "armui/control/requests/transactions.py": (
+        "tests/safety/test_s14*",
+        "tests/control/test_zeroing.py",
+    ),
 }
 """Which tests must notice a change of which module; patterns that match nothing are left out."""
 

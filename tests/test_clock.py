@@ -7,8 +7,8 @@ import pytest
 
 from armui.bus.outbox import Outbox
 from armui.bus.worker import BusWorker
-from armui.clock import steady_s
 from armui.control.arm_controller import ArmController
+from armui.system.clock import steady_s
 
 
 def test_it_never_goes_back():

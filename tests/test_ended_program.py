@@ -6,26 +6,28 @@ import weakref
 from PySide6.QtCore import QCoreApplication, QEvent, QEventLoop, QTimer
 
 from armui.protocol.generation import Generation
-from tests.desk import Desk
+from tests.app_driver import AppDriver
 
 LONGEST_MS = 60_000
 
 
 def test_nothing_of_it_is_left(qapp, request, tmp_path):
     settings = tmp_path / "settings.json"
-    desk = Desk(qapp, request.node.nodeid, settings, Generation.TWO, draws=True)
+    app_driver = AppDriver(qapp, request.node.nodeid, settings, Generation.TWO, draws=True)
     drawn = []
-    desk.program.view.first_frame_shown.connect(lambda: drawn.append(True))
-    desk.click("library_button")
+    app_driver.program.view.first_frame_shown.connect(lambda: drawn.append(True))
+    app_driver.click("library_button")
     loop = QEventLoop()
-    desk.program.view.first_frame_shown.connect(loop.quit)
+    app_driver.program.view.first_frame_shown.connect(loop.quit)
     QTimer.singleShot(LONGEST_MS, loop.quit)
     if not drawn:
         loop.exec()
     assert drawn
-    left = [weakref.ref(part) for part in (desk.program, desk.controller, desk.window)]
-    desk.close()
-    del desk
+    left = [
+        weakref.ref(part) for part in (app_driver.program, app_driver.controller, app_driver.window)
+    ]
+    app_driver.close()
+    del app_driver
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
     gc.collect()
     assert [part() for part in left] == [None] * 3

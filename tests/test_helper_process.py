@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from armui.helper_process import HelperProcess
-from armui.trajectory.preflight import Order, preflight, warm_up
+from armui.system.helper_process import HelperProcess
+from armui.trajectory.planning.preflight import CheckRequest, preflight, warm_up
 from tests.trajectory.arms import ARM, joint, run
 
 MOST_S = 60.0
@@ -31,7 +31,9 @@ def test_it_is_another_process_and_always_the_same(helper):
 
 
 def test_a_check_comes_back_as_it_would_here(helper):
-    order = Order(run(joint(0, 0, 0, 0, 0, 0), joint(10, 200, -60, 0, 25, 0)), ARM, (0.0,) * 6)
+    order = CheckRequest(
+        run(joint(0, 0, 0, 0, 0, 0), joint(10, 200, -60, 0, 25, 0)), ARM, (0.0,) * 6
+    )
     there, here = helper.submit(preflight, order).result(MOST_S), preflight(order)
     assert there.findings == here.findings
     assert {finding.code for finding in there.findings} >= {"target_beyond_limit"}
@@ -67,7 +69,7 @@ def test_it_does_not_outlive_a_killed_program(tmp_path):
     script = tmp_path / "program.py"
     script.write_text(
         "import os, time\n"
-        "from armui.helper_process import HelperProcess\n"
+        "from armui.system.helper_process import HelperProcess\n"
         "if __name__ == '__main__':\n"
         "    print(HelperProcess().submit(os.getpid).result(), flush=True)\n"
         "    time.sleep(1e6)\n"

@@ -8,7 +8,7 @@ from PySide6.QtCore import QElapsedTimer, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox
 
-from armui.control.situation import LinkState, StopState
+from armui.control.operating_state import LinkState, StopState
 from armui.protocol.frame import Frame
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
@@ -20,16 +20,16 @@ ENABLE = Frame(0x471, bytes.fromhex("07 02 00 00 00 00 00 00"))
 DISABLE = Frame(0x471, bytes.fromhex("07 01 00 00 00 00 00 00"))
 
 
-def angles(desk):
-    return [round(angle, 3) for angle in desk.firmware.joints_deg]
+def angles(app_driver):
+    return [round(angle, 3) for angle in app_driver.firmware.joints_deg]
 
 
 @pytest.fixture
-def online(desk):
+def online(app_driver):
     """Connected, not enabled."""
-    desk.connect_by_hand()
-    desk.heard()
-    return desk
+    app_driver.connect_by_hand()
+    app_driver.heard()
+    return app_driver
 
 
 @pytest.fixture
@@ -43,44 +43,44 @@ def ready(online):
 # Connecting --------------------------------------------------------------------------------------
 
 
-def test_before_connecting_nothing_is_made_up(desk):
+def test_before_connecting_nothing_is_made_up(app_driver):
     for joint in range(1, 7):
-        assert desk.read(f"measured_{joint}") == "—"
-        assert desk.find(f"target_field_{joint}").text() == ""
-    assert desk.read("status_arm").endswith("—")
-    assert "No arm is connected" in desk.read("motion_message")
+        assert app_driver.read(f"measured_{joint}") == "—"
+        assert app_driver.find(f"target_field_{joint}").text() == ""
+    assert app_driver.read("status_arm").endswith("—")
+    assert "No arm is connected" in app_driver.read("motion_message")
 
 
 def test_connecting_shows_the_arm_online_and_its_angles(any_desk):
-    desk = any_desk
-    desk.connect_by_hand()
-    desk.step()
-    assert "Online" in desk.find("communication_button").accessibleName()
-    assert desk.read("measured_3") == "0.000°"
-    assert desk.find("target_field_3").text() == "0.000"
-    assert "Normal" in desk.read("status_arm")
-    assert desk.heard() == []  # looking at an arm commands nothing
+    app_driver = any_desk
+    app_driver.connect_by_hand()
+    app_driver.step()
+    assert "Online" in app_driver.find("communication_button").accessibleName()
+    assert app_driver.read("measured_3") == "0.000°"
+    assert app_driver.find("target_field_3").text() == "0.000"
+    assert "Normal" in app_driver.read("status_arm")
+    assert app_driver.heard() == []  # looking at an arm commands nothing
 
 
-def test_a_device_that_cannot_be_opened_says_why_where_the_operator_looks(desk):
-    desk.broken = OSError(errno.EACCES, "Permission denied")
-    desk.click("communication_button")
-    dialog = desk.dialog(ConnectDialog)
-    desk.wait(lambda: dialog._table.model().rowCount() > 0)
+def test_a_device_that_cannot_be_opened_says_why_where_the_operator_looks(app_driver):
+    app_driver.broken = OSError(errno.EACCES, "Permission denied")
+    app_driver.click("communication_button")
+    dialog = app_driver.dialog(ConnectDialog)
+    app_driver.wait(lambda: dialog._table.model().rowCount() > 0)
     dialog._table.selectRow(0)
-    desk.click(dialog.connect_button)
-    desk.wait(lambda: "connect_failed" in desk.codes())
+    app_driver.click(dialog.connect_button)
+    app_driver.wait(lambda: "connect_failed" in app_driver.codes())
     assert "You may not open" in dialog._message.text()
-    desk.broken = None
-    desk.click(dialog.connect_button)
-    desk.run_until(lambda: desk.controller.situation.link is LinkState.ONLINE)
+    app_driver.broken = None
+    app_driver.click(dialog.connect_button)
+    app_driver.run_until(lambda: app_driver.controller.operating_state.link is LinkState.ONLINE)
 
 
 def test_disconnecting_by_hand_leaves_no_value_standing(online):
     online.click("communication_button")
     dialog = online.dialog(ConnectDialog)
     online.click(dialog.disconnect_button)
-    online.wait(lambda: online.controller.situation.link is LinkState.NO_DEVICE)
+    online.wait(lambda: online.controller.operating_state.link is LinkState.NO_DEVICE)
     assert online.read("measured_1") == "—"
 
 
@@ -92,7 +92,7 @@ def test_an_arm_that_falls_silent_is_offline_and_cannot_be_moved(ready):
     assert "nothing is heard" in ready.find("send_button").toolTip()
     assert "nothing is heard" in ready.read("motion_message")
     ready.powered = True
-    ready.run_until(lambda: ready.controller.situation.cannot_move is None)
+    ready.run_until(lambda: ready.controller.operating_state.cannot_move is None)
     assert ready.find("send_button").isEnabled()
 
 
@@ -103,7 +103,7 @@ def test_an_unplugged_device_is_shown_and_comes_back(ready):
     assert "gone" in ready.read("motion_message")
     ready.plug_in()
     ready.wait(lambda: "reconnected" in ready.codes())
-    ready.run_until(lambda: ready.controller.situation.cannot_move is None)
+    ready.run_until(lambda: ready.controller.operating_state.cannot_move is None)
     assert ready.heard() == []
 
 
@@ -111,15 +111,15 @@ def test_an_unplugged_device_is_shown_and_comes_back(ready):
 
 
 def test_enabling_shows_six_motors_on(any_desk):
-    desk = any_desk
-    desk.connect_by_hand()
-    desk.heard()
-    assert "Disabled" in desk.find("enable_button").accessibleName()
-    desk.click("enable_button")
-    desk.run_until(lambda: "enabled" in desk.codes())
-    assert desk.heard() == [ENABLE]
-    assert desk.firmware.enabled == (True,) * 6
-    assert desk.find("enable_button").accessibleName().startswith("Enabled")
+    app_driver = any_desk
+    app_driver.connect_by_hand()
+    app_driver.heard()
+    assert "Disabled" in app_driver.find("enable_button").accessibleName()
+    app_driver.click("enable_button")
+    app_driver.run_until(lambda: "enabled" in app_driver.codes())
+    assert app_driver.heard() == [ENABLE]
+    assert app_driver.firmware.enabled == (True,) * 6
+    assert app_driver.find("enable_button").accessibleName().startswith("Enabled")
 
 
 def test_disabling_warns_that_the_arm_falls_and_only_then_does_it(ready):
@@ -240,45 +240,45 @@ def test_the_speed_slider_reaches_the_arm(ready):
 
 
 def test_stop_recover_enable_and_go_on(any_desk):
-    desk = any_desk
-    desk.connect_by_hand()
-    desk.enable_by_hand()
-    desk.type_into("target_field_1", "90")
-    desk.click("send_button")
-    desk.run(0.5)
-    desk.heard()
+    app_driver = any_desk
+    app_driver.connect_by_hand()
+    app_driver.enable_by_hand()
+    app_driver.type_into("target_field_1", "90")
+    app_driver.click("send_button")
+    app_driver.run(0.5)
+    app_driver.heard()
 
-    desk.press(desk.find("stop_button"))
-    assert desk.heard() == [STOP]  # on the press, before the button is let go
-    QTest.mouseRelease(desk.find("stop_button"), Qt.MouseButton.LeftButton)
-    desk.run_until(lambda: desk.controller.situation.stop is StopState.STOPPED)
-    assert "Emergency stop" in desk.read("status_arm")
-    assert "emergency stop" in desk.read("motion_message")
-    assert not desk.find("send_button").isEnabled()
-    assert desk.find("stop_button").text() == "Resume"
+    app_driver.press(app_driver.find("stop_button"))
+    assert app_driver.heard() == [STOP]  # on the press, before the button is let go
+    QTest.mouseRelease(app_driver.find("stop_button"), Qt.MouseButton.LeftButton)
+    app_driver.run_until(lambda: app_driver.controller.operating_state.stop is StopState.STOPPED)
+    assert "Emergency stop" in app_driver.read("status_arm")
+    assert "emergency stop" in app_driver.read("motion_message")
+    assert not app_driver.find("send_button").isEnabled()
+    assert app_driver.find("stop_button").text() == "Resume"
 
     later = QElapsedTimer()
     later.start()
     hasty_ms = QApplication.doubleClickInterval()  # a second press within it means stop again
-    desk.wait(lambda: later.elapsed() > hasty_ms)
-    desk.click("stop_button")
-    question = desk.dialog(ConfirmDialog)
+    app_driver.wait(lambda: later.elapsed() > hasty_ms)
+    app_driver.click("stop_button")
+    question = app_driver.dialog(ConfirmDialog)
     assert "drop" in question.text()
-    desk.run(0.1)
-    assert RESUME not in desk.heard()
-    desk.confirm()
-    desk.run_until(lambda: desk.controller.situation.stop is StopState.RUNNING)
-    assert RESUME in desk.heard()
-    desk.run_until(lambda: desk.controller.situation.enabled == (False,) * 6)
+    app_driver.run(0.1)
+    assert RESUME not in app_driver.heard()
+    app_driver.confirm()
+    app_driver.run_until(lambda: app_driver.controller.operating_state.stop is StopState.RUNNING)
+    assert RESUME in app_driver.heard()
+    app_driver.run_until(lambda: app_driver.controller.operating_state.enabled == (False,) * 6)
 
-    desk.enable_by_hand()
-    desk.click("home_button")
-    desk.run_until(lambda: angles(desk) == [0] * 6)
+    app_driver.enable_by_hand()
+    app_driver.click("home_button")
+    app_driver.run_until(lambda: angles(app_driver) == [0] * 6)
 
 
 def test_a_hasty_second_press_stops_again_and_never_resumes(ready):
     ready.press(ready.find("stop_button"))
-    ready.run_until(lambda: ready.controller.situation.stop is StopState.STOPPED)
+    ready.run_until(lambda: ready.controller.operating_state.stop is StopState.STOPPED)
     ready.heard()
     ready.press(ready.find("stop_button"))
     assert ready.heard() == [STOP]
@@ -315,7 +315,7 @@ def test_the_stop_key_works_while_a_foreign_modal_dialog_is_open(ready):
     assert QApplication.activeModalWidget() is box
     QTest.keyClick(box, Qt.Key.Key_F12)
     assert STOP in ready.heard()
-    ready.run_until(lambda: ready.controller.situation.stop is StopState.STOPPED)
+    ready.run_until(lambda: ready.controller.operating_state.stop is StopState.STOPPED)
     box.close()
 
 
@@ -340,7 +340,7 @@ def test_the_language_and_the_theme_change_while_the_arm_moves(ready):
 def test_closing_while_the_arm_moves_asks_first(ready):
     ready.type_into("target_field_1", "90")
     ready.click("send_button")
-    ready.run_until(lambda: ready.controller.situation.moving)
+    ready.run_until(lambda: ready.controller.operating_state.moving)
     ready.window.close()
     assert ready.window.isVisible()
     ready.confirm()

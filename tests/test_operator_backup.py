@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QLineEdit
 
-from armui.control.situation import LinkState
+from armui.control.operating_state import LinkState
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.ui.dialogs.backup import BackupDialog
@@ -39,21 +39,21 @@ def arm(any_desk):
     return any_desk
 
 
-def settled(desk):
-    desk.run_until(lambda: not desk.controller.settings.busy)
+def settled(app_driver):
+    app_driver.run_until(lambda: not app_driver.controller.settings.busy)
 
 
-def generation(desk):
-    return desk.controller.situation.generation
+def generation(app_driver):
+    return app_driver.controller.operating_state.generation
 
 
-def said(desk):
-    return desk.box.findChild(MessageLine, "backup_message").text()
+def said(app_driver):
+    return app_driver.box.findChild(MessageLine, "backup_message").text()
 
 
-def rows(desk):
+def rows(app_driver):
     """The table as it is seen: name to file, arm, comparison."""
-    model = desk.box.table.model()
+    model = app_driver.box.table.model()
     return {
         model.index(row, NAME).data(): tuple(
             model.index(row, column).data() for column in (FILED, HELD, STATE)
@@ -62,8 +62,8 @@ def rows(desk):
     }
 
 
-def ticks(desk):
-    model = desk.box.table.model()
+def ticks(app_driver):
+    model = app_driver.box.table.model()
     return [
         model.index(row, NAME).data()
         for row in range(model.rowCount())
@@ -71,18 +71,18 @@ def ticks(desk):
     ]
 
 
-def untick(desk, name):
-    model = desk.box.table.model()
+def untick(app_driver, name):
+    model = app_driver.box.table.model()
     for row in range(model.rowCount()):
         if model.index(row, NAME).data() == name:
             index = model.index(row, NAME)
             model.setData(index, Qt.CheckState.Unchecked, Qt.ItemDataRole.CheckStateRole)
 
 
-def save(desk, path):
+def save(app_driver, path):
     """Press 保存, type the file's name in the chooser and accept it."""
-    desk.click(desk.box.save_button)
-    chooser = desk.dialog(FileDialog)
+    app_driver.click(app_driver.box.save_button)
+    chooser = app_driver.dialog(FileDialog)
     chooser.setDirectory(str(path.parent))
     field = chooser.findChild(QLineEdit, "fileNameEdit")
     field.clear()
@@ -90,22 +90,22 @@ def save(desk, path):
     chooser.accept()
 
 
-def open_file(desk, path):
-    desk.click(desk.box.open_button)
-    chooser = desk.dialog(FileDialog)
+def open_file(app_driver, path):
+    app_driver.click(app_driver.box.open_button)
+    chooser = app_driver.dialog(FileDialog)
     chooser.setDirectory(str(path.parent))
     chooser.selectFile(path.name)
     chooser.accept()
 
 
-def restore(desk):
-    desk.click(desk.box.restore_button)
-    desk.confirm()
-    settled(desk)
+def restore(app_driver):
+    app_driver.click(app_driver.box.restore_button)
+    app_driver.confirm()
+    settled(app_driver)
 
 
-def sent(desk):
-    return [each for each in desk.ear.heard if each.arbitration_id in SETTINGS_IDS]
+def sent(app_driver):
+    return [each for each in app_driver.ear.heard if each.arbitration_id in SETTINGS_IDS]
 
 
 def test_everything_is_read_when_it_opens(arm):
@@ -287,7 +287,7 @@ def test_a_link_lost_half_way_through_reading(arm):
     arm.click(arm.box.read_button)
     arm.step()
     arm.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
-    arm.wait(lambda: arm.controller.situation.link is LinkState.LOST)
+    arm.wait(lambda: arm.controller.operating_state.link is LinkState.LOST)
     assert "device is gone" in said(arm)
     assert not arm.box.progress.isVisible()
     assert not arm.box.read_button.isEnabled()
@@ -298,7 +298,7 @@ def test_a_folder_that_cannot_be_written_to_is_named(arm, tmp_path, monkeypatch)
     def disk_full(_file):
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr("armui.atomic.os.fsync", disk_full)
+    monkeypatch.setattr("armui.system.atomic.os.fsync", disk_full)
     save(arm, tmp_path / "mine.json")
     assert "could not be written" in said(arm)
     assert "No space left on device" in said(arm)

@@ -8,31 +8,31 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from armui.arm.frames import AXES
-from armui.arm.kinematics import Kinematics, Pose, pose_to_matrix
-from armui.arm.poses import tool_pose
+from armui.kinematics.axes import AXES
+from armui.kinematics.kinematics import Kinematics, Pose, pose_to_matrix
+from armui.kinematics.poses import tool_pose
 from armui.protocol.frame import Frame
 from tests.control.jogger import BENT_DEG, bend, hold, rest_s
 
 BENT_POSE = Kinematics().forward(BENT_DEG)
 
 
-def flange(desk) -> Pose:
-    return Kinematics().forward(desk.firmware.joints_deg)
+def flange(app_driver) -> Pose:
+    return Kinematics().forward(app_driver.firmware.joints_deg)
 
 
-def fields(desk):
-    return [desk.read(f"pose_field_{name}") for name in AXES]
+def fields(app_driver):
+    return [app_driver.read(f"pose_field_{name}") for name in AXES]
 
 
-def settle(desk):
-    desk.run(0.1)
-    desk.run_until(lambda: not desk.controller.situation.moving, seconds=30)
-    desk.run(0.3)
+def settle(app_driver):
+    app_driver.run(0.1)
+    app_driver.run_until(lambda: not app_driver.controller.operating_state.moving, seconds=30)
+    app_driver.run(0.3)
 
 
-def apart_mm(desk, pose):
-    return math.dist(flange(desk)[:3], pose[:3])
+def apart_mm(app_driver, pose):
+    return math.dist(flange(app_driver)[:3], pose[:3])
 
 
 @pytest.fixture
@@ -46,10 +46,10 @@ def bent(any_desk):
     return any_desk
 
 
-def arm_hears(desk):
+def arm_hears(app_driver):
     """The frames of the last order: the pose in 0.001 mm and 0.001°, then 0x151."""
     frames = []
-    while (message := desk._ear.recv(0)) is not None:
+    while (message := app_driver._ear.recv(0)) is not None:
         if message.arbitration_id in {0x151, 0x152, 0x153, 0x154, 0x158}:
             frames.append(Frame(message.arbitration_id, bytes(message.data)))
     return frames
@@ -195,10 +195,10 @@ def test_a_tool_that_cannot_be_is_refused(bent):
     assert bent.find("tool_field_X").property("attention")
 
 
-def capture(desk, point, angles_deg):
-    desk.controller.motion.send_joints(angles_deg)
-    settle(desk)
-    desk.click(f"capture_{point}")
+def capture(app_driver, point, angles_deg):
+    app_driver.controller.motion.send_joints(angles_deg)
+    settle(app_driver)
+    app_driver.click(f"capture_{point}")
 
 
 def test_an_arc_through_three_captured_poses(bent):
@@ -268,7 +268,7 @@ def test_a_link_lost_half_way_ends_a_jog_and_is_said(bent):
     before = bent.firmware.joints_deg
     bent.plug_in()
     bent.wait(lambda: "reconnected" in bent.codes())
-    bent.run_until(lambda: bent.controller.situation.cannot_move is None)
+    bent.run_until(lambda: bent.controller.operating_state.cannot_move is None)
     bent.run(0.3)
     assert bent.firmware.joints_deg == before
 

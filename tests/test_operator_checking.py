@@ -5,15 +5,15 @@ import math
 import pytest
 from PySide6.QtWidgets import QListWidget, QPushButton, QWidget
 
-from armui.helper_process import HelperProcess
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import Generation
-from armui.trajectory.cells import Column
-from armui.trajectory.library import Library
-from armui.trajectory.program import Trajectory, Waypoint
-from armui.ui.trajectory.editor_window import EditorWindow
-from armui.ui.trajectory.library_window import LibraryWindow
-from tests.desk import Desk
+from armui.system.helper_process import HelperProcess
+from armui.trajectory.library.store import Library
+from armui.trajectory.points.cells import PointColumn
+from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.ui.trajectory.editor.editor_window import EditorWindow
+from armui.ui.trajectory.library.library_window import LibraryWindow
+from tests.app_driver import AppDriver
 
 HERE = (0.0, 20.0, -30.0, 0.0, 10.0, 0.0)
 NEAR = (5.0, 25.0, -35.0, 0.0, 15.0, 5.0)
@@ -22,38 +22,38 @@ NEAR = (5.0, 25.0, -35.0, 0.0, 15.0, 5.0)
 class Operator:
     """Before an editor of two points, near to where the arm is, which may move."""
 
-    def __init__(self, desk):
-        self.desk, self.workers = desk, desk.workers
-        desk.ready()
+    def __init__(self, app_driver):
+        self.app_driver, self.workers = app_driver, app_driver.workers
+        app_driver.ready()
         self.lead_to(HERE)
-        Library(desk.library_folder).save(
+        Library(app_driver.library_folder).save(
             Trajectory("Test", points=(Waypoint(MoveMode.MOVE_J, NEAR), to_here()))
         )
-        desk.click("library_button")
-        self.list = desk.dialog(LibraryWindow)
+        app_driver.click("library_button")
+        self.list = app_driver.dialog(LibraryWindow)
         self.list.open_trajectory("Test")
-        self.window = desk.dialog(EditorWindow)
+        self.window = app_driver.dialog(EditorWindow)
         self.workers.work()
 
     def lead_to(self, joints_deg):
         """By somebody else's hand, for all the editor knows."""
-        assert self.desk.controller.motion.send_joints(joints_deg) is None
-        self.desk.run_until(
-            lambda: math.dist(self.desk.controller.state.angles_deg(), joints_deg) < 0.01
+        assert self.app_driver.controller.motion.send_joints(joints_deg) is None
+        self.app_driver.run_until(
+            lambda: math.dist(self.app_driver.controller.state.angles_deg(), joints_deg) < 0.01
         )
 
     def child(self, name, window=None):
         return (window or self.window).findChild(QWidget, name)
 
     def click(self, name):
-        self.desk.click(self.child(name))
+        self.app_driver.click(self.child(name))
 
     def text(self, name):
         return self.child(name).text()
 
     @property
     def running(self):
-        return self.desk.controller.player.running
+        return self.app_driver.controller.player.running
 
 
 def to_here():
@@ -86,18 +86,18 @@ def test_a_check_can_be_called_off(operator):
 
 def test_the_emergency_stop_is_meant_for_what_is_about_to_begin(operator):
     operator.click("run_send")
-    operator.desk.click("stop_button")
+    operator.app_driver.click("stop_button")
     operator.workers.work()
-    operator.desk.run(1.0)
+    operator.app_driver.run(1.0)
     assert not operator.running
     assert not operator.child("findings_title").isVisible()
 
 
 def test_a_stopped_arm_hinders_no_check(operator):
-    operator.desk.click("stop_button")
-    operator.desk.run(1.0)
+    operator.app_driver.click("stop_button")
+    operator.app_driver.run(1.0)
     operator.click("editor_check")
-    operator.desk.run(0.5)
+    operator.app_driver.run(0.5)
     operator.workers.work()
     assert operator.text("findings_title") == "Check: nothing found."
 
@@ -105,7 +105,7 @@ def test_a_stopped_arm_hinders_no_check(operator):
 def test_an_edit_makes_the_check_worthless(operator):
     operator.click("run_send")
     model = operator.window.model
-    model.setData(model.index(0, Column.VALUE_1), "7")
+    model.setData(model.index(0, PointColumn.VALUE_1), "7")
     operator.workers.work()
     assert not operator.running
     assert not operator.child("findings_title").isVisible()
@@ -119,10 +119,10 @@ def test_nothing_begins_from_a_window_that_was_closed(operator):
 
 
 def test_nothing_begins_for_another_row_of_the_list(operator):
-    Library(operator.desk.library_folder).save(Trajectory("Other"))
+    Library(operator.app_driver.library_folder).save(Trajectory("Other"))
     window = operator.list
     window.refresh(["Test"])
-    operator.desk.click(operator.child("run_send", window))
+    operator.app_driver.click(operator.child("run_send", window))
     window.refresh(["Test"])
     assert operator.child("run_text", window).text() == "Checking…"
     window.refresh(["Other"])
@@ -143,14 +143,14 @@ def test_an_arm_that_was_moved_meanwhile_is_checked_anew(operator):
 
 
 def test_after_a_long_check_the_operator_is_asked(operator, monkeypatch):
-    monkeypatch.setattr("armui.ui.trajectory.run_strip._SURPRISING_S", -1.0)
+    monkeypatch.setattr("armui.ui.trajectory.running.run_strip._SURPRISING_S", -1.0)
     operator.click("run_send")
     operator.workers.work()
     assert not operator.running
     accept = operator.window.findChild(QPushButton, "accept_warnings")
     assert accept.isVisible()
     assert accept.text() == "Run now"
-    operator.desk.click(accept)
+    operator.app_driver.click(accept)
     assert operator.running
 
 
@@ -174,12 +174,12 @@ def test_the_worst_of_many_findings_are_listed_and_the_rest_counted(operator):
 
 def test_a_check_in_a_process_of_its_own(qapp, request, tmp_path):
     settings = tmp_path / "settings.json"
-    desk = Desk(qapp, request.node.nodeid, settings, Generation.TWO, HelperProcess())
-    Library(desk.library_folder).save(Trajectory("Test", points=(to_here(),) * 3))
-    desk.click("library_button")
-    desk.dialog(LibraryWindow).open_trajectory("Test")
-    window = desk.dialog(EditorWindow)
-    desk.click(window.findChild(QWidget, "editor_check"))
-    desk.wait(window.findChild(QWidget, "findings_title").isVisible)
+    app_driver = AppDriver(qapp, request.node.nodeid, settings, Generation.TWO, HelperProcess())
+    Library(app_driver.library_folder).save(Trajectory("Test", points=(to_here(),) * 3))
+    app_driver.click("library_button")
+    app_driver.dialog(LibraryWindow).open_trajectory("Test")
+    window = app_driver.dialog(EditorWindow)
+    app_driver.click(window.findChild(QWidget, "editor_check"))
+    app_driver.wait(window.findChild(QWidget, "findings_title").isVisible)
     assert window.findChild(QWidget, "run_text").text() == ""
-    desk.close()
+    app_driver.close()

@@ -18,16 +18,16 @@ def load(any_desk):
     return any_desk
 
 
-def sent(desk):
-    return [frame for frame in desk.ear.heard if frame.arbitration_id == 0x477]
+def sent(app_driver):
+    return [frame for frame in app_driver.ear.heard if frame.arbitration_id == 0x477]
 
 
 def parameter(payload):
     return Frame(0x477, bytes.fromhex(payload))
 
 
-def message(desk):
-    return desk.read("end_load_message")
+def message(app_driver):
+    return app_driver.read("end_load_message")
 
 
 @pytest.mark.parametrize(("name", "code"), [("empty", 0), ("half", 1), ("full", 2)])
@@ -79,7 +79,7 @@ def test_the_feedback_on_and_off(load, generation):
 def test_an_arm_that_answers_and_goes_on(load):
     load.click("end_feedback_button")
     load.run(0.5)
-    load.firmware.upkeep.report_end_motion = lambda *, on: None
+    load.firmware.settings_applier.report_end_motion = lambda *, on: None
     load.click("end_feedback_button")
     load.run(1.5)
     assert "goes on reporting" in message(load)
@@ -87,7 +87,7 @@ def test_an_arm_that_answers_and_goes_on(load):
 
 
 def test_an_arm_that_answers_and_says_nothing(load):
-    load.firmware.upkeep.report_end_motion = lambda *, on: None
+    load.firmware.settings_applier.report_end_motion = lambda *, on: None
     load.click("end_feedback_button")
     load.run(1.5)
     assert "is not switched" in message(load)

@@ -3,15 +3,15 @@
 import pytest
 from PySide6.QtWidgets import QTableView, QWidget
 
-from armui.control.run import Phase
+from armui.control.run.progress import RunPhase
 from armui.protocol.frame import Frame
-from armui.trajectory.library import Library
-from armui.trajectory.program import Trajectory
+from armui.trajectory.library.store import Library
+from armui.trajectory.points.program import Trajectory
 from armui.ui import words
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
-from armui.ui.trajectory.editor_window import EditorWindow
-from armui.ui.trajectory.library_window import LibraryWindow
+from armui.ui.trajectory.editor.editor_window import EditorWindow
+from armui.ui.trajectory.library.library_window import LibraryWindow
 from tests.control.under_way import BACK, OUT, RUNS, joint_jog, motion_paused, phase, to
 from tests.faulty_arm import HardOfHearing
 
@@ -40,10 +40,10 @@ def ready(any_desk):
     return any_desk
 
 
-def begun(desk, how):
-    RUNS[how](desk)
-    desk.ear.heard.clear()
-    return desk
+def begun(app_driver, how):
+    RUNS[how](app_driver)
+    app_driver.ear.heard.clear()
+    return app_driver
 
 
 def test_what_would_disturb_a_run_is_off_and_says_why(ready):
@@ -67,7 +67,7 @@ def test_what_would_disturb_a_run_is_off_and_says_why(ready):
     ready.run(0.1)
     questions = {0x472, 0x477}
     assert {frame.arbitration_id for frame in ready.ear.heard} <= questions
-    assert phase(ready) is Phase.DWELLING
+    assert phase(ready) is RunPhase.DWELLING
 
 
 def test_the_speed_at_the_top_is_not_that_of_a_run(ready):
@@ -105,7 +105,7 @@ def test_closing_ends_a_run_in_good_order(ready, how):
     ready.confirm()
     ready.run_until(lambda: not ready.window.isVisible())
     assert ABORT in ready.ear.heard
-    assert max(map(abs, ready.firmware.body.speeds_deg_s)) < 0.1
+    assert max(map(abs, ready.firmware.mechanics.speeds_deg_s)) < 0.1
     assert STOP not in ready.ear.heard
 
 
@@ -113,7 +113,7 @@ def test_the_run_goes_on_when_the_question_is_declined(ready):
     begun(ready, "run_moving")
     ready.window.close()
     ready.dialog(ConfirmDialog).close()
-    ready.run_until(lambda: phase(ready) is Phase.DONE)
+    ready.run_until(lambda: phase(ready) is RunPhase.DONE)
     assert ready.window.isVisible()
 
 
@@ -164,7 +164,7 @@ def test_disconnecting_ends_a_run_in_good_order(ready, how):
     ready.confirm()
     ready.run_until(lambda: "disconnected" in ready.codes())
     assert ABORT in ready.ear.heard
-    assert max(map(abs, ready.firmware.body.speeds_deg_s)) < 0.1
+    assert max(map(abs, ready.firmware.mechanics.speeds_deg_s)) < 0.1
     dialog.close()
 
 
@@ -178,11 +178,11 @@ def test_after_a_new_zero_nothing_old_is_gone_on_with(ready):
     ready.controller.player.stop()
     ready.run_until(lambda: not ready.controller.player.running)
     assert ready.read("target_field_1")
-    assert ready.controller.player.progress.phase is Phase.STOPPED
+    assert ready.controller.player.progress.phase is RunPhase.STOPPED
     ready.run(0.3)
     assert ready.controller.zeroing.set_zero(1) is None
     ready.run_until(lambda: "zero_set_joint" in ready.codes())
-    assert ready.controller.player.progress.phase is Phase.IDLE
+    assert ready.controller.player.progress.phase is RunPhase.IDLE
     assert not editor.findChild(QWidget, "run_resume").isVisible()
     assert [ready.read(f"target_field_{joint}") for joint in range(1, 7)] == [""] * 6
     ready.ear.heard.clear()

@@ -6,7 +6,7 @@ from PySide6.QtTest import QTest
 
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.sim.gripper import GripperError
+from armui.sim.mechanics.gripper import GripperError
 from armui.ui.dialogs.confirm import ConfirmDialog
 from tests.faulty_arm import FaultyDrivers, HardOfHearing
 
@@ -24,24 +24,24 @@ def grip(any_desk, generation):
 
 
 @pytest.fixture
-def grip2(desk):
-    desk.connect_by_hand()
-    desk.click("menu_gripper")
-    desk.run(0.3)
-    desk.ear = HardOfHearing(desk.firmware)
-    return desk
+def grip2(app_driver):
+    app_driver.connect_by_hand()
+    app_driver.click("menu_gripper")
+    app_driver.run(0.3)
+    app_driver.ear = HardOfHearing(app_driver.firmware)
+    return app_driver
 
 
-def sent(desk):
-    return [frame for frame in desk.ear.heard if frame.arbitration_id == 0x159]
+def sent(app_driver):
+    return [frame for frame in app_driver.ear.heard if frame.arbitration_id == 0x159]
 
 
 def command(payload):
     return Frame(0x159, bytes.fromhex(payload))
 
 
-def message(desk):
-    return desk.read("gripper_message")
+def message(app_driver):
+    return app_driver.read("gripper_message")
 
 
 def test_typed_and_sent(grip):

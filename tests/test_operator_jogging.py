@@ -11,12 +11,12 @@ from tests.control.jogger import TICK_S, bend, hold, rest_s
 LEFT = Qt.MouseButton.LeftButton
 
 
-def angles(desk):
-    return [round(angle, 3) for angle in desk.firmware.joints_deg]
+def angles(app_driver):
+    return [round(angle, 3) for angle in app_driver.firmware.joints_deg]
 
 
-def choose_continuous(desk, step_box="jog_step"):
-    box = desk.find(step_box)
+def choose_continuous(app_driver, step_box="jog_step"):
+    box = app_driver.find(step_box)
     assert isinstance(box, QComboBox)
     box.setCurrentIndex(box.findText("Continuous"))
 
@@ -31,26 +31,26 @@ def ready(any_desk):
     return any_desk
 
 
-def press(desk, name="jog_plus_1", seconds=0.3):
+def press(app_driver, name="jog_plus_1", seconds=0.3):
     """Press a button and keep it down for a while; the arm has moved then."""
-    before = angles(desk)
-    button = desk.find(name)
+    before = angles(app_driver)
+    button = app_driver.find(name)
     button.setFocus()
-    desk.press(button)
-    hold(desk, seconds)
-    assert desk.controller.jogging.active
-    assert angles(desk) != before
+    app_driver.press(button)
+    hold(app_driver, seconds)
+    assert app_driver.controller.jogging.active
+    assert angles(app_driver) != before
     return button
 
 
 # What a hold may end with -------------------------------------------------------------------------
 
 
-def let_go(desk, button):
+def let_go(app_driver, button):
     QTest.mouseRelease(button, LEFT, pos=button.rect().center())
 
 
-def leave(desk, button):
+def leave(app_driver, button):
     outside = QPointF(button.width() + 40, 10)
     where = QPointF(button.mapToGlobal(QPoint(button.width() + 40, 10)))
     none = Qt.KeyboardModifier.NoModifier
@@ -60,40 +60,40 @@ def leave(desk, button):
     )
 
 
-def focus_elsewhere(desk, button):
-    desk.find("target_field_1").setFocus()
+def focus_elsewhere(app_driver, button):
+    app_driver.find("target_field_1").setFocus()
 
 
-def focus_lost(desk, button):
+def focus_lost(app_driver, button):
     QApplication.sendEvent(button, QFocusEvent(QEvent.Type.FocusOut))
 
 
-def other_window(desk, button):
-    QApplication.sendEvent(desk.window, QEvent(QEvent.Type.WindowDeactivate))
+def other_window(app_driver, button):
+    QApplication.sendEvent(app_driver.window, QEvent(QEvent.Type.WindowDeactivate))
 
 
-def other_program(desk, button):
+def other_program(app_driver, button):
     app = QApplication.instance()
     app.applicationStateChanged.emit(Qt.ApplicationState.ApplicationInactive)
 
 
-def minimise(desk, button):
-    desk.window.showMinimized()
+def minimise(app_driver, button):
+    app_driver.window.showMinimized()
 
 
-def hide(desk, button):
-    desk.window.hide()
+def hide(app_driver, button):
+    app_driver.window.hide()
 
 
-def close(desk, button):
-    desk.window.close()
+def close(app_driver, button):
+    app_driver.window.close()
 
 
-def other_panel(desk, button):
-    desk.find("operation_area").setCurrentIndex(1)
+def other_panel(app_driver, button):
+    app_driver.find("operation_area").setCurrentIndex(1)
 
 
-def stop(desk, button):
+def stop(app_driver, button):
     button.setEnabled(False)
 
 
@@ -153,7 +153,9 @@ def test_the_field_goes_along_and_the_others_stay(ready):
 
 def test_the_limit_is_said_where_the_operator_looks(ready):
     ready.controller.motion.send_joints((148.0, *angles(ready)[1:]))
-    ready.run_until(lambda: not ready.controller.situation.moving and angles(ready)[0] == 148.0)
+    ready.run_until(
+        lambda: not ready.controller.operating_state.moving and angles(ready)[0] == 148.0
+    )
     ready.run(0.3)
     press(ready, seconds=0.1)
     hold(ready, 0.3)
@@ -209,10 +211,10 @@ def test_a_direction_alone_moves_nothing(ready, pad):
 @pytest.mark.parametrize(
     "end",
     [
-        lambda desk, pad: key_up(pad, Qt.Key.Key_Q),
-        lambda desk, pad: key_up(pad, Qt.Key.Key_Space),
-        lambda desk, pad: key_down(pad, Qt.Key.Key_W),
-        lambda desk, pad: desk.find("target_field_1").setFocus(),
+        lambda app_driver, pad: key_up(pad, Qt.Key.Key_Q),
+        lambda app_driver, pad: key_up(pad, Qt.Key.Key_Space),
+        lambda app_driver, pad: key_down(pad, Qt.Key.Key_W),
+        lambda app_driver, pad: app_driver.find("target_field_1").setFocus(),
         other_window,
         minimise,
         other_panel,

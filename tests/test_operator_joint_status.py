@@ -5,8 +5,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QTableView
 
-from armui.arm.joint_status import Verdict
-from armui.control.situation import LinkState
+from armui.arm.joint_status import StatusVerdict
+from armui.control.operating_state import LinkState
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.ui.dialogs.joint_status import JointStatusDialog
@@ -59,9 +59,9 @@ OF_GENERATION = {
 class Table:
     """The open window as an operator reads it."""
 
-    def __init__(self, desk):
-        desk.click("joint_status_button")
-        self.dialog = desk.dialog(JointStatusDialog)
+    def __init__(self, app_driver):
+        app_driver.click("joint_status_button")
+        self.dialog = app_driver.dialog(JointStatusDialog)
         self.view = self.dialog.findChild(QTableView)
         self.model = self.view.model()
 
@@ -101,13 +101,13 @@ def ready(any_desk):
     return any_desk
 
 
-def button(desk):
-    return desk.find("joint_status_button")
+def button(app_driver):
+    return app_driver.find("joint_status_button")
 
 
-def test_before_connecting_every_cell_is_empty_and_the_button_knows_nothing(desk):
-    assert button(desk).state_text == "Unknown —"
-    table = Table(desk)
+def test_before_connecting_every_cell_is_empty_and_the_button_knows_nothing(app_driver):
+    assert button(app_driver).state_text == "Unknown —"
+    table = Table(app_driver)
     words = {table.read(item, joint) for item in table.rows() for joint in range(1, 7)}
     assert words == {"—"}
 
@@ -193,7 +193,7 @@ def test_a_silent_arm_is_offline_and_its_table_stale(ready):
 def test_disconnecting_leaves_nothing_standing(ready):
     table = Table(ready)
     ready.controller.disconnect_device()
-    assert ready.controller.situation.link is LinkState.NO_DEVICE
+    assert ready.controller.operating_state.link is LinkState.NO_DEVICE
     words = {table.read(item, joint) for item in table.rows() for joint in range(1, 7)}
     assert words == {"—"}
     assert button(ready).state_text == "Unknown —"
@@ -205,8 +205,8 @@ def test_connecting_accuses_no_arm_of_bits_of_the_other_generation(any_desk):
     monitor = any_desk.window._joint_monitor
     monitor.worst_changed.connect(lambda: seen.append(monitor.worst.verdict))
     any_desk.connect()
-    assert Verdict.FAULT not in seen
-    assert seen[-1] is Verdict.DISABLED
+    assert StatusVerdict.FAULT not in seen
+    assert seen[-1] is StatusVerdict.DISABLED
 
 
 def test_a_hidden_window_does_no_work_and_catches_up(ready):
@@ -327,6 +327,6 @@ def test_after_disconnecting_no_answer_is_missed(ready):
     assert "clear_error_unanswered" not in ready.codes()
 
 
-def test_without_an_arm_nothing_is_cleared(desk):
-    assert desk.controller.joint_errors.clear(1).code == "not_connected"
-    assert desk.codes() == ["refused"]
+def test_without_an_arm_nothing_is_cleared(app_driver):
+    assert app_driver.controller.joint_errors.clear(1).code == "not_connected"
+    assert app_driver.codes() == ["refused"]

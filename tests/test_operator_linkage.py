@@ -16,12 +16,12 @@ def link(any_desk):
     return any_desk
 
 
-def choose(desk, name, place):
-    desk.find(f"linkage_{name}_offset").setCurrentIndex(place)
+def choose(app_driver, name, place):
+    app_driver.find(f"linkage_{name}_offset").setCurrentIndex(place)
 
 
-def sent(desk):
-    return [frame for frame in desk.ear.heard if frame.arbitration_id == 0x470]
+def sent(app_driver):
+    return [frame for frame in app_driver.ear.heard if frame.arbitration_id == 0x470]
 
 
 def test_offsets_asked_about_sent_and_followed(link, generation):

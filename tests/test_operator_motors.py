@@ -24,16 +24,16 @@ def frame(arbitration_id, payload):
     return Frame(arbitration_id, bytes.fromhex(payload))
 
 
-def sent(desk, arbitration_id):
-    return [each for each in desk.ear.heard if each.arbitration_id == arbitration_id]
+def sent(app_driver, arbitration_id):
+    return [each for each in app_driver.ear.heard if each.arbitration_id == arbitration_id]
 
 
-def powers(desk):
-    return [desk.read(f"motor_power_{joint}") for joint in JOINTS]
+def powers(app_driver):
+    return [app_driver.read(f"motor_power_{joint}") for joint in JOINTS]
 
 
-def message(desk):
-    return desk.read("motor_message")
+def message(app_driver):
+    return app_driver.read("motor_message")
 
 
 def test_one_motor_on_and_off(motors):
@@ -41,7 +41,7 @@ def test_one_motor_on_and_off(motors):
     motors.click("enable_motor_4")
     motors.run(0.4)
     assert sent(motors, 0x471) == [frame(0x471, "04 02 00 00 00 00 00 00")]
-    assert motors.firmware.body.powered == (False, False, False, True, False, False)
+    assert motors.firmware.mechanics.powered == (False, False, False, True, False, False)
     assert powers(motors) == ["Disabled"] * 3 + ["Enabled"] + ["Disabled"] * 2
     assert message(motors) == "Joint 4 is enabled."
 
@@ -68,7 +68,7 @@ def test_all_motors_on_and_off(motors):
     motors.hold()
     motors.run(0.4)
     assert sent(motors, 0x471)[1:] == [frame(0x471, "07 01 00 00 00 00 00 00")]
-    assert motors.firmware.body.powered == (False,) * 6
+    assert motors.firmware.mechanics.powered == (False,) * 6
 
 
 @pytest.mark.parametrize("name", ["disable_motor_2", "zero_motor_2", "zero_motor_7"])
@@ -87,11 +87,11 @@ def test_neither_a_double_click_nor_letting_go_early_does_it(motors, name):
     assert motors.dialog(ConfirmDialog).isVisible()
     motors.click(motors.dialog(ConfirmDialog).cancel_button)
     motors.run(0.5)
-    assert motors.firmware.body.powered == (True,) * 6
+    assert motors.firmware.mechanics.powered == (True,) * 6
 
 
 def test_a_zero_is_set_and_the_answer_shown(motors, generation):
-    motors.firmware.body.count_anew((0.0, 12.0, -3.0, 0.0, 0.0, 0.0))
+    motors.firmware.mechanics.count_anew((0.0, 12.0, -3.0, 0.0, 0.0, 0.0))
     motors.run(0.1)
     motors.click("zero_motor_2")
     question = motors.dialog(ConfirmDialog)
@@ -107,7 +107,7 @@ def test_a_zero_is_set_and_the_answer_shown(motors, generation):
 
 
 def test_a_zero_that_the_arm_refuses(motors):
-    motors.firmware.upkeep.set_zero = lambda _indices: False
+    motors.firmware.settings_applier.set_zero = lambda _indices: False
     motors.click("zero_motor_7")
     motors.hold()
     motors.run(0.3)

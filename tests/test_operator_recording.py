@@ -8,12 +8,12 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
 from armui.protocol.codes import MoveMode
-from armui.trajectory.library import Library
-from armui.trajectory.program import Trajectory
-from armui.trajectory.recording import Recording
-from armui.ui.trajectory.leave_question import LeaveQuestion
-from armui.ui.trajectory.library_window import LibraryWindow
-from armui.ui.trajectory.recording_window import RecordingWindow
+from armui.trajectory.library.store import Library
+from armui.trajectory.points.program import Trajectory
+from armui.trajectory.samples.recording import Recording
+from armui.ui.trajectory.editor.leave_question import LeaveQuestion
+from armui.ui.trajectory.library.library_window import LibraryWindow
+from armui.ui.trajectory.recording.recording_window import RecordingWindow
 
 OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
 
@@ -21,20 +21,20 @@ OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
 class Operator:
     """With the window 录制 open before an arm that may move."""
 
-    def __init__(self, desk):
-        self.desk = desk
-        desk.ready()
-        desk.click("library_button")
-        self.list = desk.dialog(LibraryWindow)
-        desk.click(self.list.findChild(QWidget, "library_record"))
-        self.window = desk.dialog(RecordingWindow)
-        self.library = Library(desk.library_folder)
+    def __init__(self, app_driver):
+        self.app_driver = app_driver
+        app_driver.ready()
+        app_driver.click("library_button")
+        self.list = app_driver.dialog(LibraryWindow)
+        app_driver.click(self.list.findChild(QWidget, "library_record"))
+        self.window = app_driver.dialog(RecordingWindow)
+        self.library = Library(app_driver.library_folder)
 
     def child(self, name):
         return self.window.findChild(QWidget, name)
 
     def click(self, name):
-        self.desk.click(self.child(name))
+        self.app_driver.click(self.child(name))
 
     def text(self, name):
         return self.child(name).text()
@@ -47,16 +47,18 @@ class Operator:
 
     def record(self):
         self.click("record")
-        self.desk.controller.motion.set_speed_percent(100)
-        self.desk.controller.motion.send_joints(OUT)
-        self.desk.run_until(lambda: math.dist(self.desk.firmware.joints_deg, OUT) < 1e-3)
-        self.desk.run(0.5)
+        self.app_driver.controller.motion.set_speed_percent(100)
+        self.app_driver.controller.motion.send_joints(OUT)
+        self.app_driver.run_until(
+            lambda: math.dist(self.app_driver.firmware.joints_deg, OUT) < 1e-3
+        )
+        self.app_driver.run(0.5)
         self.click("record")
 
 
 @pytest.fixture
-def operator(desk):
-    return Operator(desk)
+def operator(app_driver):
+    return Operator(app_driver)
 
 
 @pytest.fixture
@@ -68,7 +70,7 @@ def slow(slow_desk):
 
 def test_what_the_arm_did_is_kept_as_a_recording(operator):
     operator.click("record")
-    operator.desk.run(1.0)
+    operator.app_driver.run(1.0)
     assert operator.text("record_state").startswith("Recording: ")
     assert operator.text("record") == "Stop recording"
     operator.click("record")
@@ -106,21 +108,21 @@ def test_it_is_trimmed(operator):
 def test_times_that_leave_nothing_are_not_saved(operator):
     operator.record()
     operator.type_into("record_from", "900")
-    operator.desk.wait(lambda: not operator.child("save_recording").isEnabled())
+    operator.app_driver.wait(lambda: not operator.child("save_recording").isEnabled())
     assert "Nothing is left" in operator.text("record_kept")
 
 
 def test_thinning_takes_its_time_and_the_last_wish_counts(slow):
     slow.record()
     assert slow.text("record_kept") == "Working…"
-    slow.desk.workers.work()
+    slow.app_driver.workers.work()
     all_of_it = slow.text("record_kept")
     slow.type_into("record_to", "0.7")
     slow.window._work_out()
     slow.type_into("record_to", "0.5")
     slow.click("save_recording")
     assert slow.library.entries() == []
-    slow.desk.workers.work()
+    slow.app_driver.workers.work()
     assert slow.text("record_kept") != all_of_it
     assert slow.library.load("Recording").duration_s == pytest.approx(0.5, abs=0.03)
 
@@ -128,7 +130,7 @@ def test_thinning_takes_its_time_and_the_last_wish_counts(slow):
 def test_recording_anew_forgets_what_is_being_thinned(slow):
     slow.record()
     slow.click("record")
-    slow.desk.workers.work()
+    slow.app_driver.workers.work()
     assert slow.window._result is None
     assert not slow.child("save_recording").isEnabled()
     slow.click("record")
@@ -136,7 +138,7 @@ def test_recording_anew_forgets_what_is_being_thinned(slow):
 
 def test_work_that_fails_says_so(slow):
     slow.record()
-    slow.desk.workers.break_down("out of memory")
+    slow.app_driver.workers.break_down("out of memory")
     assert "out of memory" in slow.text("record_message")
     assert not slow.child("save_recording").isEnabled()
 
@@ -148,15 +150,15 @@ def test_what_would_be_kept_is_previewed(operator):
         return float(text.rpartition(":")[2])
 
     operator.record()
-    operator.desk.heard()
-    bar = operator.desk.find("preview_bar")
+    operator.app_driver.heard()
+    bar = operator.app_driver.find("preview_bar")
     whole_s = seconds()
     assert bar.isVisible()
     recorded_s = operator.window._recording.duration_s
     operator.type_into("record_to", "0.5")
     assert whole_s - seconds() == pytest.approx(recorded_s - 0.5, abs=0.15)
-    operator.desk.run(0.2)
-    assert operator.desk.heard() == []
+    operator.app_driver.run(0.2)
+    assert operator.app_driver.heard() == []
     assert operator.library.entries() == []
 
 
@@ -173,15 +175,15 @@ def test_it_is_kept_as_points(operator):
 def test_closing_what_is_not_kept_asks(operator):
     operator.record()
     operator.window.close()
-    question = operator.desk.dialog(LeaveQuestion)
-    operator.desk.click(question.save_button)
+    question = operator.app_driver.dialog(LeaveQuestion)
+    operator.app_driver.click(question.save_button)
     assert [entry.name for entry in operator.library.entries()] == ["Recording"]
 
 
-def test_without_an_arm_there_is_nothing_to_record(desk):
-    desk.click("library_button")
-    desk.click(desk.dialog(LibraryWindow).findChild(QWidget, "library_record"))
-    button = desk.dialog(RecordingWindow).findChild(QWidget, "record")
+def test_without_an_arm_there_is_nothing_to_record(app_driver):
+    app_driver.click("library_button")
+    app_driver.click(app_driver.dialog(LibraryWindow).findChild(QWidget, "library_record"))
+    button = app_driver.dialog(RecordingWindow).findChild(QWidget, "record")
     assert not button.isEnabled()
     assert "No arm is connected" in button.toolTip()
 
@@ -190,21 +192,21 @@ def test_a_recording_is_replayed_from_the_list(operator):
     operator.record()
     operator.click("save_recording")
     operator.window.close()
-    desk = operator.desk
-    desk.controller.motion.go_home()
-    desk.run_until(lambda: max(map(abs, desk.firmware.joints_deg)) < 0.01)
-    desk.run_until(lambda: not desk.controller.situation.moving)
+    app_driver = operator.app_driver
+    app_driver.controller.motion.go_home()
+    app_driver.run_until(lambda: max(map(abs, app_driver.firmware.joints_deg)) < 0.01)
+    app_driver.run_until(lambda: not app_driver.controller.operating_state.moving)
     operator.list.findChild(QWidget, "library_table").selectRow(0)
     speed = operator.list.findChild(QWidget, "run_speed")
     speed.setValue(50)
     assert not operator.list.findChild(QWidget, "run_first").isVisible()
-    desk.click(operator.list.findChild(QWidget, "run_send"))
+    app_driver.click(operator.list.findChild(QWidget, "run_send"))
     accept = operator.list.findChild(QWidget, "accept_warnings")
     if accept.isVisible():
-        desk.click(accept)
-    assert desk.controller.replayer.running, operator.list.findChild(
+        app_driver.click(accept)
+    assert app_driver.controller.replayer.running, operator.list.findChild(
         QWidget, "library_message"
     ).text()
-    desk.run(0.2)
-    desk.click(operator.list.findChild(QWidget, "run_stop"))
-    desk.run_until(lambda: not desk.controller.replayer.running)
+    app_driver.run(0.2)
+    app_driver.click(operator.list.findChild(QWidget, "run_stop"))
+    app_driver.run_until(lambda: not app_driver.controller.replayer.running)

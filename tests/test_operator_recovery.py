@@ -4,31 +4,31 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from armui.control.recovery_steps import Kind
-from armui.control.situation import StopState
+from armui.control.operating_state import StopState
+from armui.control.safety.recovery_steps import StepKind
 from armui.protocol.codes import ControlMode, TeachingState
 from armui.protocol.frame import Frame
-from armui.sim.faults import fault
+from armui.sim.faults.schedule import fault
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from tests.test_operator import ENABLE, RESUME, STOP
 
 
-def line(desk):
-    return desk.read("recovery_text")
+def line(app_driver):
+    return app_driver.read("recovery_text")
 
 
-def press(desk, label):
+def press(app_driver, label):
     """Press the button of the line, which must say so."""
-    button = desk.find("recovery_button")
+    button = app_driver.find("recovery_button")
     assert button.isVisible()
     assert button.isEnabled()
-    assert desk.read("recovery_button") == label
-    desk.click("recovery_button")
+    assert app_driver.read("recovery_button") == label
+    app_driver.click("recovery_button")
 
 
-def reads(desk, text):
-    desk.run_until(lambda: text in line(desk))
+def reads(app_driver, text):
+    app_driver.run_until(lambda: text in line(app_driver))
 
 
 @pytest.fixture
@@ -69,7 +69,7 @@ def test_from_the_stop_back_to_ready(ready):
     press(ready, "Enable")
     reads(ready, "Ready")
     assert ready.heard() == [RESUME, ENABLE]
-    assert ready.controller.situation.cannot_move is None
+    assert ready.controller.operating_state.cannot_move is None
 
 
 def test_a_question_answered_too_late_does_nothing(ready):
@@ -150,20 +150,22 @@ def test_an_arm_that_falls_silent(ready):
 
 
 def test_a_teaching_input_is_explained_and_led_back_by_one_click(any_desk):
-    desk = any_desk
-    desk.firmware.on_frame(Frame(0x470, bytes.fromhex("FA 00 00 00")))
-    desk.controller.connect_device(desk.device)
-    reads(desk, "teaching input")
-    assert not desk.find("send_button").isEnabled()
-    press(desk, "Motion output")
-    reads(desk, "motors are off") if not all(desk.firmware.enabled) else reads(desk, "Ready")
-    assert not desk.firmware.leads
+    app_driver = any_desk
+    app_driver.firmware.on_frame(Frame(0x470, bytes.fromhex("FA 00 00 00")))
+    app_driver.controller.connect_device(app_driver.device)
+    reads(app_driver, "teaching input")
+    assert not app_driver.find("send_button").isEnabled()
+    press(app_driver, "Motion output")
+    reads(app_driver, "motors are off") if not all(app_driver.firmware.enabled) else reads(
+        app_driver, "Ready"
+    )
+    assert not app_driver.firmware.leads
 
 
 def test_left_over_drag_teaching_is_left_step_by_step(ready):
     ready.controller.teaching.command(TeachingState.START_RECORDING)
     reads(ready, "lead it by hand")
-    ready.firmware.hand.lead_to((0.0, 60.0, -40.0, 0.0, 0.0, 0.0), speed_deg_s=60.0)
+    ready.firmware.hand_guiding.lead_to((0.0, 60.0, -40.0, 0.0, 0.0, 0.0), speed_deg_s=60.0)
     ready.run(1.5)
     press(ready, "Stop recording")
     reads(ready, "Still in drag teaching. Lead every joint")
@@ -172,7 +174,7 @@ def test_left_over_drag_teaching_is_left_step_by_step(ready):
     assert "give way to the hand" in ready.dialog(ConfirmDialog).text()
     ready.confirm()
     reads(ready, "The arm records")
-    ready.firmware.hand.lead_to((0.0,) * 6, speed_deg_s=60.0)
+    ready.firmware.hand_guiding.lead_to((0.0,) * 6, speed_deg_s=60.0)
     ready.run(1.5)
     press(ready, "Stop recording")
     reads(ready, "near the rest pose")
@@ -193,7 +195,7 @@ def test_a_double_click_takes_one_step_only(ready):
     ready.node.faults.end(broken)
     ready.heard()
     ready.click("recovery_button")
-    ready.run_until(lambda: ready.controller.recovery.step.kind is Kind.MOTORS_MIXED)
+    ready.run_until(lambda: ready.controller.recovery.step.kind is StepKind.MOTORS_MIXED)
     button = ready.find("recovery_button")
     assert ready.read("recovery_button") == "Enable"
     QTest.mouseDClick(button, Qt.MouseButton.LeftButton, pos=button.rect().center())
@@ -210,6 +212,6 @@ def test_nothing_moves_in_the_window_when_a_fault_comes_and_goes(ready):
     }
     ready.click("stop_button")
     reads(ready, "power will be cut")
-    assert ready.controller.situation.stop is StopState.STOPPED
+    assert ready.controller.operating_state.stop is StopState.STOPPED
     for name, place in places.items():
         assert ready.find(name).mapTo(ready.window, ready.find(name).rect().center()) == place

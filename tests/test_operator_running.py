@@ -7,12 +7,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QListWidget, QProgressBar, QSpinBox, QWidget
 
-from armui.control.run import Phase
+from armui.control.run.progress import RunPhase
 from armui.protocol.codes import MoveMode
-from armui.trajectory.library import Library
-from armui.trajectory.program import Trajectory, Waypoint
-from armui.ui.trajectory.editor_window import EditorWindow
-from armui.ui.trajectory.library_window import LibraryWindow
+from armui.trajectory.library.store import Library
+from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.ui.trajectory.editor.editor_window import EditorWindow
+from armui.ui.trajectory.library.library_window import LibraryWindow
 
 OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
 BACK = (-15.0, 30.0, -30.0, -10.0, 30.0, -20.0)
@@ -31,47 +31,47 @@ class Operator:
         path: Where the arm was at each step.
     """
 
-    def __init__(self, desk, *points):
-        self.desk = desk
+    def __init__(self, app_driver, *points):
+        self.app_driver = app_driver
         self.path = []
-        desk.ready()
-        Library(desk.library_folder).save(Trajectory("Test", points=points))
-        desk.click("library_button")
-        self.library = desk.dialog(LibraryWindow)
+        app_driver.ready()
+        Library(app_driver.library_folder).save(Trajectory("Test", points=points))
+        app_driver.click("library_button")
+        self.library = app_driver.dialog(LibraryWindow)
         self.library.open_trajectory("Test")
-        self.window = desk.dialog(EditorWindow)
-        desk.wait(self.window.isActiveWindow)
+        self.window = app_driver.dialog(EditorWindow)
+        app_driver.wait(self.window.isActiveWindow)
 
     @property
     def progress(self):
-        return self.desk.controller.player.progress
+        return self.app_driver.controller.player.progress
 
     def child(self, name, kind=QWidget):
         return self.window.findChild(kind, name)
 
     def click(self, name):
-        self.desk.click(self.child(name))
+        self.app_driver.click(self.child(name))
 
     def send(self, button="run_send", window=None):
         """Press 发送, and accept that the first point is far from where the arm is."""
         window = window or self.window
-        self.desk.click(window.findChild(QWidget, button))
+        self.app_driver.click(window.findChild(QWidget, button))
         accept = window.findChild(QWidget, "accept_warnings")
         if accept.isVisible():
-            self.desk.click(accept)
+            self.app_driver.click(accept)
 
     def text(self, name):
         return self.child(name).text()
 
     def until(self, condition, seconds=40.0):
         def look():
-            self.path.append(tuple(self.desk.firmware.joints_deg))
+            self.path.append(tuple(self.app_driver.firmware.joints_deg))
             return condition()
 
-        self.desk.run_until(look, seconds)
+        self.app_driver.run_until(look, seconds)
 
     def until_over(self):
-        self.until(lambda: not self.desk.controller.player.running)
+        self.until(lambda: not self.app_driver.controller.player.running)
 
     def visits(self, joints_deg):
         there = [math.dist(here, joints_deg) < 0.1 for here in self.path]
@@ -100,84 +100,84 @@ def test_once_through_every_point_in_order(any_desk):
     assert operator.text("run_text").endswith("done")
 
 
-def test_so_many_times(desk):
-    operator = Operator(desk, to(OUT), to(UP))
+def test_so_many_times(app_driver):
+    operator = Operator(app_driver, to(OUT), to(UP))
     operator.child("run_laps", QComboBox).setCurrentIndex(1)
     operator.child("run_times", QSpinBox).setValue(2)
     operator.send()
-    operator.until(lambda: operator.progress.lap == 2)
+    operator.until(lambda: operator.progress.cycle == 2)
     assert "lap 2 of 2" in operator.text("run_text")
     operator.until_over()
     assert (operator.visits(OUT), operator.visits(UP)) == (2, 2)
 
 
-def test_in_a_loop_until_it_is_ended_and_on_from_there(desk):
-    operator = Operator(desk, to(OUT), to(UP))
+def test_in_a_loop_until_it_is_ended_and_on_from_there(app_driver):
+    operator = Operator(app_driver, to(OUT), to(UP))
     operator.child("run_laps", QComboBox).setCurrentIndex(2)
     operator.send()
-    operator.until(lambda: (operator.progress.lap, operator.progress.index) == (2, 1))
+    operator.until(lambda: (operator.progress.cycle, operator.progress.index) == (2, 1))
     assert "∞" in operator.text("run_text")
     operator.click("run_stop")
     operator.until_over()
-    assert operator.progress.phase is Phase.STOPPED
+    assert operator.progress.phase is RunPhase.STOPPED
     assert operator.text("run_resume") == "Go on from row 2"
     operator.send("run_resume")
     operator.until(lambda: operator.visits(UP) == 2)
-    assert operator.progress.laps == 0
+    assert operator.progress.cycles == 0
 
 
 def test_a_pause_holds_the_arm(any_desk):
     operator = Operator(any_desk, to(OUT), to(BACK))
     operator.send()
     operator.until(lambda: operator.progress.index == 1)
-    operator.desk.run(0.3)
+    operator.app_driver.run(0.3)
     operator.click("run_pause")
-    operator.desk.run(1.5)
-    here = tuple(operator.desk.firmware.joints_deg)
-    operator.desk.run(1.0)
-    assert math.dist(here, operator.desk.firmware.joints_deg) < 0.001
+    operator.app_driver.run(1.5)
+    here = tuple(operator.app_driver.firmware.joints_deg)
+    operator.app_driver.run(1.0)
+    assert math.dist(here, operator.app_driver.firmware.joints_deg) < 0.001
     assert operator.text("run_continue") == "Continue"
     operator.click("run_continue")
-    assert operator.progress.phase is Phase.PAUSED
-    operator.desk.hold_button(operator.child("run_continue"))
+    assert operator.progress.phase is RunPhase.PAUSED
+    operator.app_driver.hold_button(operator.child("run_continue"))
     operator.until_over()
     assert operator.visits(BACK) == 1
 
 
-def test_step_by_step_from_the_second_row(desk):
-    operator = Operator(desk, to(OUT), to(BACK), to(UP))
+def test_step_by_step_from_the_second_row(app_driver):
+    operator = Operator(app_driver, to(OUT), to(BACK), to(UP))
     operator.child("run_first", QSpinBox).setValue(2)
     operator.child("run_steps").setChecked(True)
     operator.send()
-    operator.until(lambda: operator.progress.phase is Phase.WAITING)
+    operator.until(lambda: operator.progress.phase is RunPhase.WAITING)
     assert operator.text("run_pause") == "Next step"
     assert (operator.visits(OUT), operator.visits(BACK)) == (0, 1)
-    operator.desk.run(1.0)
+    operator.app_driver.run(1.0)
     assert operator.progress.index == 1
     operator.click("run_pause")
     operator.until_over()
     assert operator.visits(UP) == 1
 
 
-def test_the_emergency_stop_ends_it_and_says_where(desk):
-    operator = Operator(desk, to(OUT), to(BACK))
+def test_the_emergency_stop_ends_it_and_says_where(app_driver):
+    operator = Operator(app_driver, to(OUT), to(BACK))
     operator.send()
     operator.until(lambda: operator.progress.index == 1)
-    operator.desk.press(operator.window.stop_button)
+    operator.app_driver.press(operator.window.stop_button)
     operator.until_over()
-    assert operator.progress.phase is Phase.FAILED
+    assert operator.progress.phase is RunPhase.FAILED
     assert "Ended at row 2" in operator.text("editor_message")
     assert "emergency stop" in operator.text("editor_message")
     assert operator.text("run_resume") == "Go on from row 2"
     assert not operator.child("run_resume").isEnabled()
 
 
-def test_errors_of_the_check_are_not_run(desk):
-    operator = Operator(desk, to(OUT), AWAY, to(UP))
-    desk.heard()
+def test_errors_of_the_check_are_not_run(app_driver):
+    operator = Operator(app_driver, to(OUT), AWAY, to(UP))
+    app_driver.heard()
     operator.click("run_send")
-    desk.run(0.2)
-    assert desk.heard() == []
+    app_driver.run(0.2)
+    assert app_driver.heard() == []
     assert "the check has found errors (1)" in operator.text("editor_message")
     findings = operator.child("findings_list", QListWidget)
     assert findings.item(0).text().startswith("✕ Error · Row 2")
@@ -188,36 +188,36 @@ def test_errors_of_the_check_are_not_run(desk):
     assert operator.window.model.headerData(1, Qt.Orientation.Vertical) == "✕ 2"
 
 
-def test_warnings_are_run_once_they_are_accepted(desk):
-    operator = Operator(desk, to((0.0, 60.0, -60.0, 0.0, 20.0, 100.0)))
-    desk.heard()
+def test_warnings_are_run_once_they_are_accepted(app_driver):
+    operator = Operator(app_driver, to((0.0, 60.0, -60.0, 0.0, 20.0, 100.0)))
+    app_driver.heard()
     operator.click("run_send")
-    desk.run(0.2)
-    assert desk.heard() == []  # far from where the arm is
+    app_driver.run(0.2)
+    assert app_driver.heard() == []  # far from where the arm is
     findings = operator.child("findings_list", QListWidget)
     assert findings.item(0).text().startswith("! Warning")
     operator.click("accept_warnings")
     operator.until_over()
-    assert operator.progress.phase is Phase.DONE
+    assert operator.progress.phase is RunPhase.DONE
 
 
-def test_a_joint_beyond_its_limit_is_an_error(desk):
-    operator = Operator(desk, to((0.0, 60.0, -60.0, 0.0, 20.0, 0.0)), to((170.0, *UP[1:])))
+def test_a_joint_beyond_its_limit_is_an_error(app_driver):
+    operator = Operator(app_driver, to((0.0, 60.0, -60.0, 0.0, 20.0, 0.0)), to((170.0, *UP[1:])))
     operator.click("editor_check")
     findings = operator.child("findings_list", QListWidget)
     rows = [findings.item(place).text() for place in range(findings.count())]
     assert any(text.startswith("✕ Error · Row 2") for text in rows)
 
 
-def test_the_check_marks_the_list(desk):
-    operator = Operator(desk, to(OUT), AWAY)
+def test_the_check_marks_the_list(app_driver):
+    operator = Operator(app_driver, to(OUT), AWAY)
     operator.click("editor_check")
     table = operator.library.findChild(QWidget, "library_table")
     assert table.model().index(0, 4).data() == "✕ errors"
 
 
-def test_points_that_change_take_the_findings_away(desk):
-    operator = Operator(desk, to(OUT), AWAY)
+def test_points_that_change_take_the_findings_away(app_driver):
+    operator = Operator(app_driver, to(OUT), AWAY)
     operator.click("editor_check")
     assert operator.child("findings_list").isVisible()
     operator.window.select_row(1)
@@ -225,27 +225,27 @@ def test_points_that_change_take_the_findings_away(desk):
     assert not operator.child("findings_list").isVisible()
 
 
-def test_motors_that_are_off_keep_it_from_being_sent(desk):
-    operator = Operator(desk, to(OUT))
-    assert desk.controller.motors.disable() is None
-    desk.run_until(lambda: desk.controller.situation.cannot_run is not None)
-    desk.run(0.2)
+def test_motors_that_are_off_keep_it_from_being_sent(app_driver):
+    operator = Operator(app_driver, to(OUT))
+    assert app_driver.controller.motors.disable() is None
+    app_driver.run_until(lambda: app_driver.controller.operating_state.cannot_run is not None)
+    app_driver.run(0.2)
     assert not operator.child("run_send").isEnabled()
     assert operator.child("run_send").toolTip()
 
 
-def test_the_speed_is_that_of_the_points_times_a_factor(desk):
-    operator = Operator(desk, replace(to(OUT), speed_percent=60), to(UP))
+def test_the_speed_is_that_of_the_points_times_a_factor(app_driver):
+    operator = Operator(app_driver, replace(to(OUT), speed_percent=60), to(UP))
     operator.child("run_speed", QSpinBox).setValue(50)
-    desk.heard()
+    app_driver.heard()
     operator.send()
     operator.until(lambda: operator.progress.index == 1)
-    modes = [frame for frame in desk.heard() if frame.arbitration_id == 0x151]
+    modes = [frame for frame in app_driver.heard() if frame.arbitration_id == 0x151]
     assert [frame.data[2] for frame in modes] == [30, 50]  # 60 % and 100 %, halved
 
 
-def test_the_library_sends_the_chosen_one(desk):
-    operator = Operator(desk, to(OUT), to(UP))
+def test_the_library_sends_the_chosen_one(app_driver):
+    operator = Operator(app_driver, to(OUT), to(UP))
     operator.window.close()
     table = operator.library.findChild(QWidget, "library_table")
     table.selectRow(0)

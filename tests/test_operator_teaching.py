@@ -8,7 +8,7 @@ import pytest
 from armui.protocol.codes import ArmStatusCode, ControlMode
 from armui.protocol.frame import Frame
 from armui.ui.dialogs.confirm import ConfirmDialog
-from armui.ui.panels.way_out import WayOut
+from armui.ui.panels.teaching.teaching_exit_steps import TeachingExitSteps
 
 THERE_DEG = (10.0, 40.0, -30.0, 0.0, 0.0, 0.0)
 HOME_DEG = (0.0,) * 6
@@ -22,33 +22,33 @@ def plan(code):
     return Frame(0x150, bytes((0, code, 0, 0, 0, 0, 0, 0)))
 
 
-def usable(desk):
+def usable(app_driver):
     """The commands that are offered now."""
     names = "start_recording stop_recording run_recording move_to_start pause continue abort"
-    return {name for name in names.split() if desk.find(f"teaching_{name}").isEnabled()}
+    return {name for name in names.split() if app_driver.find(f"teaching_{name}").isEnabled()}
 
 
-def give(desk, name):
+def give(app_driver, name):
     """Press a command that is offered; asked about before the arm is handed over."""
-    assert name in usable(desk)
-    desk.click(f"teaching_{name}")
+    assert name in usable(app_driver)
+    app_driver.click(f"teaching_{name}")
     if name == "start_recording":
-        desk.confirm()
+        app_driver.confirm()
 
 
-def phase(desk, text):
-    desk.run_until(lambda: text in desk.read("teaching_phase"))
-    desk.run_until(lambda: desk.read("teaching_message") == "")
+def phase(app_driver, text):
+    app_driver.run_until(lambda: text in app_driver.read("teaching_phase"))
+    app_driver.run_until(lambda: app_driver.read("teaching_message") == "")
 
 
-def lead(desk, angles_deg):
-    desk.firmware.hand.lead_to(angles_deg, speed_deg_s=20.0)
-    desk.run_until(lambda: desk.firmware.joints_deg == pytest.approx(angles_deg))
-    desk.run(0.2)
+def lead(app_driver, angles_deg):
+    app_driver.firmware.hand_guiding.lead_to(angles_deg, speed_deg_s=20.0)
+    app_driver.run_until(lambda: app_driver.firmware.joints_deg == pytest.approx(angles_deg))
+    app_driver.run(0.2)
 
 
-def due(desk):
-    return desk.find("way_out").due
+def due(app_driver):
+    return app_driver.find("way_out").due
 
 
 @pytest.fixture
@@ -179,27 +179,27 @@ def test_what_the_button_on_the_arm_does_is_followed(enabled):
 
 
 def test_the_way_out_one_step_at_a_time(taught):
-    desk = taught
-    assert due(desk) == 1
-    assert desk.find("way_out").isVisible()
-    desk.click("recovery_button")
-    desk.confirm()
-    phase(desk, "Recording")
-    lead(desk, HOME_DEG)
-    give(desk, "stop_recording")
-    desk.run_until(lambda: due(desk) == 2)
-    desk.click("recovery_button")
-    assert "the arm will drop" in desk.dialog(ConfirmDialog).text()
-    desk.confirm()
-    desk.run_until(lambda: due(desk) == 3)
-    assert desk.firmware.status is ArmStatusCode.EMERGENCY_STOP
-    desk.click("recovery_button")
-    desk.confirm()
-    desk.run_until(lambda: due(desk) == 4)
-    assert desk.firmware.control_mode is ControlMode.STANDBY
-    desk.click("recovery_button")
-    desk.run_until(lambda: not desk.find("way_out").isVisible())
-    assert desk.controller.situation.cannot_move is None
+    app_driver = taught
+    assert due(app_driver) == 1
+    assert app_driver.find("way_out").isVisible()
+    app_driver.click("recovery_button")
+    app_driver.confirm()
+    phase(app_driver, "Recording")
+    lead(app_driver, HOME_DEG)
+    give(app_driver, "stop_recording")
+    app_driver.run_until(lambda: due(app_driver) == 2)
+    app_driver.click("recovery_button")
+    assert "the arm will drop" in app_driver.dialog(ConfirmDialog).text()
+    app_driver.confirm()
+    app_driver.run_until(lambda: due(app_driver) == 3)
+    assert app_driver.firmware.status is ArmStatusCode.EMERGENCY_STOP
+    app_driver.click("recovery_button")
+    app_driver.confirm()
+    app_driver.run_until(lambda: due(app_driver) == 4)
+    assert app_driver.firmware.control_mode is ControlMode.STANDBY
+    app_driver.click("recovery_button")
+    app_driver.run_until(lambda: not app_driver.find("way_out").isVisible())
+    assert app_driver.controller.operating_state.cannot_move is None
 
 
 def test_motions_are_paused_continued_and_cleared(enabled):
@@ -232,5 +232,5 @@ def test_motions_are_paused_continued_and_cleared(enabled):
 def test_the_way_out_is_not_shown_to_an_arm_that_was_only_stopped(enabled):
     enabled.click("stop_button")
     enabled.run(0.3)
-    assert isinstance(enabled.find("way_out"), WayOut)
+    assert isinstance(enabled.find("way_out"), TeachingExitSteps)
     assert not enabled.find("way_out").isVisible()

@@ -201,7 +201,7 @@ def test_a_failed_write_leaves_the_old_file_whole(
     def disk_full(_descriptor: int) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("armui.atomic.os.fsync", disk_full)
+    monkeypatch.setattr("armui.system.atomic.os.fsync", disk_full)
     problem = SettingsStore(path).change(theme="system")
 
     assert problem is not None

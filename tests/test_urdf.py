@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import yourdfpy
 
-from armui.paths import URDF
+from armui.system.paths import URDF
 from armui.viewport.process.urdf_file import load_robot
 
 # a(i-1) mm, alpha(i-1) deg, d(i) mm, theta offset deg; firmware from S-V1.6-3

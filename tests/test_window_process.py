@@ -20,7 +20,7 @@ def main():
     # not above: the picture's process imports this file, too
     from PySide6.QtCore import QTimer
     from armui import app
-    from armui.control.situation import LinkState
+    from armui.control.operating_state import LinkState
     from armui.start import StartOptions
 
     class Watched(app.Program):

@@ -11,7 +11,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 
 
-class Verdict(enum.Enum):
+class ComparisonVerdict(enum.Enum):
     """How a parameter of the file stands to the arm's."""
 
     SAME = "same"
@@ -36,7 +36,7 @@ class Row:
     """
 
     parameter: Parameter
-    verdict: Verdict
+    verdict: ComparisonVerdict
     filed: float | None = None
     held: float | None = None
     against: Refusal | None = None
@@ -44,7 +44,7 @@ class Row:
     @property
     def restorable(self) -> bool:
         """Whether restoring it can be asked for, and would change something."""
-        return self.verdict in {Verdict.DIFFERS, Verdict.NOT_READ} and (
+        return self.verdict in {ComparisonVerdict.DIFFERS, ComparisonVerdict.NOT_READ} and (
             self.filed is not None and self.against is None
         )
 
@@ -78,12 +78,12 @@ def _row(
     said = heard(state, parameter)
     held = None if said is None else said.value
     if parameter not in known:
-        return Row(parameter, Verdict.ONLY_IN_FILE, filed)
+        return Row(parameter, ComparisonVerdict.ONLY_IN_FILE, filed)
     if held is None:
         against = None if filed is None else check_value(parameter, filed)
-        return Row(parameter, Verdict.NOT_READ, filed, None, against)
+        return Row(parameter, ComparisonVerdict.NOT_READ, filed, None, against)
     if filed is None:
-        return Row(parameter, Verdict.ONLY_IN_ARM, None, held)
+        return Row(parameter, ComparisonVerdict.ONLY_IN_ARM, None, held)
     if same(parameter, filed):
-        return Row(parameter, Verdict.SAME, filed, held)
-    return Row(parameter, Verdict.DIFFERS, filed, held, check_value(parameter, filed))
+        return Row(parameter, ComparisonVerdict.SAME, filed, held)
+    return Row(parameter, ComparisonVerdict.DIFFERS, filed, held, check_value(parameter, filed))

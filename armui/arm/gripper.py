@@ -19,7 +19,7 @@ class GripperFault(enum.Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Gripper:
+class GripperState:
     """What 0x2A8 says.
 
     Attributes:
@@ -46,10 +46,10 @@ class Gripper:
         return (self.angle_deg if self.opening_mm is None else self.opening_mm) or 0.0
 
 
-def gripper_of(signals: Mapping[str, float]) -> Gripper:
+def gripper_of(signals: Mapping[str, float]) -> GripperState:
     """The gripper by the signals of 0x2A8 of either generation."""
     homed = signals.get("Homed")
-    return Gripper(
+    return GripperState(
         opening_mm=signals.get("Opening"),
         angle_deg=signals.get("Angle"),
         enabled=signals["Enabled"] == 1,

@@ -15,7 +15,7 @@ from types import MappingProxyType
 from typing import Final
 
 from armui.arm.limits import JOINTS
-from armui.arm.state import ArmState, DriverFast, DriverSlow, Heard, Status
+from armui.arm.state import ArmState, DriverFast, DriverSlow, Reading, Status
 from armui.protocol.generation import Generation
 
 
@@ -69,7 +69,7 @@ FAULTS: Final = frozenset(
 """The words that name a fault."""
 
 
-class Verdict(enum.Enum):
+class StatusVerdict(enum.Enum):
     """How six joints are, the best first."""
 
     NORMAL = enum.auto()
@@ -89,12 +89,12 @@ class Worst:
         joints: The joints it is true of, in order; empty where it is about all of them.
     """
 
-    verdict: Verdict
+    verdict: StatusVerdict
     joints: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
-class Cell:
+class StatusCell:
     """One item of one joint.
 
     Attributes:
@@ -214,7 +214,7 @@ def value(state: ArmState, item: Item, joint: int) -> float | None:
 def is_stale(state: ArmState, item: Item, joint: int) -> bool:
     """Whether a frame an item comes from stays away while others are still heard."""
     now_s = state.last_feedback_s
-    sources: list[Heard[Status] | Heard[DriverSlow] | Heard[DriverFast] | None]
+    sources: list[Reading[Status] | Reading[DriverSlow] | Reading[DriverFast] | None]
     if item is Item.COMMUNICATION:
         sources = [state.status]
     elif item in _FAST_VALUES:
@@ -244,7 +244,7 @@ def worst(state: ArmState, generation: Generation | None) -> Worst:
     """
     faulty = tuple(dict.fromkeys(joint for joint, _item, _word in faults(state, generation)))
     if faulty:
-        return Worst(Verdict.FAULT, faulty)
+        return Worst(StatusVerdict.FAULT, faulty)
     unknown = tuple(
         joint
         for joint in JOINTS
@@ -252,19 +252,19 @@ def worst(state: ArmState, generation: Generation | None) -> Worst:
     )
     no_status = state.status is None or is_stale(state, Item.COMMUNICATION, JOINTS[0])
     if generation is None or no_status or len(unknown) == len(JOINTS):
-        return Worst(Verdict.UNKNOWN)
+        return Worst(StatusVerdict.UNKNOWN)
     if unknown:
-        return Worst(Verdict.UNKNOWN, unknown)
+        return Worst(StatusVerdict.UNKNOWN, unknown)
     off = tuple(joint for joint, on in zip(JOINTS, state.enabled(), strict=True) if not on)
     if off:
-        return Worst(Verdict.DISABLED, off)
-    return Worst(Verdict.NORMAL)
+        return Worst(StatusVerdict.DISABLED, off)
+    return Worst(StatusVerdict.NORMAL)
 
 
 _WordKey = tuple[Generation | None, int | None, bool | None]
 
 
-class History:
+class JointHistory:
     """Remembers since when each word has been true.
 
     What has not been heard has no beginning; what is heard for the first time begins then. Only
@@ -310,9 +310,11 @@ class History:
         """When the present word of an item began to be true."""
         return self._since.get((item, joint))
 
-    def cell(self, state: ArmState, generation: Generation | None, item: Item, joint: int) -> Cell:
+    def cell(
+        self, state: ArmState, generation: Generation | None, item: Item, joint: int
+    ) -> StatusCell:
         """One cell of the table, of the picture that was followed last."""
-        return Cell(
+        return StatusCell(
             word=word(state, generation, item, joint),
             value=value(state, item, joint),
             since=self.since(item, joint),

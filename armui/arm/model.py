@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from armui.arm.limits import JointLimits
 
 if TYPE_CHECKING:
-    from armui.arm.kinematics import Kinematics
     from armui.arm.state import EndLimits
+    from armui.kinematics.kinematics import Kinematics
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,7 +15,7 @@ from typing import Any, Final, NamedTuple
 
 from armui.arm.limits import JOINTS, plausible
 from armui.arm.refusal import Refusal
-from armui.arm.state import ArmState, Heard
+from armui.arm.state import ArmState, Reading
 
 
 class Group(enum.Enum):
@@ -49,7 +49,7 @@ class Parameter(NamedTuple):
     joint: int = 0
 
     @property
-    def kind(self) -> Kind:
+    def kind(self) -> ParameterKind:
         """What is the same for every joint."""
         return KINDS[self.name]
 
@@ -75,7 +75,7 @@ class Batch(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class Kind:
+class ParameterKind:
     """What a parameter is.
 
     Attributes:
@@ -97,17 +97,17 @@ class Kind:
     minimum: float
     maximum: float
     decimals: int
-    read: Callable[[ArmState, int], Heard[float] | None]
+    read: Callable[[ArmState, int], Reading[float] | None]
     choices: tuple[float, ...] = ()
     corrupt_from: float = math.inf
 
 
-def _joint_limit(field: str) -> Callable[[ArmState, int], Heard[float] | None]:
+def _joint_limit(field: str) -> Callable[[ArmState, int], Reading[float] | None]:
     return lambda state, joint: _field(state.limits[joint - 1], field)
 
 
-def _end_limit(signal: str, field: str, unit: str) -> Kind:
-    return Kind(
+def _end_limit(signal: str, field: str, unit: str) -> ParameterKind:
+    return ParameterKind(
         Group.END_LIMITS,
         "EndLimitSetting",
         signal,
@@ -122,8 +122,8 @@ def _end_limit(signal: str, field: str, unit: str) -> Kind:
 
 def _teaching(
     field: str, signal: str, unit: str, span: tuple[float, float], *choices: float
-) -> Kind:
-    return Kind(
+) -> ParameterKind:
+    return ParameterKind(
         Group.TEACHING,
         "TeachingSetting",
         signal,
@@ -136,13 +136,13 @@ def _teaching(
     )
 
 
-def _field(heard: Heard[Any] | None, field: str) -> Heard[float] | None:
-    return None if heard is None else Heard(float(getattr(heard.value, field)), heard.at_s)
+def _field(heard: Reading[Any] | None, field: str) -> Reading[float] | None:
+    return None if heard is None else Reading(float(getattr(heard.value, field)), heard.at_s)
 
 
-def _collision_level(state: ArmState, joint: int) -> Heard[float] | None:
+def _collision_level(state: ArmState, joint: int) -> Reading[float] | None:
     heard = state.collision_levels
-    return None if heard is None else Heard(float(heard.value[joint - 1]), heard.at_s)
+    return None if heard is None else Reading(float(heard.value[joint - 1]), heard.at_s)
 
 
 _MOST_ANGLE_DEG: Final = 360.0
@@ -155,8 +155,8 @@ _CORRUPT_SPEED_DEG_S: Final = 3600.0
 _CORRUPT_ACCELERATION_DEG_S2: Final = 36_000.0
 _CORRUPT_END_LIMIT: Final = 65.535
 
-KINDS: Final[Mapping[str, Kind]] = {
-    "max_angle_deg": Kind(
+KINDS: Final[Mapping[str, ParameterKind]] = {
+    "max_angle_deg": ParameterKind(
         Group.JOINT_LIMITS,
         "LimitSetting",
         "MaxAngle",
@@ -166,7 +166,7 @@ KINDS: Final[Mapping[str, Kind]] = {
         1,
         _joint_limit("max_deg"),
     ),
-    "min_angle_deg": Kind(
+    "min_angle_deg": ParameterKind(
         Group.JOINT_LIMITS,
         "LimitSetting",
         "MinAngle",
@@ -176,7 +176,7 @@ KINDS: Final[Mapping[str, Kind]] = {
         1,
         _joint_limit("min_deg"),
     ),
-    "max_speed_deg_s": Kind(
+    "max_speed_deg_s": ParameterKind(
         Group.JOINT_LIMITS,
         "LimitSetting",
         "MaxSpeed",
@@ -187,7 +187,7 @@ KINDS: Final[Mapping[str, Kind]] = {
         _joint_limit("max_speed_deg_s"),
         corrupt_from=_CORRUPT_SPEED_DEG_S,
     ),
-    "max_acceleration_deg_s2": Kind(
+    "max_acceleration_deg_s2": ParameterKind(
         Group.JOINT_ACCELERATION,
         "JointSetting",
         "MaxAcceleration",
@@ -206,7 +206,7 @@ KINDS: Final[Mapping[str, Kind]] = {
     "max_angular_acceleration_rad_s2": _end_limit(
         "MaxAngularAcceleration", "max_angular_acceleration_rad_s2", "rad/s²"
     ),
-    "collision_level": Kind(
+    "collision_level": ParameterKind(
         Group.COLLISION,
         "CollisionSetting",
         "J{joint}",
@@ -234,7 +234,7 @@ def all_batches(*, teaching: bool) -> Iterator[Batch]:
         yield Batch(Group.TEACHING)
 
 
-def heard(state: ArmState, parameter: Parameter) -> Heard[float] | None:
+def heard(state: ArmState, parameter: Parameter) -> Reading[float] | None:
     """What the arm last said of a parameter, or ``None`` if it has not been read."""
     return parameter.kind.read(state, parameter.joint)
 

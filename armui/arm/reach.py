@@ -8,10 +8,10 @@ from typing import Final
 
 import numpy as np
 
-from armui.arm.kinematics import Joints, Kinematics, Matrix, Pose, pose_to_matrix
 from armui.arm.limits import JointLimits, check_joints
 from armui.arm.refusal import Refusal
-from armui.arm.tool_path import ToolPath, follow
+from armui.kinematics.kinematics import Joints, Kinematics, Matrix, Pose, pose_to_matrix
+from armui.kinematics.tool_path import ToolPath, follow
 
 _STEP_MM: Final = 2.0
 _STEP_DEG: Final = 0.5

@@ -1,7 +1,7 @@
 """The arm as last heard: a frozen picture, each value with the time it was heard.
 
 Nothing here is assumed: what has not been heard is ``None``. Times are those of
-:data:`armui.clock.steady_s`; joints stand in tuples of six, joint 1 first.
+:data:`armui.system.clock.steady_s`; joints stand in tuples of six, joint 1 first.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Final, Generic, TypeVar
 
-from armui.arm.gripper import Gripper
+from armui.arm.gripper import GripperState
 from armui.arm.limits import JOINTS, JointLimits
 
 T = TypeVar("T")
@@ -27,7 +27,7 @@ def is_fresh(at_s: float | None, now_s: float) -> bool:
 
 
 @dataclass(frozen=True, slots=True)
-class Heard(Generic[T]):
+class Reading(Generic[T]):
     """A value and when it was heard.
 
     Attributes:
@@ -128,7 +128,7 @@ class EndLimits:
 
 
 @dataclass(frozen=True, slots=True)
-class TeachingHandle:
+class TeachingHandleSettings:
     """What generation 2 keeps for the teaching handle and the gripper, 0x47E.
 
     Attributes:
@@ -189,18 +189,18 @@ class ArmState:
     sequence: int = 0
     last_feedback_s: float | None = None
     silences: int = 0
-    status: Heard[Status] | None = None
-    joints_deg: Six[Heard[float] | None] = _NOTHING
-    pose: Six[Heard[float] | None] = _NOTHING
-    gripper: Heard[Gripper] | None = None
-    drivers_fast: Six[Heard[DriverFast] | None] = _NOTHING
-    drivers_slow: Six[Heard[DriverSlow] | None] = _NOTHING
-    limits: Six[Heard[JointLimits] | None] = _NOTHING
-    accelerations_deg_s2: Six[Heard[float] | None] = _NOTHING
-    end_limits: Heard[EndLimits] | None = None
-    collision_levels: Heard[Six[int]] | None = None
-    teaching_handle: Heard[TeachingHandle] | None = None
-    end_motion: Six[Heard[EndMotion] | None] = _NOTHING
+    status: Reading[Status] | None = None
+    joints_deg: Six[Reading[float] | None] = _NOTHING
+    pose: Six[Reading[float] | None] = _NOTHING
+    gripper: Reading[GripperState] | None = None
+    drivers_fast: Six[Reading[DriverFast] | None] = _NOTHING
+    drivers_slow: Six[Reading[DriverSlow] | None] = _NOTHING
+    limits: Six[Reading[JointLimits] | None] = _NOTHING
+    accelerations_deg_s2: Six[Reading[float] | None] = _NOTHING
+    end_limits: Reading[EndLimits] | None = None
+    collision_levels: Reading[Six[int]] | None = None
+    teaching_handle: Reading[TeachingHandleSettings] | None = None
+    end_motion: Six[Reading[EndMotion] | None] = _NOTHING
     firmware: str | None = None
     version_heard_s: float | None = None
     status_heard_s: tuple[float | None, ...] = (None, None, None)
@@ -236,7 +236,7 @@ class ArmState:
         ]
 
 
-def _six_values(heard: Six[Heard[float] | None]) -> Six[float] | None:
+def _six_values(heard: Six[Reading[float] | None]) -> Six[float] | None:
     a, b, c, d, e, f = heard
     if a is None or b is None or c is None or d is None or e is None or f is None:
         return None

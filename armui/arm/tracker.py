@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, Final
 
-from armui.arm.gripper import Gripper, gripper_of
+from armui.arm.gripper import GripperState, gripper_of
 from armui.arm.limits import JOINTS, JointLimits
 from armui.arm.state import (
     FRESH_FOR_S,
@@ -20,14 +20,14 @@ from armui.arm.state import (
     DriverSlow,
     EndLimits,
     EndMotion,
-    Heard,
+    Reading,
     Six,
     Status,
-    TeachingHandle,
+    TeachingHandleSettings,
 )
 from armui.arm.units import DEGREES_PER
 from armui.protocol.addressing import OFFSETS
-from armui.protocol.codec import Codec, Message, Oddity
+from armui.protocol.codec import Codec, InvalidFrame, Message
 from armui.protocol.version import LONGEST, find_version, is_question
 
 _Signals = Mapping[str, float]
@@ -61,18 +61,18 @@ class Tracker:
         self._frames = 0
         self._oddities: Counter[str] = Counter()
         self._last_feedback_s: float | None = None
-        self._status: Heard[Status] | None = None
-        self._gripper: Heard[Gripper] | None = None
-        self._joints: list[Heard[float] | None] = [None] * 6
-        self._pose: list[Heard[float] | None] = [None] * 6
-        self._drivers_fast: list[Heard[DriverFast] | None] = [None] * 6
-        self._drivers_slow: list[Heard[DriverSlow] | None] = [None] * 6
-        self._limits: list[Heard[JointLimits] | None] = [None] * 6
-        self._accelerations: list[Heard[float] | None] = [None] * 6
-        self._end_limits: Heard[EndLimits] | None = None
-        self._collision_levels: Heard[Six[int]] | None = None
-        self._teaching_handle: Heard[TeachingHandle] | None = None
-        self._end_motion: list[Heard[EndMotion] | None] = [None] * 6
+        self._status: Reading[Status] | None = None
+        self._gripper: Reading[GripperState] | None = None
+        self._joints: list[Reading[float] | None] = [None] * 6
+        self._pose: list[Reading[float] | None] = [None] * 6
+        self._drivers_fast: list[Reading[DriverFast] | None] = [None] * 6
+        self._drivers_slow: list[Reading[DriverSlow] | None] = [None] * 6
+        self._limits: list[Reading[JointLimits] | None] = [None] * 6
+        self._accelerations: list[Reading[float] | None] = [None] * 6
+        self._end_limits: Reading[EndLimits] | None = None
+        self._collision_levels: Reading[Six[int]] | None = None
+        self._teaching_handle: Reading[TeachingHandleSettings] | None = None
+        self._end_motion: list[Reading[EndMotion] | None] = [None] * 6
         self._version_bytes = bytearray()
         self._firmware: str | None = None
         self._version_heard_s: float | None = None
@@ -81,11 +81,11 @@ class Tracker:
         self._status_heard_s: list[float | None] = [None] * len(OFFSETS)
         self._handlers = self._make_handlers()
 
-    def fold(self, heard: Message | Oddity, at_s: float) -> None:
+    def update(self, heard: Message | InvalidFrame, at_s: float) -> None:
         """Take in one decoded frame, received at monotonic time ``at_s``."""
         self._frames += 1
         self._sequence += 1
-        if isinstance(heard, Oddity):
+        if isinstance(heard, InvalidFrame):
             self._oddities[heard.kind.name] += 1
             if heard.message is None:
                 self._note_status(heard.arbitration_id - _STATUS_ID, at_s)
@@ -184,11 +184,11 @@ class Tracker:
             limit_exceeded=_joint_flags(signals, "LimitExceeded"),
             communication_fault=_joint_flags(signals, "CommunicationFault"),
         )
-        self._status = Heard(status, at_s)
+        self._status = Reading(status, at_s)
         self._note_status(self._codec.addressing.feedback_offset, at_s)
 
     def _on_gripper(self, signals: _Signals, at_s: float) -> None:
-        self._gripper = Heard(gripper_of(signals), at_s)
+        self._gripper = Reading(gripper_of(signals), at_s)
 
     def _on_limits(self, signals: _Signals, at_s: float) -> None:
         limits = JointLimits(
@@ -196,12 +196,12 @@ class Tracker:
             max_deg=signals["MaxAngle"],
             max_speed_deg_s=signals["MaxSpeed"] * self._degrees_per("LimitFeedback", "MaxSpeed"),
         )
-        self._limits[int(signals["Joint"]) - 1] = Heard(limits, at_s)
+        self._limits[int(signals["Joint"]) - 1] = Reading(limits, at_s)
 
     def _on_acceleration(self, signals: _Signals, at_s: float) -> None:
         factor = self._degrees_per("AccelerationFeedback", "MaxAcceleration")
         acceleration_deg_s2 = signals["MaxAcceleration"] * factor
-        self._accelerations[int(signals["Joint"]) - 1] = Heard(acceleration_deg_s2, at_s)
+        self._accelerations[int(signals["Joint"]) - 1] = Reading(acceleration_deg_s2, at_s)
 
     def _on_end_limits(self, signals: _Signals, at_s: float) -> None:
         limits = EndLimits(
@@ -210,19 +210,19 @@ class Tracker:
             max_linear_acceleration_m_s2=signals["MaxLinearAcceleration"],
             max_angular_acceleration_rad_s2=signals["MaxAngularAcceleration"],
         )
-        self._end_limits = Heard(limits, at_s)
+        self._end_limits = Reading(limits, at_s)
 
     def _on_collision_levels(self, signals: _Signals, at_s: float) -> None:
         levels: Six[int] = _six([int(signals[f"J{joint}"]) for joint in JOINTS])
-        self._collision_levels = Heard(levels, at_s)
+        self._collision_levels = Reading(levels, at_s)
 
     def _on_teaching_handle(self, signals: _Signals, at_s: float) -> None:
-        handle = TeachingHandle(
+        handle = TeachingHandleSettings(
             range_percent=signals["TeachingRange"],
             stroke_limit_mm=signals["StrokeLimit"],
             friction=signals["Friction"],
         )
-        self._teaching_handle = Heard(handle, at_s)
+        self._teaching_handle = Reading(handle, at_s)
 
     def _end_motion_handler(self, joint: int) -> Callable[[_Signals, float], None]:
         def on_end_motion(signals: _Signals, at_s: float) -> None:
@@ -232,7 +232,7 @@ class Tracker:
                 linear_acceleration_m_s2=signals["LinearAcceleration"],
                 angular_acceleration_rad_s2=signals["AngularAcceleration"],
             )
-            self._end_motion[joint - 1] = Heard(motion, at_s)
+            self._end_motion[joint - 1] = Reading(motion, at_s)
 
         return on_end_motion
 
@@ -258,7 +258,7 @@ class Tracker:
                 current_a=signals["Current"],
                 position_deg=position_factor and signals["Position"] * position_factor,
             )
-            self._drivers_fast[joint - 1] = Heard(driver, at_s)
+            self._drivers_fast[joint - 1] = Reading(driver, at_s)
 
         return on_driver
 
@@ -280,7 +280,7 @@ class Tracker:
                 collision_protection=_flag(signals.get("CollisionProtection")),
                 stall_protection=_flag(signals.get("StallProtection")),
             )
-            self._drivers_slow[joint - 1] = Heard(driver, at_s)
+            self._drivers_slow[joint - 1] = Reading(driver, at_s)
 
         return on_driver
 
@@ -298,11 +298,11 @@ def _is_asked_by_a_host(heard: Message) -> bool:
 
 
 def _pair(
-    where: list[Heard[float] | None], index: int, first: str, second: str
+    where: list[Reading[float] | None], index: int, first: str, second: str
 ) -> Callable[[_Signals, float], None]:
     def on_pair(signals: _Signals, at_s: float) -> None:
-        where[index] = Heard(signals[first], at_s)
-        where[index + 1] = Heard(signals[second], at_s)
+        where[index] = Reading(signals[first], at_s)
+        where[index + 1] = Reading(signals[second], at_s)
 
     return on_pair
 

@@ -17,8 +17,8 @@ from typing import Final
 import can
 
 from armui.bus.send_errors import flush_transmit_queue, obeys_its_timeout, queue_is_full
-from armui.clock import steady_s
 from armui.protocol.frame import Frame
+from armui.system.clock import steady_s
 
 KEEP_S: Final = 0.5
 """A batch of which nothing could be sent for so long is dropped: a command must not act late."""

@@ -7,7 +7,7 @@ from collections import deque
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final, Protocol
 
-from armui.protocol.codec import Codec, Message, Oddity
+from armui.protocol.codec import Codec, InvalidFrame, Message
 
 if TYPE_CHECKING:
     from armui.protocol.frame import Frame
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 _LOG: Final = logging.getLogger(__name__)
 
-Taken = tuple[Message | Oddity, float, int]
+Taken = tuple[Message | InvalidFrame, float, int]
 """A frame as decoded, its monotonic time in seconds, and the length of its payload."""
 
 SENT_KEPT: Final = 4096

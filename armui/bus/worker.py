@@ -31,10 +31,10 @@ from armui.bus.receive_queue import ReceiveQueue
 from armui.bus.samples import SampleRing
 from armui.bus.sending import SendingThread
 from armui.bus.tap import NoTap, Tap, TapLine
-from armui.clock import steady_s
-from armui.failures import is_our_own
-from armui.protocol.codec import Codec, Message, Oddity, OddityKind
+from armui.protocol.codec import Codec, InvalidFrame, Message, OddityKind
 from armui.protocol.frame import Frame
+from armui.system.clock import steady_s
+from armui.system.failures import is_our_own
 
 _LOG: Final = logging.getLogger(__name__)
 
@@ -266,7 +266,7 @@ class BusWorker(QThread):
         heard = _oddity(message) or self._codec.decode(
             Frame(message.arbitration_id, bytes(message.data))
         )
-        self._tracker.fold(heard, now_s)
+        self._tracker.update(heard, now_s)
         self._line.heard.append((heard, now_s, len(message.data)))
         if self.samples.wanted and isinstance(heard, Message) and heard.name == _LAST_ANGLES:
             self.samples.put(self._tracker.picture(), now_s)
@@ -284,7 +284,7 @@ class BusWorker(QThread):
         self.reported.emit(BusReport(state, self._device, problem, self._number))
 
 
-def _oddity(message: can.Message) -> Oddity | None:
+def _oddity(message: can.Message) -> InvalidFrame | None:
     """What is wrong with a frame that is no classic data frame with an 11-bit identifier."""
     if message.is_error_frame:
         detail = "the adapter reports a bus error"
@@ -294,4 +294,4 @@ def _oddity(message: can.Message) -> Oddity | None:
         detail = "remote frame"
     else:
         return None
-    return Oddity(OddityKind.UNKNOWN_ID, message.arbitration_id, detail)
+    return InvalidFrame(OddityKind.UNKNOWN_ID, message.arbitration_id, detail)

@@ -16,43 +16,43 @@ from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.bus.link import BusReport
-from armui.clock import steady_s
-from armui.control.arm_settings import ArmSettings
 from armui.control.assessment import assess
+from armui.control.assessment_inputs import assessment_inputs
 from armui.control.authority import Authority
 from armui.control.authority_watch import AuthorityWatch
-from armui.control.cartesian import Cartesian
-from armui.control.circumstances import circumstances
-from armui.control.connection import Connection
-from armui.control.context import Context, Part
-from armui.control.device_finder import DeviceFinder
-from armui.control.dropped_frames import DroppedFrames
-from armui.control.end_reports import EndReports
-from armui.control.gripper import Gripper
-from armui.control.jogging import Jogging
-from armui.control.joint_errors import JointErrors
-from armui.control.lights import Lights
-from armui.control.link_watch import LinkWatch
-from armui.control.linkage import Linkage
-from armui.control.motion import Motion
-from armui.control.motion_command import End
-from armui.control.motors import Motors
-from armui.control.notices import CODES
-from armui.control.orders import OrderLine
+from armui.control.context import Context, ControllerPart
+from armui.control.devices.end_reports import EndReports
+from armui.control.devices.gripper import GripperControl
+from armui.control.devices.joint_errors import JointErrors
+from armui.control.devices.lights import Lights
+from armui.control.devices.linkage import LinkageControl
+from armui.control.devices.motors import Motors
+from armui.control.devices.teaching import TeachingControl
+from armui.control.devices.zeroing import Zeroing
+from armui.control.events import CODES
+from armui.control.link.connection import Connection
+from armui.control.link.device_finder import DeviceFinder
+from armui.control.link.dropped_frames import DroppedFrames
+from armui.control.link.link_watch import LinkWatch
+from armui.control.motion.cartesian import Cartesian
+from armui.control.motion.jogging import Jogging
+from armui.control.motion.joint_motion import Motion
+from armui.control.motion.motion_command import End
+from armui.control.motion.planned_motion import PlannedMotion
+from armui.control.operating_state import Busy, Notice, OperatingState
+from armui.control.parameters.arm_settings import ArmSettings
 from armui.control.part_failure import end_motion_of
 from armui.control.parts import Parts
-from armui.control.planned_motion import PlannedMotion
-from armui.control.player import Player
-from armui.control.recorder import Recorder
-from armui.control.recovery import Recovery
-from armui.control.replayer import Replayer
-from armui.control.run_end import cut_short
-from armui.control.situation import Busy, Notice, Situation
-from armui.control.stop import is_stopped
-from armui.control.stopping import Stopping
-from armui.control.teaching import Teaching
-from armui.control.zeroing import Zeroing
+from armui.control.requests.transactions import TransactionQueue
+from armui.control.run.player import Player
+from armui.control.run.recorder import Recorder
+from armui.control.run.replayer import Replayer
+from armui.control.run.run_end import cut_short
+from armui.control.safety.emergency_stop import is_stopped
+from armui.control.safety.recovery import Recovery
+from armui.control.safety.stopping import Stopping
 from armui.protocol.codes import TrajectoryCommand
+from armui.system.clock import steady_s
 
 if TYPE_CHECKING:
     from armui.bus.worker import Opener
@@ -99,7 +99,7 @@ class ArmController(QObject):
 
     Signals:
         state_changed: An :class:`ArmState`, at most 30 times a second, when something was heard.
-        situation_changed: A :class:`Situation`, when it differs.
+        operating_state_changed: A :class:`OperatingState`, when it differs.
         step_changed: A :class:`Step`, when the next step of recovery differs.
         noticed: A :class:`Notice`.
         devices_found: A list of :class:`Device`, the answer to :meth:`search_devices`.
@@ -107,7 +107,7 @@ class ArmController(QObject):
     """
 
     state_changed = Signal(object)
-    situation_changed = Signal(object)
+    operating_state_changed = Signal(object)
     step_changed = Signal(object)
     noticed = Signal(object)
     devices_found = Signal(object)
@@ -146,10 +146,10 @@ class ArmController(QObject):
         self.player = Player(context, self)
         self.replayer = Replayer(context, self)
         self.recorder = Recorder(context, self)
-        self.orders = OrderLine(context)
+        self.orders = TransactionQueue(context)
         self.settings = ArmSettings(context, self.orders, self)
         self.joint_errors = JointErrors(context, self.orders)
-        self.teaching = Teaching(context)
+        self.teaching = TeachingControl(context)
         self.planned_motion = PlannedMotion(
             context, end_all=self._end_driven, tell_speed=self.motion.tell_speed
         )
@@ -165,10 +165,10 @@ class ArmController(QObject):
             announce=self.step_changed.emit,
         )
         self.end_reports = EndReports(context, self.orders)
-        self.linkage = Linkage(context, self.orders)
-        self.gripper = Gripper(context, self.settings, end_run=self._end_run_because)
+        self.linkage = LinkageControl(context, self.orders)
+        self.gripper = GripperControl(context, self.settings, end_run=self._end_run_because)
         self.zeroing = Zeroing(context, self.orders, before_zeroing=self._forget_places)
-        parts: tuple[Part, ...] = (
+        parts: tuple[ControllerPart, ...] = (
             self.motors,
             self.motion,
             self.player,
@@ -190,7 +190,7 @@ class ArmController(QObject):
         self._was_stopped = False
         self._lets_finish = False
         self._state = ArmState()
-        self._situation = Situation(speed_percent=self.motion.speed_percent)
+        self._operating_state = OperatingState(speed_percent=self.motion.speed_percent)
         self._timer = QTimer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.setInterval(_TICK_MS)
@@ -202,9 +202,9 @@ class ArmController(QObject):
         return self._state
 
     @property
-    def situation(self) -> Situation:
+    def operating_state(self) -> OperatingState:
         """What the operator can do now."""
-        return self._situation
+        return self._operating_state
 
     @property
     def telemetry(self) -> Telemetry:
@@ -396,10 +396,10 @@ class ArmController(QObject):
         self._authority.end(End.ZERO_CHANGED)
         self.player.drop()
 
-    def _refresh(self) -> Situation:
+    def _refresh(self) -> OperatingState:
         now_s = self._clock()
         self._watch.observe(now_s)
-        around = circumstances(
+        around = assessment_inputs(
             self,
             self._connection,
             self._stop,
@@ -407,8 +407,8 @@ class ArmController(QObject):
             other_host=self._watch.report(),
             now_s=now_s,
         )
-        situation = assess(self._state, around, now_s)
-        if situation != self._situation:
-            self._situation = situation
-            self.situation_changed.emit(situation)
-        return self._situation
+        operating_state = assess(self._state, around, now_s)
+        if operating_state != self._operating_state:
+            self._operating_state = operating_state
+            self.operating_state_changed.emit(operating_state)
+        return self._operating_state

@@ -9,23 +9,23 @@ from armui.arm.device import Device
 from armui.arm.limits import FACTORY_LIMITS, plausible
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Six, is_fresh
-from armui.control import gate
 from armui.control.authority import Authority
-from armui.control.offsets import OffsetFollower
-from armui.control.situation import (
+from armui.control.link.offsets import OffsetFollower
+from armui.control.operating_state import (
     Busy,
     LinkState,
+    OperatingState,
     OtherHostReport,
-    Situation,
     StopState,
     why_unreachable,
 )
+from armui.control.safety import interlocks
 from armui.protocol.generation import Generation
 
 
 @dataclass(frozen=True, slots=True)
 class Activity:
-    """What the program itself is doing to the arm; see :class:`Situation` for the fields."""
+    """What the program itself is doing to the arm; see :class:`OperatingState` for the fields."""
 
     running: bool = False
     jogging: bool = False
@@ -35,8 +35,8 @@ class Activity:
 
 
 @dataclass(frozen=True, slots=True)
-class Circumstances:
-    """What the program knows beside the arm's own words; see :class:`Situation` for the fields.
+class AssessmentInputs:
+    """What the program knows beside the arm's own words; see :class:`OperatingState` for the fields.
 
     Attributes:
         authority: Who moves the arm.
@@ -59,11 +59,11 @@ class Circumstances:
     offsets: OffsetFollower = field(default_factory=OffsetFollower)
 
 
-def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
+def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> OperatingState:
     """What the operator can do at monotonic time ``now_s``."""
     enabled = _fresh_enabled(state, now_s)
     activity, authority = around.activity, around.authority
-    no_command = gate.why_no_command(
+    no_command = interlocks.why_no_command(
         why_unreachable(around.link, around.device), around.stop, around.busy
     )
     cannot_run = _first(
@@ -72,8 +72,8 @@ def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
         lambda: Refusal("busy", {"what": activity.altering}) if activity.altering else None,
         authority.why_silent,
         authority.other.why_not,
-        lambda: gate.why_not_enabled(enabled),
-        lambda: gate.why_not_ready(state),
+        lambda: interlocks.why_not_enabled(enabled),
+        lambda: interlocks.why_not_ready(state),
     )
     held = authority.why_held()
     read = [
@@ -81,7 +81,7 @@ def assess(state: ArmState, around: Circumstances, now_s: float) -> Situation:
         for heard in state.limits
     ]
     r1, r2, r3, r4, r5, r6 = (limits is not None for limits in read)
-    return Situation(
+    return OperatingState(
         link=around.link,
         device=around.device,
         link_problem=around.link_problem,

@@ -2,7 +2,7 @@
 
 Everything that moves the arm asks here first and tells here what it has sent. A command of ours is
 the place the next step starts from as long as it is the last command given to the arm. What ends it
-is listed in :class:`armui.control.motion_command.End`.
+is listed in :class:`armui.control.motion.motion_command.End`.
 """
 
 from __future__ import annotations
@@ -12,8 +12,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
-from armui.control.hearing import limp, taught, why_silent
-from armui.control.motion_command import (
+from armui.control.motion.motion_command import (
     CommandKind,
     End,
     Hold,
@@ -21,15 +20,16 @@ from armui.control.motion_command import (
     Mover,
     Observation,
 )
-from armui.control.other_command import OtherCommand
-from armui.control.overspeed import OverspeedWatch
-from armui.control.rest import RestWatch
+from armui.control.safety.hearing import limp, taught, why_silent
+from armui.control.safety.other_command import OtherCommand
+from armui.control.safety.overspeed import OverspeedWatch
+from armui.control.safety.rest import RestWatch
 from armui.protocol.codes import ArmStatusCode, ControlMode, MoveMode
 
 if TYPE_CHECKING:
-    from armui.arm.kinematics import Matrix
     from armui.arm.limits import JointLimits
     from armui.arm.state import ArmState
+    from armui.kinematics.kinematics import Matrix
 
 ARRIVED_DEG: Final = 0.5
 """Measured this close to its target a joint has arrived: it may sag by that much under load."""

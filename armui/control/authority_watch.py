@@ -7,14 +7,14 @@ from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
-from armui.control.motion_command import Observation
-from armui.control.situation import LinkState, OtherHostReport
+from armui.control.motion.motion_command import Observation
+from armui.control.operating_state import LinkState, OtherHostReport
 from armui.protocol.addressing import OFFSETS
 
 if TYPE_CHECKING:
     from armui.control.authority import Authority
-    from armui.control.connection import Connection
     from armui.control.context import Tell
+    from armui.control.link.connection import Connection
 
 
 _NAMED_AFTER_S: Final = 0.1

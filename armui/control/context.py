@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Protocol
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.authority import Authority
-from armui.control.motion_command import CommandKind, End, MotionCommand
-from armui.control.situation import Situation
-from armui.control.speed import speed_frames
+from armui.control.motion.motion_command import CommandKind, End, MotionCommand
+from armui.control.motion.speed import speed_frames
+from armui.control.operating_state import OperatingState
 from armui.protocol.codes import ControlMode
 
 if TYPE_CHECKING:
-    from armui.arm.kinematics import Matrix
-    from armui.control.connection import Connection
+    from armui.control.link.connection import Connection
+    from armui.kinematics.kinematics import Matrix
     from armui.protocol.codes import MoveMode
     from armui.protocol.frame import Frame
 
@@ -36,7 +36,7 @@ class Context:
         tell: Takes the notices.
         clock: Monotonic time in seconds.
         state: The arm as last heard.
-        situation: What the operator can do now, computed anew.
+        operating_state: What the operator can do now, computed anew.
         authority: Who moves the arm, and what our own command is.
     """
 
@@ -44,7 +44,7 @@ class Context:
     tell: Tell
     clock: Callable[[], float]
     state: Callable[[], ArmState]
-    situation: Callable[[], Situation]
+    operating_state: Callable[[], OperatingState]
     authority: Authority
 
     def refuse(self, refusal: Refusal) -> Refusal:
@@ -54,7 +54,7 @@ class Context:
 
     def why_no_motion(self) -> Refusal | None:
         """The reason against a motion frame of ours by who moves the arm now, or ``None``."""
-        self.situation()
+        self.operating_state()
         return self.authority.why_not()
 
     def send_motion(
@@ -136,7 +136,7 @@ class Context:
         return speed_frames(self.connection.codec, mode, speed_percent)
 
 
-class Part(Protocol):
+class ControllerPart(Protocol):
     """A part of the controller that follows something over time."""
 
     def advance(self) -> None:

@@ -16,29 +16,41 @@ _LOG: Final = logging.getLogger(__name__)
 
 _JOGS: Final = frozenset(
     {
-        *("armui.control.jogging", "armui.control.jog_stream", "armui.control.jog_ways"),
-        *("armui.control.jog_pace", "armui.ui.widgets.jog_button", "armui.ui.panels.jog_panel"),
+        *(
+            "armui.control.motion.jogging",
+            "armui.control.motion.jog_stream",
+            "armui.control.motion.jog_path",
+        ),
+        *(
+            "armui.control.motion.jog_pace",
+            "armui.ui.widgets.jog_button",
+            "armui.ui.panels.jogging.jog_panel",
+        ),
     }
 )
 _RUNS: Final = frozenset(
     {
-        *("armui.control.player", "armui.control.execution", "armui.control.run"),
-        *("armui.control.arrival", "armui.control.point_frames"),
-        *("armui.ui.trajectory.run_strip", "armui.ui.trajectory.runner"),
+        *("armui.control.run.player", "armui.control.run.execution", "armui.control.run.progress"),
+        *("armui.control.run.arrival", "armui.control.motion.point_frames"),
+        *("armui.ui.trajectory.running.run_strip", "armui.ui.trajectory.running.runner"),
     }
 )
 _REPLAYS: Final = frozenset(
     {
-        *("armui.control.replayer", "armui.control.replay"),
-        "armui.ui.trajectory.recording_window",
+        *("armui.control.run.replayer", "armui.control.run.replay"),
+        "armui.ui.trajectory.recording.recording_window",
     }
 )
 _SINGLE_MOTIONS: Final = frozenset(
     {
-        *("armui.control.motion", "armui.control.cartesian", "armui.control.planned_motion"),
-        *("armui.control.authority", "armui.control.context", "armui.control.overspeed"),
-        *("armui.control.speed", "armui.control.gripper"),
-        *("armui.ui.panels.motion_panel", "armui.ui.panels.cartesian_panel"),
+        *(
+            "armui.control.motion.joint_motion",
+            "armui.control.motion.cartesian",
+            "armui.control.motion.planned_motion",
+        ),
+        *("armui.control.authority", "armui.control.context", "armui.control.safety.overspeed"),
+        *("armui.control.motion.speed", "armui.control.devices.gripper"),
+        *("armui.ui.panels.jogging.motion_panel", "armui.ui.panels.jogging.cartesian_panel"),
     }
 )
 """The modules of each kind of motion, from the button to the frames."""
@@ -59,7 +71,7 @@ def end_motion_of(controller: ArmController, modules: Collection[str]) -> None:
         _have(controller, lambda: controller.player.end(reason))
     if failed & _REPLAYS and controller.replayer.running:
         _have(controller, lambda: controller.replayer.end(reason))
-    if failed & _SINGLE_MOTIONS and controller.situation.moving and not any(streams):
+    if failed & _SINGLE_MOTIONS and controller.operating_state.moving and not any(streams):
         _abort(controller)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 from collections.abc import Callable, Sequence
 
-from armui.control.context import Part, Tell
+from armui.control.context import ControllerPart, Tell
 
 _LOG = logging.getLogger(__name__)
 
@@ -25,7 +25,7 @@ class Parts:
 
     def __init__(
         self,
-        parts: Sequence[Part],
+        parts: Sequence[ControllerPart],
         tell: Tell,
         end_motion: Callable[[str], None] = lambda _module: None,
     ) -> None:
@@ -36,22 +36,22 @@ class Parts:
         self._out_of_order: set[str] = set()
 
     def advance(self) -> None:
-        """Have each look at what was heard; see :meth:`Part.advance`."""
+        """Have each look at what was heard; see :meth:`ControllerPart.advance`."""
         for part in self._parts:
             if self._have(part, part.advance):
                 self._out_of_order.discard(type(part).__name__)
 
     def halt(self) -> None:
-        """Have each give up what would move the arm; see :meth:`Part.halt`."""
+        """Have each give up what would move the arm; see :meth:`ControllerPart.halt`."""
         for part in self._parts:
             self._have(part, part.halt)
 
     def forget(self) -> None:
-        """Tell each that the arm is gone; see :meth:`Part.forget`."""
+        """Tell each that the arm is gone; see :meth:`ControllerPart.forget`."""
         for part in self._parts:
             self._have(part, part.forget)
 
-    def _have(self, part: Part, act: Callable[[], None]) -> bool:
+    def _have(self, part: ControllerPart, act: Callable[[], None]) -> bool:
         name = type(part).__name__
         try:
             act()

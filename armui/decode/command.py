@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     import argparse
     from collections.abc import Iterator
 
-    from armui.protocol.detect import Verdict
+    from armui.protocol.detect import GenerationVerdict
 
 EXIT_COMPLETE = 0
 """Every frame of the log was read; unknown frames are no failure."""
@@ -96,7 +96,7 @@ def _decode(path: Path, log: Path, generation: Generation, *, as_json: bool) -> 
     return exit_code
 
 
-def _detect(log: Path) -> Verdict:
+def _detect(log: Path) -> GenerationVerdict:
     """Reads the log until its generation is certain, or to its end."""
     detector = GenerationDetector()
     with closing(read_log(log)) as entries:

@@ -6,7 +6,7 @@ import json
 from typing import TYPE_CHECKING
 
 from armui.decode.entries import FrameKind
-from armui.protocol.codec import Message, Oddity
+from armui.protocol.codec import InvalidFrame, Message
 
 if TYPE_CHECKING:
     from armui.decode.entries import LogFrame
@@ -56,7 +56,7 @@ def _reading(entry: LogFrame, codec: Codec) -> tuple[Message | None, tuple[str, 
     if entry.kind is not FrameKind.DATA:
         return None, (entry.kind.value, "not of the arm's protocol")
     decoded = codec.decode(entry.frame)
-    if isinstance(decoded, Oddity):
+    if isinstance(decoded, InvalidFrame):
         return decoded.message, (decoded.kind.value, decoded.detail)
     return decoded, None
 

@@ -25,7 +25,7 @@ from armui.protocol.layout import message_layout
 if TYPE_CHECKING:
     from armui.protocol.layout import MessageLayout, SignalLayout
 
-__all__ = ["Codec", "EncodeError", "Message", "Oddity", "OddityKind"]
+__all__ = ["Codec", "EncodeError", "InvalidFrame", "Message", "OddityKind"]
 
 _UPGRADE_RANGES = (
     range(0x0A0, 0x0B0),
@@ -57,7 +57,7 @@ class OddityKind(enum.Enum):
     VALUE_OUTSIDE_TABLE = "value outside the table"
 
 
-class Oddity(NamedTuple):
+class InvalidFrame(NamedTuple):
     """A frame that does not follow the protocol; to be counted, never fatal.
 
     Attributes:
@@ -91,7 +91,7 @@ class Codec:
         self._by_name = {layout.name: layout for layout in layouts}
         self._by_wire_id = {addressing.to_wire(layout.arbitration_id): layout for layout in layouts}
 
-    def decode(self, frame: Frame) -> Message | Oddity:
+    def decode(self, frame: Frame) -> Message | InvalidFrame:
         """What a frame says.
 
         Never raises, whatever the frame holds: it runs on the thread that owns the bus.
@@ -228,7 +228,7 @@ class Codec:
             raise unknown_signal(layout, signal)
         return layout.signals[signal]
 
-    def _unknown_id(self, arbitration_id: int) -> Oddity:
+    def _unknown_id(self, arbitration_id: int) -> InvalidFrame:
         if any(arbitration_id in ids for ids in _UPGRADE_RANGES):
             detail = f"0x{arbitration_id:03X} is in the firmware upgrade range (undocumented)"
         elif self.addressing.from_wire(arbitration_id) is None:
@@ -239,7 +239,7 @@ class Codec:
             detail = (
                 f"0x{arbitration_id:03X} is not in the tables of generation {int(self.generation)}"
             )
-        return Oddity(OddityKind.UNKNOWN_ID, arbitration_id, detail)
+        return InvalidFrame(OddityKind.UNKNOWN_ID, arbitration_id, detail)
 
 
 @cache
@@ -248,13 +248,15 @@ def _layouts(generation: Generation) -> tuple[MessageLayout, ...]:
     return tuple(message_layout(message) for message in load_database(generation).messages)
 
 
-def _wrong_length(layout: MessageLayout, frame: Frame) -> Oddity:
+def _wrong_length(layout: MessageLayout, frame: Frame) -> InvalidFrame:
     wanted = " or ".join(str(length) for length in layout.lengths)
     detail = f"{layout.name} has {len(frame.data)} bytes instead of {wanted}"
-    return Oddity(OddityKind.WRONG_LENGTH, frame.arbitration_id, detail)
+    return InvalidFrame(OddityKind.WRONG_LENGTH, frame.arbitration_id, detail)
 
 
-def _outside_table(layout: MessageLayout, arbitration_id: int, raw: dict[str, float]) -> Oddity:
+def _outside_table(
+    layout: MessageLayout, arbitration_id: int, raw: dict[str, float]
+) -> InvalidFrame:
     odd = [layout.signals[name] for name, legal in layout.checked if raw[name] not in legal]
     signals = layout.scale(raw)
     detail = "; ".join(
@@ -263,4 +265,4 @@ def _outside_table(layout: MessageLayout, arbitration_id: int, raw: dict[str, fl
         for signal in odd
     )
     message = Message(layout.name, signals)
-    return Oddity(OddityKind.VALUE_OUTSIDE_TABLE, arbitration_id, detail, message)
+    return InvalidFrame(OddityKind.VALUE_OUTSIDE_TABLE, arbitration_id, detail, message)

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import cantools
 
-from armui.paths import RESOURCES
 from armui.protocol.generation import Generation
+from armui.system.paths import RESOURCES
 
 if TYPE_CHECKING:
     from cantools.database.can import Database

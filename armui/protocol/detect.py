@@ -20,7 +20,7 @@ _PERIOD_BORDER_S = 0.012
 """Between the 5 ms of generation 2's feedback and the 20 ms of generation 1's."""
 
 
-class Verdict(NamedTuple):
+class GenerationVerdict(NamedTuple):
     """What the traffic speaks for.
 
     Attributes:
@@ -69,14 +69,14 @@ class GenerationDetector:
             self._votes[exact[0]] += 1
         self._feed_period(frame.arbitration_id, time_s)
 
-    def verdict(self) -> Verdict:
+    def verdict(self) -> GenerationVerdict:
         """What the frames so far speak for; generation 2 when nothing tells."""
         if self._version:
-            return Verdict(Generation.TWO, f"the arm named its firmware {self._version}")
+            return GenerationVerdict(Generation.TWO, f"the arm named its firmware {self._version}")
         one, two = self._votes[Generation.ONE], self._votes[Generation.TWO]
         if one != two:
             winner = Generation.TWO if two > one else Generation.ONE
-            return Verdict(
+            return GenerationVerdict(
                 winner,
                 f"frames that fit only this generation: {max(one, two)}, "
                 f"only the other: {min(one, two)}",
@@ -84,8 +84,8 @@ class GenerationDetector:
         if self._intervals_s:
             period_s = statistics.median(self._intervals_s)
             winner = Generation.TWO if period_s < _PERIOD_BORDER_S else Generation.ONE
-            return Verdict(winner, f"the feedback comes every {period_s * 1000:.1f} ms")
-        return Verdict(Generation.TWO, "nothing tells, and arms in use today speak it")
+            return GenerationVerdict(winner, f"the feedback comes every {period_s * 1000:.1f} ms")
+        return GenerationVerdict(Generation.TWO, "nothing tells, and arms in use today speak it")
 
     def _feed_version(self, payload: bytes) -> None:
         if is_question(payload):

@@ -14,10 +14,10 @@ import can
 
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.generation import Generation
-from armui.sim.faults import FAULTS, Fault, FaultError, Parameter, read_fault
+from armui.sim.faults.schedule import FAULTS, Fault, FaultError, FaultParameter, read_fault
 from armui.sim.firmware import Firmware
-from armui.sim.flash import FileFlash, Flash, MemoryFlash
 from armui.sim.node import Node
+from armui.sim.parameters.flash import FileFlash, Flash, MemoryFlash
 
 EXIT_OK: Final = 0
 EXIT_CANNOT_BEGIN: Final = 2
@@ -177,7 +177,7 @@ def _fault(text: str) -> Fault:
 
 def _fault_help(name: str) -> str:
     kind = FAULTS[name]
-    number = "" if kind.parameter is Parameter.NONE else f" (VALUE: {kind.parameter.meaning})"
+    number = "" if kind.parameter is FaultParameter.NONE else f" (VALUE: {kind.parameter.meaning})"
     return f"{name}: {kind.purpose}{number}".replace("%", "%%")
 
 

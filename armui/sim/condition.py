@@ -11,8 +11,8 @@ from armui.protocol.codes import (
     MoveMode,
     TeachingState,
 )
-from armui.sim.alarms import Alarms
-from armui.sim.motion import JOINT_COUNT
+from armui.sim.faults.alarms import Alarms
+from armui.sim.mechanics.powered_joints import JOINT_COUNT
 
 
 def _no_joint() -> list[bool]:

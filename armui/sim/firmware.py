@@ -11,10 +11,10 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Final
 
-from armui.arm.kinematics import Kinematics
 from armui.arm.limits import JOINTS
+from armui.kinematics.kinematics import Kinematics
 from armui.protocol.addressing import Addressing
-from armui.protocol.codec import Codec, Oddity, OddityKind
+from armui.protocol.codec import Codec, InvalidFrame, OddityKind
 from armui.protocol.codes import (
     ALL_JOINTS,
     ControlMode,
@@ -29,26 +29,26 @@ from armui.protocol.codes import (
 )
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.sim.body import Body
 from armui.sim.condition import Condition
-from armui.sim.desk import SettingsDesk, Signals
-from armui.sim.drivers import Drivers
-from armui.sim.feedback import Feedback
-from armui.sim.flash import Flash, MemoryFlash
-from armui.sim.gravity import Weight
-from armui.sim.gripper import Gripper
-from armui.sim.hand import Hand
-from armui.sim.identity import geometry_of, version_frames
-from armui.sim.limp import Limp
-from armui.sim.linkage import CONTROL, LinkedInput
-from armui.sim.motion import JOINT_COUNT, SixValues
-from armui.sim.moves import Moves
-from armui.sim.protection import Protection
+from armui.sim.faults.protection import Protection
+from armui.sim.feedback.feedback import Feedback
+from armui.sim.feedback.linkage import CONTROL, LinkedInput
+from armui.sim.feedback.schedule import FeedbackSchedule
+from armui.sim.mechanics.drivers import Drivers
+from armui.sim.mechanics.gravity import Weight
+from armui.sim.mechanics.gripper import SimulatedGripper
+from armui.sim.mechanics.hand_guiding import HandGuiding
+from armui.sim.mechanics.mechanics import Mechanics
+from armui.sim.mechanics.powered_joints import JOINT_COUNT, SixValues
+from armui.sim.mechanics.unpowered_joints import UnpoweredJoints
+from armui.sim.motion.moves import Moves
+from armui.sim.motion.teaching import SimulatedTeaching
+from armui.sim.parameters.flash import Flash, MemoryFlash
+from armui.sim.parameters.identity import geometry_of, version_frames
+from armui.sim.parameters.parameter_server import ParameterServer, Signals
+from armui.sim.parameters.settings import LinkageSettings
+from armui.sim.parameters.settings_applier import SettingsApplier
 from armui.sim.readings import Readings
-from armui.sim.schedule import Schedule
-from armui.sim.settings import Linkage
-from armui.sim.teaching import Teaching
-from armui.sim.upkeep import Upkeep
 
 _NS_PER_S: Final = 1_000_000_000
 _ALL_INDICES: Final = range(JOINT_COUNT)
@@ -61,15 +61,15 @@ class Firmware(Readings):
         generation: The protocol it speaks.
         kinematics: Of the geometry its version has.
         condition: Modes, flags and faults, as 0x2A1 tells them.
-        body: Joints and motors.
+        mechanics: Joints and motors.
         drivers: What the motor drivers measure.
         gripper: The gripper.
-        hand: A hand that leads the arm where it gives way.
+        hand_guiding: A hand that leads the arm where it gives way.
         teaching: Drag teaching and its recording.
         settings: The values the arm keeps.
         flash: Where it keeps them.
         protection: What watches the drivers.
-        upkeep: What keeps the parts in step with the settings.
+        settings_applier: What keeps the parts in step with the settings.
         feedback_stopped: Whether the arm, broken, tells nothing unless asked.
         drivers_tell: Whether 0x251–0x266 go on while it is a teaching input, as on some arms.
         ignored: How many frames were not understood, by kind.
@@ -100,12 +100,12 @@ class Firmware(Readings):
         self.settings = self.flash.load()
         self.condition = Condition()
         zeros_deg = self.settings.zeros_deg
-        self.body = Body(
+        self.mechanics = Mechanics(
             (float(angle) - zero for angle, zero in zip(joints_deg, zeros_deg, strict=True)),
             Weight(),
         )
         self.drivers = Drivers(seed)
-        self.gripper = Gripper(generation, self.settings)
+        self.gripper = SimulatedGripper(generation, self.settings)
         self.ignored: Counter[OddityKind] = Counter()
         self.unsupported: Counter[str] = Counter()
         self._version = version
@@ -113,20 +113,22 @@ class Firmware(Readings):
         self._silent = False
         self._off = False
         self._now_ns = 0
-        self._schedule = Schedule(generation)
+        self._schedule = FeedbackSchedule(generation)
         self._linkage_waits = False
         self._leader: LinkedInput | None = None
-        self.hand = Hand()
-        self.teaching = Teaching(self.body, self.condition, self.settings, self.hand)
-        self._moves = Moves(self.body, self.condition, self.settings, self.kinematics)
+        self.hand_guiding = HandGuiding()
+        self.teaching = SimulatedTeaching(
+            self.mechanics, self.condition, self.settings, self.hand_guiding
+        )
+        self._moves = Moves(self.mechanics, self.condition, self.settings, self.kinematics)
         self.protection = Protection(
-            self.body, self.drivers, self.condition, self.settings, self._moves.cut_short
+            self.mechanics, self.drivers, self.condition, self.settings, self._moves.cut_short
         )
         self.feedback_stopped = False
         self.drivers_tell = False
-        self.upkeep = Upkeep(
+        self.settings_applier = SettingsApplier(
             self.settings,
-            self.body,
+            self.mechanics,
             self.condition,
             self._schedule,
             flash=self.flash,
@@ -180,7 +182,7 @@ class Firmware(Readings):
         if self._off:
             return []
         message = self._codec.decode(frame)
-        if isinstance(message, Oddity):
+        if isinstance(message, InvalidFrame):
             self.ignored[message.kind] += 1
             return []
         if self._leader is not None and message.name in CONTROL:
@@ -237,13 +239,13 @@ class Firmware(Readings):
         self._drop_work()
         self.teaching.entered = False
         self.teaching.recording.clear()
-        self.body.power_off(_ALL_INDICES, Limp.FREE)
+        self.mechanics.power_off(_ALL_INDICES, UnpoweredJoints.FREE)
         self.gripper.release()
 
     def switch_on(self) -> None:
         """Gives the power back: standby, motors off; only what the flash holds is still known."""
         self._off = False
-        self.upkeep.restart()
+        self.settings_applier.restart()
         self.condition.start_anew()
         self._silent = False
         self._take_linkage()
@@ -257,11 +259,11 @@ class Firmware(Readings):
         if dt_s <= 0.0:
             return
         self._now_ns = to_ns
-        self.body.advance(dt_s, self.upkeep.stops)
+        self.mechanics.advance(dt_s, self.settings_applier.stops)
         self.teaching.time_passed(dt_s)
         self.gripper.advance(dt_s)
-        if self.body.gives_way and self.hand.gripper_to is not None:
-            self.gripper.lead(self.hand.gripper_to)
+        if self.mechanics.gives_way and self.hand_guiding.gripper_to is not None:
+            self.gripper.lead(self.hand_guiding.gripper_to)
         self._moves.time_passed()
 
     def _periodic(self, names: list[str]) -> list[Frame]:
@@ -270,13 +272,13 @@ class Firmware(Readings):
             return self._feedback.frames(names)
         drivers = [name for name in names if self.drivers_tell and name.startswith("Driver")]
         leads = "ArmStatus" in names
-        told = self._leader.frames(self.body.positions_deg, self.gripper) if leads else []
+        told = self._leader.frames(self.mechanics.positions_deg, self.gripper) if leads else []
         return told + self._feedback.frames(drivers)
 
     def _measure(self, names: list[str]) -> None:
         """Lets the drivers measure before the frames of these names are made."""
         self.protection.watch_torques()
-        self.drivers.measure(self.body)
+        self.drivers.measure(self.mechanics)
         for joint in JOINTS:
             name = f"DriverSlow{joint}"
             if name in names:
@@ -285,17 +287,17 @@ class Firmware(Readings):
 
     def _speak(self, addressing: Addressing) -> None:
         self._codec = Codec(self.generation, addressing)
-        self._desk = SettingsDesk(self._codec, self.settings, self.upkeep)
+        self._desk = ParameterServer(self._codec, self.settings, self.settings_applier)
         self._feedback = Feedback(self._codec, self)
 
     def _motion_command(self, signals: Signals) -> list[Frame]:
         if signals["EmergencyStop"] == StopCommand.EMERGENCY_STOP:
             self._drop_work()
-            self.body.power_off(_ALL_INDICES, Limp.DAMPED)
+            self.mechanics.power_off(_ALL_INDICES, UnpoweredJoints.DAMPED)
             self.condition.stopped = True
         elif signals["EmergencyStop"] == StopCommand.RESUME:
             self._drop_work()
-            self.body.power_off(_ALL_INDICES, Limp.FREE)
+            self.mechanics.power_off(_ALL_INDICES, UnpoweredJoints.FREE)
             self.condition.clear_errors()
             if self.teaching.reset():
                 self._enter(ControlMode.STANDBY)
@@ -342,16 +344,16 @@ class Firmware(Readings):
         """Lets the kept linkage setting take effect: the identifiers and the role."""
         linkage = self.settings.linkage
         self._linkage_waits = False
-        self._speak(self.upkeep.addressing)
+        self._speak(self.settings_applier.addressing)
         if linkage.role is LinkageRole.TEACHING_INPUT:
             self._moves.forget()
             self._leader = LinkedInput(self.generation, linkage.target_offset)
             self.condition.control_mode = ControlMode.LINKED_TEACHING_INPUT
-            self.body.give_way(self.hand)
+            self.mechanics.give_way(self.hand_guiding)
         elif self._leader is not None:
             self._leader = None
             self.condition.control_mode = ControlMode.STANDBY
-            self.body.hold()
+            self.mechanics.hold()
 
     def _motor_enable(self, signals: Signals) -> list[Frame]:
         joint = int(signals["Joint"])
@@ -363,7 +365,7 @@ class Firmware(Readings):
         else:
             self._drop_work()
             self._moves.cut_short()
-            self.body.power_off(indices, Limp.FREE)
+            self.mechanics.power_off(indices, UnpoweredJoints.FREE)
         return [self._desk.answer(SettingIndex.MOTOR_ENABLE)]
 
     def _gripper_command(self, signals: Signals) -> list[Frame]:
@@ -374,7 +376,7 @@ class Firmware(Readings):
     def _linkage_setting(self, signals: Signals) -> list[Frame]:
         """Takes effect at once in standby or as a teaching input, else as soon as in standby."""
         answer = self._desk.answer(SettingIndex.LINKAGE_SETTING)
-        self.settings.linkage = Linkage(
+        self.settings.linkage = LinkageSettings(
             LinkageRole(int(signals["Role"])) or self.settings.linkage.role,
             int(signals["FeedbackOffset"]),
             int(signals["ControlOffset"]),

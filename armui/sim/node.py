@@ -12,9 +12,9 @@ from typing import Final, Self
 import can
 
 from armui.protocol.frame import Frame
-from armui.sim.faults import Fault, Faults
+from armui.sim.faults.faulty_link import FaultyLink
+from armui.sim.faults.schedule import Fault, Faults
 from armui.sim.firmware import Firmware
-from armui.sim.line import Line
 
 PERIOD_S: Final = 0.005
 """How often the thread runs: it wakes 200 times a second, not for each of 3,000 frames."""
@@ -34,7 +34,7 @@ class Node:
     Attributes:
         firmware: The arm. While the thread runs, only read it.
         faults: What is broken; while the thread runs, plan it beforehand.
-        line: What happens to the frames on their way; while the thread runs, leave it alone.
+        link: What happens to the frames on their way; while the thread runs, leave it alone.
         heard: The frames the arm received, newest last.
         sent: How many frames went out.
         lost: How many frames the bus did not take (full, down, unplugged, a fault of the line).
@@ -60,8 +60,8 @@ class Node:
             faults: What breaks when.
             seed: Of the faults that are a matter of chance.
         """
-        self.line = Line(seed)
-        self.faults = Faults(firmware, self.line, faults)
+        self.link = FaultyLink(seed)
+        self.faults = Faults(firmware, self.link, faults)
         self.firmware = firmware
         self.heard: deque[Frame] = deque(maxlen=remember)
         self.sent = 0
@@ -93,10 +93,10 @@ class Node:
         Args:
             dt_s: How much time passes.
         """
-        arm, line = self.firmware, self.line
+        arm, link = self.firmware, self.link
         self.faults.at(arm.time_s)
         frames: list[Frame] = []
-        reached = line.to_arm(self._receive(), arm.time_s)
+        reached = link.to_arm(self._receive(), arm.time_s)
         self.heard.extend(reached)
         for frame in reached:
             frames += arm.on_frame(frame)
@@ -105,7 +105,7 @@ class Node:
             self._leads = arm.leads
             self._feedback_ids.clear()  # what it said as a leader it may be told now
         self._feedback_ids.update(frame.arbitration_id for frame in feedback)
-        to_send, lost = line.to_bus(frames + feedback, arm.time_s, dt_s)
+        to_send, lost = link.to_bus(frames + feedback, arm.time_s, dt_s)
         self.lost += lost
         self._send(to_send)
 

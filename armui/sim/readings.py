@@ -9,31 +9,31 @@ from armui.protocol.codes import (
     MoveMode,
     TeachingState,
 )
-from armui.sim.body import Body
 from armui.sim.condition import Condition
-from armui.sim.motion import SixValues
+from armui.sim.mechanics.mechanics import Mechanics
+from armui.sim.mechanics.powered_joints import SixValues
 
 
 class Readings:
     """Short ways to what an arm's parts hold; nothing can be changed through them.
 
     Attributes:
-        body: Joints and motors.
+        mechanics: Joints and motors.
         condition: Modes, flags and faults.
     """
 
-    body: Body
+    mechanics: Mechanics
     condition: Condition
 
     @property
     def joints_deg(self) -> SixValues:
         """Where the joints are."""
-        return self.body.positions_deg
+        return self.mechanics.positions_deg
 
     @property
     def enabled(self) -> tuple[bool, ...]:
         """Which motors have power."""
-        return self.body.powered
+        return self.mechanics.powered
 
     @property
     def status(self) -> ArmStatusCode:

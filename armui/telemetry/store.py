@@ -7,9 +7,9 @@ import threading
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
-from armui.clock import steady_s
-from armui.protocol.codec import Message, Oddity
+from armui.protocol.codec import InvalidFrame, Message
 from armui.protocol.codes import MotorAction, StopCommand, TrajectoryCommand
+from armui.system.clock import steady_s
 from armui.telemetry.quantities import BUS, QUANTITIES, RECORDS, Quantity, Record, Source, Space
 from armui.telemetry.rows import row_of
 from armui.telemetry.series import KEPT_S, Row, Series
@@ -37,7 +37,7 @@ _ENDS: Final = {
 }
 """What of 0x150 ends every target that stands."""
 
-Taken = tuple["Message | Oddity", float, int]
+Taken = tuple["Message | InvalidFrame", float, int]
 """A frame as decoded, its monotonic time, and the length of its payload."""
 _Writer = Callable[[Mapping[str, float], float], None]
 

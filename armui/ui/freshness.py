@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from armui.arm.state import ArmState, Heard
-from armui.control.situation import LinkState, Situation
+from armui.arm.state import ArmState, Reading
+from armui.control.operating_state import LinkState, OperatingState
 
 
-def is_stale(heard: Heard[Any] | None, state: ArmState, situation: Situation) -> bool:
+def is_stale(heard: Reading[Any] | None, state: ArmState, operating_state: OperatingState) -> bool:
     """Whether a value was heard and is too old by now.
 
     While the arm is online its last frame is the clock: a value that stays away for half a second
@@ -16,6 +16,6 @@ def is_stale(heard: Heard[Any] | None, state: ArmState, situation: Situation) ->
     """
     if heard is None:
         return False
-    if situation.link is not LinkState.ONLINE or state.last_feedback_s is None:
+    if operating_state.link is not LinkState.ONLINE or state.last_feedback_s is None:
         return True
     return not heard.fresh(state.last_feedback_s)

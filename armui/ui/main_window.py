@@ -17,32 +17,32 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.state import ArmState
-from armui.control.joint_monitor import JointMonitor
-from armui.control.motion_command import Mover
-from armui.control.situation import Situation, StopState
-from armui.helper_process import FileThread
+from armui.control.devices.joint_monitor import JointMonitor
+from armui.control.motion.motion_command import Mover
+from armui.control.operating_state import OperatingState, StopState
+from armui.system.helper_process import FileThread
 from armui.ui.background import Background
 from armui.ui.dialogs.close_question import CloseQuestion
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
-from armui.ui.leaving import end_motion_then, end_single_motion_then
-from armui.ui.operation_area import OperationArea
-from armui.ui.panel_menu import PanelMaker
-from armui.ui.panels.motion_panel import MotionPanel
-from armui.ui.side_menu import SideMenu
-from armui.ui.status_bar import StatusBar
+from armui.ui.panels.jogging.motion_panel import MotionPanel
+from armui.ui.shell.failure_line import FailureLine
+from armui.ui.shell.joint_status_button import JointStatusButton
+from armui.ui.shell.leaving import end_motion_then, end_single_motion_then
+from armui.ui.shell.library_button import LibraryButton
+from armui.ui.shell.operation_area import OperationArea
+from armui.ui.shell.panel_menu import PanelMaker
+from armui.ui.shell.recovery_line import RecoveryLine
+from armui.ui.shell.side_menu import SideMenu
+from armui.ui.shell.status_bar import StatusBar
+from armui.ui.shell.top_bar import TopBar
+from armui.ui.shell.unsaved import KeepsWork, leave_then, unsaved
+from armui.ui.shell.view_region import ViewRegion
 from armui.ui.theme import DARK, colors_of
-from armui.ui.top_bar import TopBar
-from armui.ui.trajectory.path_preview import PathPreview
-from armui.ui.trajectory.preview_bar import PreviewBar
-from armui.ui.unsaved import KeepsWork, leave_then, unsaved
+from armui.ui.trajectory.preview.path_preview import PathPreview
+from armui.ui.trajectory.preview.preview_bar import PreviewBar
 from armui.ui.widgets.curve_menu import offer_curves
-from armui.ui.widgets.failure_line import FailureLine
-from armui.ui.widgets.joint_status_button import JointStatusButton
-from armui.ui.widgets.library_button import LibraryButton
 from armui.ui.widgets.plots_button import PlotsButton
-from armui.ui.widgets.recovery_line import RecoveryLine
-from armui.ui.widgets.view_region import ViewRegion
 from armui.viewport import palette as scene_palette
 
 if TYPE_CHECKING:
@@ -52,8 +52,8 @@ if TYPE_CHECKING:
 
     from armui.arm.refusal import Refusal
     from armui.control.arm_controller import ArmController
-    from armui.failures import Failure
     from armui.settings import Settings, SettingsStore
+    from armui.system.failures import Failure
     from armui.viewport.view import ArmView
 
 _FIRST_SIZE: Final = QSize(1440, 900)
@@ -158,7 +158,7 @@ class MainWindow(QMainWindow):
         self._view.joint_picked.connect(self._panels.focus_joint)
         self._view.load_failed.connect(self._status_bar.show_problem)
         self._controller.state_changed.connect(self._show_in_view)
-        self._controller.situation_changed.connect(self._on_situation_changed)
+        self._controller.operating_state_changed.connect(self._on_situation_changed)
         self._unsubscribe = self._preferences.subscribe(self._on_settings_changed)
 
     # -- panels -------------------------------------------------------------------------------
@@ -184,15 +184,15 @@ class MainWindow(QMainWindow):
 
     # -- the arm in 3D ------------------------------------------------------------------------
 
-    def _on_situation_changed(self, _situation: Situation) -> None:
+    def _on_situation_changed(self, _operating_state: OperatingState) -> None:
         self._show_in_view(self._controller.state)
 
     def _show_in_view(self, state: ArmState) -> None:
         if not self.isVisible():
             return
-        situation = self._controller.situation
+        operating_state = self._controller.operating_state
         joints_stale, pose_stale = (
-            any(is_stale(heard, state, situation) for heard in six)
+            any(is_stale(heard, state, operating_state) for heard in six)
             for six in (state.joints_deg, state.pose)
         )
         gripper_mm = None if state.gripper is None else state.gripper.value.opening_mm
@@ -248,10 +248,10 @@ class MainWindow(QMainWindow):
         """Show the window 轨迹库 (manual 1.0.9)."""
 
         def make() -> QDialog:
-            from armui import paths  # noqa: PLC0415 - faster start
-            from armui.trajectory.library import Library  # noqa: PLC0415 - numpy, faster start
-            from armui.ui.trajectory.library_window import LibraryWindow  # noqa: PLC0415 - as above
-            from armui.ui.trajectory.preview_link import PreviewLink  # noqa: PLC0415 - as above
+            from armui.system import paths  # noqa: PLC0415 - faster start
+            from armui.trajectory.library.store import Library  # noqa: PLC0415 - numpy, faster start
+            from armui.ui.trajectory.library.library_window import LibraryWindow  # noqa: PLC0415 - as above
+            from armui.ui.trajectory.preview.preview_link import PreviewLink  # noqa: PLC0415 - as above
 
             folder = self._trajectories or paths.trajectories()
             files = self._files
@@ -352,9 +352,9 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask first while something is not saved, is under way, or the arm moves by itself."""
-        situation = self._controller.situation
-        stopping = situation.stop is StopState.REQUESTED
-        under_way = situation.moving or stopping or situation.occupied is not None
+        operating_state = self._controller.operating_state
+        stopping = operating_state.stop is StopState.REQUESTED
+        under_way = operating_state.moving or stopping or operating_state.occupied is not None
         at_stake = under_way or unsaved(self._panels.panels)
         if at_stake and not self._may_close:
             event.ignore()
@@ -367,11 +367,11 @@ class MainWindow(QMainWindow):
         super().closeEvent(event)
 
     def _close_unless_moving(self) -> None:
-        situation = self._controller.situation
-        if not situation.moving:
+        operating_state = self._controller.operating_state
+        if not operating_state.moving:
             self._close_now()
             return
-        if situation.mover is Mover.OURS:
+        if operating_state.mover is Mover.OURS:
             self._ask_how_to_close()
             return
         confirm(

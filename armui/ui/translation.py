@@ -7,7 +7,7 @@ from typing import Final, Literal, get_args
 
 from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
 
-from armui import paths
+from armui.system import paths
 
 Language = Literal["zh", "en"]
 """The languages the operator can choose."""

@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QImage
 
 from armui.viewport.messages import BYTES_PER_PIXEL, JointPicked, LoadFailed, MarkPicked
-from armui.viewport.news import Frame, Lost, UpToDate, Wanted
+from armui.viewport.news import Lost, PictureFrame, UpToDate, Wanted
 from armui.viewport.picture_age import LONGEST_S, PictureAge
 from armui.viewport.process_link import ENTRY, ProcessLink
 
@@ -30,7 +30,7 @@ class Picture:
             drawn into again: who keeps it beyond the next picture makes a copy.
     """
 
-    def __init__(self, frame: Frame) -> None:
+    def __init__(self, frame: PictureFrame) -> None:
         self.frame = frame
         width, height = frame.size_px
         stride = width * BYTES_PER_PIXEL
@@ -136,7 +136,7 @@ class PictureClient(QObject):
         link, news = told
         if link is not self._link or link is None:
             return  # of a process that was given up
-        if isinstance(news, Frame):
+        if isinstance(news, PictureFrame):
             self._is_rough = news.is_rough
             self._note_shown(news.sequence)
             self.frame_ready.emit(Picture(news))

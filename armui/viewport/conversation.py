@@ -12,15 +12,15 @@ from armui.viewport.errors import PROCESS_ENDED, PROCESS_HUNG
 from armui.viewport.frame_memory import SLOTS, FrameMemory
 from armui.viewport.messages import (
     BYTES_PER_PIXEL,
-    Busy,
     Draw,
     Drawn,
     Failed,
-    Phase,
+    PictureBusy,
+    PicturePhase,
     Ready,
     RobotRead,
 )
-from armui.viewport.news import Frame, UpToDate, Wanted
+from armui.viewport.news import PictureFrame, UpToDate, Wanted
 from armui.viewport.watch import LIMITS, is_stuck
 
 if TYPE_CHECKING:
@@ -77,7 +77,7 @@ class Conversation:
         self.asked_serial = asked_serial
         self.is_new = True
         self.is_rough = False
-        self.phase = Phase.STARTING
+        self.phase = PicturePhase.STARTING
         self.robot: RobotChoice | None = None
         self.proven_robot: RobotChoice | None = None
 
@@ -94,7 +94,7 @@ class Conversation:
         """
         self._send(wanted)
         drawn = self._await(Drawn)
-        self.phase = Phase.DRAWING
+        self.phase = PicturePhase.DRAWING
         self.is_new = False
         self.is_rough = drawn.is_rough
         self.proven_robot = self.robot
@@ -107,7 +107,7 @@ class Conversation:
             return
         number = self._mailbox.result_sent()
         self._tell(
-            Frame(
+            PictureFrame(
                 number,
                 drawn.sequence,
                 memory,
@@ -188,7 +188,7 @@ class Conversation:
                 raise ProcessLostError(Refusal(PROCESS_HUNG))
             if isinstance(message, kind):
                 return message
-            if isinstance(message, Busy):
+            if isinstance(message, PictureBusy):
                 if message.phase is not self.phase:
                     self.phase, since_s = message.phase, time.monotonic()
                 if is_stuck(message, time.monotonic() - since_s):

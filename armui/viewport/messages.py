@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 BYTES_PER_PIXEL: Final = 4
 
 
-class Phase(enum.Enum):
+class PicturePhase(enum.Enum):
     """What the picture's process is doing."""
 
     STARTING = enum.auto()
@@ -90,7 +90,7 @@ class Drawn:
 
 
 @dataclass(frozen=True, slots=True)
-class Busy:
+class PictureBusy:
     """A sign of life while a request takes long, and whenever the phase changes.
 
     Attributes:
@@ -99,7 +99,7 @@ class Busy:
         late_s: How much later than asked for the process was woken last: others had the processor.
     """
 
-    phase: Phase
+    phase: PicturePhase
     cpu_s: float
     late_s: float
 
@@ -149,4 +149,4 @@ class Failed:
     traceback: str = ""
 
 
-Answer = Ready | Drawn | Busy | RobotRead | JointPicked | MarkPicked | LoadFailed | Failed
+Answer = Ready | Drawn | PictureBusy | RobotRead | JointPicked | MarkPicked | LoadFailed | Failed

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.refusal import Refusal
 from armui.viewport.errors import DRAWING_STOPPED, NO_OPENGL, PROCESS_ENDED, PROCESS_HUNG
 from armui.viewport.mailbox import Mailbox
-from armui.viewport.messages import LoadFailed, Phase
+from armui.viewport.messages import LoadFailed, PicturePhase
 from armui.viewport.news import Lost, Wanted
 from armui.viewport.view_state import BUILT_IN_ROBOT, RobotChoice
 from armui.viewport.watch import Restarts
@@ -36,7 +36,7 @@ _REST_S: Final = 0.15
 """The picture has come to rest when nothing has changed for so long."""
 
 _JOIN_LIMIT_S: Final = 3.0
-_WITH_A_NEW_ROBOT: Final = frozenset({Phase.LOADING, Phase.FIRST_DRAWING})
+_WITH_A_NEW_ROBOT: Final = frozenset({PicturePhase.LOADING, PicturePhase.FIRST_DRAWING})
 
 
 class ProcessLink:

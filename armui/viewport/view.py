@@ -23,7 +23,7 @@ from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
 from armui.arm.limits import JOINTS
 from armui.viewport.camera import HOME_CAMERA
-from armui.viewport.camera_hand import Drag, press_key, turn_wheel
+from armui.viewport.camera_input import Drag, press_key, turn_wheel
 from armui.viewport.client import Picture, PictureClient
 from armui.viewport.hud import Hud, HudValues
 from armui.viewport.overlay import FADED_OPACITY, lost_text, paint_plate

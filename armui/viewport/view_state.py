@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
-from armui.paths import URDF
+from armui.system.paths import URDF
 from armui.viewport.camera import HOME_CAMERA, OrbitCamera
 from armui.viewport.palette import LIGHT, ScenePalette
 from armui.viewport.path_picture import NOTHING, Preview

@@ -6,7 +6,7 @@ from collections import deque
 from dataclasses import dataclass
 from typing import Final
 
-from armui.viewport.messages import Busy, Phase
+from armui.viewport.messages import PictureBusy, PicturePhase
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,11 +23,11 @@ class Limits:
 
 
 LIMITS: Final = {
-    Phase.STARTING: Limits(60.0, 120.0),  # a cold disk, a busy computer
-    Phase.OPENING: Limits(5.0, 5.0),  # a graphics card that wakes up
-    Phase.LOADING: Limits(5.0, 20.0),  # large meshes
-    Phase.FIRST_DRAWING: Limits(5.0, 5.0),  # a driver compiles its shaders
-    Phase.DRAWING: Limits(1.0, 1.0),
+    PicturePhase.STARTING: Limits(60.0, 120.0),  # a cold disk, a busy computer
+    PicturePhase.OPENING: Limits(5.0, 5.0),  # a graphics card that wakes up
+    PicturePhase.LOADING: Limits(5.0, 20.0),  # large meshes
+    PicturePhase.FIRST_DRAWING: Limits(5.0, 5.0),  # a driver compiles its shaders
+    PicturePhase.DRAWING: Limits(1.0, 1.0),
 }
 _WAITS_SHARE: Final = 0.05
 """A process that takes less of a free processor waits for something that does not come."""
@@ -43,7 +43,7 @@ _SPINS_FACTOR: Final = 2.0
 _LONGEST_FACTOR: Final = 20.0
 
 
-def is_stuck(busy: Busy, busy_for_s: float) -> bool:
+def is_stuck(busy: PictureBusy, busy_for_s: float) -> bool:
     """Whether a process that gives signs of life gets nowhere.
 
     One that is starved by others takes long, too; it wants the processor and does not get it. One

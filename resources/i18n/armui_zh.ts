@@ -2141,7 +2141,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
-    <name>LibraryDeeds</name>
+    <name>LibraryActions</name>
     <message>
         <source>Trajectory</source>
         <translation>轨迹</translation>
@@ -5604,7 +5604,7 @@ Afterwards the motors must be enabled again.</source>
     </message>
 </context>
 <context>
-    <name>WayOut</name>
+    <name>TeachingExitSteps</name>
     <message>
         <source>End what is under way; lead every joint near its zero by hand.</source>
         <translation>结束当前动作，用手将各关节拖动到零位附近。</translation>

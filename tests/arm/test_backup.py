@@ -9,11 +9,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from armui.arm.backup import Backup, from_text, to_text
-from armui.arm.comparison import Verdict, compare
+from armui.arm.comparison import ComparisonVerdict, compare
 from armui.arm.limits import JointLimits
 from armui.arm.parameters import Parameter, all_batches
 from armui.arm.refusal import Refusal
-from armui.arm.state import ArmState, Heard
+from armui.arm.state import ArmState, Reading
 
 EVERY = [each for batch in all_batches(teaching=True) for each in batch.parameters()]
 MAX_J1 = Parameter("max_angle_deg", 1)
@@ -180,7 +180,7 @@ def test_an_empty_list_and_a_pit_of_brackets():
 
 # Comparison ---------------------------------------------------------------------------------------
 
-STATE = replace(ArmState(), limits=(Heard(JointLimits(-150.0, 140.0, 170.0), 1.0), *(None,) * 5))
+STATE = replace(ArmState(), limits=(Reading(JointLimits(-150.0, 140.0, 170.0), 1.0), *(None,) * 5))
 
 
 def verdicts(filed, known, same=lambda _parameter, value: value == -150.0):
@@ -192,11 +192,11 @@ def test_every_way_in_which_file_and_arm_can_compare():
     stroke = Parameter("stroke_limit_mm")
     filed = {MAX_J1: 150.0, MIN_J1: -150.0, LINEAR: 0.5, stroke: 70.0}
     assert verdicts(filed, [MAX_J1, MIN_J1, speed, LINEAR]) == {
-        MAX_J1: Verdict.DIFFERS,
-        MIN_J1: Verdict.SAME,
-        speed: Verdict.ONLY_IN_ARM,
-        LINEAR: Verdict.NOT_READ,
-        stroke: Verdict.ONLY_IN_FILE,
+        MAX_J1: ComparisonVerdict.DIFFERS,
+        MIN_J1: ComparisonVerdict.SAME,
+        speed: ComparisonVerdict.ONLY_IN_ARM,
+        LINEAR: ComparisonVerdict.NOT_READ,
+        stroke: ComparisonVerdict.ONLY_IN_FILE,
     }
 
 

@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from armui.arm.batch import arm_ways, flange_heights, flanges, jacobians, margins, solutions
-from armui.arm.kinematics import Geometry, Kinematics, matrix_to_pose
+from armui.kinematics.batch import arm_ways, flange_heights, flanges, jacobians, margins, solutions
+from armui.kinematics.kinematics import Geometry, Kinematics, matrix_to_pose
 
 LOW = (-150, 0, -170, -100, -70, -120)
 HIGH = (150, 180, 0, 100, 70, 120)

@@ -22,7 +22,7 @@ def heard(generation):
     codec = Codec(generation)
     tracker = Tracker(codec, epoch=3)
     for frame in FRAMES:
-        tracker.fold(codec.decode(frame), 5.0)
+        tracker.update(codec.decode(frame), 5.0)
     return tracker.picture()
 
 

@@ -5,9 +5,9 @@ from datetime import datetime, timedelta
 import pytest
 
 from armui.arm.joint_status import (
-    History,
     Item,
-    Verdict,
+    JointHistory,
+    StatusVerdict,
     Word,
     Worst,
     faults,
@@ -55,13 +55,13 @@ class Arm:
         self.generation = generation
         self.codec = Codec(generation)
         self.tracker = Tracker(self.codec)
-        self.history = History()
+        self.history = JointHistory()
         self.at = NOON
         self.state = ArmState()
 
     def hear(self, arbitration_id, payload, at_s=1.0):
         frame = Frame(arbitration_id, bytes.fromhex(payload))
-        self.tracker.fold(self.codec.decode(frame), at_s)
+        self.tracker.update(self.codec.decode(frame), at_s)
         self.state = self.tracker.picture()
         return self.history.follow(self.state, self.generation, self.at)
 
@@ -107,7 +107,7 @@ def test_nothing_heard_is_nothing_said(arm):
         for joint in JOINTS:
             cell = arm.cell(item, joint)
             assert (cell.word, cell.value, cell.since, cell.stale) == (None, None, None, False)
-    assert arm.worst() == Worst(Verdict.UNKNOWN)
+    assert arm.worst() == Worst(StatusVerdict.UNKNOWN)
 
 
 @pytest.mark.parametrize(("generation", "item"), CASES)
@@ -156,7 +156,7 @@ def test_before_the_generation_is_known_those_bits_say_nothing():
         arm.driver(joint, 0xC0)
     assert arm.cell(Item.HOMED, 1).word is None
     assert arm.cell(Item.STALL_PROTECTION, 1).word is None
-    assert arm.worst() == Worst(Verdict.UNKNOWN)
+    assert arm.worst() == Worst(StatusVerdict.UNKNOWN)
 
 
 @pytest.mark.parametrize("joint", JOINTS)
@@ -220,21 +220,21 @@ def test_a_table_that_is_forgotten_begins_anew(arm):
 
 def test_six_enabled_joints_without_fault_are_normal(arm):
     arm.well()
-    assert arm.worst() == Worst(Verdict.NORMAL)
+    assert arm.worst() == Worst(StatusVerdict.NORMAL)
 
 
 def test_a_homed_joint_is_as_normal_as_one_that_is_not():
     arm = Arm(Generation.ONE)
     arm.well()
     arm.driver(3, ENABLED | 0x80)
-    assert arm.worst() == Worst(Verdict.NORMAL)
+    assert arm.worst() == Worst(StatusVerdict.NORMAL)
 
 
 def test_disabled_joints_are_named(arm):
     arm.well()
     arm.driver(2, 0x00)
     arm.driver(5, 0x00)
-    assert arm.worst() == Worst(Verdict.DISABLED, (2, 5))
+    assert arm.worst() == Worst(StatusVerdict.DISABLED, (2, 5))
 
 
 def test_a_joint_not_heard_is_worse_than_a_disabled_one(arm):
@@ -243,13 +243,13 @@ def test_a_joint_not_heard_is_worse_than_a_disabled_one(arm):
         if joint != 4:
             arm.driver(joint, 0x00, at_s=2.0)
     arm.status(at_s=2.0)
-    assert arm.worst() == Worst(Verdict.UNKNOWN, (4,))
+    assert arm.worst() == Worst(StatusVerdict.UNKNOWN, (4,))
 
 
 def test_without_the_arms_own_status_nothing_is_known(arm):
     for joint in JOINTS:
         arm.driver(joint, ENABLED)
-    assert arm.worst() == Worst(Verdict.UNKNOWN)
+    assert arm.worst() == Worst(StatusVerdict.UNKNOWN)
 
 
 @pytest.mark.parametrize(
@@ -262,20 +262,20 @@ def test_any_fault_is_the_worst_and_goes_with_its_bit(generation, item):
     arm.driver(1, 0x00)
     arm.driver(6, ENABLED | 1 << bit)
     assert faults(arm.state, generation) == [(6, item, when_set)]
-    assert arm.worst() == Worst(Verdict.FAULT, (6,))
+    assert arm.worst() == Worst(StatusVerdict.FAULT, (6,))
     arm.driver(6, ENABLED)
-    assert arm.worst() == Worst(Verdict.DISABLED, (1,))
+    assert arm.worst() == Worst(StatusVerdict.DISABLED, (1,))
 
 
 def test_two_faults_of_a_joint_name_it_once(arm):
     arm.well()
     arm.driver(3, 0x03)
     arm.status(broken=0x05)
-    assert arm.worst() == Worst(Verdict.FAULT, (1, 3))
+    assert arm.worst() == Worst(StatusVerdict.FAULT, (1, 3))
 
 
 def test_a_joint_that_falls_silent_with_a_fault_still_has_it(arm):
     arm.well()
     arm.driver(3, 0x04)
     arm.status(at_s=5.0)
-    assert arm.worst() == Worst(Verdict.FAULT, (3,))
+    assert arm.worst() == Worst(StatusVerdict.FAULT, (3,))

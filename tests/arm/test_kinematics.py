@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from py_opw_kinematics import KinematicModel, Robot
 
-from armui.arm.kinematics import Geometry, Kinematics, Pose, matrix_to_pose, pose_to_matrix
+from armui.kinematics.kinematics import Geometry, Kinematics, Pose, matrix_to_pose, pose_to_matrix
 
 # a(i-1) mm, alpha(i-1) deg, d(i) mm
 _TABLE = ((0, 0, 123), (0, -90, 0), (285.03, 0, 0), (-21.98, 90, 250.75), (0, -90, 0), (0, 90, 91))

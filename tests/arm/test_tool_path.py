@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from armui.arm.kinematics import Matrix, Pose, pose_to_matrix
-from armui.arm.tool_path import Arc, ArcError, Line
+from armui.kinematics.kinematics import Matrix, Pose, pose_to_matrix
+from armui.kinematics.tool_path import Arc, ArcError, Line
 
 SHARES = np.linspace(0.0, 1.0, 101)
 

@@ -17,7 +17,7 @@ class Listener:
         self.tracker = Tracker(self.codec)
 
     def hear(self, arbitration_id, payload, at_s=1.0):
-        self.tracker.fold(self.codec.decode(Frame(arbitration_id, bytes.fromhex(payload))), at_s)
+        self.tracker.update(self.codec.decode(Frame(arbitration_id, bytes.fromhex(payload))), at_s)
         return self.tracker.picture()
 
 

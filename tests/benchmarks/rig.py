@@ -19,9 +19,9 @@ from PySide6.QtWidgets import QApplication
 from armui.app import _SWITCH_INTERVAL_S, Program, keep_from_collector
 from armui.arm.device import Device
 from armui.control.arm_controller import ArmController
-from armui.control.situation import LinkState
-from armui.helper_process import HelperProcess
+from armui.control.operating_state import LinkState
 from armui.settings import SettingsStore
+from armui.system.helper_process import HelperProcess
 from tests.benchmarks.other_arm import BUS
 from tests.waiting import wait_until
 
@@ -71,7 +71,7 @@ def window(
     program.window.resize(1520, 800)  # leaves 900×700 and a little more to the picture
     program.window.show()
     controller.connect_device(device)
-    wait_until(lambda: controller.situation.link is LinkState.ONLINE)
+    wait_until(lambda: controller.operating_state.link is LinkState.ONLINE)
     wait_until(lambda: program.view._picture is not None)
     keep_from_collector()
     try:

@@ -16,12 +16,12 @@ from PySide6.QtWidgets import QApplication, QTableView, QWidget
 
 from armui.app import _SWITCH_INTERVAL_S, SIMULATED, Program, open_device
 from armui.control.arm_controller import ArmController
-from armui.helper_process import HelperProcess
 from armui.settings import SettingsStore
-from armui.trajectory.cells import Column
-from armui.trajectory.library import Library
-from armui.ui.trajectory.editor_window import EditorWindow
-from armui.ui.trajectory.library_window import LibraryWindow
+from armui.system.helper_process import HelperProcess
+from armui.trajectory.library.store import Library
+from armui.trajectory.points.cells import PointColumn
+from armui.ui.trajectory.editor.editor_window import EditorWindow
+from armui.ui.trajectory.library.library_window import LibraryWindow
 from tests.benchmarks.test_plan_speed import POINTS, mixed_program
 
 PAINTED_MS = 60
@@ -36,13 +36,13 @@ class Bare(QAbstractTableModel):
 
     def __init__(self):
         super().__init__()
-        self.texts = [[f"{row + column:.3f}" for column in Column] for row in range(POINTS)]
+        self.texts = [[f"{row + column:.3f}" for column in PointColumn] for row in range(POINTS)]
 
     def rowCount(self, parent=NO_PARENT):  # noqa: N802 - Qt's name
         return 0 if parent.isValid() else len(self.texts)
 
     def columnCount(self, parent=NO_PARENT):  # noqa: N802 - Qt's name
-        return 0 if parent.isValid() else len(Column)
+        return 0 if parent.isValid() else len(PointColumn)
 
     def data(self, index, role=Qt.ItemDataRole.DisplayRole):
         shown = role == Qt.ItemDataRole.DisplayRole
@@ -171,7 +171,7 @@ def with_the_editor(window):
     model, actions = window.model, window._actions
     return deeds(
         window.table,
-        lambda row: model.setData(model.index(row, Column.DWELL), f"{row % 90 + 0.25}"),
+        lambda row: model.setData(model.index(row, PointColumn.DWELL), f"{row % 90 + 0.25}"),
         lambda _row: actions["insert_after"].trigger(),
         lambda _row: actions["delete"].trigger(),
         lambda _row: actions["undo"].trigger(),
@@ -194,7 +194,7 @@ def test_editor_smoothness(editor, bare, capsys, benchmark):
         lines.append((what, ours_s, f"QTableView {1e3 * plain_s:3.0f} ms"))
 
     def edit_and_turn_pages():
-        editor.model.setData(editor.model.index(3, Column.DWELL), "0.75")
+        editor.model.setData(editor.model.index(3, PointColumn.DWELL), "0.75")
         turn_pages(editor.table, 200)
 
     draft_s = pulse.during(edit_and_turn_pages, DRAFT_MS)

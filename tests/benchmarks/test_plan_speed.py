@@ -15,13 +15,13 @@ import pytest
 from ruckig import InputParameter, Ruckig
 from ruckig import Trajectory as JointPlan
 
-from armui.arm.kinematics import Pose, pose_to_matrix
 from armui.arm.reach import check_path, check_pose
-from armui.arm.tool_path import Line
-from armui.trajectory.check import check
-from armui.trajectory.program import Trajectory, Waypoint
-from armui.trajectory.recording import Recording
-from armui.trajectory.timing import plan_path
+from armui.kinematics.kinematics import Pose, pose_to_matrix
+from armui.kinematics.tool_path import Line
+from armui.trajectory.planning.check import check
+from armui.trajectory.planning.timing import plan_path
+from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.trajectory.samples.recording import Recording
 from tests.trajectory.arms import ARM, KINEMATICS, joint, line, pose_near, run
 
 POINTS = 10_000

@@ -41,8 +41,8 @@ def main():
     from PySide6.QtWidgets import QApplication
     from armui.app import Program, SIMULATED, open_device
     from armui.control.arm_controller import ArmController
-    from armui.control.situation import LinkState
-    from armui.helper_process import HelperProcess
+    from armui.control.operating_state import LinkState
+    from armui.system.helper_process import HelperProcess
     from armui.settings import SettingsStore
 
     app = QApplication([])

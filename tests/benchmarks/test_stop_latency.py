@@ -211,7 +211,7 @@ def test_stop_latency(qapp, tmp_path, capsys, benchmark, arm, load):
                 qapp, tmp_path, lambda device: timed(open_bus(device), sent_s.append), device
             )
         )
-        wait_until(lambda: program.controller.situation.moving)
+        wait_until(lambda: program.controller.operating_state.moving)
         stack.enter_context(load(program))
         program.view._client.frame_ready.connect(lambda _p: pictures.append(time.monotonic()))
         began_s = time.monotonic()

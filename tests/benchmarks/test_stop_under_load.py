@@ -21,21 +21,21 @@ from PySide6.QtWidgets import QApplication, QPushButton
 from armui.app import _SWITCH_INTERVAL_S, Program
 from armui.arm.device import Device
 from armui.control.arm_controller import ArmController
-from armui.control.replay import Replay
-from armui.control.sample_store import SampleStore
-from armui.helper_process import FileThread, HelperProcess
-from armui.preload import preload
+from armui.control.run.replay import Replay
+from armui.control.run.sample_store import SampleStore
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import Generation
 from armui.settings import SettingsStore
 from armui.sim.node import Node
+from armui.system.helper_process import FileThread, HelperProcess
+from armui.system.preload import preload
 from armui.trajectory import files
-from armui.trajectory.preflight import warm_up
-from armui.trajectory.program import Trajectory, Waypoint
-from armui.trajectory.recording import Recording
-from armui.trajectory.replay_profile import replay_profile
-from armui.ui.trajectory.run_options import RunOptions
+from armui.trajectory.planning.preflight import warm_up
+from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.trajectory.samples.recording import Recording
+from armui.trajectory.samples.replay_profile import replay_profile
+from armui.ui.trajectory.running.run_options import RunOptions
 from tests.benchmarks.rig import spread
 from tests.benchmarks.test_stop_latency import CHANNEL, STOP_ID, DeafToStops
 
@@ -256,10 +256,10 @@ def test_stop_under_load(qapp, tmp_path, capsys, benchmark):
     bare.pressed.connect(lambda: handled_s.append(time.time()))
     with Node(firmware, arm_side):
         controller.connect_device(Device("virtual", CHANNEL, None, simulated=True, generation=2))
-        _wait(lambda: controller.situation.generation is not None)
-        _wait(lambda: None not in controller.situation.enabled)
+        _wait(lambda: controller.operating_state.generation is not None)
+        _wait(lambda: None not in controller.operating_state.enabled)
         controller.motors.enable()
-        _wait(lambda: controller.situation.cannot_move is None)
+        _wait(lambda: controller.operating_state.cannot_move is None)
         program.window.open_library_window()
         workers.submit(warm_up).result(120)
         filer.submit(filer.call, warm_up).result(120)
@@ -276,7 +276,7 @@ def test_stop_under_load(qapp, tmp_path, capsys, benchmark):
         gc.freeze()
         for name in LOADS:
             begin = loads.prepare(name)
-            _wait(lambda: controller.situation.cannot_run is None)
+            _wait(lambda: controller.operating_state.cannot_run is None)
             sent_s.clear()
             handled_s.clear()
             pressed_s, took_s, longest_s = measure(begin, bare_stop, bare)
@@ -290,7 +290,7 @@ def test_stop_under_load(qapp, tmp_path, capsys, benchmark):
             with capsys.disabled():
                 print("\n" + "\n".join(lines))
             controller.replayer.stop()
-            _wait(lambda: not controller.situation.running)
+            _wait(lambda: not controller.operating_state.running)
         program.shutdown()
     for widget in (bare, bare_stop, program.window):
         widget.deleteLater()

@@ -22,7 +22,7 @@ from PySide6.QtWidgets import QPushButton
 from armui.app import _SWITCH_INTERVAL_S
 from armui.arm.device import Device
 from armui.control.arm_controller import ArmController
-from armui.control.situation import LinkState
+from armui.control.operating_state import LinkState
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
@@ -107,7 +107,7 @@ def test_what_a_press_costs(qtbot, capsys, benchmark, name):
     arm_side = can.Bus(interface="virtual", channel=channel)
     with Node(Firmware(Generation.TWO), arm_side):
         controller.connect_device(Device("virtual", channel, None))
-        qtbot.waitUntil(lambda: controller.situation.link is LinkState.ONLINE, timeout=20_000)
+        qtbot.waitUntil(lambda: controller.operating_state.link is LinkState.ONLINE, timeout=20_000)
         for _ in range(PRESSES):
             presses_ms.append(held_ms(lambda: QTest.mousePress(stop, Qt.MouseButton.LeftButton)))
             QTest.mouseRelease(stop, Qt.MouseButton.LeftButton)

@@ -12,7 +12,7 @@ import time
 import pytest
 import pyvista as pv
 
-from armui.paths import URDF
+from armui.system.paths import URDF
 from armui.viewport.process.scene import Scene
 from armui.viewport.process.urdf_file import load_robot
 from armui.viewport.view import ArmView

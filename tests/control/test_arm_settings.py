@@ -7,7 +7,7 @@ import pytest
 
 from armui.arm.limits import FACTORY_LIMITS
 from armui.arm.parameters import Batch, Group, Parameter, all_batches, heard
-from armui.control.arm_settings import CellState
+from armui.control.parameters.arm_settings import CellState
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from tests.faulty_arm import HardOfHearing
@@ -34,36 +34,36 @@ def arm(any_bench):
 
 
 @pytest.fixture
-def arm2(bench):
-    bench.connect()
-    bench.ear = HardOfHearing(bench.firmware)
-    return bench
+def arm2(rig):
+    rig.connect()
+    rig.ear = HardOfHearing(rig.firmware)
+    return rig
 
 
-def settled(bench):
-    bench.run_until(lambda: not bench.controller.settings.busy)
+def settled(rig):
+    rig.run_until(lambda: not rig.controller.settings.busy)
 
 
-def states(bench, *parameters):
-    return [bench.controller.settings.cell(parameter).state for parameter in parameters]
+def states(rig, *parameters):
+    return [rig.controller.settings.cell(parameter).state for parameter in parameters]
 
 
-def reason(bench, parameter):
-    return bench.controller.settings.cell(parameter).reason
+def reason(rig, parameter):
+    return rig.controller.settings.cell(parameter).reason
 
 
-def settings_heard(bench):
-    return [each for each in bench.ear.heard if each.arbitration_id in SETTINGS_IDS]
+def settings_heard(rig):
+    return [each for each in rig.ear.heard if each.arbitration_id in SETTINGS_IDS]
 
 
-def saved(bench, changes):
-    assert bench.controller.settings.save(changes) is None
-    settled(bench)
+def saved(rig, changes):
+    assert rig.controller.settings.save(changes) is None
+    settled(rig)
 
 
 def test_everything_an_arm_keeps_is_read(any_bench):
     any_bench.connect()
-    generation = any_bench.controller.situation.generation
+    generation = any_bench.controller.operating_state.generation
     batches = list(all_batches(teaching=generation is Generation.TWO))
     assert any_bench.controller.settings.read(batches) is None
     settled(any_bench)
@@ -85,25 +85,25 @@ def test_only_what_changed_is_sent_in_generation_2(arm2):
     assert arm2.firmware.settings.limits[1].min_deg == FACTORY_LIMITS[1].min_deg
     assert states(arm2, MAX_J2, MIN_J2) == [CellState.SAVED, CellState.UNREAD]
     assert heard(arm2.controller.state, MAX_J2).value == 170.0
-    assert arm2.controller.situation.limits[1].max_deg == 170.0
+    assert arm2.controller.operating_state.limits[1].max_deg == 170.0
 
 
 @pytest.mark.parametrize("generation", [Generation.ONE])
 def test_generation_1_sends_the_rest_as_it_was_read(any_bench):
-    bench = any_bench
-    bench.connect()
-    bench.ear = HardOfHearing(bench.firmware)
-    saved(bench, {MAX_J2: 170.0})
+    rig = any_bench
+    rig.connect()
+    rig.ear = HardOfHearing(rig.firmware)
+    saved(rig, {MAX_J2: 170.0})
     # 1700 = 06A4; min 0; 3 rad/s = 28.65 rpm, on the bus 29 = 001D
-    assert settings_heard(bench)[0] == frame(0x474, "02 06A4 0000 001D 00")
-    assert bench.firmware.settings.limits[1].max_deg == 170.0
-    assert bench.firmware.settings.limits[1].max_speed_deg_s == pytest.approx(math.degrees(3.0))
+    assert settings_heard(rig)[0] == frame(0x474, "02 06A4 0000 001D 00")
+    assert rig.firmware.settings.limits[1].max_deg == 170.0
+    assert rig.firmware.settings.limits[1].max_speed_deg_s == pytest.approx(math.degrees(3.0))
 
 
 def test_speed_and_acceleration_are_in_the_operators_units(arm):
     saved(arm, {SPEED_J2: 120.0, ACCELERATION_J3: 150.0})
     settings = arm.firmware.settings
-    if arm.controller.situation.generation is Generation.TWO:
+    if arm.controller.operating_state.generation is Generation.TWO:
         # 120 °/s = 2.094 rad/s -> 209 steps of 0.01; 150 °/s² = 2.618 rad/s² -> 262
         assert settings.limits[1].max_speed_deg_s == pytest.approx(math.degrees(2.09))
         assert settings.accelerations_deg_s2[2] == pytest.approx(math.degrees(2.62))

@@ -8,9 +8,9 @@ import pytest
 
 from armui.arm.limits import JointLimits
 from armui.arm.other_hosts import OtherHosts
-from armui.arm.state import ArmState, DriverSlow, Heard, Status
+from armui.arm.state import ArmState, DriverSlow, Reading, Status
 from armui.control.authority import Authority
-from armui.control.motion_command import CommandKind, End, Hold, Mover, Observation
+from armui.control.motion.motion_command import CommandKind, End, Hold, Mover, Observation
 from armui.protocol.codes import ArmStatusCode, ControlMode, MoveMode
 
 START_S = 100.0
@@ -50,19 +50,19 @@ class Arm:
         self.limits: JointLimits | None = None
         self.offsets = (0,)
         self.authority = Authority()
-        self._status = Heard(self.status, self.now_s)
-        self._joints = tuple(Heard(each, self.now_s) for each in HERE)
+        self._status = Reading(self.status, self.now_s)
+        self._joints = tuple(Reading(each, self.now_s) for each in HERE)
         self.wait(0.5)
 
     def look(self) -> None:
         """Observe once."""
         now_s = self.now_s
         if "status" not in self.silent:
-            self._status = Heard(self.status, now_s)
+            self._status = Reading(self.status, now_s)
         if "joints" not in self.silent:
-            self._joints = tuple(Heard(each, now_s) for each in self.joints_deg)
-        driver = Heard(replace(DRIVER, enabled=self.enabled), now_s)
-        limits = None if self.limits is None else Heard(self.limits, now_s)
+            self._joints = tuple(Reading(each, now_s) for each in self.joints_deg)
+        driver = Reading(replace(DRIVER, enabled=self.enabled), now_s)
+        limits = None if self.limits is None else Reading(self.limits, now_s)
         state = ArmState(
             last_feedback_s=now_s,
             status=self._status,

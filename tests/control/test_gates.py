@@ -3,10 +3,10 @@
 import pytest
 
 from armui.arm.parameters import Batch, Group
-from armui.control.run import Phase
+from armui.control.run.progress import RunPhase
 from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.protocol.frame import Frame
-from armui.trajectory.program import LightAction
+from armui.trajectory.points.program import LightAction
 from tests.control.under_way import (
     BACK,
     BESIDE_A_RUN,
@@ -40,19 +40,19 @@ def ready(any_bench):
     return any_bench
 
 
-def ids(bench):
-    return {frame.arbitration_id for frame in bench.ear.heard}
+def ids(rig):
+    return {frame.arbitration_id for frame in rig.ear.heard}
 
 
-def refused(bench, *tables):
+def refused(rig, *tables):
     """The codes with which each command of some tables is refused; ``None`` where it is not."""
     codes = {}
     for table in tables:
         for name, command in table.items():
-            told = bench.codes().count("refused")
-            refusal = command(bench)
+            told = rig.codes().count("refused")
+            refusal = command(rig)
             codes[name] = refusal and refusal.code
-            assert refusal is None or bench.codes().count("refused") == told + 1, name
+            assert refusal is None or rig.codes().count("refused") == told + 1, name
     return codes
 
 
@@ -140,13 +140,13 @@ def test_nothing_moves_while_something_is_being_set(ready, name):
 
 def test_settings_wait_until_no_joint_turns(ready):
     ready.controller.motion.send_joints(OUT)
-    ready.run_until(lambda: ready.controller.situation.moving)
+    ready.run_until(lambda: ready.controller.operating_state.moving)
     ready.run(0.2)
     ready.ear.heard.clear()
     assert SETTINGS["factory end limits"](ready).code == "joints_moving"
     ready.step()
     assert ready.ear.heard == []
-    ready.run_until(lambda: not ready.controller.situation.moving)
+    ready.run_until(lambda: not ready.controller.operating_state.moving)
     ready.run(0.2)
     assert SETTINGS["factory end limits"](ready) is None
 
@@ -166,7 +166,7 @@ def test_motors_can_always_be_disabled_and_the_run_says_so(ready, begin, joint):
     ready.step()
     assert [ready.ear.heard[0], ready.ear.heard[1].arbitration_id] == [ABORT, DISABLE]
     progress = ready.controller.player.progress
-    assert (progress.phase, progress.reason.code) == (Phase.FAILED, "run_disabled")
+    assert (progress.phase, progress.reason.code) == (RunPhase.FAILED, "run_disabled")
     ready.run(0.5)  # it brakes
     here = ready.firmware.joints_deg[0]
     ready.run(1.0)
@@ -189,7 +189,7 @@ def test_what_ends_motions_ends_a_run_too(ready, begin, plan):
     assert ready.controller.planned_motion.command(plan) is None
     running = (ready.controller.player, ready.controller.replayer)
     ready.run_until(lambda: not any(each.running for each in running))
-    assert Phase.STOPPED in {each.progress.phase for each in running}
+    assert RunPhase.STOPPED in {each.progress.phase for each in running}
     here = tuple(ready.firmware.joints_deg)
     ready.run(1.0)
     assert tuple(ready.firmware.joints_deg) == here
@@ -250,18 +250,18 @@ def test_an_arm_held_up_does_not_set_out_for_the_point_of_a_run_that_is_over(rea
 def test_a_motion_that_was_ended_does_not_count_as_moving_for_good(ready):
     run_moving(ready)
     ready.controller.player.stop()
-    assert ready.controller.situation.moving
+    assert ready.controller.operating_state.moving
     ready.run_until(lambda: not ready.controller.player.running)
     ready.run(0.5)
     assert not ready.controller.state.status.value.reached
-    assert not ready.controller.situation.moving
+    assert not ready.controller.operating_state.moving
 
 
 def test_a_tool_step_after_another_motion_begins_where_the_arm_is(ready):
     authority = ready.controller._authority
     ready.controller.motion.send_joints(OUT)
-    ready.run_until(lambda: ready.controller.situation.moving)
-    ready.run_until(lambda: not ready.controller.situation.moving)
+    ready.run_until(lambda: ready.controller.operating_state.moving)
+    ready.run_until(lambda: not ready.controller.operating_state.moving)
     assert MOTIONS["tool step"](ready) is None
     assert authority.tool_base() is not None
     ready.controller.motion.send_joints(BACK)
@@ -276,7 +276,7 @@ def uncertain(ready):
     """The arm may listen elsewhere, and another one here (0x470)."""
     ready.controller._connection.offsets.control_known = False
     ready.step()
-    assert not ready.controller.situation.control_certain
+    assert not ready.controller.operating_state.control_certain
     ready.ear.heard.clear()
     return ready
 

@@ -7,10 +7,10 @@ import pytest
 
 from armui.arm.gripper import GripperFault, gripper_of
 from armui.arm.parameters import Parameter
-from armui.control.gripper_ranges import figures_of
+from armui.control.devices.gripper_ranges import figures_of
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.sim.gripper import GripperError
+from armui.sim.mechanics.gripper import GripperError
 from tests.faulty_arm import FaultyDrivers, HardOfHearing
 
 ONE, TWO = Generation.ONE, Generation.TWO
@@ -29,11 +29,11 @@ def arm(any_bench):
 
 
 @pytest.fixture
-def arm2(bench):
-    bench.connect()
-    bench.ear = HardOfHearing(bench.firmware)
-    bench.gripper = bench.controller.gripper
-    return bench
+def arm2(rig):
+    rig.connect()
+    rig.ear = HardOfHearing(rig.firmware)
+    rig.gripper = rig.controller.gripper
+    return rig
 
 
 def sent(arm):
@@ -181,7 +181,7 @@ def test_not_where_no_gripper_is_heard(arm):
 def test_a_link_lost_half_way(arm):
     arm.gripper.move(80.0, 0.2)
     arm.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
-    arm.run_until(lambda: arm.controller.situation.unreachable is not None)
+    arm.run_until(lambda: arm.controller.operating_state.unreachable is not None)
     assert arm.gripper.move(5.0, 1.0).code in {"link_lost", "offline"}
     arm.run(1.0)
     assert told(arm, "gripper_there") == told(arm, "gripper_not_there") == []
@@ -203,10 +203,10 @@ def test_what_it_says(generation):
         assert said.faults == {fault}
 
 
-def test_no_stroke_limit_means_the_widest(bench):
-    bench.connect()
-    bench.firmware.settings.teaching = bench.firmware.settings.teaching._replace(stroke_limit_mm=0)
-    bench.controller.settings.read([Parameter("stroke_limit_mm").batch])
-    bench.run_until(lambda: not bench.controller.settings.busy)
-    figures = figures_of(TWO, bench.controller.state)
+def test_no_stroke_limit_means_the_widest(rig):
+    rig.connect()
+    rig.firmware.settings.teaching = rig.firmware.settings.teaching._replace(stroke_limit_mm=0)
+    rig.controller.settings.read([Parameter("stroke_limit_mm").batch])
+    rig.run_until(lambda: not rig.controller.settings.busy)
+    figures = figures_of(TWO, rig.controller.state)
     assert figures.travel.maximum == 100.0

@@ -4,11 +4,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from armui.arm.limits import JointLimits
-from armui.arm.state import Heard
-from armui.control.jog_pace import FACTORY_ACCELERATION_DEG_S2, REST_S, accelerations, pace
-from armui.control.jog_stream import JogStream
-from armui.control.jog_ways import JointJog, JointWay
-from armui.sim.motion import JointMotion
+from armui.arm.state import Reading
+from armui.control.motion.jog_pace import FACTORY_ACCELERATION_DEG_S2, REST_S, accelerations, pace
+from armui.control.motion.jog_path import JointJog, JointJogPath
+from armui.control.motion.jog_stream import JogStream
+from armui.sim.mechanics.powered_joints import JointMotion
 
 BASE_DEG = (0.0, 90.0, -90.0, 0.0, 0.0, 0.0)
 
@@ -58,7 +58,7 @@ def test_an_arm_left_alone_rests_in_time(
 ):
     limits = (JointLimits(-100.0, 100.0, max_speed),) * 6
     arm = Arm(limits, acceleration, age_ms)
-    way = JointWay(JointJog(joint, direction), BASE_DEG, limits)
+    way = JointJogPath(JointJog(joint, direction), BASE_DEG, limits)
     stream = JogStream(way, BASE_DEG, BASE_DEG)
     now = pace(percent, limits, arm.accelerations)
     for tick_ms in ticks_ms:
@@ -73,7 +73,7 @@ def test_an_arm_left_alone_rests_in_time(
 def test_the_setpoint_waits_for_an_arm_that_stands():
     limits = (JointLimits(-100.0, 100.0, 170.0),) * 6
     now = pace(100, limits, (200.0,) * 6)
-    stream = JogStream(JointWay(JointJog(1, 1), BASE_DEG, limits), BASE_DEG, BASE_DEG)
+    stream = JogStream(JointJogPath(JointJog(1, 1), BASE_DEG, limits), BASE_DEG, BASE_DEG)
     reasons = [stream.advance(BASE_DEG, 0.01, now) for _ in range(70)]
     assert 0.9 * now.leads_deg[0] < stream.setpoint_deg[0] <= now.leads_deg[0]
     assert reasons[:40] == [None] * 40
@@ -84,12 +84,12 @@ def test_a_joint_that_sags_under_load_is_not_pulled_back():
     limits = (JointLimits(-100.0, 100.0, 170.0),) * 6
     now = pace(10, limits, (200.0,) * 6)
     sagging_deg = (-0.3, *BASE_DEG[1:])
-    stream = JogStream(JointWay(JointJog(1, 1), BASE_DEG, limits), BASE_DEG, sagging_deg)
+    stream = JogStream(JointJogPath(JointJog(1, 1), BASE_DEG, limits), BASE_DEG, sagging_deg)
     assert stream.advance(sagging_deg, 0.01, now) is None
     assert stream.setpoint_deg[0] > BASE_DEG[0]
 
 
 def test_a_corrupt_acceleration_is_not_relied_on():
-    heard = (None, Heard(65535.0, 1.0), Heard(0.0, 1.0), Heard(100.0, 1.0), None, None)
+    heard = (None, Reading(65535.0, 1.0), Reading(0.0, 1.0), Reading(100.0, 1.0), None, None)
     factory = FACTORY_ACCELERATION_DEG_S2
     assert accelerations(heard) == (factory, factory, factory, 100.0, factory, factory)

@@ -4,12 +4,12 @@ import math
 
 import pytest
 
-from armui.arm.frames import AXES, JogFrame
-from armui.arm.kinematics import Kinematics, matrix_to_pose
 from armui.arm.limits import FACTORY_LIMITS
-from armui.arm.poses import shifted, tool_matrix
-from armui.control.jog_pace import REST_S, pace
-from armui.control.jog_ways import JointJog, ToolJog
+from armui.control.motion.jog_pace import REST_S, pace
+from armui.control.motion.jog_path import JointJog, ToolJog
+from armui.kinematics.axes import AXES, JogFrame
+from armui.kinematics.kinematics import Kinematics, matrix_to_pose
+from armui.kinematics.poses import shifted, tool_matrix
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from tests.control.jogger import (
@@ -30,8 +30,8 @@ JOBS = {
 }
 
 
-def angles(bench):
-    return [round(angle, 3) for angle in bench.firmware.joints_deg]
+def angles(rig):
+    return [round(angle, 3) for angle in rig.firmware.joints_deg]
 
 
 @pytest.mark.parametrize(
@@ -41,72 +41,72 @@ def angles(bench):
 )
 @pytest.mark.parametrize("loss", LOSSES.values(), ids=LOSSES)
 def test_the_arm_rests_within_100_ms_of_any_loss(any_bench, loss, job, percent, record_property):
-    bench = any_bench
-    bend(bench)
-    bench.controller.motion.set_speed_percent(percent)
-    assert bench.controller.jogging.start(job) is None
-    hold(bench, 0.5)
-    assert bench.controller.jogging.active
-    assert angles(bench) != list(BENT_DEG)
-    loss(bench)
-    took_s = rest_s(bench)
+    rig = any_bench
+    bend(rig)
+    rig.controller.motion.set_speed_percent(percent)
+    assert rig.controller.jogging.start(job) is None
+    hold(rig, 0.5)
+    assert rig.controller.jogging.active
+    assert angles(rig) != list(BENT_DEG)
+    loss(rig)
+    took_s = rest_s(rig)
     record_property("rest_s", took_s)
     print(f"REST {1e3 * took_s:.0f} ms")
     assert took_s <= 0.1
     assert took_s <= REST_S + 2 * TICK_S
-    bench.broken = bench.broken or OSError()  # nothing is left to wait for
+    rig.broken = rig.broken or OSError()  # nothing is left to wait for
 
 
 @pytest.mark.parametrize("held_s", [0.05, 0.06, 0.07, 0.09, 0.12, 0.15])
-def test_a_short_press_ends_as_soon(bench, held_s):
-    bend(bench)
-    bench.controller.motion.set_speed_percent(100)
-    bench.controller.jogging.start(JointJog(2, -1))
-    hold(bench, held_s)
-    release(bench)
-    assert rest_s(bench) <= REST_S + TICK_S
+def test_a_short_press_ends_as_soon(rig, held_s):
+    bend(rig)
+    rig.controller.motion.set_speed_percent(100)
+    rig.controller.jogging.start(JointJog(2, -1))
+    hold(rig, held_s)
+    release(rig)
+    assert rest_s(rig) <= REST_S + TICK_S
 
 
-def test_turning_back_at_once_waits_for_the_rest(bench):
-    bend(bench)
-    bench.controller.motion.set_speed_percent(100)
-    jogging = bench.controller.jogging
+def test_turning_back_at_once_waits_for_the_rest(rig):
+    bend(rig)
+    rig.controller.motion.set_speed_percent(100)
+    jogging = rig.controller.jogging
     jogging.start(JointJog(1, 1))
-    hold(bench, 0.3)
+    hold(rig, 0.3)
     jogging.start(JointJog(1, -1))
     for _ in range(40):
-        hold(bench, TICK_S)
-        assert fastest_deg_s(bench) < 14.0
-    assert bench.firmware.body.speeds_deg_s[0] == pytest.approx(-13.0, abs=1.5)
-    release(bench)
-    assert rest_s(bench) <= 0.1
+        hold(rig, TICK_S)
+        assert fastest_deg_s(rig) < 14.0
+    assert rig.firmware.mechanics.speeds_deg_s[0] == pytest.approx(-13.0, abs=1.5)
+    release(rig)
+    assert rest_s(rig) <= 0.1
 
 
 def test_the_speed_is_the_cap_scaled_by_the_percentage(any_bench):
-    bench = any_bench
-    bend(bench)
+    rig = any_bench
+    bend(rig)
     for percent, speed_deg_s in ((100, 12.89), (50, 6.446), (10, 1.289)):
-        bench.controller.motion.set_speed_percent(percent)
-        bench.controller.jogging.start(JointJog(6, -1))
-        hold(bench, 0.3)
-        before = bench.firmware.joints_deg[5]
-        hold(bench, 0.5)
-        gone = before - bench.firmware.joints_deg[5]
-        release(bench)
-        hold(bench, 0.3)
+        rig.controller.motion.set_speed_percent(percent)
+        rig.controller.jogging.start(JointJog(6, -1))
+        hold(rig, 0.3)
+        before = rig.firmware.joints_deg[5]
+        hold(rig, 0.5)
+        gone = before - rig.firmware.joints_deg[5]
+        release(rig)
+        hold(rig, 0.3)
         assert gone == pytest.approx(0.5 * speed_deg_s, rel=0.03)
 
 
 def test_the_first_setpoint_enters_move_j_and_the_rest_are_targets(any_bench):
-    bench = any_bench
-    bench.ready()
-    bench.controller.motion.set_speed_percent(100)
-    bench.run(0.1)
-    bench.heard()
-    assert bench.controller.jogging.start(JointJog(1, 1)) is None
-    assert bench.codes()[-1] == "jogging_joint"
-    hold(bench, 0.03)
-    frames = bench.heard()
+    rig = any_bench
+    rig.ready()
+    rig.controller.motion.set_speed_percent(100)
+    rig.run(0.1)
+    rig.heard()
+    assert rig.controller.jogging.start(JointJog(1, 1)) is None
+    assert rig.codes()[-1] == "jogging_joint"
+    hold(rig, 0.03)
+    frames = rig.heard()
     # 0.129° after the first 10 ms: 12.89 °/s, 0x81 steps of 0.001°; 8 % of 171.9 °/s lies above it
     zero = bytes(8)
     assert frames[:4] == [
@@ -116,47 +116,47 @@ def test_the_first_setpoint_enters_move_j_and_the_rest_are_targets(any_bench):
         Frame(0x151, bytes.fromhex("01 01 08 00 00 00 00 00")),
     ]
     assert {frame.arbitration_id for frame in frames[4:]} == {0x155, 0x156, 0x157}
-    release(bench)
-    hold(bench, 0.05)
-    assert bench.heard() == []
+    release(rig)
+    hold(rig, 0.05)
+    assert rig.heard() == []
 
 
 def test_the_operator_s_speed_is_given_back(any_bench):
-    bench = any_bench
-    bend(bench)
-    bench.controller.jogging.start(JointJog(1, 1))
-    hold(bench, 0.3)
-    release(bench)
-    bench.heard()
-    hold(bench, 0.5)
-    assert bench.heard() == [Frame(0x151, bytes.fromhex("01 01 64 00 00 00 00 00"))]
-    before = angles(bench)
-    hold(bench, 0.2)
-    assert angles(bench) == before
-    status = bench.controller.state.status.value
-    if bench.firmware.generation is Generation.ONE:
+    rig = any_bench
+    bend(rig)
+    rig.controller.jogging.start(JointJog(1, 1))
+    hold(rig, 0.3)
+    release(rig)
+    rig.heard()
+    hold(rig, 0.5)
+    assert rig.heard() == [Frame(0x151, bytes.fromhex("01 01 64 00 00 00 00 00"))]
+    before = angles(rig)
+    hold(rig, 0.2)
+    assert angles(rig) == before
+    status = rig.controller.state.status.value
+    if rig.firmware.generation is Generation.ONE:
         assert status.speed_percent == 100
 
 
 def test_a_joint_stops_at_its_limit_and_says_so(any_bench):
-    bench = any_bench
-    bend(bench, (148.0, *BENT_DEG[1:]))
-    jogging = bench.controller.jogging
+    rig = any_bench
+    bend(rig, (148.0, *BENT_DEG[1:]))
+    jogging = rig.controller.jogging
     jogging.start(JointJog(1, 1))
-    hold(bench, 0.6)
+    hold(rig, 0.6)
     assert not jogging.active
-    assert angles(bench)[0] == 150.0
-    told = bench.notices[-1]
+    assert angles(rig)[0] == 150.0
+    told = rig.notices[-1]
     assert told.code == "jog_ended"
     assert told.params["reason"].code == "jog_at_limit"
     assert dict(told.params["reason"].params) == {"joint": 1, "limit": 150.0}
     jogging.start(JointJog(1, 1))
-    hold(bench, 0.1)
+    hold(rig, 0.1)
     assert not jogging.active
     jogging.start(JointJog(1, -1))
-    hold(bench, 0.2)
+    hold(rig, 0.2)
     assert jogging.active
-    assert angles(bench)[0] < 150.0
+    assert angles(rig)[0] < 150.0
 
 
 @pytest.mark.parametrize(
@@ -167,43 +167,43 @@ def test_a_joint_stops_at_its_limit_and_says_so(any_bench):
         (ToolJog(3, 1, JogFrame.TOOL), 12.0, "jog_at_limit"),
     ],
 )
-def test_the_tool_stops_before_what_it_cannot_do(bench, job, seconds, reason):
-    bend(bench)
-    jogging = bench.controller.jogging
+def test_the_tool_stops_before_what_it_cannot_do(rig, job, seconds, reason):
+    bend(rig)
+    jogging = rig.controller.jogging
     jogging.start(job)
     for _ in range(round(seconds / TICK_S)):
-        hold(bench, TICK_S)
+        hold(rig, TICK_S)
         if not jogging.active:
             break
-    told = bench.notices[-1]
+    told = rig.notices[-1]
     assert (told.code, told.params["reason"].code) == ("jog_ended", reason)
-    assert rest_s(bench) <= 0.1
-    assert bench.controller.situation.cannot_move is None  # the arm had nothing to complain of
+    assert rest_s(rig) <= 0.1
+    assert rig.controller.operating_state.cannot_move is None  # the arm had nothing to complain of
 
 
-def test_at_a_singular_pose_the_tool_does_not_go_sideways(bench):
-    bend(bench, (0.0, 60.0, -60.0, 0.0, 0.0, 0.0))
-    before = angles(bench)
-    bench.controller.jogging.start(ToolJog(1, 1, JogFrame.BASE))
-    hold(bench, 0.3)
-    told = bench.notices[-1]
+def test_at_a_singular_pose_the_tool_does_not_go_sideways(rig):
+    bend(rig, (0.0, 60.0, -60.0, 0.0, 0.0, 0.0))
+    before = angles(rig)
+    rig.controller.jogging.start(ToolJog(1, 1, JogFrame.BASE))
+    hold(rig, 0.3)
+    told = rig.notices[-1]
     assert told.params["reason"].code == "jog_singular"
-    assert angles(bench) == pytest.approx(before, abs=0.2)
+    assert angles(rig) == pytest.approx(before, abs=0.2)
 
 
 @pytest.mark.parametrize("axis", range(6))
 @pytest.mark.parametrize("frame", JogFrame)
-def test_the_tool_goes_along_one_axis_alone(bench, axis, frame):
+def test_the_tool_goes_along_one_axis_alone(rig, axis, frame):
     tool = (10.0, -20.0, 80.0, 0.0, 30.0, 0.0)
-    bend(bench)
-    bench.controller.cartesian.tool = tool
+    bend(rig)
+    rig.controller.cartesian.tool = tool
     model = Kinematics()
-    start = tool_matrix(model.matrix(bench.firmware.joints_deg), tool)
-    bench.controller.jogging.start(ToolJog(axis, 1, frame))
-    hold(bench, 0.6)
-    release(bench)
-    rest_s(bench)
-    end = tool_matrix(model.matrix(bench.firmware.joints_deg), tool)
+    start = tool_matrix(model.matrix(rig.firmware.joints_deg), tool)
+    rig.controller.jogging.start(ToolJog(axis, 1, frame))
+    hold(rig, 0.6)
+    release(rig)
+    rest_s(rig)
+    end = tool_matrix(model.matrix(rig.firmware.joints_deg), tool)
     if axis < 3:
         along = start[:3, axis] if frame is JogFrame.TOOL else [float(i == axis) for i in range(3)]
         amount = float((end - start)[:3, 3] @ along)
@@ -212,7 +212,7 @@ def test_the_tool_goes_along_one_axis_alone(bench, axis, frame):
         amount = next(a / 100 for a in range(1, 1200) if abs(_turn(start, end) - a / 100) <= 0.0051)
     reached = matrix_to_pose(end)
     assert reached == pytest.approx(matrix_to_pose(shifted(start, axis, amount, frame)), abs=0.05)
-    assert AXES[axis] == bench.notices[-1].params["axis"]
+    assert AXES[axis] == rig.notices[-1].params["axis"]
 
 
 def _turn(start, end):
@@ -224,13 +224,13 @@ def _turn(start, end):
 # What takes the arm away from a hold --------------------------------------------------------------
 
 
-def held(bench):
-    bend(bench)
-    bench.controller.jogging.start(JointJog(1, 1))
-    hold(bench, 0.2)
-    assert bench.controller.jogging.active
-    bench.heard()
-    return bench.controller
+def held(rig):
+    bend(rig)
+    rig.controller.jogging.start(JointJog(1, 1))
+    hold(rig, 0.2)
+    assert rig.controller.jogging.active
+    rig.heard()
+    return rig.controller
 
 
 def test_the_emergency_stop_ends_it_at_once(any_bench):
@@ -243,79 +243,79 @@ def test_the_emergency_stop_ends_it_at_once(any_bench):
     assert not controller.jogging.active
 
 
-def test_disabling_ends_it(bench):
-    controller = held(bench)
+def test_disabling_ends_it(rig):
+    controller = held(rig)
     controller.motors.disable()
-    hold(bench, 0.1)
+    hold(rig, 0.1)
     assert not controller.jogging.active
-    assert {frame.arbitration_id for frame in bench.heard()} == {0x471}
+    assert {frame.arbitration_id for frame in rig.heard()} == {0x471}
 
 
-def test_another_command_takes_over(bench):
-    controller = held(bench)
+def test_another_command_takes_over(rig):
+    controller = held(rig)
     controller.motion.go_home()
-    hold(bench, 0.05)
+    hold(rig, 0.05)
     assert not controller.jogging.active
-    assert [frame.arbitration_id for frame in bench.heard()] == [0x155, 0x156, 0x157, 0x151]
+    assert [frame.arbitration_id for frame in rig.heard()] == [0x155, 0x156, 0x157, 0x151]
 
 
-def test_speed_zero_ends_it_with_the_reason(bench):
-    controller = held(bench)
+def test_speed_zero_ends_it_with_the_reason(rig):
+    controller = held(rig)
     controller.motion.set_speed_percent(0)
-    hold(bench, 0.05)
-    assert bench.notices[-1].params["reason"].code == "speed_zero"
+    hold(rig, 0.05)
+    assert rig.notices[-1].params["reason"].code == "speed_zero"
 
 
-def test_a_program_that_was_stuck_does_not_go_on_by_itself(bench):
-    controller = held(bench)
-    rested = rest_s(bench)
-    before = angles(bench)
-    hold(bench, 0.2)
+def test_a_program_that_was_stuck_does_not_go_on_by_itself(rig):
+    controller = held(rig)
+    rested = rest_s(rig)
+    before = angles(rig)
+    hold(rig, 0.2)
     assert rested <= 0.1
     assert not controller.jogging.active
-    assert angles(bench) == before
-    assert bench.notices[-1].params["reason"].code == "jog_held_up"
+    assert angles(rig) == before
+    assert rig.notices[-1].params["reason"].code == "jog_held_up"
 
 
-def test_an_arm_that_can_hear_and_not_be_heard_is_not_led_on(bench):
-    controller = held(bench)
-    bench.node.line.to_bus = lambda frames, now_s, dt_s: ([], len(frames))
+def test_an_arm_that_can_hear_and_not_be_heard_is_not_led_on(rig):
+    controller = held(rig)
+    rig.node.link.to_bus = lambda frames, now_s, dt_s: ([], len(frames))
     took_s = 0.0
-    places = bench.firmware.joints_deg
+    places = rig.firmware.joints_deg
     for count in range(30):
-        hold(bench, TICK_S)
-        if bench.firmware.joints_deg != places:
+        hold(rig, TICK_S)
+        if rig.firmware.joints_deg != places:
             took_s = TICK_S * (count + 1)
-        places = bench.firmware.joints_deg
+        places = rig.firmware.joints_deg
     assert took_s <= 0.1
-    assert bench.notices[-1].params["reason"].code == "jog_no_feedback"
+    assert rig.notices[-1].params["reason"].code == "jog_no_feedback"
     assert not controller.jogging.active
 
 
-def test_an_arm_that_does_not_follow_is_given_up(bench):
-    controller = held(bench)
-    bench.firmware._moves.take = lambda name, signals: True  # it takes no target any more
-    hold(bench, 1.0)
+def test_an_arm_that_does_not_follow_is_given_up(rig):
+    controller = held(rig)
+    rig.firmware._moves.take = lambda name, signals: True  # it takes no target any more
+    hold(rig, 1.0)
     assert not controller.jogging.active
-    assert bench.notices[-1].params["reason"].code == "jog_not_following"
+    assert rig.notices[-1].params["reason"].code == "jog_not_following"
 
 
-def test_an_arm_in_motion_is_not_jogged(bench):
-    bend(bench)
-    bench.controller.motion.send_joints((100.0, *BENT_DEG[1:]))
-    hold(bench, 0.2)
-    bench.heard()
-    assert bench.controller.jogging.start(JointJog(2, 1)) is None
-    hold(bench, 0.5)
-    assert bench.notices[-1].params["reason"].code == "still_moving"
-    assert bench.heard() == []
+def test_an_arm_in_motion_is_not_jogged(rig):
+    bend(rig)
+    rig.controller.motion.send_joints((100.0, *BENT_DEG[1:]))
+    hold(rig, 0.2)
+    rig.heard()
+    assert rig.controller.jogging.start(JointJog(2, 1)) is None
+    hold(rig, 0.5)
+    assert rig.notices[-1].params["reason"].code == "still_moving"
+    assert rig.heard() == []
 
 
-def test_without_an_arm_it_is_refused(bench):
-    assert bench.controller.jogging.start(JointJog(1, 1)).code == "not_connected"
-    bench.connect()
-    assert bench.controller.jogging.start(JointJog(1, 1)).code == "not_enabled"
-    assert not bench.controller.jogging.active
+def test_without_an_arm_it_is_refused(rig):
+    assert rig.controller.jogging.start(JointJog(1, 1)).code == "not_connected"
+    rig.connect()
+    assert rig.controller.jogging.start(JointJog(1, 1)).code == "not_enabled"
+    assert not rig.controller.jogging.active
 
 
 # The pace -----------------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 
 import pytest
 
-from armui.control.lights import check_light
+from armui.control.devices.lights import check_light
 from armui.protocol.codes import ALL_LAMPS
 from armui.protocol.frame import Frame
 
@@ -12,82 +12,82 @@ def light(payload):
 
 
 def test_a_lamp_is_coloured_as_the_protocol_says(any_bench):
-    bench = any_bench
-    bench.connect()
-    bench.heard()
-    assert bench.controller.lights.set_light(2, 7, 255, 128, 1) is None
-    bench.step()
+    rig = any_bench
+    rig.connect()
+    rig.heard()
+    assert rig.controller.lights.set_light(2, 7, 255, 128, 1) is None
+    rig.step()
     # enable, joint, lamp, red, green, blue, reserved, counter
-    assert bench.heard() == [light("01 02 07 FF 80 01 00 00")]
-    assert bench.firmware.settings.lights[2][:4] == (7, 255, 128, 1)
-    told = bench.notices[-1]
+    assert rig.heard() == [light("01 02 07 FF 80 01 00 00")]
+    assert rig.firmware.settings.lights[2][:4] == (7, 255, 128, 1)
+    told = rig.notices[-1]
     assert (told.code, told.params["color"]) == ("sent_lamp", "#FF8001")
 
 
 def test_all_lamps_are_lamp_0xff(any_bench):
-    bench = any_bench
-    bench.connect()
-    bench.heard()
-    assert bench.controller.lights.set_light(6, ALL_LAMPS, 0, 0, 16) is None
-    bench.step()
-    assert bench.heard() == [light("01 06 FF 00 00 10 00 00")]
-    assert bench.codes()[-1] == "sent_lamps"
+    rig = any_bench
+    rig.connect()
+    rig.heard()
+    assert rig.controller.lights.set_light(6, ALL_LAMPS, 0, 0, 16) is None
+    rig.step()
+    assert rig.heard() == [light("01 06 FF 00 00 10 00 00")]
+    assert rig.codes()[-1] == "sent_lamps"
 
 
-def test_the_counter_goes_round(bench):
-    bench.connect()
-    bench.heard()
+def test_the_counter_goes_round(rig):
+    rig.connect()
+    rig.heard()
     for _ in range(258):
-        assert bench.controller.lights.set_light(1, 0, 0, 0, 0) is None
-    bench.step()
-    counted = [frame.data[7] for frame in bench.heard()]
+        assert rig.controller.lights.set_light(1, 0, 0, 0, 0) is None
+    rig.step()
+    counted = [frame.data[7] for frame in rig.heard()]
     assert counted == [*range(256), 0, 1]
 
 
-def test_what_was_refused_is_not_counted(bench):
-    bench.connect()
-    bench.heard()
-    lights = bench.controller.lights
+def test_what_was_refused_is_not_counted(rig):
+    rig.connect()
+    rig.heard()
+    lights = rig.controller.lights
     assert lights.set_light(1, 0, 256, 0, 0).code == "light_out_of_range"
-    assert bench.codes()[-1] == "refused"
+    assert rig.codes()[-1] == "refused"
     assert lights.set_light(1, 0, 1, 2, 3) is None
-    bench.step()
-    assert bench.heard() == [light("01 01 00 01 02 03 00 00")]
+    rig.step()
+    assert rig.heard() == [light("01 01 00 01 02 03 00 00")]
 
 
-def test_the_counter_goes_on_over_another_connection(bench):
-    bench.connect()
-    bench.controller.lights.set_light(1, 0, 0, 0, 0)
-    bench.step()
-    bench.controller.disconnect_device()
-    bench.notices.clear()
-    bench.connect()
-    bench.heard()
-    bench.controller.lights.set_light(1, 0, 0, 0, 0)
-    bench.step()
-    assert [frame.data[7] for frame in bench.heard()] == [1]
+def test_the_counter_goes_on_over_another_connection(rig):
+    rig.connect()
+    rig.controller.lights.set_light(1, 0, 0, 0, 0)
+    rig.step()
+    rig.controller.disconnect_device()
+    rig.notices.clear()
+    rig.connect()
+    rig.heard()
+    rig.controller.lights.set_light(1, 0, 0, 0, 0)
+    rig.step()
+    assert [frame.data[7] for frame in rig.heard()] == [1]
 
 
-def test_without_an_arm_it_is_refused_with_the_reason(bench):
-    lights = bench.controller.lights
+def test_without_an_arm_it_is_refused_with_the_reason(rig):
+    lights = rig.controller.lights
     assert lights.set_light(1, 0, 0, 0, 0).code == "not_connected"
-    bench.connect()
-    bench.powered = False
-    bench.run(0.6)
-    bench.heard()
+    rig.connect()
+    rig.powered = False
+    rig.run(0.6)
+    rig.heard()
     assert lights.set_light(1, 0, 0, 0, 0).code == "offline"
-    bench.step()
-    assert bench.heard() == []
+    rig.step()
+    assert rig.heard() == []
 
 
-def test_a_stopped_arm_can_be_lit(bench):
-    bench.ready()
-    bench.controller.emergency_stop()
-    bench.run_until(lambda: "stop_confirmed" in bench.codes())
-    bench.heard()
-    assert bench.controller.lights.set_light(1, ALL_LAMPS, 255, 0, 0) is None
-    bench.step()
-    assert bench.heard() == [light("01 01 FF FF 00 00 00 00")]
+def test_a_stopped_arm_can_be_lit(rig):
+    rig.ready()
+    rig.controller.emergency_stop()
+    rig.run_until(lambda: "stop_confirmed" in rig.codes())
+    rig.heard()
+    assert rig.controller.lights.set_light(1, ALL_LAMPS, 255, 0, 0) is None
+    rig.step()
+    assert rig.heard() == [light("01 01 FF FF 00 00 00 00")]
 
 
 @pytest.mark.parametrize(

@@ -3,13 +3,13 @@
 import can
 import pytest
 
-from armui.control.offsets import OffsetFollower
-from armui.control.situation import LinkState
+from armui.control.link.offsets import OffsetFollower
+from armui.control.operating_state import LinkState
 from armui.protocol.addressing import Addressing
 from armui.protocol.codes import LinkageRole
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.sim.settings import Linkage
+from armui.sim.parameters.settings import LinkageSettings
 from tests.faulty_arm import HardOfHearing
 
 OUTPUT, INPUT = LinkageRole.MOTION_OUTPUT, LinkageRole.TEACHING_INPUT
@@ -25,13 +25,15 @@ def arm(any_bench):
 
 
 def used(arm):
-    return arm.controller.situation.addressing
+    return arm.controller.operating_state.addressing
 
 
 def wait_for(arm, addressing):
-    arm.run_until(lambda: used(arm) == addressing and arm.controller.situation.control_certain)
+    arm.run_until(
+        lambda: used(arm) == addressing and arm.controller.operating_state.control_certain
+    )
     arm.run_until(lambda: arm.controller.state.angles_deg() is not None)
-    arm.run_until(lambda: None not in arm.controller.situation.enabled)
+    arm.run_until(lambda: None not in arm.controller.operating_state.enabled)
 
 
 def with_id(arm, arbitration_id):
@@ -45,17 +47,17 @@ def test_both_offsets(arm, generation):
     assert with_id(arm, 0x470) == [Frame(0x470, bytes.fromhex("FC 10 20 00" + padding))]
     assert arm.firmware.addressing == Addressing(0x10, 0x20)
     assert {"linkage_sent", "linkage_answered", "linkage_in_use"} <= set(arm.codes())
-    arm.run_until(lambda: arm.controller.situation.generation is generation)
+    arm.run_until(lambda: arm.controller.operating_state.generation is generation)
 
 
 def test_it_moves_under_the_new_identifiers(arm):
     arm.linkage.set(OUTPUT, feedback_offset=0x20, control_offset=0x10)
     wait_for(arm, Addressing(0x20, 0x10))
     assert arm.controller.motors.enable() is None
-    arm.run_until(lambda: arm.controller.situation.cannot_move is None)
+    arm.run_until(lambda: arm.controller.operating_state.cannot_move is None)
     arm.ear.heard.clear()
     assert arm.controller.motion.send_joints((5.0, 0.0, 0.0, 0.0, 0.0, 0.0)) is None
-    arm.run_until(lambda: arm.controller.situation.moving)
+    arm.run_until(lambda: arm.controller.operating_state.moving)
     ids = {frame.arbitration_id for frame in arm.ear.heard}
     assert {0x161, 0x165, 0x166, 0x167} <= ids
     assert not ids & {0x151, 0x155, 0x156, 0x157}
@@ -80,7 +82,7 @@ def test_until_standby_it_is_not_sure(any_bench):
     arm.ear = HardOfHearing(arm.firmware)
     arm.controller.linkage.set(OUTPUT, control_offset=0x20)
     arm.run(0.5)
-    assert arm.controller.situation.cannot_move.code == "control_offset_unknown"
+    assert arm.controller.operating_state.cannot_move.code == "control_offset_unknown"
     assert used(arm) == Addressing()
 
 
@@ -93,27 +95,27 @@ def test_a_stop_that_is_not_confirmed_goes_everywhere(arm):
 
 def test_an_arm_left_with_offsets_is_found(any_bench):
     arm = any_bench
-    arm.firmware.settings.linkage = Linkage(OUTPUT, 0x10, 0x20)
+    arm.firmware.settings.linkage = LinkageSettings(OUTPUT, 0x10, 0x20)
     arm.firmware._take_linkage()
     arm.controller.connect_device(arm.device)
     arm.run_until(lambda: "linkage_found" in arm.codes())
     arm.run_until(lambda: arm.controller.state.angles_deg() is not None)
     assert used(arm).feedback_offset == 0x10
-    assert not arm.controller.situation.control_certain
+    assert not arm.controller.operating_state.control_certain
     arm.run_until(lambda: "limits_read" in arm.codes())
     assert arm.controller.motors.enable() is None
-    arm.run_until(lambda: all(arm.controller.situation.enabled))
-    assert arm.controller.situation.cannot_move.code == "control_offset_unknown"
+    arm.run_until(lambda: all(arm.controller.operating_state.enabled))
+    assert arm.controller.operating_state.cannot_move.code == "control_offset_unknown"
     arm.controller.emergency_stop()
     arm.run_until(lambda: "stop_confirmed" in arm.codes(), seconds=0.5)
 
 
 def test_a_teaching_input_and_the_way_back(arm):
     arm.linkage.set(INPUT, target_offset=0x10)
-    arm.run_until(lambda: arm.controller.situation.teaching_input)
+    arm.run_until(lambda: arm.controller.operating_state.teaching_input)
     assert arm.firmware.leads
     assert "linkage_answered_input" in arm.codes()
-    assert arm.controller.situation.link is LinkState.OFFLINE
+    assert arm.controller.operating_state.link is LinkState.OFFLINE
     assert arm.linkage.release() is None
     wait_for(arm, Addressing())
     assert not arm.firmware.leads
@@ -151,14 +153,14 @@ def test_refused(any_bench):
     any_bench.ready()
     assert linkage.set(OUTPUT, feedback_offset=0x30).code == "offset_not_possible"
     any_bench.controller.motion.send_joints((20.0, 0.0, 0.0, 0.0, 0.0, 0.0))
-    any_bench.run_until(lambda: any_bench.controller.situation.moving)
+    any_bench.run_until(lambda: any_bench.controller.operating_state.moving)
     assert linkage.release().code == "linkage_while_moving"
 
 
 def test_what_is_the_same_is_no_wish():
     follower = OffsetFollower()
     follower.wish(Addressing(), 1.0)
-    assert follower.wished is None
+    assert follower.requested is None
     assert follower.certain
     follower.wish(Addressing(0x10, 0x00), 1.0)
     assert follower.certain  # the old feedback vouches for the old commands

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from armui.arm.other_hosts import OtherHosts
-from armui.arm.state import ArmState, Heard
-from armui.control.other_command import OtherCommand, OtherMode
+from armui.arm.state import ArmState, Reading
+from armui.control.safety.other_command import OtherCommand, OtherMode
 from armui.protocol.codes import ArmStatusCode, ControlMode
 from tests.control.test_authority import status
 
@@ -27,7 +27,7 @@ class Company:
 
     def look(self, now_s: float, status_s: float | None = None, *, at_rest=True, **changes):
         """Hear the arm's status, made at a time, and judge; the mode it is in."""
-        heard = Heard(status(**changes), now_s if status_s is None else status_s)
+        heard = Reading(status(**changes), now_s if status_s is None else status_s)
         state = ArmState(last_feedback_s=now_s, status=heard)
         self.other.observe(self.hosts.traffic(), HERE, state, now_s, at_rest=at_rest)
         return self.other.mode

@@ -17,56 +17,56 @@ def fail(*_args, **_kwargs):
 
 @pytest.mark.parametrize("act", ["halt", "advance"])
 @pytest.mark.parametrize("part", ["motors", "motion", "gripper", "recorder", "orders", "settings"])
-def test_a_stop_ends_a_jog_whatever_else_fails(bench, monkeypatch, part, act):
-    joint_jog(bench)
-    monkeypatch.setattr(getattr(bench.controller, part), act, fail)
-    bench.ear = HardOfHearing(bench.firmware)
-    bench.run(0.1)
-    assert bench.controller.jogging.active
-    bench.controller.emergency_stop()
-    bench.step()
-    assert STOP in bench.ear.heard
-    assert not bench.controller.jogging.active
-    bench.run_until(lambda: "stop_confirmed" in bench.codes())
-    assert bench.codes().count("part_failed") == 1
+def test_a_stop_ends_a_jog_whatever_else_fails(rig, monkeypatch, part, act):
+    joint_jog(rig)
+    monkeypatch.setattr(getattr(rig.controller, part), act, fail)
+    rig.ear = HardOfHearing(rig.firmware)
+    rig.run(0.1)
+    assert rig.controller.jogging.active
+    rig.controller.emergency_stop()
+    rig.step()
+    assert STOP in rig.ear.heard
+    assert not rig.controller.jogging.active
+    rig.run_until(lambda: "stop_confirmed" in rig.codes())
+    assert rig.codes().count("part_failed") == 1
 
 
-def test_a_stop_ends_a_run_when_its_own_part_fails(bench, monkeypatch):
-    bench.ready()
-    run_moving(bench)
-    monkeypatch.setattr(bench.controller.player, "advance", fail)
-    bench.run(0.1)
-    bench.controller.emergency_stop()
-    assert phase(bench).name == "FAILED"
-    bench.run_until(lambda: "stop_confirmed" in bench.codes())
+def test_a_stop_ends_a_run_when_its_own_part_fails(rig, monkeypatch):
+    rig.ready()
+    run_moving(rig)
+    monkeypatch.setattr(rig.controller.player, "advance", fail)
+    rig.run(0.1)
+    rig.controller.emergency_stop()
+    assert phase(rig).name == "FAILED"
+    rig.run_until(lambda: "stop_confirmed" in rig.codes())
 
 
-def test_a_stop_is_repeated_while_the_link_itself_fails(bench, monkeypatch):
-    bend(bench)
-    bench.ear = HardOfHearing(bench.firmware)
-    bench.ear.deaf_to = {STOP.arbitration_id}
-    bench.controller.emergency_stop()
-    monkeypatch.setattr(bench.controller._connection, "advance", fail)
-    bench._settle()
-    bench.heard()
-    bench.time_s += 0.2
+def test_a_stop_is_repeated_while_the_link_itself_fails(rig, monkeypatch):
+    bend(rig)
+    rig.ear = HardOfHearing(rig.firmware)
+    rig.ear.deaf_to = {STOP.arbitration_id}
+    rig.controller.emergency_stop()
+    monkeypatch.setattr(rig.controller._connection, "advance", fail)
+    rig._settle()
+    rig.heard()
+    rig.time_s += 0.2
     with pytest.raises(RuntimeError, match="on purpose"):
-        bench.controller.tick()
-    assert bench.heard() == [STOP]
+        rig.controller.tick()
+    assert rig.heard() == [STOP]
     monkeypatch.undo()
 
 
 @pytest.mark.parametrize("error", [ValueError("driver"), AttributeError("driver")])
 def test_a_driver_that_raises_anything_does_not_keep_the_program_from_stopping(
-    bench, monkeypatch, error
+    rig, monkeypatch, error
 ):
-    joint_jog(bench)
+    joint_jog(rig)
 
     def broken(*_args, **_kwargs):
         raise error
 
-    monkeypatch.setattr(bench._host_bus, "send", broken)
-    bench.controller.emergency_stop()
-    assert not bench.controller.jogging.active
-    assert "stop_not_sent" in bench.codes()
-    bench.broken = can.CanOperationError("gone")  # the bus thread notices by itself
+    monkeypatch.setattr(rig._host_bus, "send", broken)
+    rig.controller.emergency_stop()
+    assert not rig.controller.jogging.active
+    assert "stop_not_sent" in rig.codes()
+    rig.broken = can.CanOperationError("gone")  # the bus thread notices by itself

@@ -5,12 +5,12 @@ from dataclasses import replace
 import can
 import pytest
 
-from armui.arm.kinematics import Kinematics
-from armui.control.run import ENDLESS, Phase, Run
+from armui.control.run.progress import ENDLESS, Run, RunPhase
+from armui.kinematics.kinematics import Kinematics
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import Generation
-from armui.sim import faults
-from armui.trajectory.program import (
+from armui.sim.faults import schedule as faults
+from armui.trajectory.points.program import (
     GripperAngle,
     GripperOpening,
     LightAction,
@@ -34,16 +34,16 @@ def run_of(*points, **more):
 class Journey:
     """Where the simulated arm really was, at each step."""
 
-    def __init__(self, bench):
-        self.bench = bench
+    def __init__(self, rig):
+        self.rig = rig
         self.path = []
 
     def until(self, condition, seconds=30.0):
         def look():
-            self.path.append((self.bench.time_s, tuple(self.bench.firmware.joints_deg)))
+            self.path.append((self.rig.time_s, tuple(self.rig.firmware.joints_deg)))
             return condition()
 
-        self.bench.run_until(look, seconds)
+        self.rig.run_until(look, seconds)
 
     def times_at(self, joints_deg, tolerance_deg=0.1):
         return [time_s for time_s, here in self.path if _near(here, joints_deg, tolerance_deg)]
@@ -59,19 +59,19 @@ def ready(any_bench):
     return any_bench
 
 
-def phase(bench):
-    return bench.controller.player.progress.phase
+def phase(rig):
+    return rig.controller.player.progress.phase
 
 
-def over(bench):
-    return lambda: not bench.controller.player.running
+def over(rig):
+    return lambda: not rig.controller.player.running
 
 
 def test_every_point_is_passed_in_order(ready):
     journey = Journey(ready)
     assert ready.controller.player.start(run_of(to(OUT), to(BACK), to(UP))) is None
     journey.until(over(ready))
-    assert phase(ready) is Phase.DONE
+    assert phase(ready) is RunPhase.DONE
     first, second, third = (journey.times_at(each)[0] for each in (OUT, BACK, UP))
     assert first < second < third
     assert ready.codes()[-1] == "run_done"
@@ -89,9 +89,9 @@ def test_the_arm_stays_as_long_as_it_shall(ready):
 
 def test_laps_are_counted(ready):
     journey = Journey(ready)
-    ready.controller.player.start(run_of(to(OUT), to(BACK), laps=3))
+    ready.controller.player.start(run_of(to(OUT), to(BACK), cycles=3))
     journey.until(over(ready), seconds=60.0)
-    assert phase(ready) is Phase.DONE
+    assert phase(ready) is RunPhase.DONE
     visits = 0
     was_there = False
     for _, here in journey.path:
@@ -99,21 +99,21 @@ def test_laps_are_counted(ready):
         visits += there and not was_there
         was_there = there
     assert visits == 3
-    assert ready.controller.player.progress.lap == 3
+    assert ready.controller.player.progress.cycle == 3
 
 
 def test_an_endless_run_ends_when_the_operator_says_so(ready):
     player = ready.controller.player
-    player.start(run_of(to(OUT), to(UP), laps=ENDLESS))
-    ready.run_until(lambda: player.progress.lap == 3)
+    player.start(run_of(to(OUT), to(UP), cycles=ENDLESS))
+    ready.run_until(lambda: player.progress.cycle == 3)
     assert player.progress.remaining_s is None
     player.stop()
     ready.run_until(over(ready))
-    assert phase(ready) is Phase.STOPPED
+    assert phase(ready) is RunPhase.STOPPED
     at = tuple(ready.firmware.joints_deg)
     ready.run(1.0)
     assert tuple(ready.firmware.joints_deg) == at
-    assert ready.controller.situation.cannot_move is None
+    assert ready.controller.operating_state.cannot_move is None
 
 
 def test_a_pause_holds_the_arm_and_the_rest_follows(ready):
@@ -126,18 +126,18 @@ def test_a_pause_holds_the_arm_and_the_rest_follows(ready):
     remaining_s = player.progress.remaining_s
     ready.run(8.0)
     assert tuple(ready.firmware.joints_deg) == at
-    assert phase(ready) is Phase.PAUSED
+    assert phase(ready) is RunPhase.PAUSED
     assert player.progress.remaining_s == remaining_s
     assert player.go_on() is None
     ready.run_until(over(ready))
-    assert phase(ready) is Phase.DONE
+    assert phase(ready) is RunPhase.DONE
     assert _near(ready.firmware.joints_deg, BACK)
 
 
 def test_a_pause_in_a_dwell_holds_its_clock(ready):
     player = ready.controller.player
     player.start(run_of(to(OUT, dwell_s=2.0), to(BACK)))
-    ready.run_until(lambda: phase(ready) is Phase.DWELLING)
+    ready.run_until(lambda: phase(ready) is RunPhase.DWELLING)
     ready.run(1.0)
     player.pause()
     ready.run(4.0)
@@ -151,7 +151,7 @@ def test_a_pause_in_a_dwell_holds_its_clock(ready):
 def test_step_by_step_waits_for_the_operator(ready):
     player = ready.controller.player
     player.start(run_of(to(OUT), to(BACK), step_by_step=True))
-    ready.run_until(lambda: phase(ready) is Phase.WAITING)
+    ready.run_until(lambda: phase(ready) is RunPhase.WAITING)
     ready.run(2.0)
     assert _near(ready.firmware.joints_deg, OUT)
     assert player.go_on() is None
@@ -198,7 +198,7 @@ def test_lines_and_arcs_are_run(ready):
 
 
 def test_gripper_and_lamps_act_on_arrival(ready):
-    generation = ready.controller.situation.generation
+    generation = ready.controller.operating_state.generation
     gripper = GripperOpening(30.0) if generation is Generation.TWO else GripperAngle(10.0)
     other = GripperAngle(10.0) if generation is Generation.TWO else GripperOpening(30.0)
     player = ready.controller.player
@@ -216,7 +216,7 @@ def test_a_point_beyond_the_limits_ends_the_run_with_the_arms_word(ready):
     ready.controller.player.start(run_of(to(OUT), to(beyond)))
     ready.run_until(over(ready))
     progress = ready.controller.player.progress
-    assert (progress.phase, progress.index) == (Phase.FAILED, 1)
+    assert (progress.phase, progress.index) == (RunPhase.FAILED, 1)
     assert progress.reason.code == "arm_fault"
     assert _near(ready.firmware.joints_deg, OUT)
 
@@ -225,7 +225,7 @@ def test_an_emergency_stop_ends_the_run(ready):
     ready.controller.player.start(run_of(to(OUT), to(BACK)))
     ready.run(0.4)
     ready.controller.emergency_stop()
-    assert phase(ready) is Phase.FAILED
+    assert phase(ready) is RunPhase.FAILED
     assert ready.controller.player.progress.reason.code == "run_stopped"
     ready.run(1.0)
     assert not ready.controller.player.running
@@ -253,7 +253,7 @@ def test_a_collision_ends_the_run(ready):
     ready.node.faults.start(faults.read_fault("collision:2@0"))
     ready.run_until(over(ready))
     progress = ready.controller.player.progress
-    assert progress.phase is Phase.FAILED
+    assert progress.phase is RunPhase.FAILED
     assert progress.reason.code in {"arm_fault", "not_enabled"}
 
 
@@ -294,4 +294,4 @@ def test_words_out_of_place(ready):
     assert player.pause().code == "not_running"
     assert player.go_on().code == "not_paused"
     player.stop()
-    assert phase(ready) is Phase.IDLE
+    assert phase(ready) is RunPhase.IDLE

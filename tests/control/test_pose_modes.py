@@ -2,7 +2,7 @@
 
 import pytest
 
-from armui.arm.kinematics import Kinematics
+from armui.kinematics.kinematics import Kinematics
 from armui.protocol.codes import MoveMode
 
 FIRST, SECOND, THIRD = (
@@ -25,10 +25,10 @@ def ready(any_bench):
     return any_bench
 
 
-def arrived(bench, pose):
-    bench.run(0.2)
-    bench.run_until(lambda: not bench.controller.situation.moving)
-    assert bench.controller.state.end_pose()[:3] == pytest.approx(pose[:3], abs=0.05)
+def arrived(rig, pose):
+    rig.run(0.2)
+    rig.run_until(lambda: not rig.controller.operating_state.moving)
+    assert rig.controller.state.end_pose()[:3] == pytest.approx(pose[:3], abs=0.05)
 
 
 def test_lines_and_point_to_point_may_follow_one_another(ready):

@@ -12,21 +12,21 @@ import pytest
 from armui.arm.device import Device
 from armui.arm.other_hosts import OtherHosts, OtherTraffic
 from armui.arm.refusal import Refusal
-from armui.arm.state import ArmState, DriverSlow, Heard, Status
-from armui.control.assessment import Circumstances, assess
+from armui.arm.state import ArmState, DriverSlow, Reading, Status
+from armui.control.assessment import AssessmentInputs, assess
 from armui.control.authority import Authority
-from armui.control.motion_command import Hold, Observation
-from armui.control.recovery_rules import next_step
-from armui.control.recovery_steps import Action, Kind, Step
-from armui.control.situation import (
+from armui.control.devices.teaching_phase import why_not
+from armui.control.motion.motion_command import Hold, Observation
+from armui.control.operating_state import (
     Busy,
     Level,
     LinkState,
+    OperatingState,
     OtherHostReport,
-    Situation,
     StopState,
 )
-from armui.control.teaching_phase import why_not
+from armui.control.safety.recovery_rules import next_step
+from armui.control.safety.recovery_steps import Action, Step, StepKind
 from armui.protocol.codes import ArmStatusCode, ControlMode, TeachingState
 from armui.protocol.generation import Generation
 from armui.ui import words
@@ -96,19 +96,21 @@ def status(**changes) -> Status:
 
 def arm(heard: Status, enabled=ENABLED[0], protection=None, pose_deg=POSES_DEG[0]) -> ArmState:
     """An arm heard just now; joint 2 has the protection, ``None`` in enabled says nothing."""
-    drivers = [None if on is None else Heard(replace(HEALTHY, enabled=on), NOW_S) for on in enabled]
+    drivers = [
+        None if on is None else Reading(replace(HEALTHY, enabled=on), NOW_S) for on in enabled
+    ]
     if protection and drivers[1] is not None:
-        drivers[1] = Heard(replace(drivers[1].value, **protection), NOW_S)
+        drivers[1] = Reading(replace(drivers[1].value, **protection), NOW_S)
     return ArmState(
         sequence=1,
         last_feedback_s=NOW_S,
-        status=Heard(heard, NOW_S),
-        joints_deg=tuple(Heard(angle, NOW_S) for angle in pose_deg),
+        status=Reading(heard, NOW_S),
+        joints_deg=tuple(Reading(angle, NOW_S) for angle in pose_deg),
         drivers_slow=tuple(drivers),
     )
 
 
-def situation(state: ArmState, link=LinkState.ONLINE, **changes) -> Situation:
+def operating_state(state: ArmState, link=LinkState.ONLINE, **changes) -> OperatingState:
     stopped = state.status is not None and state.status.value.arm_status == 1
     authority = changes.pop("authority", None) or Authority()
     traffic = changes.pop("traffic", OtherTraffic())
@@ -116,7 +118,7 @@ def situation(state: ArmState, link=LinkState.ONLINE, **changes) -> Situation:
     if (reason := authority.other.why_not()) is not None:
         since = datetime(2026, 1, 2, 3, 4, 5).astimezone()
         changes["other_host"] = OtherHostReport("0x151", since, 200, reason, True)
-    around = Circumstances(
+    around = AssessmentInputs(
         link=link,
         device=Device("virtual", "test"),
         link_problem=None,
@@ -131,10 +133,10 @@ def situation(state: ArmState, link=LinkState.ONLINE, **changes) -> Situation:
 
 
 def step_of(state: ArmState, **changes) -> Step:
-    return next_step(state, situation(state, **changes), NOW_S)
+    return next_step(state, operating_state(state, **changes), NOW_S)
 
 
-def without_link() -> Iterator[tuple[ArmState, Situation]]:
+def without_link() -> Iterator[tuple[ArmState, OperatingState]]:
     led = replace(ArmState(), foreign_targets_s=NOW_S)
     # a picture from before, as old as it may be
     states = (ArmState(), led, arm(status()), arm(status(arm_status=ArmStatusCode.EMERGENCY_STOP)))
@@ -143,13 +145,13 @@ def without_link() -> Iterator[tuple[ArmState, Situation]]:
             continue
         for stop in (StopState.RUNNING, StopState.REQUESTED):
             unheard = unconfirmed and stop is StopState.REQUESTED
-            yield state, situation(state, link=link, stop=stop, stop_unconfirmed=unheard)
+            yield state, operating_state(state, link=link, stop=stop, stop_unconfirmed=unheard)
             if unheard:
                 lapsed = {"stop_unconfirmed": True, "stop_lapsed": True}
-                yield state, situation(state, link=link, stop=stop, **lapsed)
+                yield state, operating_state(state, link=link, stop=stop, **lapsed)
 
 
-def online() -> Iterator[tuple[ArmState, Situation]]:
+def online() -> Iterator[tuple[ArmState, OperatingState]]:
     told = itertools.product(CONTROL_MODES, STATUSES, (*TeachingState, UNKNOWN_CODE), FLAGS)
     for mode, code, teaching, flags in told:
         for reached in (True, False) if teaching in {3, 5, 7} else (True,):
@@ -159,24 +161,24 @@ def online() -> Iterator[tuple[ArmState, Situation]]:
             poses = POSES_DEG if mode == ControlMode.TEACHING else POSES_DEG[:1]
             for enabled, pose_deg in itertools.product(ENABLED, poses):
                 state = arm(heard, enabled, None, pose_deg)
-                yield state, situation(state)
+                yield state, operating_state(state)
     for code, protection, enabled in itertools.product(STATUSES, PROTECTIONS, ENABLED):
         for mode in CONTROL_MODES:
             state = arm(status(control_mode=mode, arm_status=code), enabled, protection)
-            yield state, situation(state)
+            yield state, operating_state(state)
     for code, mode, enabled, (stop, unconfirmed, busy) in itertools.product(
         STATUSES, CONTROL_MODES, ENABLED, STOPS
     ):
         if stop is StopState.RUNNING and code == ArmStatusCode.EMERGENCY_STOP:
             continue
         state = arm(status(control_mode=mode, arm_status=code), enabled)
-        yield state, situation(state, stop=stop, stop_unconfirmed=unconfirmed, busy=busy)
+        yield state, operating_state(state, stop=stop, stop_unconfirmed=unconfirmed, busy=busy)
     yield from in_company()
     for generation in (None, *Generation):
-        yield ArmState(last_feedback_s=NOW_S), situation(ArmState(), generation=generation)
+        yield ArmState(last_feedback_s=NOW_S), operating_state(ArmState(), generation=generation)
 
 
-def in_company() -> Iterator[tuple[ArmState, Situation]]:
+def in_company() -> Iterator[tuple[ArmState, OperatingState]]:
     """Other hosts, leaders, foreign modes, motions held back, a cancel that is not heeded."""
     streams = {
         "another host": [(0x155, bytes(8), 1)],
@@ -189,19 +191,19 @@ def in_company() -> Iterator[tuple[ArmState, Situation]]:
             for k in range(count):
                 hosts.note(arbitration_id, data, NOW_S - 0.005 * (count - 1 - k))
         state = arm(status())
-        yield state, situation(state, traffic=hosts.traffic())
+        yield state, operating_state(state, traffic=hosts.traffic())
     for hold in Hold:
         state, authority = arm(status(reached=False)), Authority()
         authority.holds = frozenset({hold})
-        yield state, situation(state, authority=authority)
+        yield state, operating_state(state, authority=authority)
     state, authority = arm(status(reached=False)), Authority()
     authority.cancelled(NOW_S - 2.0)
-    yield state, situation(state, authority=authority)
+    yield state, operating_state(state, authority=authority)
     device = Device("virtual", "test", listen_only=True)
-    yield state, situation(state, device=device)
+    yield state, operating_state(state, device=device)
 
 
-def is_valid(action: Action, state: ArmState, now: Situation) -> bool:
+def is_valid(action: Action, state: ArmState, now: OperatingState) -> bool:
     """Whether the controller would take the action now."""
     commanded = {
         Action.STOP_RECORDING: TeachingState.STOP_RECORDING,
@@ -231,15 +233,26 @@ def is_valid(action: Action, state: ArmState, now: Situation) -> bool:
 
 WAITS = {
     # what goes on by itself, is the operator's at the arm, or wants another target
-    *(Kind.OPENING, Kind.STOP_UNCONFIRMED, Kind.STOP_REQUESTED, Kind.WORKING, Kind.HANDSHAKE),
-    *(Kind.UNDERVOLTAGE, Kind.OVERTEMPERATURE),
-    *(Kind.BEYOND_LIMIT, Kind.TARGET_BEYOND_LIMIT, Kind.NO_SOLUTION, Kind.SINGULARITY),
-    Kind.READY,
+    *(
+        StepKind.OPENING,
+        StepKind.STOP_UNCONFIRMED,
+        StepKind.STOP_REQUESTED,
+        StepKind.WORKING,
+        StepKind.HANDSHAKE,
+    ),
+    *(StepKind.UNDERVOLTAGE, StepKind.OVERTEMPERATURE),
+    *(
+        StepKind.BEYOND_LIMIT,
+        StepKind.TARGET_BEYOND_LIMIT,
+        StepKind.NO_SOLUTION,
+        StepKind.SINGULARITY,
+    ),
+    StepKind.READY,
 }
 
 
 def test_every_combination_has_one_next_step_that_can_be_taken(qapp):
-    seen: dict[tuple[Kind, frozenset[str], bool], Step] = {}
+    seen: dict[tuple[StepKind, frozenset[str], bool], Step] = {}
     for state, now in itertools.chain(without_link(), online()):
         step = next_step(state, now, NOW_S)
         told = (step, state.status, now.link, now.stop)
@@ -252,10 +265,10 @@ def test_every_combination_has_one_next_step_that_can_be_taken(qapp):
             assert again.kind is step.kind
             assert again.action is not None
             assert is_valid(again.action, state, now), told
-        if step.kind is Kind.READY:
+        if step.kind is StepKind.READY:
             assert now.cannot_move is None, told
         seen.setdefault((step.kind, frozenset(step.params), bool(step.joints)), step)
-    assert {kind for kind, _, _ in seen} == set(Kind)
+    assert {kind for kind, _, _ in seen} == set(StepKind)
     for step in seen.values():
         assert "—" not in words.step(step), step
 
@@ -264,15 +277,15 @@ def test_every_combination_has_one_next_step_that_can_be_taken(qapp):
 def test_each_code_of_the_status_has_a_step_of_its_own(code):
     kinds = [step_of(arm(status(arm_status=each))).kind for each in STATUSES]
     assert kinds.count(kinds[STATUSES.index(code)]) == 1
-    assert (kinds[STATUSES.index(code)] is Kind.READY) is (code == ArmStatusCode.NORMAL)
+    assert (kinds[STATUSES.index(code)] is StepKind.READY) is (code == ArmStatusCode.NORMAL)
 
 
 def test_what_a_step_is_about_is_named():
     step = step_of(arm(status(arm_status=7), protection={"collision_protection": True}))
-    assert (step.kind, step.joints, step.params) == (Kind.COLLISION, (2,), {"joints": "2"})
+    assert (step.kind, step.joints, step.params) == (StepKind.COLLISION, (2,), {"joints": "2"})
     assert "joint 2" in words.step(step)
     step = step_of(arm(status(arm_status=7)))
-    assert (step.kind, step.joints) == (Kind.COLLISION, ())
+    assert (step.kind, step.joints) == (StepKind.COLLISION, ())
     step = step_of(arm(status(control_mode=ControlMode.TEACHING), pose_deg=POSES_DEG[1]))
     assert step.params == {"joint": 2, "angle": 40.0, "near": "15"}
 
@@ -280,7 +293,8 @@ def test_what_a_step_is_about_is_named():
 def test_what_was_tried_in_vain_leads_to_the_next_stronger_means():
     state = arm(status(arm_status=7), protection={"collision_protection": True})
     first, second = (
-        next_step(state, situation(state), NOW_S, {Kind.COLLISION: count}) for count in (1, 2)
+        next_step(state, operating_state(state), NOW_S, {StepKind.COLLISION: count})
+        for count in (1, 2)
     )
     assert first.action is Action.CLEAR_ERRORS
     assert words.step(first).startswith("The arm did not react.")
@@ -289,8 +303,8 @@ def test_what_was_tried_in_vain_leads_to_the_next_stronger_means():
 
 
 def test_an_old_status_is_no_status():
-    state = replace(arm(status()), status=Heard(status(), NOW_S - 1.0))
-    assert step_of(state).kind is Kind.STATUS_UNKNOWN
+    state = replace(arm(status()), status=Reading(status(), NOW_S - 1.0))
+    assert step_of(state).kind is StepKind.STATUS_UNKNOWN
 
 
 def test_faults_are_red_and_what_can_wait_is_not():

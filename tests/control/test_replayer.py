@@ -6,9 +6,9 @@ from datetime import UTC, datetime
 import numpy as np
 import pytest
 
-from armui.control.replay import Replay
-from armui.control.run import ENDLESS, Phase
-from armui.trajectory.recording import Recording
+from armui.control.run.progress import ENDLESS, RunPhase
+from armui.control.run.replay import Replay
+from armui.trajectory.samples.recording import Recording
 
 STILL = (0.0, 30.0, -30.0, 0.0, 0.0, 0.0)
 
@@ -31,12 +31,12 @@ def ready(any_bench):
     return any_bench
 
 
-def phase(bench):
-    return bench.controller.replayer.progress.phase
+def phase(rig):
+    return rig.controller.replayer.progress.phase
 
 
-def over(bench):
-    return lambda: not bench.controller.replayer.running
+def over(rig):
+    return lambda: not rig.controller.replayer.running
 
 
 def test_the_arm_follows_the_recording(ready):
@@ -48,7 +48,7 @@ def test_the_arm_follows_the_recording(ready):
     began_s = ready.time_s
     path = []
     ready.run_until(lambda: path.append(ready.firmware.joints_deg) or over(ready)())
-    assert (phase(ready), ready.controller.replayer.progress.reason) == (Phase.DONE, None)
+    assert (phase(ready), ready.controller.replayer.progress.reason) == (RunPhase.DONE, None)
     assert 4.0 <= ready.time_s - began_s <= 5.0
     assert ready.firmware.joints_deg == pytest.approx(recording.joints_deg[-1], abs=0.1)
     first = [joints[0] for joints in path]
@@ -69,14 +69,14 @@ def test_a_factor_changes_the_time_and_not_the_way(ready):
 
 def test_laps_begin_where_the_recording_begins(ready):
     replayer = ready.controller.replayer
-    replayer.start(Replay(wave(), laps=2))
+    replayer.start(Replay(wave(), cycles=2))
     ready.run_until(over(ready), seconds=60.0)
-    assert (phase(ready), replayer.progress.lap) == (Phase.DONE, 2)
+    assert (phase(ready), replayer.progress.cycle) == (RunPhase.DONE, 2)
 
 
 def test_a_pause_holds_the_arm(ready):
     replayer = ready.controller.replayer
-    replayer.start(Replay(wave(), laps=ENDLESS))
+    replayer.start(Replay(wave(), cycles=ENDLESS))
     ready.run_until(lambda: replayer.progress.done > 0.3)
     assert replayer.pause() is None
     ready.run(1.0)
@@ -84,10 +84,10 @@ def test_a_pause_holds_the_arm(ready):
     ready.run(3.0)
     assert ready.firmware.joints_deg == at
     assert replayer.go_on() is None
-    ready.run_until(lambda: replayer.progress.lap == 2)
+    ready.run_until(lambda: replayer.progress.cycle == 2)
     replayer.stop()
     ready.run_until(over(ready))
-    assert phase(ready) is Phase.STOPPED
+    assert phase(ready) is RunPhase.STOPPED
 
 
 def test_a_program_that_hangs_does_not_leave_the_arm_moving(ready):
@@ -105,7 +105,7 @@ def test_an_emergency_stop_ends_the_replay(ready):
     replayer.start(Replay(wave()))
     ready.run_until(lambda: replayer.progress.done > 0.2)
     ready.controller.emergency_stop()
-    assert (phase(ready), replayer.progress.reason.code) == (Phase.FAILED, "run_stopped")
+    assert (phase(ready), replayer.progress.reason.code) == (RunPhase.FAILED, "run_stopped")
     ready.run(0.5)
     assert ready.firmware.stopped
 
@@ -141,14 +141,14 @@ def test_the_speed_named_as_possible_is_possible(ready):
     factor = refusal.params["percent"] / 100.0
     assert ready.controller.replayer.start(Replay(fast, factor=factor)) is None
     ready.run_until(over(ready))
-    assert (phase(ready), ready.controller.replayer.progress.reason) == (Phase.DONE, None)
+    assert (phase(ready), ready.controller.replayer.progress.reason) == (RunPhase.DONE, None)
 
 
-def test_the_gripper_follows_where_it_was_recorded(bench):
-    bench.ready()
-    bench.controller.replayer.start(Replay(wave(gripper_mm=25.0)))
-    bench.run_until(over(bench))
-    assert bench.controller.state.gripper.value.opening_mm == pytest.approx(25.0, abs=0.5)
+def test_the_gripper_follows_where_it_was_recorded(rig):
+    rig.ready()
+    rig.controller.replayer.start(Replay(wave(gripper_mm=25.0)))
+    rig.run_until(over(rig))
+    assert rig.controller.state.gripper.value.opening_mm == pytest.approx(25.0, abs=0.5)
 
 
 def test_what_the_arm_does_is_recorded(ready):
@@ -159,7 +159,7 @@ def test_what_the_arm_does_is_recorded(ready):
     ready.run(3.0)
     recording = recorder.finish("led by hand").joined()
     generation_1 = recording.samples[:, 7]
-    assert np.isnan(generation_1).all() == (int(ready.controller.situation.generation) == 1)
+    assert np.isnan(generation_1).all() == (int(ready.controller.operating_state.generation) == 1)
     assert recording.duration_s == pytest.approx(3.0, abs=0.1)
     assert (np.diff(recording.times_s) >= 0.0).all()
     assert recording.joints_deg[0] == pytest.approx([0.0] * 6, abs=0.5)

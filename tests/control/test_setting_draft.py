@@ -7,18 +7,18 @@ import pytest
 from armui.arm.limits import JointLimits
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
-from armui.arm.state import ArmState, Heard
-from armui.control.setting_cell import Cell, CellState
-from armui.control.setting_draft import Look, SettingDraft
+from armui.arm.state import ArmState, Reading
+from armui.control.parameters.setting_cell import CellState, SettingCellState
+from armui.control.parameters.setting_draft import CellStatus, SettingDraft
 
 MAX_J1 = Parameter("max_angle_deg", 1)
 MIN_J1 = Parameter("min_angle_deg", 1)
 SPEED_J1 = Parameter("max_speed_deg_s", 1)
-READ = Cell(CellState.READ)
+READ = SettingCellState(CellState.READ)
 
 
 def arm(limits):
-    return replace(ArmState(), limits=(Heard(limits, 1.0), *(None,) * 5))
+    return replace(ArmState(), limits=(Reading(limits, 1.0), *(None,) * 5))
 
 
 HELD = arm(JointLimits(-150.0, 150.0, 171.887))
@@ -57,16 +57,26 @@ def test_two_ends_are_judged_together(draft):
 @pytest.mark.parametrize(
     ("cell", "entered", "state", "look"),
     [
-        (Cell(), None, ArmState(), Look.NOT_READ),
-        (Cell(CellState.READING), None, ArmState(), Look.READING),
-        (READ, None, HELD, Look.READ),
-        (READ, None, arm(JointLimits(-0.1, -0.1, 37549.0)), Look.CORRUPT),
-        (READ, 140.0, HELD, Look.CHANGED),
-        (READ, 400.0, HELD, Look.WRONG),
-        (Cell(CellState.SAVING), 140.0, HELD, Look.SAVING),
-        (Cell(CellState.SAVED), None, HELD, Look.SAVED),
-        (Cell(CellState.REFUSED, Refusal("link_lost")), 140.0, HELD, Look.NOT_SAVED),
-        (Cell(CellState.REFUSED, Refusal("link_lost")), None, HELD, Look.NOT_READ),
+        (SettingCellState(), None, ArmState(), CellStatus.NOT_READ),
+        (SettingCellState(CellState.READING), None, ArmState(), CellStatus.READING),
+        (READ, None, HELD, CellStatus.READ),
+        (READ, None, arm(JointLimits(-0.1, -0.1, 37549.0)), CellStatus.CORRUPT),
+        (READ, 140.0, HELD, CellStatus.CHANGED),
+        (READ, 400.0, HELD, CellStatus.WRONG),
+        (SettingCellState(CellState.SAVING), 140.0, HELD, CellStatus.SAVING),
+        (SettingCellState(CellState.SAVED), None, HELD, CellStatus.SAVED),
+        (
+            SettingCellState(CellState.REFUSED, Refusal("link_lost")),
+            140.0,
+            HELD,
+            CellStatus.NOT_SAVED,
+        ),
+        (
+            SettingCellState(CellState.REFUSED, Refusal("link_lost")),
+            None,
+            HELD,
+            CellStatus.NOT_READ,
+        ),
     ],
 )
 def test_every_state_has_its_look(draft, cell, entered, state, look):

@@ -7,14 +7,14 @@ import pytest
 from armui.arm.limits import JointLimits
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
-from armui.arm.state import ArmState, Heard
-from armui.control.setting_cell import Cell, CellState
-from armui.control.setting_draft import SettingDraft
-from armui.control.setting_saving import SettingSaving
+from armui.arm.state import ArmState, Reading
+from armui.control.parameters.setting_cell import CellState, SettingCellState
+from armui.control.parameters.setting_draft import SettingDraft
+from armui.control.parameters.setting_saving import SettingSaving
 
 MAX_J1 = Parameter("max_angle_deg", 1)
 SPEED_J1 = Parameter("max_speed_deg_s", 1)
-HELD = replace(ArmState(), limits=(Heard(JointLimits(-150.0, 150.0, 171.887), 1.0), *(None,) * 5))
+HELD = replace(ArmState(), limits=(Reading(JointLimits(-150.0, 150.0, 171.887), 1.0), *(None,) * 5))
 SILENT = Refusal("setting_unanswered")
 
 
@@ -31,7 +31,7 @@ class Settings:
         return self.answer
 
     def cell(self, parameter):
-        return self.cells.get(parameter, Cell(CellState.SAVING))
+        return self.cells.get(parameter, SettingCellState(CellState.SAVING))
 
 
 @pytest.fixture
@@ -56,10 +56,10 @@ def saving(settings, draft):
 def test_it_has_ended_when_nothing_is_under_way_and_says_so_once(saving, settings, draft):
     assert saving.begin(HELD) is None
     assert settings.saved == [{MAX_J1: 140.0, SPEED_J1: 90.0}]
-    settings.cells[MAX_J1] = Cell(CellState.SAVED)
+    settings.cells[MAX_J1] = SettingCellState(CellState.SAVED)
     assert not saving.ended()
     assert saving.running
-    settings.cells[SPEED_J1] = Cell(CellState.SAVED)
+    settings.cells[SPEED_J1] = SettingCellState(CellState.SAVED)
     assert saving.ended()
     assert not saving.ended()
     assert not draft.changed
@@ -69,7 +69,10 @@ def test_it_has_ended_when_nothing_is_under_way_and_says_so_once(saving, setting
 
 def test_what_was_not_taken_stays_in_the_draft(saving, settings, draft):
     saving.begin(HELD)
-    settings.cells = {MAX_J1: Cell(CellState.SAVED), SPEED_J1: Cell(CellState.REFUSED, SILENT)}
+    settings.cells = {
+        MAX_J1: SettingCellState(CellState.SAVED),
+        SPEED_J1: SettingCellState(CellState.REFUSED, SILENT),
+    }
     assert saving.ended()
     assert draft.changes() == {SPEED_J1: 90.0}
     assert draft.editing

@@ -24,7 +24,7 @@ ZERO_ALL = {1: setting("07 AE 00 00 00 00 00 00"), 2: setting("07 AE 00 7F FF 00
 @pytest.fixture
 def arm(any_bench):
     any_bench.connect()
-    any_bench.firmware.body.count_anew(LYING_DEG)
+    any_bench.firmware.mechanics.count_anew(LYING_DEG)
     any_bench.run(0.1)
     any_bench.ear = HardOfHearing(any_bench.firmware)
     return any_bench
@@ -44,14 +44,14 @@ def last(arm):
 
 def test_one_joint(arm, generation):
     assert arm.controller.zeroing.set_zero(2) is None
-    assert arm.controller.situation.cannot_move.code == "busy"
+    assert arm.controller.operating_state.cannot_move.code == "busy"
     done(arm)
     assert sent(arm) == [ZERO_2[generation]]
     assert arm.firmware.settings.zeros_deg == [0.0, 10.0, 0.0, 0.0, 0.0, 0.0]
     assert arm.controller.state.angles_deg() == (5.0, 0.0, -20.0, 0.0, 30.0, -40.0)
     assert arm.codes()[-2:] == ["zero_sent_joint", "zero_set_joint"]
     assert last(arm).params["joint"] == 2
-    assert arm.controller.situation.busy is None
+    assert arm.controller.operating_state.busy is None
 
 
 def test_all_joints(arm, generation):
@@ -73,7 +73,7 @@ def test_an_arm_that_says_no(arm):
 
 
 def test_an_arm_that_says_yes_and_does_nothing(arm):
-    arm.firmware.upkeep.set_zero = lambda _indices: True
+    arm.firmware.settings_applier.set_zero = lambda _indices: True
     arm.controller.zeroing.set_zero()
     done(arm)
     assert last(arm).params["reason"].code == "zero_not_taken"
@@ -133,7 +133,7 @@ def test_a_link_lost_half_way_ends_it(arm):
 def test_not_while_it_moves(any_bench):
     any_bench.ready()
     any_bench.controller.motion.send_joints((30.0, 0.0, 0.0, 0.0, 0.0, 0.0))
-    any_bench.run_until(lambda: any_bench.controller.situation.moving)
+    any_bench.run_until(lambda: any_bench.controller.operating_state.moving)
     any_bench.run(0.3)
     any_bench.heard()
     refusal = any_bench.controller.zeroing.set_zero(2)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from armui.arm.frames import JogFrame
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
-from armui.control.jog_ways import JointJog, ToolJog
-from armui.control.replay import Replay
-from armui.control.run import Phase, Run
+from armui.control.motion.jog_path import JointJog, ToolJog
+from armui.control.run.progress import Run, RunPhase
+from armui.control.run.replay import Replay
+from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import (
     EndLoad,
     LinkageRole,
@@ -17,8 +17,8 @@ from armui.protocol.codes import (
     TeachingState,
     TrajectoryCommand,
 )
-from armui.trajectory.program import Waypoint
-from tests.bench import Bench
+from armui.trajectory.points.program import Waypoint
+from tests.arm_rig import ArmRig
 from tests.control.jogger import bend
 from tests.control.test_replayer import wave
 
@@ -37,48 +37,48 @@ def run_of(*points, **more):
     return Run("test", points, [2.0 + point.dwell_s for point in points], **more)
 
 
-def phase(bench: Bench) -> Phase:
+def phase(rig: ArmRig) -> RunPhase:
     """What the run does."""
-    return bench.controller.player.progress.phase
+    return rig.controller.player.progress.phase
 
 
-def run_moving(bench: Bench) -> None:
-    assert bench.controller.player.start(run_of(to(OUT), to(BACK))) is None
-    bench.run(0.4)
-    assert phase(bench) is Phase.MOVING
+def run_moving(rig: ArmRig) -> None:
+    assert rig.controller.player.start(run_of(to(OUT), to(BACK))) is None
+    rig.run(0.4)
+    assert phase(rig) is RunPhase.MOVING
 
 
-def run_dwelling(bench: Bench) -> None:
-    bench.controller.player.start(run_of(to(OUT, dwell_s=60.0), to(BACK)))
-    bench.run_until(lambda: phase(bench) is Phase.DWELLING)
-    bench.run(0.5)
+def run_dwelling(rig: ArmRig) -> None:
+    rig.controller.player.start(run_of(to(OUT, dwell_s=60.0), to(BACK)))
+    rig.run_until(lambda: phase(rig) is RunPhase.DWELLING)
+    rig.run(0.5)
 
 
-def run_paused(bench: Bench) -> None:
-    run_moving(bench)
-    assert bench.controller.player.pause() is None
-    bench.run(1.0)
+def run_paused(rig: ArmRig) -> None:
+    run_moving(rig)
+    assert rig.controller.player.pause() is None
+    rig.run(1.0)
 
 
-def run_waiting(bench: Bench) -> None:
-    bench.controller.player.start(run_of(to(OUT), to(BACK), step_by_step=True))
-    bench.run_until(lambda: phase(bench) is Phase.WAITING)
-    bench.run(0.5)
+def run_waiting(rig: ArmRig) -> None:
+    rig.controller.player.start(run_of(to(OUT), to(BACK), step_by_step=True))
+    rig.run_until(lambda: phase(rig) is RunPhase.WAITING)
+    rig.run(0.5)
 
 
-def replay_moving(bench: Bench) -> None:
-    replayer = bench.controller.replayer
+def replay_moving(rig: ArmRig) -> None:
+    replayer = rig.controller.replayer
     assert replayer.start(Replay(wave())) is None
-    bench.run_until(lambda: replayer.progress.done > 0.2)
+    rig.run_until(lambda: replayer.progress.done > 0.2)
 
 
-def replay_paused(bench: Bench) -> None:
-    replay_moving(bench)
-    assert bench.controller.replayer.pause() is None
-    bench.run(0.5)
+def replay_paused(rig: ArmRig) -> None:
+    replay_moving(rig)
+    assert rig.controller.replayer.pause() is None
+    rig.run(0.5)
 
 
-RUNS: Mapping[str, Callable[[Bench], None]] = {
+RUNS: Mapping[str, Callable[[ArmRig], None]] = {
     each.__name__: each
     for each in (
         run_moving,
@@ -92,28 +92,28 @@ RUNS: Mapping[str, Callable[[Bench], None]] = {
 """A run or replay in each of its phases; the arm stands still in most of them."""
 
 
-def joint_jog(bench: Bench) -> None:
-    bend(bench)
-    assert bench.controller.jogging.start(JointJog(1, 1)) is None
-    bench.run(0.2)
+def joint_jog(rig: ArmRig) -> None:
+    bend(rig)
+    assert rig.controller.jogging.start(JointJog(1, 1)) is None
+    rig.run(0.2)
 
 
-def tool_jog(bench: Bench) -> None:
-    bend(bench)
-    assert bench.controller.jogging.start(ToolJog(2, 1, JogFrame.BASE)) is None
-    bench.run(0.2)
+def tool_jog(rig: ArmRig) -> None:
+    bend(rig)
+    assert rig.controller.jogging.start(ToolJog(2, 1, JogFrame.BASE)) is None
+    rig.run(0.2)
 
 
-def motion_paused(bench: Bench) -> None:
+def motion_paused(rig: ArmRig) -> None:
     """Not by a run, but from 示教: the arm keeps its target."""
-    controller = bench.controller
+    controller = rig.controller
     assert controller.motion.send_joints(OUT) is None
-    bench.run_until(lambda: controller.situation.moving)
+    rig.run_until(lambda: controller.operating_state.moving)
     assert controller.planned_motion.command(TrajectoryCommand.PAUSE) is None
-    bench.run(1.0)
+    rig.run(1.0)
 
 
-Command = Callable[[Bench], Refusal | None]
+Command = Callable[[ArmRig], Refusal | None]
 
 SETTINGS: Mapping[str, Command] = {
     "enable all": lambda b: b.controller.motors.enable(),

@@ -29,7 +29,7 @@ WINDOW_SCENES = (
     Scene("stopped", arm.stopped),
     Scene("collision", arm.collision),
     Scene("teaching", arm.teaching),
-    Scene("way-out", arm.way_out),
+    Scene("way-out", arm.teaching_exit_steps),
     Scene("held-back", company.held_back),
     Scene("other-host", company.other_host),
     Scene("other-mode", company.other_mode),

@@ -6,14 +6,14 @@ import errno
 
 import can
 
-from armui.control.recovery_steps import Kind
-from armui.control.run import Phase, Run
-from armui.control.situation import LinkState, StopState
+from armui.control.operating_state import LinkState, StopState
+from armui.control.run.progress import Run, RunPhase
+from armui.control.safety.recovery_steps import StepKind
 from armui.protocol.codes import MoveMode
-from armui.sim.faults import fault
-from armui.trajectory.program import Waypoint
-from armui.ui.operation_area import OperationArea
-from tests.desk import Desk
+from armui.sim.faults.schedule import fault
+from armui.trajectory.points.program import Waypoint
+from armui.ui.shell.operation_area import OperationArea
+from tests.app_driver import AppDriver
 from tests.gallery_scenes.scene import settled
 
 _PUSH = fault("collision", 2)
@@ -21,118 +21,118 @@ _PUSH = fault("collision", 2)
 REACH_OUT_DEG = (35.0, 95.0, -70.0, 20.0, 45.0, -30.0)
 
 
-def no_device(_desk: Desk) -> None:
+def no_device(_desk: AppDriver) -> None:
     """The window as it opens."""
 
 
-def online(desk: Desk) -> None:
+def online(app_driver: AppDriver) -> None:
     """Connected, every motor off."""
-    desk.connect()
+    app_driver.connect()
 
 
-def moving(desk: Desk) -> None:
+def moving(app_driver: AppDriver) -> None:
     """On the way to a target, slowly; every panel has been shown, and what it reads is read."""
-    desk.connect()
-    area = desk.window.findChild(OperationArea, "operation_area")
+    app_driver.connect()
+    area = app_driver.window.findChild(OperationArea, "operation_area")
     for place in range(area.count()):
         area.show_panel(place)
-        desk.step()
-        settled(desk)
-    _set_off(desk)
+        app_driver.step()
+        settled(app_driver)
+    _set_off(app_driver)
 
 
-def _set_off(desk: Desk) -> None:
-    desk.click("menu_motion")
-    desk.enable_by_hand()
-    desk.controller.motion.set_speed_percent(20)
+def _set_off(app_driver: AppDriver) -> None:
+    app_driver.click("menu_motion")
+    app_driver.enable_by_hand()
+    app_driver.controller.motion.set_speed_percent(20)
     for joint, angle_deg in enumerate(REACH_OUT_DEG, start=1):
-        desk.type_into(f"target_field_{joint}", f"{angle_deg}")
-    desk.click("send_button")
-    desk.run_until(lambda: desk.controller.situation.moving)
-    desk.run(1.2)
+        app_driver.type_into(f"target_field_{joint}", f"{angle_deg}")
+    app_driver.click("send_button")
+    app_driver.run_until(lambda: app_driver.controller.operating_state.moving)
+    app_driver.run(1.2)
 
 
-def reached_out(desk: Desk) -> None:
+def reached_out(app_driver: AppDriver) -> None:
     """At rest, at the target of `moving`."""
-    desk.connect()
-    _set_off(desk)
-    desk.run_until(lambda: not desk.controller.situation.moving, seconds=60.0)
+    app_driver.connect()
+    _set_off(app_driver)
+    app_driver.run_until(lambda: not app_driver.controller.operating_state.moving, seconds=60.0)
 
 
-def refused(desk: Desk) -> None:
+def refused(app_driver: AppDriver) -> None:
     """A target beyond the limits of a joint."""
-    reached_out(desk)
-    desk.type_into("target_field_2", "200")
-    desk.click("send_button")
+    reached_out(app_driver)
+    app_driver.type_into("target_field_2", "200")
+    app_driver.click("send_button")
 
 
-def stopped(desk: Desk) -> None:
+def stopped(app_driver: AppDriver) -> None:
     """After the emergency stop."""
-    reached_out(desk)
-    desk.click("load_button")
-    desk.click("stop_button")
-    desk.run_until(lambda: desk.controller.situation.stop is StopState.STOPPED)
-    desk.run(0.3)
+    reached_out(app_driver)
+    app_driver.click("load_button")
+    app_driver.click("stop_button")
+    app_driver.run_until(lambda: app_driver.controller.operating_state.stop is StopState.STOPPED)
+    app_driver.run(0.3)
 
 
-def run(desk: Desk) -> None:
+def run(app_driver: AppDriver) -> None:
     """A run dwells, and the panel of the motors says what it keeps from being done."""
-    reached_out(desk)
-    point = Waypoint(MoveMode.MOVE_J, tuple(desk.firmware.joints_deg), dwell_s=600.0)
-    player = desk.controller.player
+    reached_out(app_driver)
+    point = Waypoint(MoveMode.MOVE_J, tuple(app_driver.firmware.joints_deg), dwell_s=600.0)
+    player = app_driver.controller.player
     refusal = player.start(Run("Pick up", (point,), (600.0,)))
     assert refusal is None, refusal
-    desk.run_until(lambda: player.progress.phase is Phase.DWELLING)
-    desk.click("menu_motor")
+    app_driver.run_until(lambda: player.progress.phase is RunPhase.DWELLING)
+    app_driver.click("menu_motor")
 
 
-def offline(desk: Desk) -> None:
+def offline(app_driver: AppDriver) -> None:
     """The arm has fallen silent while the jog keys were switched on."""
-    reached_out(desk)
-    desk.click("jog_keys_button")
-    desk.find("jog_step").setCurrentIndex(1)
-    desk.powered = False
-    desk.run_until(lambda: "offline" in desk.codes())
+    reached_out(app_driver)
+    app_driver.click("jog_keys_button")
+    app_driver.find("jog_step").setCurrentIndex(1)
+    app_driver.powered = False
+    app_driver.run_until(lambda: "offline" in app_driver.codes())
 
 
-def lost(desk: Desk) -> None:
+def lost(app_driver: AppDriver) -> None:
     """The adapter has been pulled."""
-    reached_out(desk)
-    desk.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
-    desk.wait(lambda: desk.controller.situation.link is LinkState.LOST)
+    reached_out(app_driver)
+    app_driver.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
+    app_driver.wait(lambda: app_driver.controller.operating_state.link is LinkState.LOST)
 
 
-def collision(desk: Desk) -> None:
+def collision(app_driver: AppDriver) -> None:
     """Something has been pushed against a joint."""
-    _enabled(desk)
-    desk.node.faults.start(_PUSH)
-    _until(desk, Kind.COLLISION)
+    _enabled(app_driver)
+    app_driver.node.faults.start(_PUSH)
+    _until(app_driver, StepKind.COLLISION)
 
 
-def teaching(desk: Desk) -> None:
+def teaching(app_driver: AppDriver) -> None:
     """The arm is led by hand and recorded."""
-    _enabled(desk)
-    desk.click("menu_teaching")
-    desk.click("teaching_start_recording")
-    desk.confirm()
-    _until(desk, Kind.RECORDING)
-    desk.firmware.hand.lead_to(REACH_OUT_DEG)
-    desk.run(2.0)
+    _enabled(app_driver)
+    app_driver.click("menu_teaching")
+    app_driver.click("teaching_start_recording")
+    app_driver.confirm()
+    _until(app_driver, StepKind.RECORDING)
+    app_driver.firmware.hand_guiding.lead_to(REACH_OUT_DEG)
+    app_driver.run(2.0)
 
 
-def way_out(desk: Desk) -> None:
+def teaching_exit_steps(app_driver: AppDriver) -> None:
     """The recording has ended; the arm is still led by hand."""
-    teaching(desk)
-    desk.click("teaching_stop_recording")
-    _until(desk, Kind.DRAG_MODE)
-    desk.run(0.2)
+    teaching(app_driver)
+    app_driver.click("teaching_stop_recording")
+    _until(app_driver, StepKind.DRAG_MODE)
+    app_driver.run(0.2)
 
 
-def _enabled(desk: Desk) -> None:
-    desk.connect()
-    desk.click("menu_motion")
-    desk.enable_by_hand()
+def _enabled(app_driver: AppDriver) -> None:
+    app_driver.connect()
+    app_driver.click("menu_motion")
+    app_driver.enable_by_hand()
 
 
-def _until(desk: Desk, kind: Kind) -> None:
-    desk.run_until(lambda: desk.controller.recovery.step.kind is kind)
+def _until(app_driver: AppDriver, kind: StepKind) -> None:
+    app_driver.run_until(lambda: app_driver.controller.recovery.step.kind is kind)

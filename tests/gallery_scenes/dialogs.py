@@ -17,7 +17,7 @@ from armui.ui.dialogs.files import FileDialog
 from armui.ui.dialogs.help import HelpDialog
 from armui.ui.dialogs.joint_status import JointStatusDialog
 from armui.ui.dialogs.settings import SettingsDialog
-from tests.desk import Desk
+from tests.app_driver import AppDriver
 from tests.faulty_arm import FaultyDrivers
 
 ADAPTERS = (
@@ -27,36 +27,36 @@ ADAPTERS = (
 )
 
 
-def connect(desk: Desk) -> QDialog:
-    desk.window.open_connect_dialog()
-    dialog = desk.dialog(ConnectDialog)
+def connect(app_driver: AppDriver) -> QDialog:
+    app_driver.window.open_connect_dialog()
+    dialog = app_driver.dialog(ConnectDialog)
     # the search finds the simulated arm alone; its answer must not come after this
-    desk.wait(dialog.refresh_button.isEnabled)
-    desk.controller.devices_found.emit([desk.device, *ADAPTERS])
+    app_driver.wait(dialog.refresh_button.isEnabled)
+    app_driver.controller.devices_found.emit([app_driver.device, *ADAPTERS])
     return dialog
 
 
-def connect_searching(desk: Desk) -> QDialog:
-    dialog = connect(desk)
-    desk.controller.searching_changed.emit(True)
+def connect_searching(app_driver: AppDriver) -> QDialog:
+    dialog = connect(app_driver)
+    app_driver.controller.searching_changed.emit(True)
     return dialog
 
 
-def connect_failed(desk: Desk) -> QDialog:
-    desk.broken = can.CanInitializationError("busy", error_code=errno.EBUSY)
-    desk.controller.connect_device(ADAPTERS[1])
-    desk.wait(lambda: desk.controller.situation.link_problem is not None)
-    desk.plug_in()
-    return connect(desk)
+def connect_failed(app_driver: AppDriver) -> QDialog:
+    app_driver.broken = can.CanInitializationError("busy", error_code=errno.EBUSY)
+    app_driver.controller.connect_device(ADAPTERS[1])
+    app_driver.wait(lambda: app_driver.controller.operating_state.link_problem is not None)
+    app_driver.plug_in()
+    return connect(app_driver)
 
 
-def settings(desk: Desk) -> QDialog:
-    desk.window.open_settings_dialog()
-    return desk.dialog(SettingsDialog)
+def settings(app_driver: AppDriver) -> QDialog:
+    app_driver.window.open_settings_dialog()
+    return app_driver.dialog(SettingsDialog)
 
 
-def settings_refused(desk: Desk) -> QDialog:
-    dialog = settings(desk)
+def settings_refused(app_driver: AppDriver) -> QDialog:
+    dialog = settings(app_driver)
     field = dialog.findChild(QLineEdit)
     field.setFocus()
     field.selectAll()
@@ -65,45 +65,45 @@ def settings_refused(desk: Desk) -> QDialog:
     return dialog
 
 
-def help_window(desk: Desk) -> QDialog:
-    desk.window.open_help_dialog()
-    return desk.dialog(HelpDialog)
+def help_window(app_driver: AppDriver) -> QDialog:
+    app_driver.window.open_help_dialog()
+    return app_driver.dialog(HelpDialog)
 
 
-def joint_status(desk: Desk) -> QDialog:
-    desk.window.open_joint_status_dialog()
-    return desk.dialog(JointStatusDialog)
+def joint_status(app_driver: AppDriver) -> QDialog:
+    app_driver.window.open_joint_status_dialog()
+    return app_driver.dialog(JointStatusDialog)
 
 
-def joint_status_faults(desk: Desk) -> QDialog:
-    drivers = FaultyDrivers(desk.firmware)
+def joint_status_faults(app_driver: AppDriver) -> QDialog:
+    drivers = FaultyDrivers(app_driver.firmware)
     drivers.bits = {2: 0x04, 4: 0x11, 5: 0x80}
-    desk.firmware.set_communication_fault(6, present=True)
-    desk.run(0.2)
+    app_driver.firmware.set_communication_fault(6, present=True)
+    app_driver.run(0.2)
     # gone with the next step of the arm's time, which stands still until then
-    desk.firmware.set_communication_fault(6, present=False)
+    app_driver.firmware.set_communication_fault(6, present=False)
     drivers.mend()
-    return joint_status(desk)
+    return joint_status(app_driver)
 
 
-def file(desk: Desk) -> QDialog:
-    dialog = settings(desk)
+def file(app_driver: AppDriver) -> QDialog:
+    dialog = settings(app_driver)
     QTest.mouseClick(dialog.browse_button, Qt.MouseButton.LeftButton)
-    chooser = desk.dialog(FileDialog)
+    chooser = app_driver.dialog(FileDialog)
     chooser.setDirectory(str(Path(__file__).resolve().parents[2] / "urdf"))
     return chooser
 
 
-def confirm_disable(desk: Desk) -> QDialog:
-    desk.click("enable_button")
-    return desk.dialog(ConfirmDialog)
+def confirm_disable(app_driver: AppDriver) -> QDialog:
+    app_driver.click("enable_button")
+    return app_driver.dialog(ConfirmDialog)
 
 
-def confirm_resume(desk: Desk) -> QDialog:
-    desk.click("stop_button")
-    return desk.dialog(ConfirmDialog)
+def confirm_resume(app_driver: AppDriver) -> QDialog:
+    app_driver.click("stop_button")
+    return app_driver.dialog(ConfirmDialog)
 
 
-def confirm_close(desk: Desk) -> QDialog:
-    desk.window.close()
-    return desk.dialog(ConfirmDialog)
+def confirm_close(app_driver: AppDriver) -> QDialog:
+    app_driver.window.close()
+    return app_driver.dialog(ConfirmDialog)

@@ -27,9 +27,9 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QWidget
 
 from armui.protocol.generation import Generation
-from armui.ui.operation_area import OperationArea
+from armui.ui.shell.operation_area import OperationArea
 from armui.viewport.client import PictureClient
-from tests.desk import Desk
+from tests.app_driver import AppDriver
 from tests.gallery_scenes import DIALOG_SCENES, WINDOW_SCENES
 from tests.gallery_scenes.scene import DialogScene, Scene, close_dialogs
 
@@ -87,14 +87,14 @@ def take(scene: Scene | DialogScene, folder: Path, looks: Looks) -> int:
         file = Path(settings) / "settings.json"
         pictures = globals()["_drawn_by"]
         name = f"gallery-{scene.name}"
-        desk = Desk(app, name, file, Generation.TWO, draws=draws, pictures=pictures)
+        app_driver = AppDriver(app, name, file, Generation.TWO, draws=draws, pictures=pictures)
         try:
             if isinstance(scene, Scene):
-                count = _WindowPictures(desk, folder, looks).take(scene)
+                count = _WindowPictures(app_driver, folder, looks).take(scene)
             else:
-                count = _take_dialog(desk, scene, folder, looks)
+                count = _take_dialog(app_driver, scene, folder, looks)
         finally:
-            desk.close()
+            app_driver.close()
             QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
         errors.raise_first()
     return count
@@ -103,8 +103,8 @@ def take(scene: Scene | DialogScene, folder: Path, looks: Looks) -> int:
 class _WindowPictures:
     """The main window, with the arm drawn in 3D."""
 
-    def __init__(self, desk: Desk, folder: Path, looks: Looks) -> None:
-        self._desk = desk
+    def __init__(self, app_driver: AppDriver, folder: Path, looks: Looks) -> None:
+        self._desk = app_driver
         self._folder = folder
         self._looks = looks
 
@@ -142,13 +142,13 @@ class _WindowPictures:
             _let_work()
 
 
-def _take_dialog(desk: Desk, scene: DialogScene, folder: Path, looks: Looks) -> int:
-    next(window for window in WINDOW_SCENES if window.name == scene.during).play(desk)
+def _take_dialog(app_driver: AppDriver, scene: DialogScene, folder: Path, looks: Looks) -> int:
+    next(window for window in WINDOW_SCENES if window.name == scene.during).play(app_driver)
     count = 0
     for language, theme in itertools.product(looks.languages, looks.themes):
-        desk.store.change(language=language, theme=theme)
+        app_driver.store.change(language=language, theme=theme)
         _let_work()
-        _save(_steady(scene.open(desk)), folder, f"dialog-{scene.name}-{language}-{theme}")
+        _save(_steady(scene.open(app_driver)), folder, f"dialog-{scene.name}-{language}-{theme}")
         count += 1
         close_dialogs()
     return count

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QApplication, QDialog
 
-from tests.desk import Desk
+from tests.app_driver import AppDriver
 
 
 @dataclass(frozen=True)
@@ -22,7 +22,7 @@ class Scene:
     """
 
     name: str
-    play: Callable[[Desk], None]
+    play: Callable[[AppDriver], None]
     panels: bool = False
 
 
@@ -38,12 +38,12 @@ class DialogScene:
 
     name: str
     during: str
-    open: Callable[[Desk], QDialog]
+    open: Callable[[AppDriver], QDialog]
 
 
-def settled(desk: Desk) -> None:
+def settled(app_driver: AppDriver) -> None:
     """Until the settings of the arm are read or written."""
-    desk.run_until(lambda: not desk.controller.settings.busy)
+    app_driver.run_until(lambda: not app_driver.controller.settings.busy)
 
 
 def close_dialogs() -> None:

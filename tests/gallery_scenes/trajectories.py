@@ -10,83 +10,83 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QDialog, QWidget
 
 from armui.trajectory.columns import Quantity
-from armui.trajectory.library import Library
+from armui.trajectory.library.store import Library
 from armui.ui.dialogs.files import FileDialog
-from armui.ui.trajectory.columns_dialog import ColumnsDialog
-from armui.ui.trajectory.editor_window import EditorWindow
-from armui.ui.trajectory.library_window import LibraryWindow
-from armui.ui.trajectory.recording_window import RecordingWindow
-from tests.desk import Desk
-from tests.shelf import SHELF
+from armui.ui.trajectory.editor.editor_window import EditorWindow
+from armui.ui.trajectory.library.library_window import LibraryWindow
+from armui.ui.trajectory.recording.recording_window import RecordingWindow
+from armui.ui.trajectory.table_import.columns_dialog import ColumnsDialog
+from tests.app_driver import AppDriver
+from tests.sample_trajectories import SHELF
 
 
-def library(desk: Desk) -> QDialog:
+def library(app_driver: AppDriver) -> QDialog:
     """Four trajectories, one of them checked; the simulated arm never runs them."""
-    library = Library(desk.library_folder)
+    library = Library(app_driver.library_folder)
     if not library.entries():
         for content in SHELF:
             library.save(content)
         library.mark("Warm up", check="ok", length_s=84.0)
-    desk.window.open_library_window()
-    window = desk.dialog(LibraryWindow)
+    app_driver.window.open_library_window()
+    window = app_driver.dialog(LibraryWindow)
     window.refresh(["Pick and place"])
     return window
 
 
-def editor(desk: Desk) -> QDialog:
-    library(desk).open_trajectory("Pick and place")
-    return desk.dialog(EditorWindow)
+def editor(app_driver: AppDriver) -> QDialog:
+    library(app_driver).open_trajectory("Pick and place")
+    return app_driver.dialog(EditorWindow)
 
 
-def editor_find(desk: Desk) -> QDialog:
-    window = editor(desk)
+def editor_find(app_driver: AppDriver) -> QDialog:
+    window = editor(app_driver)
     QTest.keyClick(window, Qt.Key.Key_F, Qt.KeyboardModifier.ControlModifier)
     return window
 
 
-def failed_check(desk: Desk) -> QDialog:
-    library(desk).open_trajectory("Out of reach")
-    window = desk.dialog(EditorWindow)
-    desk.click(window.findChild(QWidget, "editor_check"))
+def failed_check(app_driver: AppDriver) -> QDialog:
+    library(app_driver).open_trajectory("Out of reach")
+    window = app_driver.dialog(EditorWindow)
+    app_driver.click(window.findChild(QWidget, "editor_check"))
     return window
 
 
-def recording(desk: Desk) -> QDialog:
-    library(desk).open_trajectory("By hand")
-    return desk.dialog(RecordingWindow)
+def recording(app_driver: AppDriver) -> QDialog:
+    library(app_driver).open_trajectory("By hand")
+    return app_driver.dialog(RecordingWindow)
 
 
-def columns(desk: Desk) -> QDialog:
+def columns(app_driver: AppDriver) -> QDialog:
     """A table that names most of its columns, one of them twice."""
     rows = "".join(
         f"{20 * step},{step},{0.3 + step / 100:.3f},{-0.7 - step / 90:.3f},0.1,0.4,-0.2,{step},41\n"
         for step in range(30)
     )
-    window = library(desk)
+    window = library(app_driver)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "welding seam.csv"
         path.write_text(f"time_ms,j1,j2,j3,j4,j5,j6,counter,temperature\n{rows}")
-        desk.click(window.findChild(QWidget, "library_import"))
-        chooser = desk.dialog(FileDialog)
+        app_driver.click(window.findChild(QWidget, "library_import"))
+        chooser = app_driver.dialog(FileDialog)
         chooser.filesSelected.emit([str(path)])
         chooser.close()
-        desk.click(window.findChild(QWidget, "library_by_columns"))
-    dialog = desk.dialog(ColumnsDialog)
+        app_driver.click(window.findChild(QWidget, "library_by_columns"))
+    dialog = app_driver.dialog(ColumnsDialog)
     box = dialog.findChild(QComboBox, "column_quantity_8")
     box.setCurrentIndex(box.findData(Quantity.J1))
     box.activated.emit(box.currentIndex())
     return dialog
 
 
-def columns_offered(desk: Desk) -> QDialog:
-    columns(desk).reject()
-    return desk.dialog(LibraryWindow)
+def columns_offered(app_driver: AppDriver) -> QDialog:
+    columns(app_driver).reject()
+    return app_driver.dialog(LibraryWindow)
 
 
-def preview(desk: Desk) -> None:
+def preview(app_driver: AppDriver) -> None:
     """The path of a trajectory in the 3D picture."""
-    desk.connect()
-    window = editor(desk)
-    desk.wait(window.isActiveWindow)
+    app_driver.connect()
+    window = editor(app_driver)
+    app_driver.wait(window.isActiveWindow)
     QTest.keyClick(window, Qt.Key.Key_E, Qt.KeyboardModifier.ControlModifier)
     window.table.select_row(4)

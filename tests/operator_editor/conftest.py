@@ -6,5 +6,5 @@ from tests.operator_editor.hands import BACK, OUT, UP, Editor, to
 
 
 @pytest.fixture
-def editor(desk):
-    return Editor(desk, to(OUT, note="out"), to(BACK, note="back"), to(UP, note="up"))
+def editor(app_driver):
+    return Editor(app_driver, to(OUT, note="out"), to(BACK, note="back"), to(UP, note="up"))

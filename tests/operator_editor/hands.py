@@ -5,12 +5,12 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from armui.protocol.codes import MoveMode
-from armui.trajectory.cells import Column
-from armui.trajectory.library import Library
-from armui.trajectory.program import Trajectory, Waypoint
-from armui.ui.trajectory.cell_editors import CellEditor
-from armui.ui.trajectory.editor_window import EditorWindow
-from armui.ui.trajectory.library_window import LibraryWindow
+from armui.trajectory.library.store import Library
+from armui.trajectory.points.cells import PointColumn
+from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.ui.trajectory.editor.cell_editors import CellEditor
+from armui.ui.trajectory.editor.editor_window import EditorWindow
+from armui.ui.trajectory.library.library_window import LibraryWindow
 
 OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
 BACK = (-15.0, 30.0, -30.0, -10.0, 30.0, -20.0)
@@ -32,17 +32,17 @@ class Editor:
         window: It.
     """
 
-    def __init__(self, desk, *points, name="Test"):
-        self.desk = desk
-        self.library = Library(desk.library_folder)
+    def __init__(self, app_driver, *points, name="Test"):
+        self.app_driver = app_driver
+        self.library = Library(app_driver.library_folder)
         self.library.save(Trajectory(name, points=points))
         self.window = self.open(name)
 
     def open(self, name="Test"):
-        self.desk.click("library_button")
-        self.desk.dialog(LibraryWindow).open_trajectory(name)
-        window = self.desk.dialog(EditorWindow)
-        self.desk.wait(window.isActiveWindow)
+        self.app_driver.click("library_button")
+        self.app_driver.dialog(LibraryWindow).open_trajectory(name)
+        window = self.app_driver.dialog(EditorWindow)
+        self.app_driver.wait(window.isActiveWindow)
         return window
 
     @property
@@ -63,7 +63,7 @@ class Editor:
         return self.table.model().index(row, column).data()
 
     def choose(self, row, modifier=Qt.KeyboardModifier.NoModifier):
-        viewport, place = self.table.viewport(), self.cell(row, Column.SPEED)
+        viewport, place = self.table.viewport(), self.cell(row, PointColumn.SPEED)
         QTest.mouseClick(viewport, Qt.MouseButton.LeftButton, modifier, place)
 
     def edit(self, row, column):
@@ -101,7 +101,7 @@ class Editor:
         action.trigger()
 
     def click(self, name):
-        self.desk.click(self.child(name))
+        self.app_driver.click(self.child(name))
 
     def message(self):
         return self.child("editor_message").text()

@@ -81,8 +81,8 @@ def test_joint_angles_become_a_pose_and_back(editor):
     assert editor.points[0].target == pytest.approx(OUT, abs=1e-6)
 
 
-def test_ten_thousand_points_are_edited_without_a_stall(desk):
-    editor = Editor(desk, *(to(OUT, note=str(row)) for row in range(10_000)))
+def test_ten_thousand_points_are_edited_without_a_stall(app_driver):
+    editor = Editor(app_driver, *(to(OUT, note=str(row)) for row in range(10_000)))
     editor.table.select_row(5000)
     editor.choose(5000)
     editor.keys(Qt.Key.Key_Delete)

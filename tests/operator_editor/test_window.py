@@ -4,13 +4,13 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QWidget
 
-from armui.trajectory.cells import Column
+from armui.trajectory.points.cells import PointColumn
 from armui.ui.background import Background
-from armui.ui.trajectory.editor_window import EditorWindow
-from armui.ui.trajectory.leave_question import LeaveQuestion
-from armui.ui.trajectory.library_work import LibraryWork
-from armui.ui.trajectory.preflight import Checks
-from tests.desk import AtOnce
+from armui.ui.trajectory.editor.editor_window import EditorWindow
+from armui.ui.trajectory.editor.leave_question import LeaveQuestion
+from armui.ui.trajectory.library.library_work import LibraryWork
+from armui.ui.trajectory.running.preflight import Checks
+from tests.app_driver import AtOnce
 from tests.operator_editor.hands import CTRL, notes
 
 # Find and replace ---------------------------------------------------------------------------------
@@ -46,7 +46,7 @@ def test_a_figure_is_replaced_everywhere_as_one_step(editor):
 
 
 def test_saved_points_are_in_the_library(editor):
-    editor.type_into(0, Column.DWELL, "1.5 s")
+    editor.type_into(0, PointColumn.DWELL, "1.5 s")
     QTest.keyClick(editor.window, Qt.Key.Key_S, CTRL)
     assert editor.library.load("Test").points[0].dwell_s == 1.5
     assert editor.message() == "Saved."
@@ -55,32 +55,32 @@ def test_saved_points_are_in_the_library(editor):
 
 
 def test_closing_with_changes_asks_and_saves(editor):
-    editor.type_into(0, Column.DWELL, "2")
+    editor.type_into(0, PointColumn.DWELL, "2")
     editor.window.close()
-    question = editor.desk.dialog(LeaveQuestion)
-    editor.desk.click(question.cancel_button)
+    question = editor.app_driver.dialog(LeaveQuestion)
+    editor.app_driver.click(question.cancel_button)
     assert editor.window.isVisible()
     editor.window.close()
-    editor.desk.click(editor.desk.dialog(LeaveQuestion).save_button)
+    editor.app_driver.click(editor.app_driver.dialog(LeaveQuestion).save_button)
     assert not editor.window.isVisible()
     assert editor.library.load("Test").points[0].dwell_s == 2.0
 
 
 def test_changes_can_be_discarded(editor):
-    editor.type_into(0, Column.DWELL, "2")
+    editor.type_into(0, PointColumn.DWELL, "2")
     editor.window.close()
-    editor.desk.click(editor.desk.dialog(LeaveQuestion).action_button)
+    editor.app_driver.click(editor.app_driver.dialog(LeaveQuestion).action_button)
     assert editor.library.load("Test").points[0].dwell_s == 0.0
     assert editor.library.drafts() == []
 
 
 def test_changes_survive_a_crash(editor):
-    editor.type_into(0, Column.DWELL, "2")
-    editor.desk.wait(lambda: editor.library.drafts() == ["Test"])
+    editor.type_into(0, PointColumn.DWELL, "2")
+    editor.app_driver.wait(lambda: editor.library.drafts() == ["Test"])
     # the program is gone without a word: another one opens the same folder
     again = EditorWindow(
-        editor.desk.controller,
-        Checks(editor.desk.controller, Background(AtOnce())),
+        editor.app_driver.controller,
+        Checks(editor.app_driver.controller, Background(AtOnce())),
         LibraryWork(editor.library, Background(AtOnce()), editor.window),
         editor.library.load("Test"),
         draft=editor.library.draft("Test"),
@@ -93,20 +93,20 @@ def test_changes_survive_a_crash(editor):
 
 
 def test_the_draft_goes_when_nothing_is_left_to_save(editor):
-    editor.type_into(0, Column.DWELL, "2")
-    editor.desk.wait(lambda: editor.library.drafts() == ["Test"])
+    editor.type_into(0, PointColumn.DWELL, "2")
+    editor.app_driver.wait(lambda: editor.library.drafts() == ["Test"])
     editor.click("editor_undo")
-    editor.desk.wait(lambda: editor.library.drafts() == [])
+    editor.app_driver.wait(lambda: editor.library.drafts() == [])
 
 
 # Words --------------------------------------------------------------------------------------------
 
 
 def test_everything_is_said_in_the_language_chosen(editor):
-    editor.desk.store.change(language="zh")
-    editor.desk.store.change(language="en")
+    editor.app_driver.store.change(language="zh")
+    editor.app_driver.store.change(language="en")
     titles = [
-        editor.table.model().headerData(column, Qt.Orientation.Horizontal) for column in Column
+        editor.table.model().headerData(column, Qt.Orientation.Horizontal) for column in PointColumn
     ]
     assert titles[0] == "Motion"
     assert all(titles)

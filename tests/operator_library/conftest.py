@@ -2,17 +2,17 @@
 
 import pytest
 
-from tests.operator_library.hands import Shelf
+from tests.operator_library.actions import FileStore
 from tests.operator_library.tables import Operator
 
 
 @pytest.fixture
-def shelf(desk):
-    return Shelf(desk, "one", "three", "two")
+def shelf(app_driver):
+    return FileStore(app_driver, "one", "three", "two")
 
 
 @pytest.fixture
-def operator(desk, tmp_path):
+def operator(app_driver, tmp_path):
     folder = tmp_path / "files"
     folder.mkdir()
-    return Operator(desk, folder)
+    return Operator(app_driver, folder)

@@ -4,10 +4,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QWidget
 
-from armui.trajectory.library import Library
+from armui.trajectory.library.store import Library
 from armui.ui.dialogs.files import FileDialog
-from armui.ui.trajectory.columns_dialog import ColumnsDialog
-from armui.ui.trajectory.library_window import LibraryWindow
+from armui.ui.trajectory.library.library_window import LibraryWindow
+from armui.ui.trajectory.table_import.columns_dialog import ColumnsDialog
 
 DEGREES = (
     "time_ms,a1_deg,a2_deg,a3_deg,a4_deg,a5_deg,a6_deg,temperature\n"
@@ -23,12 +23,12 @@ ANGLES = "10 40 -40 10 20 15\n20 40 -40 10 20 15\n"
 class Operator:
     """At the list of the library, with files to import."""
 
-    def __init__(self, desk, folder):
-        self.desk = desk
+    def __init__(self, app_driver, folder):
+        self.app_driver = app_driver
         self.folder = folder
-        desk.click("library_button")
-        self.list = desk.dialog(LibraryWindow)
-        self.library = Library(desk.library_folder)
+        app_driver.click("library_button")
+        self.list = app_driver.dialog(LibraryWindow)
+        self.library = Library(app_driver.library_folder)
 
     def bring(self, **texts):
         """Import files of these names and texts as the chooser does."""
@@ -37,22 +37,22 @@ class Operator:
             path = self.folder / f"{name}.csv"
             path.write_bytes(text if isinstance(text, bytes) else text.encode())
             paths.append(str(path))
-        self.desk.click(self.list.findChild(QWidget, "library_import"))
-        chooser = self.desk.dialog(FileDialog)
+        self.app_driver.click(self.list.findChild(QWidget, "library_import"))
+        chooser = self.app_driver.dialog(FileDialog)
         chooser.filesSelected.emit(paths)
         chooser.close()
 
     def open(self, **texts):
         self.bring(**texts)
-        self.desk.click(self.offer)
+        self.app_driver.click(self.enable_or_explain)
         return self.dialog
 
     @property
     def dialog(self):
-        return self.desk.dialog(ColumnsDialog)
+        return self.app_driver.dialog(ColumnsDialog)
 
     @property
-    def offer(self):
+    def enable_or_explain(self):
         return self.list.findChild(QWidget, "library_by_columns")
 
     def told(self):
@@ -86,7 +86,7 @@ class Operator:
         QTest.mouseMove(view.viewport(), view.visualRect(index).center())
         place = view.visualRect(index).center()
         QTest.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, pos=place)
-        self.desk.wait(lambda: not view.isVisible())
+        self.app_driver.wait(lambda: not view.isVisible())
 
     def build(self, name):
         """A field that says how the table is built."""
@@ -115,8 +115,8 @@ class Operator:
 
     def take(self):
         dialog = self.dialog
-        self.desk.click(self.child("import"))
-        self.desk.wait(lambda: not dialog.busy)
+        self.app_driver.click(self.child("import"))
+        self.app_driver.wait(lambda: not dialog.busy)
 
 
 def is_open():

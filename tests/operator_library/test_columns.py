@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QWidget
 
 from armui.protocol.codes import MoveMode
 from armui.trajectory import files
-from armui.trajectory.program import Trajectory, Waypoint
-from armui.trajectory.recording import Recording
+from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.trajectory.samples.recording import Recording
 from tests.operator_library.tables import ANGLES, DEGREES, RADIANS, TITLED, is_open
 
 
@@ -32,7 +32,7 @@ def test_a_table_with_titles_needs_one_click(operator):
     assert kept.joints_deg[1] == pytest.approx([11, 21, -31, 41, 51, 61])
     assert operator.told() == "Imported: line"
     assert [entry.name for entry in operator.list.chosen()] == ["line"]
-    assert not operator.offer.isVisible()
+    assert not operator.enable_or_explain.isVisible()
 
 
 def test_what_is_missing_is_said_until_nothing_is(operator):
@@ -155,10 +155,10 @@ def test_a_name_that_is_taken_or_none_is_refused(operator):
 
 def test_cancel_changes_nothing_and_the_offer_stays(operator):
     operator.open(line=TITLED)
-    operator.desk.click(operator.child("cancel"))
+    operator.app_driver.click(operator.child("cancel"))
     assert not is_open()
     assert operator.library.entries() == []
-    operator.desk.click(operator.offer)
+    operator.app_driver.click(operator.enable_or_explain)
     operator.take()
     assert [entry.name for entry in operator.library.entries()] == ["line"]
 
@@ -167,7 +167,7 @@ def test_several_are_offered_one_after_the_other(operator):
     operator.open(first=TITLED, second=RADIANS)
     operator.take()
     assert operator.told() == "Imported: first\nNot imported yet: second.csv"
-    operator.desk.click(operator.offer)
+    operator.app_driver.click(operator.enable_or_explain)
     assert operator.child("name").text() == "second"
     operator.take()
     assert operator.told() == "Imported: second"
@@ -183,20 +183,20 @@ def test_degrees_that_look_like_the_makers_radians_are_offered(operator):
 def test_what_holds_no_table_is_told_and_not_offered(operator):
     operator.bring(prose="Dear operator,\nsee you tomorrow.\n")
     assert "prose.csv: No rows of numbers are found here." in operator.told()
-    assert not operator.offer.isVisible()
+    assert not operator.enable_or_explain.isVisible()
 
 
 def test_a_broken_file_of_ours_is_told_and_not_offered(operator):
     text = files.to_bytes(Trajectory("mine"), ".log").decode() + "J 1 2 3\nJ 1 2 3\n"
     operator.bring(mine=text)
     assert "6 belong" in operator.told()
-    assert not operator.offer.isVisible()
+    assert not operator.enable_or_explain.isVisible()
 
 
 def test_a_file_that_is_gone_by_then_is_told(operator):
     operator.bring(line=TITLED)
     (operator.folder / "line.csv").unlink()
-    operator.desk.click(operator.offer)
+    operator.app_driver.click(operator.enable_or_explain)
     assert "line.csv: The file cannot be read" in operator.told()
-    assert not operator.offer.isVisible()
+    assert not operator.enable_or_explain.isVisible()
     assert not is_open()

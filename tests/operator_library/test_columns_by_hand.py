@@ -111,13 +111,13 @@ def test_a_large_table_shows_its_beginning_and_how_large_it_is(operator):
 def test_the_window_answers_while_a_large_table_is_imported_and_the_import_is_given_up(operator):
     row = "10 40 -40 10 20 15\n"
     dialog = operator.open(line=row * 20_000)
-    operator.desk.click(operator.child("import"))
+    operator.app_driver.click(operator.child("import"))
     assert dialog.busy
     assert operator.message() == "Importing 20,000 rows…"
     assert not operator.child("import").isEnabled()
     assert dialog.stop_button.isEnabled()
     QTest.keyClick(dialog, Qt.Key.Key_Escape)
     assert operator.message() == "Giving up the import…"
-    operator.desk.wait(lambda: not dialog.busy)
+    operator.app_driver.wait(lambda: not dialog.busy)
     assert not is_open()
     assert operator.library.entries() == []

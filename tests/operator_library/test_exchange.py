@@ -6,10 +6,10 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QFileDialog, QTableWidget, QWidget
 
 from armui.trajectory import files
-from armui.trajectory.program import Trajectory
+from armui.trajectory.points.program import Trajectory
 from armui.ui.dialogs.files import FileDialog
-from armui.ui.trajectory.import_report import ImportReport
-from tests.operator_library.hands import POINT, Shelf
+from armui.ui.trajectory.library.import_report import ImportReport
+from tests.operator_library.actions import POINT, FileStore
 
 
 @pytest.mark.parametrize("suffix", files.SUFFIXES)
@@ -49,7 +49,7 @@ def test_several_files_are_imported_and_a_broken_one_is_told(shelf, tmp_path):
         (tmp_path / f"new{suffix}").write_bytes(data)
     (tmp_path / "bad.log").write_text("armui trajectory 1\nname: bad\n\nJ 1 2 3\n")
     shelf.click("import")
-    chooser = shelf.desk.dialog(FileDialog)
+    chooser = shelf.app_driver.dialog(FileDialog)
     assert chooser.fileMode() is QFileDialog.FileMode.ExistingFiles
     chooser.filesSelected.emit([str(path) for path in sorted(tmp_path.glob("*.*"))])
     chooser.close()
@@ -62,7 +62,7 @@ def test_several_files_are_imported_and_a_broken_one_is_told(shelf, tmp_path):
 def brought(shelf, *paths):
     """The paths are chosen in the window of the button."""
     shelf.click("import")
-    chooser = shelf.desk.dialog(FileDialog)
+    chooser = shelf.app_driver.dialog(FileDialog)
     chooser.filesSelected.emit([str(path) for path in paths])
     chooser.close()
 
@@ -74,7 +74,7 @@ def file_of(folder, file, name="one"):
 
 
 def test_reading_takes_its_time(slow_desk, tmp_path):
-    shelf = Shelf(slow_desk, "one")
+    shelf = FileStore(slow_desk, "one")
     (tmp_path / "new.log").write_text("armui trajectory 1\nname: new\n\nJ 1 2 -3 4 5 6\n")
     shelf.window._exchange.import_files([tmp_path / "new.log"])
     assert shelf.message() == "Reading new.log…"
@@ -84,7 +84,7 @@ def test_reading_takes_its_time(slow_desk, tmp_path):
 
 
 def test_reading_that_fails_altogether_is_told(slow_desk, tmp_path):
-    shelf = Shelf(slow_desk, "one")
+    shelf = FileStore(slow_desk, "one")
     shelf.window._exchange.import_files([tmp_path / "new.log"])
     slow_desk.workers.break_down("out of memory")
     assert "out of memory" in shelf.message()
@@ -122,7 +122,7 @@ def test_of_many_files_the_report_tells_what_became_of_each(shelf, tmp_path):
     assert len(said) == 6
     assert shelf.child("by_columns").isVisible()
     shelf.click("report")
-    report = shelf.desk.dialog(ImportReport)
+    report = shelf.app_driver.dialog(ImportReport)
     assert report.findChild(QWidget, "report_summary").text() == "8 imported, 7 not imported."
     table = report.findChild(QTableWidget, "report_table")
     told = {table.item(row, 0).text(): table.item(row, 1).text() for row in range(15)}
@@ -141,7 +141,7 @@ def test_an_import_is_undone(shelf, tmp_path):
 
 
 def test_of_several_that_are_exported_a_damaged_one_keeps_none_back(shelf, tmp_path):
-    (shelf.desk.library_folder / "one.log").write_text("armui trajectory 1\nJ 1 2")
+    (shelf.app_driver.library_folder / "one.log").write_text("armui trajectory 1\nJ 1 2")
     shelf.window.refresh()
     shelf.choose("one", "two", "three")
     chooser = shelf.export(".csv")

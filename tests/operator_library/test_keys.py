@@ -4,19 +4,19 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
-from armui.trajectory.library import Library
-from armui.trajectory.program import Trajectory
+from armui.trajectory.library.store import Library
+from armui.trajectory.points.program import Trajectory
 from armui.ui.dialogs.files import FileDialog
-from armui.ui.trajectory.editor_window import EditorWindow
-from armui.ui.trajectory.library_model import LibraryColumn
-from armui.ui.trajectory.recording_window import RecordingWindow
-from tests.operator_library.hands import CTRL, POINT, Shelf
+from armui.ui.trajectory.editor.editor_window import EditorWindow
+from armui.ui.trajectory.library.library_model import LibraryColumn
+from armui.ui.trajectory.recording.recording_window import RecordingWindow
+from tests.operator_library.actions import CTRL, POINT, FileStore
 
 
 def test_enter_opens(shelf):
     shelf.choose("three")
     shelf.key(Qt.Key.Key_Return)
-    assert shelf.desk.dialog(EditorWindow).document.name == "three"
+    assert shelf.app_driver.dialog(EditorWindow).document.name == "three"
 
 
 def test_f2_renames_whichever_cell_was_clicked(shelf):
@@ -56,11 +56,11 @@ def test_escape_clears_the_search_before_it_closes_the_window(shelf):
 
 def test_the_other_keys(shelf):
     shelf.key(Qt.Key.Key_N, CTRL)
-    shelf.desk.dialog(EditorWindow).close()
+    shelf.app_driver.dialog(EditorWindow).close()
     shelf.key(Qt.Key.Key_O, CTRL)
-    shelf.desk.dialog(FileDialog).close()
+    shelf.app_driver.dialog(FileDialog).close()
     shelf.key(Qt.Key.Key_R, CTRL)
-    shelf.desk.dialog(RecordingWindow).close()
+    shelf.app_driver.dialog(RecordingWindow).close()
     shelf.choose("two")
     shelf.key(Qt.Key.Key_D, CTRL)
     assert shelf.names() == ["one", "three", "Trajectory", "two", "two 2"]
@@ -99,7 +99,7 @@ def test_a_click_on_a_title_sorts_and_the_order_stays(shelf):
     shelf.click("duplicate")
     assert shelf.names() == ["two", "three 2", "three", "one"]
     shelf.window.close()
-    shelf.desk.click("library_button")
+    shelf.app_driver.click("library_button")
     assert shelf.names() == ["two", "three 2", "three", "one"]
 
 
@@ -110,13 +110,13 @@ def test_the_choice_stays_when_the_order_changes(shelf):
     assert [entry.name for entry in shelf.window.chosen()] == ["three"]
 
 
-def test_every_column_can_be_sorted_by(desk):
-    library = Library(desk.library_folder)
+def test_every_column_can_be_sorted_by(app_driver):
+    library = Library(app_driver.library_folder)
     for count, (name, note) in enumerate((("run 10", "b"), ("Run 9", "a"), ("run 2", ""))):
         library.save(Trajectory(name, note, (POINT,) * count))
     library.mark("run 2", check="errors", length_s=3.0)
     library.mark("Run 9", check="ok", length_s=20.0)
-    shelf = Shelf(desk)
+    shelf = FileStore(app_driver)
     assert shelf.names() == ["run 2", "Run 9", "run 10"]
     expected = {
         LibraryColumn.POINTS: ["run 10", "Run 9", "run 2"],
@@ -138,8 +138,8 @@ def hint(shelf):
     return (title.text(), shelf.child("hint").text()) if title.isVisible() else None
 
 
-def test_an_empty_library_says_what_to_do(desk):
-    shelf = Shelf(desk)
+def test_an_empty_library_says_what_to_do(app_driver):
+    shelf = FileStore(app_driver)
     title, text = hint(shelf)
     assert title == "No trajectories yet"
     for word in ("Create", "record", "import", "dropped"):
@@ -153,7 +153,7 @@ def test_a_search_that_finds_nothing_says_so_and_is_cleared_by_a_click(shelf):
     assert hint(shelf) is None
     QTest.keyClicks(shelf.child("search"), "x(")
     assert hint(shelf)[0] == "Nothing is found for “x(”"
-    shelf.desk.click(shelf.window.findChild(QWidget, "library_clear_search"))
+    shelf.app_driver.click(shelf.window.findChild(QWidget, "library_clear_search"))
     assert shelf.child("search").text() == ""
     assert hint(shelf) is None
     assert shelf.names() == ["one", "three", "two"]

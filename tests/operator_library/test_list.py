@@ -4,8 +4,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
-from armui.ui.trajectory.editor_window import EditorWindow
-from tests.operator_library.hands import POINT
+from armui.ui.trajectory.editor.editor_window import EditorWindow
+from tests.operator_library.actions import POINT
 
 
 def test_the_list_tells_of_each(shelf):
@@ -24,10 +24,10 @@ def test_what_needs_a_choice_says_so(shelf):
 
 def test_a_new_one_is_created_and_opened(shelf):
     shelf.click("create")
-    editor = shelf.desk.dialog(EditorWindow)
+    editor = shelf.app_driver.dialog(EditorWindow)
     assert editor.windowTitle() == "Trajectory"
     QTest.keyClick(editor.table, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
-    shelf.desk.click(editor.findChild(QWidget, "editor_insert_measured"))
+    shelf.app_driver.click(editor.findChild(QWidget, "editor_insert_measured"))
     assert "No arm is connected" in editor.findChild(QWidget, "editor_message").text()
     assert "Trajectory" in shelf.names()
 
@@ -37,7 +37,7 @@ def test_a_double_click_opens_the_second_level(shelf):
     place = shelf.table.visualRect(index).center()
     QTest.mouseClick(shelf.table.viewport(), Qt.MouseButton.LeftButton, pos=place)
     QTest.mouseDClick(shelf.table.viewport(), Qt.MouseButton.LeftButton, pos=place)
-    editor = shelf.desk.dialog(EditorWindow)
+    editor = shelf.app_driver.dialog(EditorWindow)
     assert editor.document.name == "two"
     assert len(editor.document.points) == 3
 
@@ -88,7 +88,7 @@ def test_only_what_is_searched_for_is_listed(shelf):
 
 
 def test_a_damaged_file_is_listed_and_stays_as_it_is(shelf):
-    path = shelf.desk.library_folder / "one.log"
+    path = shelf.app_driver.library_folder / "one.log"
     path.write_text("armui trajectory 1\nJ 1 2")
     shelf.window.refresh()
     assert shelf.rows()[0][4] == "✕ damaged"

@@ -6,34 +6,34 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit, QWidget
 
-from armui.trajectory.library import Library
-from armui.trajectory.program import Trajectory
-from armui.ui.trajectory.editor_window import EditorWindow
-from tests.operator_library.hands import POINT, Shelf
+from armui.trajectory.library.store import Library
+from armui.trajectory.points.program import Trajectory
+from armui.ui.trajectory.editor.editor_window import EditorWindow
+from tests.operator_library.actions import POINT, FileStore
 
 
 def other(shelf):
     """The library as another program has it open."""
-    return Library(shelf.desk.library_folder)
+    return Library(shelf.app_driver.library_folder)
 
 
 def test_what_others_do_is_seen_by_itself(shelf):
     shelf.choose("two")
     other(shelf).delete(["one"])
-    shelf.desk.wait(lambda: shelf.names() == ["three", "two"])
+    shelf.app_driver.wait(lambda: shelf.names() == ["three", "two"])
     other(shelf).rename("three", "drei")
-    shelf.desk.wait(lambda: shelf.names() == ["drei", "two"])
+    shelf.app_driver.wait(lambda: shelf.names() == ["drei", "two"])
     other(shelf).save(Trajectory("new", points=(POINT,)))
-    shelf.desk.wait(lambda: shelf.names() == ["drei", "new", "two"])
+    shelf.app_driver.wait(lambda: shelf.names() == ["drei", "new", "two"])
     assert [entry.name for entry in shelf.window.chosen()] == ["two"]
 
 
-def test_the_first_trajectory_of_an_empty_library_is_seen_too(desk):
-    shelf = Shelf(desk)
+def test_the_first_trajectory_of_an_empty_library_is_seen_too(app_driver):
+    shelf = FileStore(app_driver)
     shelf.click("create")
-    desk.dialog(EditorWindow).close()
+    app_driver.dialog(EditorWindow).close()
     other(shelf).save(Trajectory("new", points=(POINT,)))
-    desk.wait(lambda: shelf.names() == ["new", "Trajectory"])
+    app_driver.wait(lambda: shelf.names() == ["new", "Trajectory"])
 
 
 def test_a_name_being_typed_is_not_disturbed(shelf):
@@ -46,7 +46,7 @@ def test_a_name_being_typed_is_not_disturbed(shelf):
     assert shelf.names() == ["one", "three", "two"]
     QTest.keyClicks(field, "ei")
     QTest.keyClick(field, Qt.Key.Key_Return)
-    shelf.desk.wait(lambda: shelf.names() == ["three", "zwei"])
+    shelf.app_driver.wait(lambda: shelf.names() == ["three", "zwei"])
 
 
 def silently(shelf, change):
@@ -62,13 +62,13 @@ def test_what_is_gone_is_told_and_leaves_the_list(shelf):
     assert shelf.names() == []
 
 
-def test_what_is_gone_is_neither_copied_nor_renamed_nor_deleted(desk):
+def test_what_is_gone_is_neither_copied_nor_renamed_nor_deleted(app_driver):
     actions = {
         "duplicate": lambda shelf: shelf.click("duplicate"),
         "rename": lambda shelf: shelf.rename("neu"),
     }
     for name, act in actions.items():
-        shelf = Shelf(desk, *([name, "stays"] if name == "duplicate" else [name]))
+        shelf = FileStore(app_driver, *([name, "stays"] if name == "duplicate" else [name]))
         shelf.window.refresh()
         shelf.choose(name)
         silently(shelf, lambda library, name=name: library.delete([name]))
@@ -97,10 +97,10 @@ def test_a_name_another_program_has_taken_is_refused(shelf):
 
 def test_what_is_edited_here_and_deleted_there_is_saved_anew(shelf):
     shelf.window.open_trajectory("one")
-    editor = shelf.desk.dialog(EditorWindow)
+    editor = shelf.app_driver.dialog(EditorWindow)
     other(shelf).delete(["one"])
     editor.document.set_note("mine", "note")
-    shelf.desk.click(editor.findChild(QWidget, "editor_save"))
+    shelf.app_driver.click(editor.findChild(QWidget, "editor_save"))
     assert shelf.library.load("one").note == "mine"
     assert "one" in shelf.names()
     editor.close()
@@ -108,12 +108,12 @@ def test_what_is_edited_here_and_deleted_there_is_saved_anew(shelf):
 
 def test_a_folder_that_vanishes_is_an_empty_library(shelf):
     shelf.choose("one")
-    shutil.rmtree(shelf.desk.library_folder)
+    shutil.rmtree(shelf.app_driver.library_folder)
     shelf.window.refresh()
     assert shelf.names() == []
     assert shelf.child("hint_title").isVisible()
     shelf.click("create")
-    shelf.desk.dialog(EditorWindow).close()
+    shelf.app_driver.dialog(EditorWindow).close()
     assert shelf.names() == ["Trajectory"]
 
 

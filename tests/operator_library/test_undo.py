@@ -4,10 +4,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QTableWidget, QWidget
 
-from armui.trajectory.library import Library
-from armui.ui.trajectory.bin_dialog import BinDialog
-from armui.ui.trajectory.editor_window import EditorWindow
-from tests.operator_library.hands import POINT, Shelf
+from armui.trajectory.library.store import Library
+from armui.ui.trajectory.editor.editor_window import EditorWindow
+from armui.ui.trajectory.library.bin_dialog import BinDialog
+from tests.operator_library.actions import POINT, FileStore
 
 
 def test_every_deletion_is_undone_by_keys_the_last_first(shelf):
@@ -34,7 +34,7 @@ def test_a_window_closed_and_opened_again_still_undoes(shelf):
     shelf.choose("one")
     shelf.click("delete")
     shelf.window.close()
-    shelf.desk.click("library_button")
+    shelf.app_driver.click("library_button")
     assert shelf.names() == ["three", "two"]
     shelf.click("undo")
     assert shelf.names() == ["one", "three", "two"]
@@ -56,7 +56,7 @@ def test_names_and_copies_are_undone_too(shelf):
 
 def test_what_is_open_is_not_taken_away_by_undoing(shelf):
     shelf.click("create")
-    editor = shelf.desk.dialog(EditorWindow)
+    editor = shelf.app_driver.dialog(EditorWindow)
     shelf.click("undo")
     assert "“Trajectory” is open" in shelf.message()
     assert "Trajectory" in shelf.names()
@@ -67,8 +67,8 @@ def test_what_is_open_is_not_taken_away_by_undoing(shelf):
 
 def test_what_was_worked_on_since_is_kept(shelf):
     shelf.click("create")
-    editor = shelf.desk.dialog(EditorWindow)
-    shelf.desk.click(editor.findChild(QWidget, "editor_insert_measured"))
+    editor = shelf.app_driver.dialog(EditorWindow)
+    shelf.app_driver.click(editor.findChild(QWidget, "editor_insert_measured"))
     editor.document.set_note("mine", "note")
     editor.save()
     assert editor.document.saved
@@ -95,7 +95,7 @@ class Bin:
     def __init__(self, shelf):
         self.shelf = shelf
         shelf.click("bin")
-        self.window = shelf.desk.dialog(BinDialog)
+        self.window = shelf.app_driver.dialog(BinDialog)
 
     @property
     def table(self):
@@ -109,7 +109,7 @@ class Bin:
         QTest.mouseClick(self.table.viewport(), Qt.MouseButton.LeftButton, modifier, place)
 
     def back(self):
-        self.shelf.desk.click(self.window.findChild(QWidget, "bin_back"))
+        self.shelf.app_driver.click(self.window.findChild(QWidget, "bin_back"))
 
     def text(self, name):
         return self.window.findChild(QWidget, f"bin_{name}").text()
@@ -123,9 +123,9 @@ def test_nothing_deleted_is_said(shelf):
     assert back.toolTip() == "Choose what to bring back"
 
 
-def test_what_was_deleted_in_an_earlier_run_is_brought_back(desk):
-    earlier = Library(desk.library_folder)
-    shelf = Shelf(desk, "one", "three", "two")
+def test_what_was_deleted_in_an_earlier_run_is_brought_back(app_driver):
+    earlier = Library(app_driver.library_folder)
+    shelf = FileStore(app_driver, "one", "three", "two")
     earlier.save_draft("never saved", earlier.load("two"))
     earlier.delete(["one", "three"])
     earlier.delete(["never saved"])

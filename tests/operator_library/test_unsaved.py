@@ -3,50 +3,50 @@
 from PySide6.QtWidgets import QWidget
 
 from armui.ui.dialogs.confirm import ConfirmDialog
-from armui.ui.trajectory.editor_window import EditorWindow
-from tests.operator_library.hands import POINT, Shelf
+from armui.ui.trajectory.editor.editor_window import EditorWindow
+from tests.operator_library.actions import POINT, FileStore
 
 
-def lost(desk):
+def lost(app_driver):
     """A library whose trajectory `one` has only unsaved changes left."""
-    shelf = Shelf(desk, "one", "three")
+    shelf = FileStore(app_driver, "one", "three")
     shelf.library.save_draft("one", shelf.library.load("three"))
-    (desk.library_folder / "one.log").unlink()
+    (app_driver.library_folder / "one.log").unlink()
     shelf.window.refresh()
     return shelf
 
 
-def test_it_is_listed_as_what_it_is(desk):
-    shelf = lost(desk)
+def test_it_is_listed_as_what_it_is(app_driver):
+    shelf = lost(app_driver)
     name, points, _length, _modified, check, _note = shelf.rows()[0]
     assert (name, points, check) == ("one *", "2", "! not saved")
     tip = shelf.table.model().index(0, 0).data(3)  # Qt.ToolTipRole
     assert "Open it to save it, or delete it" in tip
 
 
-def test_it_is_opened_and_saved(desk):
-    shelf = lost(desk)
+def test_it_is_opened_and_saved(app_driver):
+    shelf = lost(app_driver)
     shelf.window.open_trajectory("one")
-    editor = desk.dialog(EditorWindow)
+    editor = app_driver.dialog(EditorWindow)
     assert editor.document.points == (POINT, POINT)
     assert editor.windowTitle() == "one *"
-    desk.click(editor.findChild(QWidget, "editor_save"))
+    app_driver.click(editor.findChild(QWidget, "editor_save"))
     assert shelf.names() == ["one", "three"]
     assert shelf.library.load("one").points == (POINT, POINT)
     assert shelf.library.drafts() == []
 
 
-def test_it_is_opened_and_discarded(desk):
-    shelf = lost(desk)
+def test_it_is_opened_and_discarded(app_driver):
+    shelf = lost(app_driver)
     shelf.window.open_trajectory("one")
-    desk.dialog(EditorWindow).close()
-    desk.click(desk.dialog(ConfirmDialog).action_button)
+    app_driver.dialog(EditorWindow).close()
+    app_driver.click(app_driver.dialog(ConfirmDialog).action_button)
     assert shelf.names() == ["three"]
     assert shelf.library.drafts() == []
 
 
-def test_it_is_deleted_and_brought_back(desk):
-    shelf = lost(desk)
+def test_it_is_deleted_and_brought_back(app_driver):
+    shelf = lost(app_driver)
     shelf.choose("one *")
     shelf.click("delete")
     assert shelf.names() == ["three"]
@@ -54,25 +54,25 @@ def test_it_is_deleted_and_brought_back(desk):
     assert shelf.names() == ["one *", "three"]
 
 
-def test_what_needs_a_saved_one_says_so(desk):
-    shelf = lost(desk)
+def test_what_needs_a_saved_one_says_so(app_driver):
+    shelf = lost(app_driver)
     shelf.choose("one *")
     for name in ("duplicate", "export"):
         assert not shelf.child(name).isEnabled()
         assert shelf.child(name).toolTip() == "Not saved yet. Open it and save it first"
 
 
-def test_it_gets_another_name(desk):
-    shelf = lost(desk)
+def test_it_gets_another_name(app_driver):
+    shelf = lost(app_driver)
     shelf.choose("one *")
     shelf.rename("uno")
     assert shelf.names() == ["three", "uno *"]
     assert len(shelf.library.draft("uno").points) == 2
 
 
-def test_a_damaged_one_is_told(desk):
-    shelf = lost(desk)
-    (desk.library_folder / "one.draft").write_text("armui trajectory 1\nname: one\n\nJ 1\n")
+def test_a_damaged_one_is_told(app_driver):
+    shelf = lost(app_driver)
+    (app_driver.library_folder / "one.draft").write_text("armui trajectory 1\nname: one\n\nJ 1\n")
     shelf.window.refresh()
     assert shelf.rows()[0][4] == "✕ damaged"
     shelf.window.open_trajectory("one")

@@ -13,30 +13,30 @@ def frame(arbitration_id, payload):
     return Frame(arbitration_id, bytes.fromhex(payload))
 
 
-def at(desk, panel):
-    desk.connect_by_hand()
-    desk.ear = HardOfHearing(desk.firmware)
-    desk.click(f"menu_{panel}")
-    settled(desk)
-    desk.ear.heard.clear()
-    return desk
+def at(app_driver, panel):
+    app_driver.connect_by_hand()
+    app_driver.ear = HardOfHearing(app_driver.firmware)
+    app_driver.click(f"menu_{panel}")
+    settled(app_driver)
+    app_driver.ear.heard.clear()
+    return app_driver
 
 
-def settled(desk):
-    desk.run_until(lambda: not desk.controller.settings.busy)
+def settled(app_driver):
+    app_driver.run_until(lambda: not app_driver.controller.settings.busy)
 
 
-def sent(desk):
+def sent(app_driver):
     """What the arm heard but for questions."""
-    return [each for each in desk.ear.heard if each.arbitration_id in SETTINGS_IDS]
+    return [each for each in app_driver.ear.heard if each.arbitration_id in SETTINGS_IDS]
 
 
-def generation(desk):
-    return desk.controller.situation.generation
+def generation(app_driver):
+    return app_driver.controller.operating_state.generation
 
 
-def note(desk, name):
-    return desk.read(f"{name}_note")
+def note(app_driver, name):
+    return app_driver.read(f"{name}_note")
 
 
 def questions():
@@ -47,7 +47,7 @@ def questions():
     ]
 
 
-def notes(desk):
+def notes(app_driver):
     """Every word below a value of 关节设置."""
     names = ("max_angle_deg", "min_angle_deg", "max_speed_deg_s", "max_acceleration_deg_s2")
-    return {note(desk, f"{name}_{joint}") for name in names for joint in range(1, 7)}
+    return {note(app_driver, f"{name}_{joint}") for name in names for joint in range(1, 7)}

@@ -5,10 +5,10 @@ import errno
 import can
 import pytest
 
-from armui.control.situation import LinkState
+from armui.control.operating_state import LinkState
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
-from armui.ui.unsaved import UnsavedQuestion
+from armui.ui.shell.unsaved import UnsavedQuestion
 from tests.operator_settings.panels import note, questions, sent, settled
 
 
@@ -20,13 +20,13 @@ def slower(end):
     return end
 
 
-def asked(desk):
-    return desk.dialog(UnsavedQuestion)
+def asked(app_driver):
+    return app_driver.dialog(UnsavedQuestion)
 
 
-def save(desk):
+def save(app_driver):
     """Answer the question with 【保存】."""
-    desk.click(asked(desk).save_button)
+    app_driver.click(asked(app_driver).save_button)
 
 
 def test_leaving_with_unsaved_changes_asks(end):
@@ -72,10 +72,10 @@ def test_disconnecting_with_unsaved_changes_asks(end):
     dialog = end.dialog(ConnectDialog)
     end.click(dialog.disconnect_button)
     end.dialog(ConfirmDialog).reject()
-    assert end.controller.situation.link is LinkState.ONLINE
+    assert end.controller.operating_state.link is LinkState.ONLINE
     end.click(dialog.disconnect_button)
     end.confirm()
-    assert end.controller.situation.link is LinkState.NO_DEVICE
+    assert end.controller.operating_state.link is LinkState.NO_DEVICE
     assert end.read("max_linear_speed_m_s") == ""
     assert note(end, "max_linear_speed_m_s") == "not read"
 
@@ -138,7 +138,7 @@ def test_a_link_lost_while_saving_keeps_the_panel(slower):
     save(slower)
     slower.step()
     slower.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
-    slower.wait(lambda: slower.controller.situation.link is LinkState.LOST)
+    slower.wait(lambda: slower.controller.operating_state.link is LinkState.LOST)
     assert slower.find("menu_end_limits").isChecked()
     assert note(slower, "max_linear_speed_m_s") == "not saved"
     assert "device is gone" in slower.read("end_limits_message")
@@ -156,7 +156,7 @@ def test_what_cannot_be_saved_is_said_at_the_button(joints):
     joints.click("menu_motion")
     assert asked(joints).save_button.isEnabled()
     joints.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
-    joints.wait(lambda: joints.controller.situation.link is LinkState.LOST)
+    joints.wait(lambda: joints.controller.operating_state.link is LinkState.LOST)
     assert "device is gone" in asked(joints).save_button.toolTip()
     assert not asked(joints).save_button.isEnabled()
 
@@ -192,9 +192,9 @@ def test_the_arm_is_disconnected_once_it_is_saved(slower):
     slower.click("communication_button")
     slower.click(slower.dialog(ConnectDialog).disconnect_button)
     save(slower)
-    assert slower.controller.situation.link is LinkState.ONLINE
+    assert slower.controller.operating_state.link is LinkState.ONLINE
     settled(slower)
-    slower.wait(lambda: slower.controller.situation.link is LinkState.NO_DEVICE)
+    slower.wait(lambda: slower.controller.operating_state.link is LinkState.NO_DEVICE)
     assert slower.firmware.settings.end_limits[0] == 0.5
 
 
@@ -205,7 +205,7 @@ def test_it_stays_connected_if_it_is_not_saved_and_shows_why(slower):
     save(slower)
     settled(slower)
     slower.wait(slower.window.isActiveWindow)
-    assert slower.controller.situation.link is LinkState.ONLINE
+    assert slower.controller.operating_state.link is LinkState.ONLINE
     assert "did not answer (0x476)" in slower.read("end_limits_message")
 
 

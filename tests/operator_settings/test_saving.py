@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from armui.control.situation import LinkState
+from armui.control.operating_state import LinkState
 from armui.protocol.generation import Generation
 from tests.operator_settings.panels import (
     frame,
@@ -93,13 +93,13 @@ def test_a_link_lost_half_way(joints):
     joints.click("joint_settings_save_button")
     joints.step()
     joints.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
-    joints.wait(lambda: joints.controller.situation.link is LinkState.LOST)
+    joints.wait(lambda: joints.controller.operating_state.link is LinkState.LOST)
     assert note(joints, "max_angle_deg_2") == note(joints, "max_angle_deg_1") == "not saved"
     assert "device is gone" in joints.read("joint_settings_message")
     assert not joints.find("joint_settings_save_button").isEnabled()
     joints.ear.deaf_to = set()
     joints.plug_in()
-    joints.wait(lambda: joints.controller.situation.link is not LinkState.LOST)
+    joints.wait(lambda: joints.controller.operating_state.link is not LinkState.LOST)
     joints.run_until(lambda: joints.find("joint_settings_save_button").isEnabled())
     assert joints.read("max_angle_deg_2") == "170.0"
     joints.run_until(lambda: joints.codes().count("limits_read") == 2)

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from armui.protocol.addressing import Addressing
-from armui.protocol.codec import Codec, EncodeError, Message, Oddity, OddityKind
+from armui.protocol.codec import Codec, EncodeError, InvalidFrame, Message, OddityKind
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 
@@ -36,7 +36,7 @@ def frame(arbitration_id: int, payload: str) -> Frame:
 def test_any_frame_is_a_message_or_an_oddity(generation, arbitration_id, data, offsets):
     codec = Codec(generation, Addressing(*offsets)) if any(offsets) else CODECS[generation]
     decoded = codec.decode(Frame(arbitration_id, data))
-    if isinstance(decoded, Oddity):
+    if isinstance(decoded, InvalidFrame):
         assert decoded.arbitration_id == arbitration_id
         assert decoded.detail
     else:
@@ -65,7 +65,7 @@ def test_every_wrong_length_is_told(generation):
         good = LENIENT.get(layout.arbitration_id, {8})
         for length in range(9):
             decoded = codec.decode(Frame(layout.arbitration_id, bytes(length)))
-            is_wrong = isinstance(decoded, Oddity) and decoded.kind is OddityKind.WRONG_LENGTH
+            is_wrong = isinstance(decoded, InvalidFrame) and decoded.kind is OddityKind.WRONG_LENGTH
             assert is_wrong == (length not in good), (layout.name, length)
 
 
@@ -84,7 +84,7 @@ def test_linkage_setting_of_four_bytes_in_generation_2():
 
 def test_wrong_length_names_message_and_lengths():
     oddity = TWO.decode(frame(0x470, "FA 10"))
-    assert oddity == Oddity(
+    assert oddity == InvalidFrame(
         OddityKind.WRONG_LENGTH, 0x470, "LinkageSetting has 2 bytes instead of 4 or 8"
     )
 
@@ -111,7 +111,7 @@ def test_values_outside_their_table_are_told_and_still_readable(
     codec, arbitration_id, payload, words
 ):
     oddity = codec.decode(frame(arbitration_id, payload))
-    assert isinstance(oddity, Oddity)
+    assert isinstance(oddity, InvalidFrame)
     assert oddity.kind is OddityKind.VALUE_OUTSIDE_TABLE
     assert words in oddity.detail
     assert oddity.message is not None
@@ -140,7 +140,7 @@ def test_firmware_version_is_an_upgrade_identifier_to_generation_1():
 
 
 def test_other_unknown_identifiers():
-    assert TWO.decode(Frame(0x777, b"")) == Oddity(
+    assert TWO.decode(Frame(0x777, b"")) == InvalidFrame(
         OddityKind.UNKNOWN_ID, 0x777, "0x777 is not in the tables of generation 2"
     )
     assert ONE.decode(Frame(0x47D, bytes(8))).kind is OddityKind.UNKNOWN_ID

@@ -7,10 +7,10 @@ import re
 import cantools
 import pytest
 
-from armui.paths import RESOURCES
 from armui.protocol import codes
 from armui.protocol.database import load_database
 from armui.protocol.generation import Generation
+from armui.system.paths import RESOURCES
 
 MESSAGES = [
     (generation, message)

@@ -27,7 +27,7 @@ from hypothesis import strategies as st
 from piper_sdk.piper_msgs.msg_v2 import ArmMessageMapping, PiperMessage
 from piper_sdk.protocol.protocol_v2 import C_PiperParserV2
 
-from armui.protocol.codec import Codec, Message, Oddity
+from armui.protocol.codec import Codec, InvalidFrame, Message
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 
@@ -229,7 +229,7 @@ def test_decodes_the_same_values(name, data):
     counterpart = DECODED[name]
     payload = data.draw(_payloads(name))
     ours = CODEC.decode(Frame(counterpart.arbitration_id, payload))
-    if isinstance(ours, Oddity):  # piper-sdk has no opinion on values outside a table
+    if isinstance(ours, InvalidFrame):  # piper-sdk has no opinion on values outside a table
         ours = ours.message
     theirs = attrgetter(counterpart.holder)(_sdk_decode(counterpart.arbitration_id, payload))
     assert isinstance(ours, Message)

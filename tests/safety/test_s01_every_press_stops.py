@@ -20,11 +20,11 @@ LEFT = Qt.MouseButton.LeftButton
 
 
 @pytest.fixture
-def presses(desk):
+def presses(app_driver):
     """How often the arm was stopped and halted, as (stops, halts)."""
-    desk.connect_by_hand()
+    app_driver.connect_by_hand()
     counts = {"stop": 0, "halt": 0}
-    stop, halt = desk.controller.emergency_stop, desk.controller.halt_and_hold
+    stop, halt = app_driver.controller.emergency_stop, app_driver.controller.halt_and_hold
 
     def count(name, act):
         def counted():
@@ -33,8 +33,8 @@ def presses(desk):
 
         return counted
 
-    desk.controller.emergency_stop = count("stop", stop)
-    desk.controller.halt_and_hold = count("halt", halt)
+    app_driver.controller.emergency_stop = count("stop", stop)
+    app_driver.controller.halt_and_hold = count("halt", halt)
     return lambda: (counts["stop"], counts["halt"])
 
 
@@ -63,24 +63,24 @@ def away_from(button) -> QPoint:
     return button.window().mapToGlobal(QPoint(40, button.window().height() // 2))
 
 
-def combo_box(desk, _button):
-    desk.window.open_settings_dialog()
-    dialog = desk.dialog(SettingsDialog)
-    dialog.move(desk.window.mapToGlobal(QPoint(100, 200)))
+def combo_box(app_driver, _button):
+    app_driver.window.open_settings_dialog()
+    dialog = app_driver.dialog(SettingsDialog)
+    dialog.move(app_driver.window.mapToGlobal(QPoint(100, 200)))
     box = dialog.findChild(QComboBox)
     box.showPopup()
     assert QApplication.activePopupWidget() is not None
 
 
-def menu(desk, button):
-    opened = QMenu(desk.window)
+def menu(app_driver, button):
+    opened = QMenu(app_driver.window)
     opened.addAction("one")
     opened.popup(away_from(button))
     assert QApplication.activePopupWidget() is opened
 
 
-def menu_with_a_submenu(desk, button):
-    opened = QMenu(desk.window)
+def menu_with_a_submenu(app_driver, button):
+    opened = QMenu(app_driver.window)
     inner = opened.addMenu("more")
     inner.addAction("two")
     opened.popup(away_from(button))
@@ -88,40 +88,44 @@ def menu_with_a_submenu(desk, button):
     assert QApplication.activePopupWidget() is inner
 
 
-def context_menu(desk, button):
-    field = QLineEdit(desk.window)
+def context_menu(app_driver, button):
+    field = QLineEdit(app_driver.window)
     opened = field.createStandardContextMenu()
     opened.popup(away_from(button))
     assert QApplication.activePopupWidget() is opened
 
 
-def tool_tip(desk, button):
-    QToolTip.showText(away_from(button), "a tip", desk.window)
+def tool_tip(app_driver, button):
+    QToolTip.showText(away_from(button), "a tip", app_driver.window)
 
 
-def file_dialog(desk, _button):
+def file_dialog(app_driver, _button):
     dialog = choose_file(
-        desk.window, desk.controller, title="t", name_filter="* (*)", on_chosen=lambda _path: None
+        app_driver.window,
+        app_driver.controller,
+        title="t",
+        name_filter="* (*)",
+        on_chosen=lambda _path: None,
     )
     box = dialog.findChild(QComboBox, "fileTypeCombo") or dialog.findChild(QComboBox)
     box.showPopup()
 
 
-def question_being_held(desk, _button):
+def question_being_held(app_driver, _button):
     dialog = confirm(
-        desk.window,
-        desk.controller,
+        app_driver.window,
+        app_driver.controller,
         title="t",
         text="t",
         action_label="a",
         on_confirmed=lambda: None,
         hold=True,
     )
-    desk.press(dialog.action_button)
+    app_driver.press(dialog.action_button)
 
 
-def field_being_edited(desk, _button):
-    field = desk.window.findChild(QLineEdit)
+def field_being_edited(app_driver, _button):
+    field = app_driver.window.findChild(QLineEdit)
     field.setFocus()
     QTest.keyClicks(field, "12")
 
@@ -147,9 +151,9 @@ def no_popup_is_left():
 
 
 @pytest.mark.parametrize("open_it", OPEN, ids=lambda each: each.__name__)
-def test_the_first_press_stops_on_the_press(desk, presses, open_it):
-    button = desk.find("stop_button")
-    open_it(desk, button)
+def test_the_first_press_stops_on_the_press(app_driver, presses, open_it):
+    button = app_driver.find("stop_button")
+    open_it(app_driver, button)
     press(button)
     assert presses() == (1, 0)
     assert QApplication.activePopupWidget() is None
@@ -158,9 +162,9 @@ def test_the_first_press_stops_on_the_press(desk, presses, open_it):
 
 
 @pytest.mark.parametrize("open_it", [combo_box, menu, file_dialog], ids=lambda each: each.__name__)
-def test_the_first_press_halts(desk, presses, open_it):
-    button = desk.find("halt_button")
-    open_it(desk, button)
+def test_the_first_press_halts(app_driver, presses, open_it):
+    button = app_driver.find("halt_button")
+    open_it(app_driver, button)
     press(button)
     assert presses() == (0, 1)
     let_go(button)
@@ -168,17 +172,17 @@ def test_the_first_press_halts(desk, presses, open_it):
 
 
 @pytest.mark.parametrize("open_it", [combo_box, file_dialog], ids=lambda each: each.__name__)
-def test_the_buttons_of_the_dialog_itself_work_with_its_list_open(desk, presses, open_it):
-    open_it(desk, None)
+def test_the_buttons_of_the_dialog_itself_work_with_its_list_open(app_driver, presses, open_it):
+    open_it(app_driver, None)
     dialog = QApplication.activePopupWidget().parentWidget().window()
     press(dialog.findChild(StopButton))
     assert presses() == (1, 0)
 
 
-def test_a_press_on_the_popup_is_the_popups(desk, presses):
-    button = desk.find("stop_button")
+def test_a_press_on_the_popup_is_the_popups(app_driver, presses):
+    button = app_driver.find("stop_button")
     chosen = []
-    opened = QMenu(desk.window)
+    opened = QMenu(app_driver.window)
     action = opened.addAction("x" * 60)
     action.triggered.connect(lambda: chosen.append(1))
     opened.popup(button.mapToGlobal(QPoint(0, 0)))  # it covers the button
@@ -190,9 +194,9 @@ def test_a_press_on_the_popup_is_the_popups(desk, presses):
     assert chosen == [1]
 
 
-def test_a_press_beside_the_button_only_closes_the_popup(desk, presses):
-    button = desk.find("stop_button")
-    menu(desk, button)
+def test_a_press_beside_the_button_only_closes_the_popup(app_driver, presses):
+    button = app_driver.find("stop_button")
+    menu(app_driver, button)
     window = with_the_mouse(button)
     handle = window.windowHandle()
     where = button.mapToGlobal(QPoint(-button.window().width() // 3, 120))
@@ -203,14 +207,14 @@ def test_a_press_beside_the_button_only_closes_the_popup(desk, presses):
 
 @pytest.mark.parametrize("key", [Qt.Key.Key_F12, Qt.Key.Key_Pause, HALT_KEY])
 @pytest.mark.parametrize("open_it", OPEN, ids=lambda each: each.__name__)
-def test_the_keys_act_at_the_first_press(desk, presses, open_it, key):
-    open_it(desk, desk.find("stop_button"))
-    QTest.keyPress(desk.window.windowHandle(), key)
+def test_the_keys_act_at_the_first_press(app_driver, presses, open_it, key):
+    open_it(app_driver, app_driver.find("stop_button"))
+    QTest.keyPress(app_driver.window.windowHandle(), key)
     assert presses() == ((0, 1) if key == HALT_KEY else (1, 0))
 
 
-def test_every_window_with_a_stop_has_its_halt_or_the_key(desk):
-    desk.window.open_settings_dialog()
-    dialog = desk.dialog(SettingsDialog)
+def test_every_window_with_a_stop_has_its_halt_or_the_key(app_driver):
+    app_driver.window.open_settings_dialog()
+    dialog = app_driver.dialog(SettingsDialog)
     assert dialog.findChild(HaltButton).isVisible()
     assert dialog.findChild(StopButton).isVisible()

@@ -7,20 +7,20 @@ import pytest
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QDialog, QTableView, QWidget
 
-from armui.helper_process import FileThread, HelperProcess
-from armui.preload import preload
 from armui.protocol.generation import Generation
+from armui.system.helper_process import FileThread, HelperProcess
+from armui.system.preload import preload
 from armui.trajectory.files import to_bytes
-from armui.trajectory.library import Library
-from armui.trajectory.preflight import warm_up
-from armui.trajectory.program import Trajectory
+from armui.trajectory.library.store import Library
+from armui.trajectory.planning.preflight import warm_up
+from armui.trajectory.points.program import Trajectory
 from armui.ui.dialogs.files import FileDialog
-from armui.ui.trajectory.bin_dialog import BinDialog
-from armui.ui.trajectory.editor_window import EditorWindow
-from armui.ui.trajectory.library_window import LibraryWindow
-from armui.ui.trajectory.recording_window import RecordingWindow
-from tests.desk import Desk
-from tests.operator_library.hands import POINT, Shelf
+from armui.ui.trajectory.editor.editor_window import EditorWindow
+from armui.ui.trajectory.library.bin_dialog import BinDialog
+from armui.ui.trajectory.library.library_window import LibraryWindow
+from armui.ui.trajectory.recording.recording_window import RecordingWindow
+from tests.app_driver import AppDriver
+from tests.operator_library.actions import POINT, FileStore
 from tests.safety.file_watch import watched
 
 MOST_S = 200.0
@@ -64,9 +64,9 @@ def live_desk(qapp, request, tmp_path, workers):
     process, files = workers
     settings = tmp_path / "settings.json"
     name = request.node.nodeid
-    desk = Desk(qapp, name, settings, Generation.TWO, Lent(process), files=files)
-    yield desk
-    desk.close()
+    app_driver = AppDriver(qapp, name, settings, Generation.TWO, Lent(process), files=files)
+    yield app_driver
+    app_driver.close()
 
 
 def forbidden(seen):
@@ -77,10 +77,10 @@ def forbidden(seen):
     ]
 
 
-def idle(desk):
+def idle(app_driver):
     """Wait until every action on the library asked for by now is done, and shown."""
-    done = desk.program._files.submit(lambda: None)
-    desk.wait(done.done)
+    done = app_driver.program._files.submit(lambda: None)
+    app_driver.wait(done.done)
     QCoreApplication.processEvents()
 
 
@@ -99,136 +99,136 @@ def test_the_watch_sees_what_it_must(tmp_path, monkeypatch):
 
 
 def test_the_library(live_desk, monkeypatch, tmp_path):
-    desk = live_desk
-    desk.ready()
+    app_driver = live_desk
+    app_driver.ready()
     for name in ("one", "two"):
-        Library(desk.library_folder).save(Trajectory(name, points=(POINT,) * 3))
+        Library(app_driver.library_folder).save(Trajectory(name, points=(POINT,) * 3))
     outside = tmp_path / "outside.log"
     outside.write_bytes(to_bytes(Trajectory("outside", points=(POINT,) * 2000), ".log"))
     with watched(monkeypatch) as seen:
-        shelf = Shelf.__new__(Shelf)
-        shelf.desk = desk
-        desk.click("library_button")
-        shelf.window = window = desk.dialog(LibraryWindow)
-        desk.wait(lambda: shelf.names() == ["one", "two"])
+        shelf = FileStore.__new__(FileStore)
+        shelf.app_driver = app_driver
+        app_driver.click("library_button")
+        shelf.window = window = app_driver.dialog(LibraryWindow)
+        app_driver.wait(lambda: shelf.names() == ["one", "two"])
         window._deeds.duplicate("one")
-        desk.wait(lambda: "one 2" in shelf.names())
+        app_driver.wait(lambda: "one 2" in shelf.names())
         window._deeds.rename("one 2", "three")
-        desk.wait(lambda: "three" in shelf.names())
+        app_driver.wait(lambda: "three" in shelf.names())
         window._deeds.delete(["three"])
-        desk.wait(lambda: "three" not in shelf.names())
+        app_driver.wait(lambda: "three" not in shelf.names())
         window._bin_button.click()
-        bin_dialog = desk.dialog(BinDialog)
+        bin_dialog = app_driver.dialog(BinDialog)
         table = bin_dialog.findChild(QTableView)
-        desk.wait(lambda: table is None or table.model().rowCount() > 0)
+        app_driver.wait(lambda: table is None or table.model().rowCount() > 0)
         bin_dialog.close()
         window._deeds.undo()
-        desk.wait(lambda: "three" in shelf.names())
+        app_driver.wait(lambda: "three" in shelf.names())
         window._exchange.import_files([outside])
-        desk.wait(lambda: "outside" in shelf.names())
+        app_driver.wait(lambda: "outside" in shelf.names())
         window._exchange._write(["one", "two"], lambda name: tmp_path / f"{name}.csv")
-        idle(desk)
+        idle(app_driver)
         shelf.choose("one")
         window._strip.check()
-        desk.wait(
+        app_driver.wait(
             lambda: (
                 shelf.rows()[shelf.names().index("one")][4] != "–" and not window._strip._checking
             )
         )
         window._strip._on_send()
-        desk.wait(lambda: not window._strip._checking)
-        idle(desk)
+        app_driver.wait(lambda: not window._strip._checking)
+        idle(app_driver)
     assert (tmp_path / "two.csv").exists()
     assert forbidden(seen) == []
 
 
 def test_the_editor(live_desk, monkeypatch):
-    desk = live_desk
-    desk.ready()
-    Library(desk.library_folder).save(Trajectory("one", points=(POINT,) * 3))
-    desk.click("library_button")
-    window = desk.dialog(LibraryWindow)
+    app_driver = live_desk
+    app_driver.ready()
+    Library(app_driver.library_folder).save(Trajectory("one", points=(POINT,) * 3))
+    app_driver.click("library_button")
+    window = app_driver.dialog(LibraryWindow)
     with watched(monkeypatch) as seen:
         window.open_trajectory("one")
-        desk.wait(lambda: "one" in window._editors)
-        editor = desk.dialog(EditorWindow)
-        desk.click(editor.findChild(QWidget, "editor_insert_measured"))
+        app_driver.wait(lambda: "one" in window._editors)
+        editor = app_driver.dialog(EditorWindow)
+        app_driver.click(editor.findChild(QWidget, "editor_insert_measured"))
         editor._drafts._write_behind()
-        idle(desk)
+        idle(app_driver)
         editor._strip.check()
-        desk.wait(lambda: not editor._strip._checking)
+        app_driver.wait(lambda: not editor._strip._checking)
         editor.save()
-        desk.wait(lambda: editor.document.saved)
+        app_driver.wait(lambda: editor.document.saved)
         editor.document.set_note("mine", "note")
         editor.keep_draft()
         editor._leave()
-        idle(desk)
+        idle(app_driver)
     assert forbidden(seen) == []
-    assert len(Library(desk.library_folder).load("one").points) == 4
+    assert len(Library(app_driver.library_folder).load("one").points) == 4
 
 
 def test_a_recording(live_desk, monkeypatch):
-    desk = live_desk
-    desk.ready()
-    desk.click("library_button")
-    window = desk.dialog(LibraryWindow)
+    app_driver = live_desk
+    app_driver.ready()
+    app_driver.click("library_button")
+    window = app_driver.dialog(LibraryWindow)
     with watched(monkeypatch) as seen:
         window.open_recorder()
-        recorder = desk.dialog(RecordingWindow)
+        recorder = app_driver.dialog(RecordingWindow)
         recorder._on_record()
-        desk.run(1.0)
+        app_driver.run(1.0)
         recorder._on_record()
-        desk.wait(lambda: recorder._result is not None)
+        app_driver.wait(lambda: recorder._result is not None)
         recorder.preview()
-        desk.wait(lambda: "3D" in recorder.findChild(QWidget, "record_message").text())
+        app_driver.wait(lambda: "3D" in recorder.findChild(QWidget, "record_message").text())
         recorder.save_samples()
-        desk.wait(lambda: not recorder._unsaved)
+        app_driver.wait(lambda: not recorder._unsaved)
         recorder.save_points()
-        idle(desk)
+        idle(app_driver)
         recorder.close()
-        idle(desk)
+        idle(app_driver)
     assert forbidden(seen) == []
 
 
 @pytest.mark.parametrize("name", ["settings", "backup", "joint_status", "help", "connect"])
-def test_the_dialogs(desk, monkeypatch, name):
+def test_the_dialogs(app_driver, monkeypatch, name):
     preload()
-    desk.ready()
+    app_driver.ready()
     opening = {"settings": "open_settings_dialog", "help": "open_help_dialog"}
     with watched(monkeypatch) as seen:
-        getattr(desk.window, opening.get(name, f"open_{name}_dialog"))()
-        desk.run(0.2)
-        dialog = desk.dialog(QDialog)
+        getattr(app_driver.window, opening.get(name, f"open_{name}_dialog"))()
+        app_driver.run(0.2)
+        dialog = app_driver.dialog(QDialog)
         dialog.close()
-        desk.run(0.1)
+        app_driver.run(0.1)
     assert forbidden(seen) == []
 
 
 def test_the_file_choosers(live_desk, monkeypatch):
-    desk = live_desk
-    desk.ready()
-    Library(desk.library_folder).save(Trajectory("one", points=(POINT,)))
-    desk.click("library_button")
-    window = desk.dialog(LibraryWindow)
+    app_driver = live_desk
+    app_driver.ready()
+    Library(app_driver.library_folder).save(Trajectory("one", points=(POINT,)))
+    app_driver.click("library_button")
+    window = app_driver.dialog(LibraryWindow)
     with watched(monkeypatch) as seen:
         window._exchange.choose_imports()
-        desk.run(0.1)
-        desk.dialog(FileDialog).close()
+        app_driver.run(0.1)
+        app_driver.dialog(FileDialog).close()
         window._exchange.export(["one"], ".csv")
-        desk.run(0.1)
-        desk.dialog(FileDialog).close()
+        app_driver.run(0.1)
+        app_driver.dialog(FileDialog).close()
     assert forbidden(seen) == []
 
 
-def test_the_panels_and_commands(desk, monkeypatch):
+def test_the_panels_and_commands(app_driver, monkeypatch):
     preload()
-    desk.ready()
+    app_driver.ready()
     with watched(monkeypatch) as seen:
-        for place in range(desk.window._panels.count()):
-            desk.window._show_panel(place)
-            desk.run(0.06)
-        assert desk.controller.motion.send_joints((5.0, 30.0, -30.0, 0.0, 0.0, 0.0)) is None
-        desk.run(0.5)
-        desk.controller.emergency_stop()
-        desk.run(0.5)
+        for place in range(app_driver.window._panels.count()):
+            app_driver.window._show_panel(place)
+            app_driver.run(0.06)
+        assert app_driver.controller.motion.send_joints((5.0, 30.0, -30.0, 0.0, 0.0, 0.0)) is None
+        app_driver.run(0.5)
+        app_driver.controller.emergency_stop()
+        app_driver.run(0.5)
     assert forbidden(seen) == []

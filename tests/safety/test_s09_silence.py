@@ -2,8 +2,8 @@
 
 import pytest
 
-from armui.arm.frames import JogFrame
-from armui.control.jog_ways import JointJog
+from armui.control.motion.jog_path import JointJog
+from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import MoveMode
 from tests.safety.talk import MOTION_IDS
 
@@ -21,10 +21,10 @@ def ready(any_bench):
 
 @pytest.mark.parametrize("silent", [0x2A1, 0x2A5, 0x2A6, 0x2A7])
 def test_nothing_moves_an_arm_that_is_not_heard(ready, silent):
-    bench, controller = ready, ready.controller
-    bench.node.line.mute_on.add(silent)
-    bench.run(0.7)
-    assert controller.situation.link.name == "ONLINE"
+    rig, controller = ready, ready.controller
+    rig.node.link.mute_on.add(silent)
+    rig.run(0.7)
+    assert controller.operating_state.link.name == "ONLINE"
 
     refusals = [
         controller.motion.jog(6, 1.0),
@@ -34,26 +34,26 @@ def test_nothing_moves_an_arm_that_is_not_heard(ready, silent):
         controller.cartesian.move((300, 0, 300, 0, 90, 0), MoveMode.MOVE_P),
     ]
     controller.motion.set_speed_percent(80)
-    bench.run(0.5)
+    rig.run(0.5)
 
     assert [refusal.code for refusal in refusals] == ["feedback_silent"] * len(refusals)
     assert {refusal.params["frames"] for refusal in refusals} == {f"0x{silent:X}"}
-    assert not [frame for frame in bench.heard() if frame.arbitration_id in MOTION_IDS]
+    assert not [frame for frame in rig.heard() if frame.arbitration_id in MOTION_IDS]
 
 
 def test_a_jog_ends_when_the_angles_fall_silent(ready):
-    bench, controller = ready, ready.controller
+    rig, controller = ready, ready.controller
     assert controller.jogging.start(JointJog(6, 1)) is None
-    bench.run(0.3)
-    bench.node.line.mute_on.update({0x2A5, 0x2A6, 0x2A7})
-    bench.run(0.12)
+    rig.run(0.3)
+    rig.node.link.mute_on.update({0x2A5, 0x2A6, 0x2A7})
+    rig.run(0.12)
 
     assert not controller.jogging.active
 
 
 def test_the_word_for_it_names_every_frame_that_is_missing(ready):
-    bench = ready
-    bench.node.line.mute_on.update({0x2A1, 0x2A6})
-    bench.run(0.7)
+    rig = ready
+    rig.node.link.mute_on.update({0x2A1, 0x2A6})
+    rig.run(0.7)
 
-    assert bench.controller.situation.cannot_move.params["frames"] == "0x2A1, 0x2A6"
+    assert rig.controller.operating_state.cannot_move.params["frames"] == "0x2A1, 0x2A6"

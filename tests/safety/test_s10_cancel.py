@@ -2,8 +2,8 @@
 
 import pytest
 
-from armui.arm.frames import JogFrame
-from armui.control.recovery_steps import Action, Kind
+from armui.control.safety.recovery_steps import Action, StepKind
+from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import TrajectoryCommand
 
 FAR = (120.0, 60.0, -60.0, 0.0, 0.0, 0.0)
@@ -31,35 +31,35 @@ def moving(any_bench):
 )
 @pytest.mark.parametrize("pause_s", [0.02, 0.4])
 def test_nothing_revives_a_cancelled_target(moving, later, pause_s):
-    bench, controller = moving, moving.controller
+    rig, controller = moving, moving.controller
     assert controller.planned_motion.command(TrajectoryCommand.ABORT) is None
-    bench.run(pause_s)
+    rig.run(pause_s)
     later(controller)
-    bench.run(2.5)
+    rig.run(2.5)
 
-    assert bench.firmware.body.positions_deg[0] < 70.0
-    assert not bench.firmware.body.moving
+    assert rig.firmware.mechanics.positions_deg[0] < 70.0
+    assert not rig.firmware.mechanics.moving
 
 
 def test_an_arm_that_does_not_heed_a_cancel_is_said_and_the_stop_offered(moving):
-    bench, controller = moving, moving.controller
+    rig, controller = moving, moving.controller
     controller.motion.set_speed_percent(10)
-    bench.node.line.lose_to_arm(0x150)
+    rig.node.link.lose_to_arm(0x150)
     assert controller.planned_motion.command(TrajectoryCommand.ABORT) is None
-    bench.run(1.2)
+    rig.run(1.2)
 
-    assert "cancel_unheeded" in bench.codes()
-    assert controller.recovery.step.kind is Kind.CANCEL_UNHEEDED
+    assert "cancel_unheeded" in rig.codes()
+    assert controller.recovery.step.kind is StepKind.CANCEL_UNHEEDED
     assert controller.recovery.step.action is Action.STOP
 
     controller.recovery.act(controller.recovery.step)
-    bench.run(0.3)
-    assert bench.firmware.condition.stopped
+    rig.run(0.3)
+    assert rig.firmware.condition.stopped
 
 
 def test_an_arm_that_heeds_it_is_not_complained_of(moving):
-    bench = moving
-    assert bench.controller.planned_motion.command(TrajectoryCommand.ABORT) is None
-    bench.run(2.0)
+    rig = moving
+    assert rig.controller.planned_motion.command(TrajectoryCommand.ABORT) is None
+    rig.run(2.0)
 
-    assert "cancel_unheeded" not in bench.codes()
+    assert "cancel_unheeded" not in rig.codes()

@@ -2,7 +2,7 @@
 
 import pytest
 
-from armui.control.jog_ways import JointJog
+from armui.control.motion.jog_path import JointJog
 from armui.protocol.frame import Frame
 
 HERE = (0.0, 30.0, -30.0, 0.0, 0.0, 0.0)
@@ -19,95 +19,95 @@ def ready(any_bench):
     return any_bench
 
 
-def fastest_deg_s(bench, seconds):
+def fastest_deg_s(rig, seconds):
     """The highest speed of joint 1 in that time, measured at the arm."""
     most = 0.0
     for _ in range(round(seconds / 0.02)):
-        bench.step()
-        most = max(most, abs(bench.firmware.body.speeds_deg_s[0]))
+        rig.step()
+        most = max(most, abs(rig.firmware.mechanics.speeds_deg_s[0]))
     return most
 
 
 def test_a_lower_percentage_goes_out_before_the_targets(ready):
-    bench = ready
-    bench.controller.motion.speed_percent = 5  # chosen while it could not be told
-    assert bench.controller.motion.send_joints(FAR) is None
-    bench.step()
+    rig = ready
+    rig.controller.motion.speed_percent = 5  # chosen while it could not be told
+    assert rig.controller.motion.send_joints(FAR) is None
+    rig.step()
 
-    assert [frame.arbitration_id for frame in bench.heard()] == [0x151, 0x155, 0x156, 0x157, 0x151]
+    assert [frame.arbitration_id for frame in rig.heard()] == [0x151, 0x155, 0x156, 0x157, 0x151]
 
 
 def test_a_higher_percentage_goes_out_after_the_targets(ready):
-    bench = ready
-    bench.controller.motion.set_speed_percent(5)
-    bench.step()
-    bench.heard()
-    bench.controller.motion.speed_percent = 100
-    assert bench.controller.motion.send_joints(FAR) is None
-    bench.step()
+    rig = ready
+    rig.controller.motion.set_speed_percent(5)
+    rig.step()
+    rig.heard()
+    rig.controller.motion.speed_percent = 100
+    assert rig.controller.motion.send_joints(FAR) is None
+    rig.step()
 
-    assert [frame.arbitration_id for frame in bench.heard()] == [0x155, 0x156, 0x157, 0x151]
+    assert [frame.arbitration_id for frame in rig.heard()] == [0x155, 0x156, 0x157, 0x151]
 
 
 def test_a_motion_whose_mode_word_is_lost_is_as_slow_as_shown(ready):
-    bench = ready
-    bench.controller.motion.speed_percent = 5
-    bench.node.line.lose_to_arm(0x151)  # one of the two
-    assert bench.controller.motion.send_joints(FAR) is None
+    rig = ready
+    rig.controller.motion.speed_percent = 5
+    rig.node.link.lose_to_arm(0x151)  # one of the two
+    assert rig.controller.motion.send_joints(FAR) is None
 
-    assert fastest_deg_s(bench, 3.0) < 1.5 * 0.05 * 172.0
+    assert fastest_deg_s(rig, 3.0) < 1.5 * 0.05 * 172.0
 
 
 def test_a_motion_that_is_measured_too_fast_is_ended_and_said(ready):
-    bench = ready
-    bench.controller.motion.speed_percent = 5
-    bench.node.line.lose_to_arm(0x151, 2)  # both
-    assert bench.controller.motion.send_joints(FAR) is None
-    bench.run(2.0)
+    rig = ready
+    rig.controller.motion.speed_percent = 5
+    rig.node.link.lose_to_arm(0x151, 2)  # both
+    assert rig.controller.motion.send_joints(FAR) is None
+    rig.run(2.0)
 
-    assert "motion_too_fast" in bench.codes()
-    assert not bench.firmware.body.moving
-    assert bench.firmware.body.positions_deg[0] < 40.0
+    assert "motion_too_fast" in rig.codes()
+    assert not rig.firmware.mechanics.moving
+    assert rig.firmware.mechanics.positions_deg[0] < 40.0
 
 
 def test_a_motion_at_its_own_speed_is_left_alone(ready):
-    bench = ready
+    rig = ready
     for percent, target in ((100, FAR), (30, HERE), (100, FAR), (5, HERE)):
-        bench.controller.motion.set_speed_percent(percent)
-        assert bench.controller.motion.send_joints(target) is None
-        bench.run(1.2)  # the next motion replaces one under way
+        rig.controller.motion.set_speed_percent(percent)
+        assert rig.controller.motion.send_joints(target) is None
+        rig.run(1.2)  # the next motion replaces one under way
 
-    assert "motion_too_fast" not in bench.codes()
+    assert "motion_too_fast" not in rig.codes()
 
 
 def test_after_a_jog_the_operators_speed_is_back_in_the_arm(ready):
-    bench = ready
-    assert bench.controller.jogging.start(JointJog(6, 1)) is None
-    bench.run(0.5)
-    assert bench.firmware.condition.speed_percent < 100
-    bench.controller.jogging.stop()
-    bench.run(1.2)
+    rig = ready
+    assert rig.controller.jogging.start(JointJog(6, 1)) is None
+    rig.run(0.5)
+    assert rig.firmware.condition.speed_percent < 100
+    rig.controller.jogging.stop()
+    rig.run(1.2)
 
-    assert bench.firmware.condition.speed_percent == 100
+    assert rig.firmware.condition.speed_percent == 100
 
 
-def test_it_is_not_given_back_while_another_host_has_set_its_own(bench, other_host):
-    bench.ready()
-    assert bench.controller.jogging.start(JointJog(6, 1)) is None
-    bench.run(0.5)
-    bench.controller.jogging.stop()
+def test_it_is_not_given_back_while_another_host_has_set_its_own(rig, other_host):
+    rig.ready()
+    assert rig.controller.jogging.start(JointJog(6, 1)) is None
+    rig.run(0.5)
+    rig.controller.jogging.stop()
     other_host.speed(70)
-    bench.run(0.1)
-    bench.heard()
-    bench.run(5.0)
+    rig.run(0.1)
+    rig.heard()
+    rig.run(5.0)
 
-    assert bench.firmware.condition.speed_percent == 70
-    assert not [frame for frame in bench.heard() if frame.arbitration_id == 0x151]
+    assert rig.firmware.condition.speed_percent == 70
+    assert not [frame for frame in rig.heard() if frame.arbitration_id == 0x151]
 
 
 def test_the_percentage_told_is_the_one_shown(ready):
-    bench = ready
-    bench.controller.motion.set_speed_percent(42)
-    bench.step()
+    rig = ready
+    rig.controller.motion.set_speed_percent(42)
+    rig.step()
 
-    assert bench.heard() == [Frame(0x151, bytes.fromhex("01 01 2A 00 00 00 00 00"))]
+    assert rig.heard() == [Frame(0x151, bytes.fromhex("01 01 2A 00 00 00 00 00"))]

@@ -4,12 +4,12 @@ import can
 import pytest
 
 from armui.bus.echo import is_own_echo
-from armui.control.jog_ways import JointJog
-from armui.control.motion_command import Mover
-from armui.control.recovery_steps import Action, Kind
-from armui.control.run import Phase, Run
+from armui.control.motion.jog_path import JointJog
+from armui.control.motion.motion_command import Mover
+from armui.control.run.progress import Run, RunPhase
+from armui.control.safety.recovery_steps import Action, StepKind
 from armui.protocol.codes import MoveMode
-from armui.trajectory.program import Waypoint
+from armui.trajectory.points.program import Waypoint
 from tests.company import OtherArm
 
 A = (30.0, 30.0, -30.0, 0.0, 0.0, 0.0)
@@ -17,10 +17,10 @@ B = (-30.0, 30.0, -30.0, 0.0, 0.0, 0.0)
 
 
 @pytest.fixture
-def ready(bench):
-    bench.ready()
-    bench.heard()
-    return bench
+def ready(rig):
+    rig.ready()
+    rig.heard()
+    return rig
 
 
 @pytest.mark.parametrize(
@@ -38,20 +38,20 @@ def ready(bench):
     ],
 )
 def test_each_motion_frame_of_another_host_holds_ours_back(ready, other_host, frame, name):
-    bench, controller = ready, ready.controller
+    rig, controller = ready, ready.controller
     other_host.say(frame)
-    bench.run(0.2)
+    rig.run(0.2)
 
-    refusal = controller.situation.cannot_move
+    refusal = controller.operating_state.cannot_move
     assert refusal.code == "other_host"
     assert refusal.params["frames"] == name
-    assert "other_host_moves" in bench.codes()
+    assert "other_host_moves" in rig.codes()
     assert controller.motion.jog(6, 1.0).code == "other_host"
-    bench.run(1.7)
-    assert controller.situation.cannot_move is not None
-    bench.run(0.5)
-    assert controller.situation.other_host is None
-    assert "other_host_gone" in bench.codes()
+    rig.run(1.7)
+    assert controller.operating_state.cannot_move is not None
+    rig.run(0.5)
+    assert controller.operating_state.other_host is None
+    assert "other_host_gone" in rig.codes()
 
 
 @pytest.mark.parametrize(
@@ -66,126 +66,126 @@ def test_each_motion_frame_of_another_host_holds_ours_back(ready, other_host, fr
     ],
 )
 def test_questions_lamps_and_other_arms_frames_hold_nothing_back(ready, other_host, frame):
-    bench = ready
+    rig = ready
     other_host.say(frame)
-    bench.run(0.1)
+    rig.run(0.1)
 
-    assert bench.controller.situation.cannot_move is None
+    assert rig.controller.operating_state.cannot_move is None
 
 
 def test_a_stream_is_said_with_its_frames_its_beginning_and_its_rate(ready, other_host):
-    bench, controller = ready, ready.controller
+    rig, controller = ready, ready.controller
     stream = other_host.stream_targets(lambda _t_s: A, rate_hz=200, speed_percent=30)
-    bench.run(1.0)
+    rig.run(1.0)
 
-    other = controller.situation.other_host
+    other = controller.operating_state.other_host
     assert other.frames == "0x151, 0x155, 0x156, 0x157"
     assert other.rate_hz == pytest.approx(200, abs=20)
-    assert controller.situation.mover is Mover.OTHER_HOST
+    assert controller.operating_state.mover is Mover.OTHER_HOST
     step = controller.recovery.step
-    assert step.kind is Kind.OTHER_HOST
+    assert step.kind is StepKind.OTHER_HOST
     assert step.params["frames"] == other.frames
     stream.end()
 
 
 def test_against_a_stream_only_the_stop_wins(ready, other_host):
-    bench, controller = ready, ready.controller
+    rig, controller = ready, ready.controller
     stream = other_host.stream_targets(lambda _t_s: A, rate_hz=200, speed_percent=30)
-    bench.run(0.5)
+    rig.run(0.5)
     assert controller.take_over().code == "other_host_streams"
     controller.emergency_stop()
-    bench.run(0.3)
+    rig.run(0.3)
 
-    assert bench.firmware.condition.stopped
+    assert rig.firmware.condition.stopped
     stream.end()
 
 
 def test_it_is_taken_over_half_a_second_after_its_last_frame(ready, other_host):
-    bench, controller = ready, ready.controller
+    rig, controller = ready, ready.controller
     other_host.move_to(A, 10)
-    bench.run(0.4)
+    rig.run(0.4)
     assert controller.take_over() is not None
-    bench.run(0.2)
+    rig.run(0.2)
     step = controller.recovery.step
     assert (step.action, step.held) == (Action.TAKE_OVER, True)
     assert controller.recovery.act(step) is None
-    bench.step()
+    rig.step()
 
-    assert controller.situation.cannot_move is None
+    assert controller.operating_state.cannot_move is None
     assert controller.motion.send_joints(B) is None
-    bench.run(8.0)
-    assert bench.firmware.body.positions_deg == pytest.approx(B, abs=0.05)
+    rig.run(8.0)
+    assert rig.firmware.mechanics.positions_deg == pytest.approx(B, abs=0.05)
 
 
 def test_it_goes_on_until_the_arm_rests(ready, other_host):
-    bench, controller = ready, ready.controller
+    rig, controller = ready, ready.controller
     other_host.move_to((100.0, *A[1:]), 10)
-    bench.run(3.0)
+    rig.run(3.0)
 
-    assert bench.firmware.body.moving
-    assert controller.situation.cannot_move.code == "other_host"
-    bench.run(8.0)
-    assert controller.situation.cannot_move is None
+    assert rig.firmware.mechanics.moving
+    assert controller.operating_state.cannot_move.code == "other_host"
+    rig.run(8.0)
+    assert controller.operating_state.cannot_move is None
 
 
 def test_a_run_cut_off_by_another_host_leaves_its_motion_alone(ready, other_host):
-    bench, controller = ready, ready.controller
+    rig, controller = ready, ready.controller
     points = [Waypoint(MoveMode.MOVE_J, A), Waypoint(MoveMode.MOVE_J, B)]
     assert controller.player.start(Run("r", points, [3.0, 3.0])) is None
-    bench.run(0.5)
-    bench.heard()
+    rig.run(0.5)
+    rig.heard()
     other_host.move_to((60.0, *A[1:]), 50)
-    bench.run(4.0)
+    rig.run(4.0)
 
-    assert controller.player.progress.phase is Phase.FAILED
+    assert controller.player.progress.phase is RunPhase.FAILED
     assert controller.player.progress.reason.code == "other_host"
-    assert bench.firmware.body.positions_deg == pytest.approx((60.0, *A[1:]), abs=0.05)
-    assert not [frame for frame in bench.heard() if frame.arbitration_id == 0x150]
+    assert rig.firmware.mechanics.positions_deg == pytest.approx((60.0, *A[1:]), abs=0.05)
+    assert not [frame for frame in rig.heard() if frame.arbitration_id == 0x150]
 
 
 def test_a_jog_ends_and_sends_nothing_more(ready, other_host):
-    bench, controller = ready, ready.controller
+    rig, controller = ready, ready.controller
     assert controller.jogging.start(JointJog(6, 1)) is None
-    bench.run(0.5)
+    rig.run(0.5)
     other_host.move_to(B, 30)
-    bench.run(0.1)
+    rig.run(0.1)
     assert not controller.jogging.active
-    bench.heard()
-    bench.run(3.0)
+    rig.heard()
+    rig.run(3.0)
 
-    assert bench.firmware.body.positions_deg == pytest.approx(B, abs=0.05)
-    assert bench.heard() == []
+    assert rig.firmware.mechanics.positions_deg == pytest.approx(B, abs=0.05)
+    assert rig.heard() == []
 
 
 def test_another_hosts_resume_is_told(ready, other_host):
-    bench, controller = ready, ready.controller
+    rig, controller = ready, ready.controller
     controller.emergency_stop()
-    bench.run(0.5)
+    rig.run(0.5)
     other_host.resume()
-    bench.run(0.2)
+    rig.run(0.2)
 
-    assert "other_host_moves" in bench.codes()
+    assert "other_host_moves" in rig.codes()
 
 
 def test_enabling_waits_while_another_host_streams_targets(ready, other_host):
-    bench, controller = ready, ready.controller
+    rig, controller = ready, ready.controller
     controller.motors.disable()
-    bench.run(1.0)
+    rig.run(1.0)
     stream = other_host.stream_targets(lambda _t_s: A, rate_hz=200, speed_percent=30)
-    bench.run(0.3)
+    rig.run(0.3)
 
     assert controller.motors.enable().code == "other_host"
     stream.end()
 
 
 def test_a_leader_arm_is_called_one(ready):
-    bench, controller = ready, ready.controller
-    leader = OtherArm.leader(bench)
-    bench.run(1.0)
+    rig, controller = ready, ready.controller
+    leader = OtherArm.leader(rig)
+    rig.run(1.0)
 
-    assert controller.situation.cannot_move.code == "leader_arm"
-    assert controller.situation.mover is Mover.LEADER
-    assert controller.recovery.step.kind is Kind.LEADER_ARM
+    assert controller.operating_state.cannot_move.code == "leader_arm"
+    assert controller.operating_state.mover is Mover.LEADER
+    assert controller.recovery.step.kind is StepKind.LEADER_ARM
     leader.close()
 
 

@@ -3,7 +3,7 @@
 import pytest
 
 from armui.arm.parameters import Batch, Group, Parameter
-from armui.control.parameter_reader import ParameterReader
+from armui.control.parameters.parameter_reader import ParameterReader
 from tests.faulty_arm import HardOfHearing
 
 END = Batch(Group.END_LIMITS)
@@ -16,7 +16,7 @@ LYING_DEG = (5.0, 10.0, -20.0, 0.0, 30.0, -40.0)
 @pytest.fixture
 def arm(any_bench):
     any_bench.connect()
-    any_bench.firmware.body.count_anew(LYING_DEG)
+    any_bench.firmware.mechanics.count_anew(LYING_DEG)
     any_bench.run(0.1)
     any_bench.ear = HardOfHearing(any_bench.firmware)
     return any_bench
@@ -60,7 +60,7 @@ def test_a_zero_is_not_sent_to_a_joint_that_stands_elsewhere_by_then(arm):
     arm.controller.joint_errors.clear(1)
     arm.run(0.5)
     assert arm.controller.zeroing.set_zero(2) is None
-    arm.firmware.body.count_anew((5.0, 12.0, -20.0, 0.0, 30.0, -40.0))
+    arm.firmware.mechanics.count_anew((5.0, 12.0, -20.0, 0.0, 30.0, -40.0))
     arm.run(3.0)
     assert zeros(arm) == []
     assert failed(arm) == ["zero_moved"]
@@ -107,16 +107,16 @@ def test_no_zero_while_the_angles_are_silent(any_bench):
     del any_bench.firmware.step
 
 
-def test_a_parameter_is_not_set_again_on_an_arm_that_moves_by_then(bench, other_host):
-    bench.ready()
-    bench.controller.settings.read([END])
-    bench.run_until(lambda: not bench.controller.settings.busy)
-    bench.ear = HardOfHearing(bench.firmware)
-    bench.ear.mute_on = {ANSWER}
-    assert bench.controller.settings.save({LINEAR_SPEED: 0.5}) is None
+def test_a_parameter_is_not_set_again_on_an_arm_that_moves_by_then(rig, other_host):
+    rig.ready()
+    rig.controller.settings.read([END])
+    rig.run_until(lambda: not rig.controller.settings.busy)
+    rig.ear = HardOfHearing(rig.firmware)
+    rig.ear.mute_on = {ANSWER}
+    assert rig.controller.settings.save({LINEAR_SPEED: 0.5}) is None
     other_host.move_to((40.0, 0.0, 0.0, 0.0, 0.0, 0.0))
-    bench.run(3.0)
-    assert len([each for each in bench.ear.heard if each.arbitration_id == 0x479]) == 1
+    rig.run(3.0)
+    assert len([each for each in rig.ear.heard if each.arbitration_id == 0x479]) == 1
 
 
 def test_a_command_meant_for_one_arm_is_not_given_to_the_next(arm):

@@ -7,8 +7,8 @@ import pytest
 
 from armui.arm.device import Device
 from armui.bus.worker import BusWorker
-from armui.control.jog_ways import JointJog
-from armui.control.situation import LinkState
+from armui.control.motion.jog_path import JointJog
+from armui.control.operating_state import LinkState
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
 
@@ -60,18 +60,18 @@ def test_frames_of_a_backlog_are_not_dated_now(qapp, clock):
 
 
 def test_after_a_sleep_nothing_of_before_goes_on(any_bench):
-    bench = any_bench
-    bench.ready()
-    assert bench.controller.jogging.start(JointJog(1, 1)) is None
-    bench.run_until(lambda: bench.controller.situation.jogging)
-    bench._settle()
-    bench.time_s += SLEEP_S  # both clocks go on; nobody looks, nobody says a word
-    bench.step()
-    assert not bench.controller.jogging.active
-    bench.step()
-    bench.run_until(lambda: bench.codes().count("limits_read") == 2)
-    assert bench.controller.situation.link is LinkState.ONLINE
-    bench.heard()
-    bench.run(1.0)
+    rig = any_bench
+    rig.ready()
+    assert rig.controller.jogging.start(JointJog(1, 1)) is None
+    rig.run_until(lambda: rig.controller.operating_state.jogging)
+    rig._settle()
+    rig.time_s += SLEEP_S  # both clocks go on; nobody looks, nobody says a word
+    rig.step()
+    assert not rig.controller.jogging.active
+    rig.step()
+    rig.run_until(lambda: rig.codes().count("limits_read") == 2)
+    assert rig.controller.operating_state.link is LinkState.ONLINE
+    rig.heard()
+    rig.run(1.0)
     moving = {0x151, 0x155, 0x156, 0x157}
-    assert not moving & {frame.arbitration_id for frame in bench.heard()}
+    assert not moving & {frame.arbitration_id for frame in rig.heard()}

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from armui.protocol.codes import MoveMode
-from armui.trajectory.preflight import Order, preflight
-from armui.trajectory.program import Trajectory, Waypoint
-from armui.trajectory.recording import Recording
+from armui.trajectory.planning.preflight import CheckRequest, preflight
+from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.trajectory.samples.recording import Recording
 from tests.trajectory.arms import ARM
 
 # from the one straight to the other the hand dips 45 mm below the floor
@@ -26,7 +26,7 @@ def recording(*corners, seconds=60.0):
 
 
 def codes(content, start, **options):
-    return {one.code for one in preflight(Order(content, ARM, start, **options)).findings}
+    return {one.code for one in preflight(CheckRequest(content, ARM, start, **options)).findings}
 
 
 def test_a_recording_once_is_fine():

@@ -10,7 +10,7 @@ from armui.arm.device import Device
 from armui.bus.health import BusHealth
 from armui.bus.link import BusState
 from armui.bus.send_errors import queue_is_full
-from armui.control.situation import LinkState
+from armui.control.operating_state import LinkState
 from armui.ui import words
 
 
@@ -70,81 +70,81 @@ def test_the_makers_numbers_are_not_taken_for_those_of_the_operating_system():
     assert not queue_is_full(CANLIBOperationError("x", kvaser.canERR_NOTFOUND))
 
 
-def fill(bench, error=FULL[0]):
+def fill(rig, error=FULL[0]):
     """From now on no frame of the program gets out; answers a list that grows with each try."""
     tries = []
 
     def full(*_args, **_kwargs):
-        tries.append(bench.time_s)
+        tries.append(rig.time_s)
         raise error
 
-    bench._host_bus.send = full
+    rig._host_bus.send = full
     return tries
 
 
-def empty(bench):
-    del bench._host_bus.send
+def empty(rig):
+    del rig._host_bus.send
 
 
-def step_blocked(bench, qtbot, tries, seconds):
+def step_blocked(rig, qtbot, tries, seconds):
     """Let time pass although something waits; the bench's own step waits until nothing does."""
-    connection = bench.controller._connection
+    connection = rig.controller._connection
     for _ in range(round(seconds / 0.1)):
         before = len(tries)
         # the sending thread looks at the queue at each moment of the arm's time
         qtbot.waitUntil(lambda before=before: len(tries) > before or connection.idle)
         for _ in range(5):
-            bench.time_s += 0.02
-            bench.node.poll(0.02)
-            bench.controller.tick()
+            rig.time_s += 0.02
+            rig.node.poll(0.02)
+            rig.controller.tick()
 
 
 @pytest.mark.parametrize("error", [FULL[0], FULL[3]], ids=["socketcan", "gs_usb"])
-def test_it_is_waited_for_and_after_half_a_second_called_what_it_is(bench, qtbot, error):
-    bench.ready()
-    tries = fill(bench, error)
-    assert bench.controller.motion.send_joints((10.0, 0.0, 0.0, 0.0, 0.0, 0.0)) is None
-    step_blocked(bench, qtbot, tries, 0.7)
-    qtbot.waitUntil(lambda: "bus_blocked" in bench.codes())
-    told = next(each for each in bench.notices if each.code == "bus_blocked")
+def test_it_is_waited_for_and_after_half_a_second_called_what_it_is(rig, qtbot, error):
+    rig.ready()
+    tries = fill(rig, error)
+    assert rig.controller.motion.send_joints((10.0, 0.0, 0.0, 0.0, 0.0, 0.0)) is None
+    step_blocked(rig, qtbot, tries, 0.7)
+    qtbot.waitUntil(lambda: "bus_blocked" in rig.codes())
+    told = next(each for each in rig.notices if each.code == "bus_blocked")
     assert told.params["reason"].code == "bus_send_blocked"  # the arm is heard all the while
-    assert "link_lost" not in bench.codes()
-    assert bench.controller.situation.link is LinkState.ONLINE
+    assert "link_lost" not in rig.codes()
+    assert rig.controller.operating_state.link is LinkState.ONLINE
     assert "Unplug the adapter" in words.notice(told)
-    empty(bench)
-    bench.heard()
-    bench.step()
-    assert bench.heard() == []  # too old: it would act late
-    assert bench.controller.motors.enable() is None
-    qtbot.waitUntil(lambda: "bus_unblocked" in bench.codes())
+    empty(rig)
+    rig.heard()
+    rig.step()
+    assert rig.heard() == []  # too old: it would act late
+    assert rig.controller.motors.enable() is None
+    qtbot.waitUntil(lambda: "bus_unblocked" in rig.codes())
 
 
-def test_a_stop_waits_in_front_and_goes_out_when_the_queue_takes_it(bench, qtbot):
-    bench.ready()
-    tries = fill(bench)
-    bench.controller.motion.send_joints((10.0, 0.0, 0.0, 0.0, 0.0, 0.0))
-    bench.controller.emergency_stop()
-    assert bench.codes()[-1] == "stop_not_sent"
-    step_blocked(bench, qtbot, tries, 1.0)
-    assert not bench.firmware.stopped
-    bench.heard()
-    empty(bench)
-    qtbot.waitUntil(lambda: bench.controller._connection.idle)
-    assert {each.arbitration_id for each in bench.heard()} == {0x150}
-    bench.run_until(lambda: "stop_confirmed" in bench.codes())
+def test_a_stop_waits_in_front_and_goes_out_when_the_queue_takes_it(rig, qtbot):
+    rig.ready()
+    tries = fill(rig)
+    rig.controller.motion.send_joints((10.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    rig.controller.emergency_stop()
+    assert rig.codes()[-1] == "stop_not_sent"
+    step_blocked(rig, qtbot, tries, 1.0)
+    assert not rig.firmware.stopped
+    rig.heard()
+    empty(rig)
+    qtbot.waitUntil(lambda: rig.controller._connection.idle)
+    assert {each.arbitration_id for each in rig.heard()} == {0x150}
+    rig.run_until(lambda: "stop_confirmed" in rig.codes())
 
 
-def test_nothing_that_waited_is_sent_after_a_loss(bench, qtbot):
-    bench.ready()
-    fill(bench)
-    bench.controller.motion.send_joints((10.0, 0.0, 0.0, 0.0, 0.0, 0.0))
-    bench.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
-    qtbot.waitUntil(lambda: bench.controller.situation.link is LinkState.LOST)
-    bench.heard()
-    bench.plug_in()
-    qtbot.waitUntil(lambda: "reconnected" in bench.codes())
-    bench.run(1.0)
-    assert not {0x155, 0x156, 0x157} & {each.arbitration_id for each in bench.heard()}
+def test_nothing_that_waited_is_sent_after_a_loss(rig, qtbot):
+    rig.ready()
+    fill(rig)
+    rig.controller.motion.send_joints((10.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    rig.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
+    qtbot.waitUntil(lambda: rig.controller.operating_state.link is LinkState.LOST)
+    rig.heard()
+    rig.plug_in()
+    qtbot.waitUntil(lambda: "reconnected" in rig.codes())
+    rig.run(1.0)
+    assert not {0x155, 0x156, 0x157} & {each.arbitration_id for each in rig.heard()}
 
 
 # Error frames -------------------------------------------------------------------------------------
@@ -180,16 +180,16 @@ def test_error_frames_of_another_layout_are_not_read():
     assert health.problem(1.0, blocked=False) is None
 
 
-def test_bus_off_reaches_the_operator(bench, qtbot, monkeypatch):
+def test_bus_off_reaches_the_operator(rig, qtbot, monkeypatch):
     monkeypatch.setattr("armui.bus.health._LINUX_ERROR_FRAMES", frozenset({"virtual"}))
-    bench.connect()
-    bench._arm_bus.send(
+    rig.connect()
+    rig._arm_bus.send(
         can.Message(arbitration_id=BUS_OFF, is_error_frame=True, data=bytes(8), is_extended_id=True)
     )
-    qtbot.waitUntil(lambda: "bus_blocked" in bench.codes())
-    told = next(each for each in bench.notices if each.code == "bus_blocked")
+    qtbot.waitUntil(lambda: "bus_blocked" in rig.codes())
+    told = next(each for each in rig.notices if each.code == "bus_blocked")
     assert told.params["reason"].code == "bus_off"
-    assert bench.controller.situation.link_problem.code == "bus_off"
-    bench.run(0.1)
-    qtbot.waitUntil(lambda: "bus_unblocked" in bench.codes())
-    assert BusState.BLOCKED is not bench.controller._connection._bus_state
+    assert rig.controller.operating_state.link_problem.code == "bus_off"
+    rig.run(0.1)
+    qtbot.waitUntil(lambda: "bus_unblocked" in rig.codes())
+    assert BusState.BLOCKED is not rig.controller._connection._bus_state

@@ -3,8 +3,8 @@
 import pytest
 
 from armui.arm.tracker import Tracker
-from armui.control.recovery_steps import Action, Kind
-from armui.control.situation import LinkState
+from armui.control.operating_state import LinkState
+from armui.control.safety.recovery_steps import Action, StepKind
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
@@ -23,18 +23,18 @@ DRIVERS = [f"25{joint}#0000000000000000" for joint in range(1, 7)] + [
 LEADING = ("155#0000000000000000", "156#0000000000000000", "157#0000000000000000")
 
 
-def test_another_hosts_questions_make_no_arm(bench, other_host):
-    bench.powered = False
-    bench.controller.connect_device(bench.device)
+def test_another_hosts_questions_make_no_arm(rig, other_host):
+    rig.powered = False
+    rig.controller.connect_device(rig.device)
     links = set()
     for _ in range(150):
         other_host.say(*QUESTIONS)
-        bench.step()
-        links.add(bench.controller.situation.link)
+        rig.step()
+        links.add(rig.controller.operating_state.link)
     assert LinkState.ONLINE not in links
-    assert bench.controller.situation.generation is None
-    assert "online" not in bench.codes()
-    assert bench.controller.state.last_feedback_s is None
+    assert rig.controller.operating_state.generation is None
+    assert "online" not in rig.codes()
+    assert rig.controller.state.last_feedback_s is None
 
 
 def version_heard(*payloads):
@@ -42,7 +42,7 @@ def version_heard(*payloads):
     codec = Codec(Generation.TWO)
     tracker = Tracker(codec)
     for payload in payloads:
-        tracker.fold(codec.decode(Frame(0x4AF, payload)), 1.0)
+        tracker.update(codec.decode(Frame(0x4AF, payload)), 1.0)
     return tracker.picture().firmware
 
 
@@ -66,21 +66,21 @@ def test_an_answer_that_lost_a_frame_gives_no_version_and_the_next_one_does():
 
 
 def test_a_leading_arm_whose_drivers_go_on_sending_is_no_dead_end(any_bench, generation):
-    bench = any_bench
-    leader = OtherHost(bench)
-    bench.powered = False
-    bench.controller.connect_device(bench.device)
+    rig = any_bench
+    leader = OtherHost(rig)
+    rig.powered = False
+    rig.controller.connect_device(rig.device)
     for _ in range(100):
         leader.say(*DRIVERS, *LEADING)
-        bench.step()
-    assert bench.controller.situation.link is LinkState.ONLINE
-    assert bench.controller.situation.teaching_input
-    step = bench.controller.recovery.step
-    assert (step.kind, step.action) == (Kind.TEACHING_INPUT, Action.LEAVE_TEACHING_INPUT)
-    assert bench.controller.recovery.act(step) is None
-    bench.powered = True  # its controller has become a motion output and tells where it is
+        rig.step()
+    assert rig.controller.operating_state.link is LinkState.ONLINE
+    assert rig.controller.operating_state.teaching_input
+    step = rig.controller.recovery.step
+    assert (step.kind, step.action) == (StepKind.TEACHING_INPUT, Action.LEAVE_TEACHING_INPUT)
+    assert rig.controller.recovery.act(step) is None
+    rig.powered = True  # its controller has become a motion output and tells where it is
     for _ in range(10):
         leader.say(*DRIVERS)
-        bench.step()
-    assert not bench.controller.situation.teaching_input
+        rig.step()
+    assert not rig.controller.operating_state.teaching_input
     leader.close()

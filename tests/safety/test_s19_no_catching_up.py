@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from armui.control.replay import Replay
-from armui.control.run import Phase
-from armui.trajectory.recording import Recording
+from armui.control.run.progress import RunPhase
+from armui.control.run.replay import Replay
+from armui.trajectory.samples.recording import Recording
 from tests.control.test_replayer import STILL, wave
 
 PERIOD_S = 0.02
@@ -28,10 +28,10 @@ def ramp(seconds=20.0, speed_deg_s=10.0):
     return Recording("ramp", samples=samples)
 
 
-def replaying(bench, recording):
-    replayer = bench.controller.replayer
+def replaying(rig, recording):
+    replayer = rig.controller.replayer
     assert replayer.start(Replay(recording)) is None
-    bench.run_until(lambda: replayer.progress.done > 0.1, seconds=60.0)
+    rig.run_until(lambda: replayer.progress.done > 0.1, seconds=60.0)
     return replayer
 
 
@@ -48,7 +48,7 @@ def test_the_recorded_time_stands_still_while_the_program_does(ready, pause_s):
     assert recorded_s(replayer, recording) - before_s == pytest.approx(PERIOD_S, abs=0.005)
     ready.run(0.4)  # and nothing is made up for later
     assert recorded_s(replayer, recording) - before_s == pytest.approx(0.42, abs=0.025)
-    assert replayer.progress.phase is Phase.MOVING
+    assert replayer.progress.phase is RunPhase.MOVING
 
 
 def test_a_late_tick_is_no_pause(ready):
@@ -81,7 +81,7 @@ def test_a_long_pause_ends_the_replay_and_says_why(ready, pause_s):
     ready.time_s += pause_s - PERIOD_S
     ready.step()
     progress = replayer.progress
-    assert (progress.phase, progress.reason.code) == (Phase.FAILED, "replay_gap")
+    assert (progress.phase, progress.reason.code) == (RunPhase.FAILED, "replay_gap")
     assert progress.reason.params == {"seconds": round(pause_s, 1)}
     told = [notice for notice in ready.notices if notice.code == "replay_failed"]
     assert told[-1].params["reason"].code == "replay_gap"

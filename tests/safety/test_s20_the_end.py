@@ -10,9 +10,9 @@ from PySide6.QtWidgets import QApplication
 
 from armui.arm.device import Device
 from armui.control.arm_controller import ArmController
-from armui.control.situation import LinkState
+from armui.control.operating_state import LinkState
 from armui.ui.dialogs.close_question import CloseQuestion
-from tests.desk import TIMEOUT_MS
+from tests.app_driver import TIMEOUT_MS
 
 FAR = (60.0, 60.0, -60.0, 0.0, 0.0, 0.0)
 ABORT = bytes([0, 6, 0, 0, 0, 0, 0, 0])  # 0x150 byte 1: the trajectory command 6, end it
@@ -62,7 +62,7 @@ def test_disconnecting_does_not_wait_for_a_driver_that_opens(qapp, opener):
     """The driver lets go only after the window has: a wait without a limit would never end."""
     controller = connected(opener)
     controller.disconnect_device()
-    assert controller.situation.link is LinkState.NO_DEVICE
+    assert controller.operating_state.link is LinkState.NO_DEVICE
     assert not opener.free.is_set()
     assert len(controller._connection._ending) == 1
     opener.free.set()
@@ -77,7 +77,7 @@ def test_the_same_device_is_opened_again_only_when_it_was_closed(qapp, opener):
     controller.connect_device(Device("virtual", opener.channel, None))
     assert not opener.begun.is_set()
     opener.free.set()
-    spin_until(lambda: controller.situation.link is LinkState.OFFLINE)
+    spin_until(lambda: controller.operating_state.link is LinkState.OFFLINE)
     assert opener.open == 1
     assert controller.shutdown()
     assert opener.open == 0
@@ -91,7 +91,7 @@ def test_the_end_waits_for_a_driver_with_a_limit(qapp, opener):
     spin_until(controller.shutdown)
 
 
-def test_the_end_waits_for_a_search_with_a_limit_and_ends_the_motion_before(qapp, bench):
+def test_the_end_waits_for_a_search_with_a_limit_and_ends_the_motion_before(qapp, rig):
     free, searching = threading.Event(), threading.Event()
 
     def find():
@@ -99,52 +99,52 @@ def test_the_end_waits_for_a_search_with_a_limit_and_ends_the_motion_before(qapp
         assert free.wait(TIMEOUT_MS / 1e3)
         return []
 
-    bench.ready()
-    bench.controller._finder._find = find
-    bench.controller.search_devices()
+    rig.ready()
+    rig.controller._finder._find = find
+    rig.controller.search_devices()
     assert searching.wait(TIMEOUT_MS / 1e3)
-    assert bench.controller.motion.send_joints(FAR) is None
-    bench.run(1.0)
-    bench.heard()
-    assert bench.controller.shutdown() is False
-    assert (0x150, ABORT) in frames(bench)
+    assert rig.controller.motion.send_joints(FAR) is None
+    rig.run(1.0)
+    rig.heard()
+    assert rig.controller.shutdown() is False
+    assert (0x150, ABORT) in frames(rig)
     free.set()
-    spin_until(bench.controller.shutdown)
+    spin_until(rig.controller.shutdown)
 
 
-def frames(bench):
-    return [(frame.arbitration_id, bytes(frame.data)) for frame in bench.heard()]
+def frames(rig):
+    return [(frame.arbitration_id, bytes(frame.data)) for frame in rig.heard()]
 
 
 def test_ending_the_program_ends_a_single_motion(any_bench):
-    bench = any_bench
-    bench.ready()
-    assert bench.controller.motion.send_joints(FAR) is None
-    bench.run(1.0)
-    bench.heard()
-    bench.controller.shutdown()
-    assert (0x150, ABORT) in frames(bench)
+    rig = any_bench
+    rig.ready()
+    assert rig.controller.motion.send_joints(FAR) is None
+    rig.run(1.0)
+    rig.heard()
+    rig.controller.shutdown()
+    assert (0x150, ABORT) in frames(rig)
 
 
 def test_at_rest_nothing_is_sent_at_the_end(any_bench):
-    bench = any_bench
-    bench.ready()
-    bench.run(1.0)
-    bench.heard()
-    bench.controller.shutdown()
-    assert bench.heard() == []
+    rig = any_bench
+    rig.ready()
+    rig.run(1.0)
+    rig.heard()
+    rig.controller.shutdown()
+    assert rig.heard() == []
 
 
-def moving(desk):
-    desk.connect_by_hand()
-    desk.enable_by_hand()
-    assert desk.controller.motion.send_joints(FAR) is None
-    desk.run_until(lambda: desk.controller.situation.moving)
-    desk.run(0.5)
-    desk.heard()
-    desk.window.close()
-    assert desk.window.isVisible()
-    return desk.dialog(CloseQuestion)
+def moving(app_driver):
+    app_driver.connect_by_hand()
+    app_driver.enable_by_hand()
+    assert app_driver.controller.motion.send_joints(FAR) is None
+    app_driver.run_until(lambda: app_driver.controller.operating_state.moving)
+    app_driver.run(0.5)
+    app_driver.heard()
+    app_driver.window.close()
+    assert app_driver.window.isVisible()
+    return app_driver.dialog(CloseQuestion)
 
 
 def test_closing_the_window_ends_the_motion_first(any_desk):
@@ -153,7 +153,7 @@ def test_closing_the_window_ends_the_motion_first(any_desk):
     assert (0x150, ABORT) in frames(any_desk)
     assert any_desk.window.isVisible()
     any_desk.run_until(lambda: not any_desk.window.isVisible(), seconds=4.0)
-    assert not any_desk.controller.situation.moving
+    assert not any_desk.controller.operating_state.moving
 
 
 def test_the_operator_may_let_it_finish(any_desk):
@@ -164,19 +164,19 @@ def test_the_operator_may_let_it_finish(any_desk):
     assert (0x150, ABORT) not in frames(any_desk)
 
 
-def test_an_arm_that_does_not_come_to_rest_keeps_no_window(desk):
-    question = moving(desk)
-    desk.firmware.on_frame = lambda _frame: []
-    desk.click(question.action_button)
-    assert desk.window.isVisible()
-    (ending,) = [one for one in desk.window.children() if type(one).__name__ == "_Ending"]
+def test_an_arm_that_does_not_come_to_rest_keeps_no_window(app_driver):
+    question = moving(app_driver)
+    app_driver.firmware.on_frame = lambda _frame: []
+    app_driver.click(question.action_button)
+    assert app_driver.window.isVisible()
+    (ending,) = [one for one in app_driver.window.children() if type(one).__name__ == "_Ending"]
     ending._limit.timeout.emit()
-    assert not desk.window.isVisible()
+    assert not app_driver.window.isVisible()
 
 
-def test_the_stop_in_the_question_closes_nothing(desk):
-    question = moving(desk)
-    desk.controller.emergency_stop()
-    desk.run(0.5)
-    desk.click(question.cancel_button)
-    assert desk.window.isVisible()
+def test_the_stop_in_the_question_closes_nothing(app_driver):
+    question = moving(app_driver)
+    app_driver.controller.emergency_stop()
+    app_driver.run(0.5)
+    app_driver.click(question.cancel_button)
+    assert app_driver.window.isVisible()

@@ -11,12 +11,12 @@ from PySide6.QtWidgets import QWidget
 
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import Generation
-from armui.trajectory import library_bin
-from armui.trajectory.library import Library
-from armui.trajectory.program import Trajectory, Waypoint
-from armui.ui.trajectory.editor_window import EditorWindow
-from armui.ui.trajectory.library_window import LibraryWindow
-from tests.desk import Desk
+from armui.trajectory.library import bin as library_bin
+from armui.trajectory.library.store import Library
+from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.ui.trajectory.editor.editor_window import EditorWindow
+from armui.ui.trajectory.library.library_window import LibraryWindow
+from tests.app_driver import AppDriver
 
 POINT = Waypoint(MoveMode.MOVE_J, (0.0, 30.0, -30.0, 0.0, 0.0, 0.0))
 
@@ -61,21 +61,21 @@ def test_alone_nothing_goes_into_the_bin(folder):
     assert ours.recently_deleted() == []
 
 
-def library_window(desk):
-    desk.window.open_library_window()
-    return desk.dialog(LibraryWindow)
+def library_window(app_driver):
+    app_driver.window.open_library_window()
+    return app_driver.dialog(LibraryWindow)
 
 
 def company(window):
     return window.findChild(QWidget, "library_company").text()
 
 
-def test_the_editor_says_that_it_displaced_the_other_s_points(desk):
-    Library(desk.library_folder).save(points(1))
-    window = library_window(desk)
+def test_the_editor_says_that_it_displaced_the_other_s_points(app_driver):
+    Library(app_driver.library_folder).save(points(1))
+    window = library_window(app_driver)
     window.open_trajectory("T")
-    Library(desk.library_folder).save(points(2), replacing="T")
-    editor = desk.dialog(EditorWindow)
+    Library(app_driver.library_folder).save(points(2), replacing="T")
+    editor = app_driver.dialog(EditorWindow)
     editor.document.set_note("mine", "note")
     editor.save()
     message = editor.findChild(QWidget, "editor_message").text()
@@ -84,11 +84,11 @@ def test_the_editor_says_that_it_displaced_the_other_s_points(desk):
     editor.close()
 
 
-def test_each_program_says_that_the_other_is_there(qapp, request, desk, tmp_path):
-    Library(desk.library_folder).save(points(1))
-    here = library_window(desk)
+def test_each_program_says_that_the_other_is_there(qapp, request, app_driver, tmp_path):
+    Library(app_driver.library_folder).save(points(1))
+    here = library_window(app_driver)
     assert not company(here)
-    other = Desk(qapp, request.node.nodeid + "2", tmp_path / "settings.json", Generation.TWO)
+    other = AppDriver(qapp, request.node.nodeid + "2", tmp_path / "settings.json", Generation.TWO)
     try:
         other.window.open_library_window()
         (there,) = [
@@ -107,13 +107,13 @@ def test_each_program_says_that_the_other_is_there(qapp, request, desk, tmp_path
         other.close()
 
 
-def test_a_killed_program_is_not_there(desk):
-    Library(desk.library_folder).save(points(1))
-    (desk.library_folder / ".program-999999-00.lock").write_text("4194303\narmui\nhost\n\n\n")
-    window = library_window(desk)
+def test_a_killed_program_is_not_there(app_driver):
+    Library(app_driver.library_folder).save(points(1))
+    (app_driver.library_folder / ".program-999999-00.lock").write_text("4194303\narmui\nhost\n\n\n")
+    window = library_window(app_driver)
     # the lock names another computer's process: it may live
     assert "host" in company(window)
-    (desk.library_folder / ".program-999999-00.lock").unlink()
+    (app_driver.library_folder / ".program-999999-00.lock").unlink()
     window.refresh()
     assert not company(window)
 

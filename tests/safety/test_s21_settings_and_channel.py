@@ -12,10 +12,10 @@ import pytest
 from filelock import FileLock
 
 from armui.arm.device import Device
-from armui.control.neighbours import Neighbours
-from armui.control.situation import Situation
-from armui.presence import Presence
+from armui.control.link.neighbours import Neighbours
+from armui.control.operating_state import OperatingState
 from armui.settings import SettingsStore, _lock_path
+from armui.system.presence import Presence
 from tests.ui.fake_controller import FakeController
 
 LOOK_S = 0.01
@@ -88,7 +88,7 @@ def test_those_who_are_there_count_each_other(tmp_path):
 
 def test_a_program_that_was_killed_is_not_there(tmp_path):
     code = (
-        "import sys, time; from pathlib import Path; from armui.presence import Presence\n"
+        "import sys, time; from pathlib import Path; from armui.system.presence import Presence\n"
         "here = Presence(Path(sys.argv[1])); here.enter()\n"
         "print('there', flush=True); time.sleep(60)"
     )
@@ -123,11 +123,13 @@ def two(qapp, tmp_path):
 def test_each_says_that_the_other_is_on_the_channel(two, qtbot):
     controllers, told = two
     can0 = Device("socketcan", "can0", None)
-    controllers[0].situation_changed.emit(Situation(device=can0))
-    controllers[1].situation_changed.emit(Situation(device=Device("socketcan", "can1", None)))
+    controllers[0].operating_state_changed.emit(OperatingState(device=can0))
+    controllers[1].operating_state_changed.emit(
+        OperatingState(device=Device("socketcan", "can1", None))
+    )
     qtbot.wait(100)
     assert told == [[], []]
-    controllers[1].situation_changed.emit(Situation(device=can0))
+    controllers[1].operating_state_changed.emit(OperatingState(device=can0))
     qtbot.waitUntil(lambda: all(told))
     assert [[(n.code, n.params["device"]) for n in each] for each in told] == [
         [("channel_shared", can0)]

@@ -13,11 +13,11 @@ from hypothesis import strategies as st
 from armui.protocol.codes import MoveMode
 from armui.settings import Settings, SettingsStore
 from armui.trajectory import files
-from armui.trajectory.drafts import Drafts
 from armui.trajectory.files import TrajectoryFileError
-from armui.trajectory.library import Library
-from armui.trajectory.program import Trajectory, Waypoint
-from armui.trajectory.recording import Recording
+from armui.trajectory.library.drafts import Drafts
+from armui.trajectory.library.store import Library
+from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.trajectory.samples.recording import Recording
 from armui.viewport.errors import SceneError
 
 POINTS = Trajectory("a", "", (Waypoint(MoveMode.MOVE_J, (0.0, 10.0, -20.0, 0.0, 0.0, 0.0)),))

@@ -8,11 +8,12 @@ import pytest
 from PySide6.QtCore import QObject, QThread, Signal
 from PySide6.QtGui import QGuiApplication
 
-from armui import app, failures
-from armui.control.jog_ways import JointJog
-from armui.helper_process import HelperProcess
-from armui.log_file import log_to
+from armui import app
+from armui.control.motion.jog_path import JointJog
 from armui.start import StartOptions
+from armui.system import failures
+from armui.system.helper_process import HelperProcess
+from armui.system.log_file import log_to
 
 
 class Breaks(QObject):
@@ -114,18 +115,18 @@ def test_a_log_that_cannot_be_written_keeps_nothing_from_starting(tmp_path, in_t
         assert path is None
 
 
-def test_the_window_says_it_in_one_line_with_a_text_to_copy(desk, told):
+def test_the_window_says_it_in_one_line_with_a_text_to_copy(app_driver, told):
     breaks = Breaks()
     breaks.said.emit()
-    line = desk.find("failure_line")
+    line = app_driver.find("failure_line")
     assert line.isVisible()
     assert "ZeroDivisionError: in a slot" in line.text()
     assert "\n" not in line.text()
-    desk.click("failure_copy_button")
+    app_driver.click("failure_copy_button")
     assert 'raise ZeroDivisionError("in a slot")' in QGuiApplication.clipboard().text()
     breaks.said.emit()
     assert "2 times" in line.text()
-    desk.click("failure_close_button")
+    app_driver.click("failure_close_button")
     assert not line.isVisible()
 
 
@@ -134,7 +135,7 @@ def test_a_jog_whose_part_fails_ends_and_the_stop_still_stops(any_desk, told, mo
     arm.ready()
     jogging = arm.controller.jogging
     assert jogging.start(JointJog(1, 1)) is None
-    arm.run_until(lambda: arm.controller.situation.jogging)
+    arm.run_until(lambda: arm.controller.operating_state.jogging)
     arm.run(0.5)
 
     def breaks():
@@ -152,34 +153,34 @@ def test_a_jog_whose_part_fails_ends_and_the_stop_still_stops(any_desk, told, mo
     arm.run_until(lambda: "stop_confirmed" in arm.codes(), 1.0)
 
 
-def test_a_part_that_drives_nothing_ends_no_motion(desk, told, monkeypatch):
-    desk.ready()
-    assert desk.controller.motion.send_joints([20.0, 10.0, -10.0, 0.0, 0.0, 0.0]) is None
-    desk.run_until(lambda: desk.controller.situation.moving)
+def test_a_part_that_drives_nothing_ends_no_motion(app_driver, told, monkeypatch):
+    app_driver.ready()
+    assert app_driver.controller.motion.send_joints([20.0, 10.0, -10.0, 0.0, 0.0, 0.0]) is None
+    app_driver.run_until(lambda: app_driver.controller.operating_state.moving)
 
     def breaks():
         raise ArithmeticError("of no motion")
 
-    monkeypatch.setattr(desk.controller.recorder, "advance", breaks)
-    desk.run(10.0)
-    assert desk.controller.state.angles_deg()[0] == pytest.approx(20.0, abs=0.1)
-    assert "ArithmeticError: of no motion" in desk.find("failure_line").text()
+    monkeypatch.setattr(app_driver.controller.recorder, "advance", breaks)
+    app_driver.run(10.0)
+    assert app_driver.controller.state.angles_deg()[0] == pytest.approx(20.0, abs=0.1)
+    assert "ArithmeticError: of no motion" in app_driver.find("failure_line").text()
 
 
 def test_an_error_of_our_own_in_the_bus_thread_is_told_and_a_lost_device_is_not(
-    bench, told, monkeypatch, qtbot
+    rig, told, monkeypatch, qtbot
 ):
-    bench.connect()
-    bench.unplug(OSError(19, "gone"))
-    qtbot.waitUntil(lambda: "link_lost" in bench.codes())
+    rig.connect()
+    rig.unplug(OSError(19, "gone"))
+    qtbot.waitUntil(lambda: "link_lost" in rig.codes())
     assert told == []
-    bench.plug_in()
-    qtbot.waitUntil(lambda: "reconnected" in bench.codes())
+    rig.plug_in()
+    qtbot.waitUntil(lambda: "reconnected" in rig.codes())
 
     monkeypatch.setattr(
-        bench.controller._connection._worker, "_take_in", None
+        rig.controller._connection._worker, "_take_in", None
     )  # calling it raises in the worker
-    bench.node.poll(0.02)
+    rig.node.poll(0.02)
     qtbot.waitUntil(lambda: bool(told))
     assert told[0].error.startswith("TypeError")
 
@@ -187,7 +188,7 @@ def test_an_error_of_our_own_in_the_bus_thread_is_told_and_a_lost_device_is_not(
 def test_the_program_runs_with_hooks_and_a_log(tmp_path, monkeypatch):
     seen = []
     before = sys.excepthook
-    monkeypatch.setattr("armui.paths.logs", lambda: tmp_path / "logs")
+    monkeypatch.setattr("armui.system.paths.logs", lambda: tmp_path / "logs")
     monkeypatch.setattr("armui.app._run", lambda _options: seen.append(sys.excepthook) or 7)
     assert app.run(StartOptions()) == 7
     assert seen[0] is not before

@@ -10,14 +10,14 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
 
-from armui.control.jog_ways import JointJog
+from armui.control.motion.jog_path import JointJog
 from armui.protocol.generation import Generation
 from armui.viewport.client import PictureClient
 from armui.viewport.path_picture import PathPicture, Preview
 from armui.viewport.watch import Restarts
+from tests.app_driver import AppDriver
 from tests.control.jogger import bend, hold
 from tests.control.under_way import run_moving
-from tests.desk import Desk
 from tests.waiting import wait_until
 
 pytestmark = [
@@ -46,12 +46,14 @@ def no_thread_outlives_the_test():
 def drawing(qapp, request, tmp_path, pictures):
     """The whole window before an enabled arm, with the picture on the screen."""
     settings = tmp_path / "settings.json"
-    desk = Desk(qapp, request.node.nodeid, settings, Generation.TWO, draws=True, pictures=pictures)
-    bend(desk)
-    wait_until(lambda: desk.program.view.is_settled)
+    app_driver = AppDriver(
+        qapp, request.node.nodeid, settings, Generation.TWO, draws=True, pictures=pictures
+    )
+    bend(app_driver)
+    wait_until(lambda: app_driver.program.view.is_settled)
     pictures._link._restarts = Restarts()  # each test loses as many as it likes
-    yield desk
-    desk.close()
+    yield app_driver
+    app_driver.close()
 
 
 @pytest.fixture
@@ -70,22 +72,22 @@ def freeze(client):
     os.kill(client.pid, signal.SIGSTOP)
 
 
-def move(desk):
-    assert desk.controller.motion.send_joints(TARGET_DEG) is None
-    desk.run(0.2)
+def move(app_driver):
+    assert app_driver.controller.motion.send_joints(TARGET_DEG) is None
+    app_driver.run(0.2)
 
 
-def jog(desk):
-    assert desk.controller.jogging.start(JointJog(1, 1)) is None
-    hold(desk, 0.3)
+def jog(app_driver):
+    assert app_driver.controller.jogging.start(JointJog(1, 1)) is None
+    hold(app_driver, 0.3)
 
 
-def press_stop(desk):
+def press_stop(app_driver):
     """Press the button; what is on the bus when the press returns."""
-    desk.heard()
-    stop = desk.window.findChild(QPushButton, "stop_button")
+    app_driver.heard()
+    stop = app_driver.window.findChild(QPushButton, "stop_button")
     QTest.mousePress(stop, Qt.MouseButton.LeftButton)
-    frames = desk.heard()
+    frames = app_driver.heard()
     QTest.mouseRelease(stop, Qt.MouseButton.LeftButton)
     return [(frame.arbitration_id, frame.data.hex()) for frame in frames]
 

@@ -7,10 +7,10 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from armui.control.situation import StopState
+from armui.control.operating_state import StopState
 from armui.protocol.codes import LinkageRole, TeachingState
 from armui.protocol.frame import Frame
-from armui.sim.settings import Linkage
+from armui.sim.parameters.settings import LinkageSettings
 from armui.ui.widgets.halt_button import HaltButton
 from tests.control.jogger import fastest_deg_s
 from tests.control.under_way import RUNS, joint_jog, motion_paused, tool_jog
@@ -21,24 +21,24 @@ ABORT = bytes.fromhex("00 06 00 00 00 00 00 00")
 STEP_S = 0.002
 
 
-def single_motion(bench):
-    bench.controller.motion.set_speed_percent(100)
-    assert bench.controller.motion.send_joints((100.0, 0.0, 0.0, 0.0, 0.0, 0.0)) is None
-    bench.run(0.5)
-    assert fastest_deg_s(bench) > 50
+def single_motion(rig):
+    rig.controller.motion.set_speed_percent(100)
+    assert rig.controller.motion.send_joints((100.0, 0.0, 0.0, 0.0, 0.0, 0.0)) is None
+    rig.run(0.5)
+    assert fastest_deg_s(rig) > 50
 
 
-def teaching_replay(bench):
+def teaching_replay(rig):
     """The arm's own recording of a hand, run by the arm itself."""
-    teach = bench.controller.teaching.command
+    teach = rig.controller.teaching.command
     teach(TeachingState.START_RECORDING)
-    bench.run(0.1)
-    bench.firmware.hand.lead_to((40.0, 40.0, -40.0, 0.0, 0.0, 0.0), speed_deg_s=20.0)
-    bench.run(2.5)
+    rig.run(0.1)
+    rig.firmware.hand_guiding.lead_to((40.0, 40.0, -40.0, 0.0, 0.0, 0.0), speed_deg_s=20.0)
+    rig.run(2.5)
     teach(TeachingState.STOP_RECORDING)
-    bench.run(0.2)
+    rig.run(0.2)
     teach(TeachingState.RUN_RECORDING)
-    bench.run_until(lambda: bench.firmware.status == 0x0C and bench.firmware.body.moving)
+    rig.run_until(lambda: rig.firmware.status == 0x0C and rig.firmware.mechanics.moving)
 
 
 MOTIONS = {
@@ -52,47 +52,47 @@ MOTIONS = {
 
 @pytest.mark.parametrize("begin", MOTIONS.values(), ids=MOTIONS)
 def test_it_ends_whatever_is_under_way_and_nothing_comes_back(any_bench, begin):
-    bench = any_bench
+    rig = any_bench
     if begin not in (joint_jog, tool_jog):
-        bench.ready()
-    begin(bench)
-    assert bench.controller.halt_and_hold() is None
-    bench.run(1.0)
-    assert fastest_deg_s(bench) == 0.0
-    held_deg = bench.firmware.joints_deg
-    assert all(bench.firmware.enabled)
-    bench.run(3.0)
-    assert bench.firmware.joints_deg == held_deg
-    situation = bench.controller.situation
-    assert not situation.running
-    assert not situation.jogging
-    assert not situation.holds
-    assert situation.stop is StopState.RUNNING
-    assert "halt_at_rest" in bench.codes()
+        rig.ready()
+    begin(rig)
+    assert rig.controller.halt_and_hold() is None
+    rig.run(1.0)
+    assert fastest_deg_s(rig) == 0.0
+    held_deg = rig.firmware.joints_deg
+    assert all(rig.firmware.enabled)
+    rig.run(3.0)
+    assert rig.firmware.joints_deg == held_deg
+    operating_state = rig.controller.operating_state
+    assert not operating_state.running
+    assert not operating_state.jogging
+    assert not operating_state.holds
+    assert operating_state.stop is StopState.RUNNING
+    assert "halt_at_rest" in rig.codes()
 
 
-def test_the_literal_frames_go_out_on_all_three_identifiers(bench):
-    bench.ready()
-    bench.heard()
-    assert bench.controller.halt_and_hold() is None
-    bench._settle()
+def test_the_literal_frames_go_out_on_all_three_identifiers(rig):
+    rig.ready()
+    rig.heard()
+    assert rig.controller.halt_and_hold() is None
+    rig._settle()
     said = []
-    while (message := bench._arm_bus.recv(0)) is not None:
+    while (message := rig._arm_bus.recv(0)) is not None:
         said.append(Frame(message.arbitration_id, bytes(message.data)))
     assert said == [Frame(each, ABORT) for each in (0x150, 0x160, 0x170)]
 
 
 def test_it_reaches_an_arm_whose_control_offset_is_not_proven(any_bench):
-    bench = any_bench
-    bench.firmware.settings.linkage = Linkage(LinkageRole.MOTION_OUTPUT, 0x10, 0x20)
-    bench.firmware._take_linkage()
-    bench.controller.connect_device(bench.device)
-    bench.run_until(lambda: "linkage_found" in bench.codes())
-    bench.run_until(lambda: "limits_read" in bench.codes())
-    assert not bench.controller.situation.control_certain
-    bench.controller.motors.enable()
-    bench.run_until(lambda: all(bench.firmware.enabled))
-    with can.Bus(interface="virtual", channel=bench.channel) as other:
+    rig = any_bench
+    rig.firmware.settings.linkage = LinkageSettings(LinkageRole.MOTION_OUTPUT, 0x10, 0x20)
+    rig.firmware._take_linkage()
+    rig.controller.connect_device(rig.device)
+    rig.run_until(lambda: "linkage_found" in rig.codes())
+    rig.run_until(lambda: "limits_read" in rig.codes())
+    assert not rig.controller.operating_state.control_certain
+    rig.controller.motors.enable()
+    rig.run_until(lambda: all(rig.firmware.enabled))
+    with can.Bus(interface="virtual", channel=rig.channel) as other:
         for line in (*target(100, 0, 0, 0, 0, 0), mode(100)):
             identifier, data = line.split("#")
             other.send(
@@ -102,55 +102,55 @@ def test_it_reaches_an_arm_whose_control_offset_is_not_proven(any_bench):
                     is_extended_id=False,
                 )
             )
-        bench.run(0.5)
-    assert fastest_deg_s(bench) > 50
-    assert bench.controller.halt_and_hold() is None
-    bench.run(1.0)
-    assert fastest_deg_s(bench) == 0.0
-    assert all(bench.firmware.enabled)
+        rig.run(0.5)
+    assert fastest_deg_s(rig) > 50
+    assert rig.controller.halt_and_hold() is None
+    rig.run(1.0)
+    assert fastest_deg_s(rig) == 0.0
+    assert all(rig.firmware.enabled)
 
 
-def test_what_waits_to_be_sent_is_dropped(bench):
-    bench.ready()
+def test_what_waits_to_be_sent_is_dropped(rig):
+    rig.ready()
     held = []
-    bench._host_bus.send = lambda *_args, **_kwargs: held.append(1) or _full()
-    bench.controller.motion.send_joints((10.0, 0.0, 0.0, 0.0, 0.0, 0.0))
-    bench.controller.halt_and_hold()
-    del bench._host_bus.send
-    bench.run(1.0)
-    assert bench.firmware.joints_deg == (0.0,) * 6
+    rig._host_bus.send = lambda *_args, **_kwargs: held.append(1) or _full()
+    rig.controller.motion.send_joints((10.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    rig.controller.halt_and_hold()
+    del rig._host_bus.send
+    rig.run(1.0)
+    assert rig.firmware.joints_deg == (0.0,) * 6
 
 
 def _full():
     raise can.CanOperationError("Transmit buffer full")
 
 
-def test_refused_only_where_nothing_can_be_reached(bench):
-    assert bench.controller.halt_and_hold().code == "not_connected"
-    bench.device = replace(bench.device, listen_only=True)
-    bench.controller.connect_device(bench.device)
-    bench.run(1.0)
-    assert bench.controller.halt_and_hold().code == "halt_listen_only"
-    bench.controller.emergency_stop()
-    bench._settle()
+def test_refused_only_where_nothing_can_be_reached(rig):
+    assert rig.controller.halt_and_hold().code == "not_connected"
+    rig.device = replace(rig.device, listen_only=True)
+    rig.controller.connect_device(rig.device)
+    rig.run(1.0)
+    assert rig.controller.halt_and_hold().code == "halt_listen_only"
+    rig.controller.emergency_stop()
+    rig._settle()
     said = []
-    while (message := bench._arm_bus.recv(0)) is not None:
+    while (message := rig._arm_bus.recv(0)) is not None:
         said.append(message.arbitration_id)
     assert said == [0x150, 0x160, 0x170]  # the operator's stop is all that is ever sent
 
 
-def test_an_arm_that_does_not_come_to_rest_is_said(bench):
-    bench.ready()
-    ear = HardOfHearing(bench.firmware)
-    bench.controller.motion.set_speed_percent(20)
-    bench.controller.motion.send_joints((140.0, 0.0, 0.0, 0.0, 0.0, 0.0))
-    bench.run(0.5)
+def test_an_arm_that_does_not_come_to_rest_is_said(rig):
+    rig.ready()
+    ear = HardOfHearing(rig.firmware)
+    rig.controller.motion.set_speed_percent(20)
+    rig.controller.motion.send_joints((140.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    rig.run(0.5)
     ear.deaf_to = {0x150, 0x160, 0x170}
-    bench.controller.halt_and_hold()
-    bench.run(0.9)
-    assert "cancel_unheeded" not in bench.codes()
-    bench.run(0.4)
-    assert bench.codes().count("cancel_unheeded") == 1
+    rig.controller.halt_and_hold()
+    rig.run(0.9)
+    assert "cancel_unheeded" not in rig.codes()
+    rig.run(0.4)
+    assert rig.codes().count("cancel_unheeded") == 1
 
 
 # The means: measured in the simulated arm ---------------------------------------------------------
@@ -158,14 +158,14 @@ def test_an_arm_that_does_not_come_to_rest_is_said(bench):
 
 def rest_after(arm, act):
     """Seconds from the press to rest, and degrees the joint has passed over meanwhile."""
-    begin = last = arm.body.positions_deg[0]
+    begin = last = arm.mechanics.positions_deg[0]
     act()
     elapsed_s = passed_deg = 0.0
     at_rest_s = None
     while elapsed_s < 3.0:
         arm.step(STEP_S)
         elapsed_s += STEP_S
-        now = arm.body.positions_deg[0]
+        now = arm.mechanics.positions_deg[0]
         passed_deg = max(passed_deg, abs(now - begin))
         if abs(now - last) > 1e-6:
             at_rest_s = None
@@ -188,7 +188,7 @@ def test_no_other_means_is_faster(generation):
     abort_s, abort_deg = rest_after(by_abort, lambda: tell(by_abort, "150#0006000000000000"))
     by_target = at_full_speed(generation)
     back_s, back_deg = rest_after(
-        by_target, lambda: tell(by_target, *target(*by_target.body.positions_deg), mode(100))
+        by_target, lambda: tell(by_target, *target(*by_target.mechanics.positions_deg), mode(100))
     )
     by_pause = at_full_speed(generation)
     pause_s, pause_deg = rest_after(by_pause, lambda: tell(by_pause, "150#0001000000000000"))
@@ -212,40 +212,40 @@ def test_the_stop_stays_the_stop(generation):
 # At hand ------------------------------------------------------------------------------------------
 
 
-def halts(desk):
-    return desk.codes().count("halt_sent")
+def halts(app_driver):
+    return app_driver.codes().count("halt_sent")
 
 
-def test_the_button_and_the_key_act_on_the_press(desk):
-    desk.connect_by_hand()
-    desk.enable_by_hand()
-    button = desk.find("halt_button")
+def test_the_button_and_the_key_act_on_the_press(app_driver):
+    app_driver.connect_by_hand()
+    app_driver.enable_by_hand()
+    button = app_driver.find("halt_button")
     assert (button.text(), button.isEnabled()) == ("Halt", True)
-    desk.press(button)
-    assert halts(desk) == 1
+    app_driver.press(button)
+    assert halts(app_driver) == 1
     QTest.mouseRelease(button, Qt.MouseButton.LeftButton)
-    assert halts(desk) == 1
-    QTest.keyPress(desk.window, Qt.Key.Key_F9)
-    assert halts(desk) == 2
-    assert desk.firmware.stopped is False
+    assert halts(app_driver) == 1
+    QTest.keyPress(app_driver.window, Qt.Key.Key_F9)
+    assert halts(app_driver) == 2
+    assert app_driver.firmware.stopped is False
 
 
-def test_it_is_smaller_than_the_stop_and_beside_it(desk):
-    halt, stop = desk.find("halt_button"), desk.find("stop_button")
+def test_it_is_smaller_than_the_stop_and_beside_it(app_driver):
+    halt, stop = app_driver.find("halt_button"), app_driver.find("stop_button")
     assert halt.width() < 0.7 * stop.width()
     assert 0 < stop.geometry().left() - halt.geometry().right() <= 16
     assert halt.width() >= halt.minimumSizeHint().width()
 
 
-def test_dialogs_have_it(desk):
-    desk.window.open_settings_dialog()
-    desk.window.open_connect_dialog()
-    dialogs = [dialog for dialog in desk.window._dialogs.values() if dialog.isVisible()]
+def test_dialogs_have_it(app_driver):
+    app_driver.window.open_settings_dialog()
+    app_driver.window.open_connect_dialog()
+    dialogs = [dialog for dialog in app_driver.window._dialogs.values() if dialog.isVisible()]
     assert len(dialogs) == 2
     for dialog in dialogs:
         assert dialog.findChild(HaltButton).isVisible()
 
 
-def test_chinese(desk):
-    desk.store.change(language="zh")
-    desk.wait(lambda: desk.find("halt_button").text() == "停住")
+def test_chinese(app_driver):
+    app_driver.store.change(language="zh")
+    app_driver.wait(lambda: app_driver.find("halt_button").text() == "停住")

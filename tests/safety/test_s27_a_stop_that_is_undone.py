@@ -3,17 +3,17 @@
 import pytest
 from PySide6.QtWidgets import QCheckBox
 
-from armui.control.situation import Level, StopState
+from armui.control.operating_state import Level, StopState
 from armui.ui.dialogs.settings import SettingsDialog
 from tests.sim.talk import RESUME
 
 
 @pytest.fixture
-def stopped(bench):
-    bench.ready()
-    bench.controller.emergency_stop()
-    bench.run_until(lambda: bench.controller.situation.stop is StopState.STOPPED)
-    return bench
+def stopped(rig):
+    rig.ready()
+    rig.controller.emergency_stop()
+    rig.run_until(lambda: rig.controller.operating_state.stop is StopState.STOPPED)
+    return rig
 
 
 def test_it_is_said_at_once_and_not_stopped_again(stopped, other_host):
@@ -22,7 +22,7 @@ def test_it_is_said_at_once_and_not_stopped_again(stopped, other_host):
     told = [each for each in stopped.notices if each.code == "stop_undone"]
     assert [each.level for each in told] == [Level.FAULT]
     assert not stopped.firmware.stopped
-    assert stopped.controller.situation.stop is StopState.RUNNING
+    assert stopped.controller.operating_state.stop is StopState.RUNNING
 
 
 def test_as_a_setting_it_stops_again(stopped, other_host):
@@ -45,18 +45,18 @@ def test_a_resume_from_here_is_none(stopped):
     assert not stopped.firmware.stopped
 
 
-def test_another_hosts_stop_may_be_undone_by_it(bench, other_host):
-    bench.ready()
+def test_another_hosts_stop_may_be_undone_by_it(rig, other_host):
+    rig.ready()
     other_host.say("150#0100000000000000")
-    bench.run_until(lambda: bench.controller.situation.stop is StopState.STOPPED)
+    rig.run_until(lambda: rig.controller.operating_state.stop is StopState.STOPPED)
     other_host.say(RESUME)
-    bench.run(0.5)
-    assert "stop_undone" not in bench.codes()
+    rig.run(0.5)
+    assert "stop_undone" not in rig.codes()
 
 
-def test_the_setting_is_off_until_the_operator_chooses_it(desk):
-    assert desk.store.settings.stop_again is False
-    desk.window.open_settings_dialog()
-    desk.click(desk.dialog(SettingsDialog).findChild(QCheckBox, "stop_again_box"))
-    assert desk.store.settings.stop_again is True
-    assert desk.controller._stop.stop_again is True
+def test_the_setting_is_off_until_the_operator_chooses_it(app_driver):
+    assert app_driver.store.settings.stop_again is False
+    app_driver.window.open_settings_dialog()
+    app_driver.click(app_driver.dialog(SettingsDialog).findChild(QCheckBox, "stop_again_box"))
+    assert app_driver.store.settings.stop_again is True
+    assert app_driver.controller._stop.stop_again is True

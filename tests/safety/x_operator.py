@@ -26,17 +26,17 @@ from armui.protocol.generation import Generation
 from armui.ui.dialogs.files import FileDialog, choose_file
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.widgets.stop_button import StopButton
-from tests.desk import Desk
+from tests.app_driver import AppDriver
 
 
 class Operator:
     """Opens what it is told, and counts what reaches the controller."""
 
-    def __init__(self, desk: Desk) -> None:
-        self.desk = desk
+    def __init__(self, app_driver: AppDriver) -> None:
+        self.app_driver = app_driver
         self.stops = self.halts = 0
-        desk.controller.emergency_stop = self._stop
-        desk.controller.halt_and_hold = self._halt
+        app_driver.controller.emergency_stop = self._stop
+        app_driver.controller.halt_and_hold = self._halt
         self._notifier = QSocketNotifier(sys.stdin.fileno(), QSocketNotifier.Type.Read)
         self._notifier.activated.connect(self._on_line)
         self._list: QListWidget | None = None
@@ -62,7 +62,7 @@ class Operator:
 
     def place(self, name):
         """Where the middle of a widget of the main window is on the screen."""
-        return _middle(self.desk.find(name))
+        return _middle(self.app_driver.find(name))
 
     def dialog_stop(self):
         """Where the stop button of the dialog is that was opened last."""
@@ -78,26 +78,26 @@ class Operator:
         return _middle(dialog.findChild(QLineEdit))
 
     def tool_tip(self):
-        place = self.desk.window.mapToGlobal(QPoint(60, 300))
-        QToolTip.showText(place, "a tip", self.desk.window)
+        place = self.app_driver.window.mapToGlobal(QPoint(60, 300))
+        QToolTip.showText(place, "a tip", self.app_driver.window)
         return QToolTip.isVisible()
 
     def file_dialog(self):
         dialog = choose_file(
-            self.desk.window,
-            self.desk.controller,
+            self.app_driver.window,
+            self.app_driver.controller,
             title="t",
             name_filter="all (*);;some (*.log)",
             on_chosen=lambda _path: None,
             start=Path.home(),
         )
-        dialog.move(self.desk.window.mapToGlobal(QPoint(60, 160)))
+        dialog.move(self.app_driver.window.mapToGlobal(QPoint(60, 160)))
         box = dialog.findChild(QComboBox, "fileTypeCombo")
         return _middle(box) if box is not None else None
 
     def draggable(self):
         """A list whose rows can be dragged, with the main window's stop beside it."""
-        self._list = QListWidget(self.desk.window)
+        self._list = QListWidget(self.app_driver.window)
         self._list.setDragEnabled(True)
         self._list.setAcceptDrops(True)
         for number in range(5):
@@ -118,9 +118,9 @@ class Operator:
         return True
 
     def _settings(self):
-        self.desk.window.open_settings_dialog()
-        dialog = self.desk.dialog(SettingsDialog)
-        dialog.move(self.desk.window.mapToGlobal(QPoint(60, 220)))
+        self.app_driver.window.open_settings_dialog()
+        dialog = self.app_driver.dialog(SettingsDialog)
+        dialog.move(self.app_driver.window.mapToGlobal(QPoint(60, 220)))
         return dialog
 
 
@@ -151,13 +151,15 @@ def main() -> None:
     app = QApplication(sys.argv[:1])
     app.setAttribute(Qt.ApplicationAttribute.AA_DontShowIconsInMenus)
     with tempfile.TemporaryDirectory() as folder:
-        desk = Desk(app, f"x-operator-{os.getpid()}", Path(folder) / "s.json", Generation.TWO)
-        desk.window.move(0, 0)
-        operator = Operator(desk)
+        app_driver = AppDriver(
+            app, f"x-operator-{os.getpid()}", Path(folder) / "s.json", Generation.TWO
+        )
+        app_driver.window.move(0, 0)
+        operator = Operator(app_driver)
         QTimer.singleShot(0, lambda: print(json.dumps("ready"), flush=True))
         app.exec()
         del operator
-        desk.close()
+        app_driver.close()
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ import pytest
 from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation
 from armui.sim import command
-from armui.sim.faults import FAULTS, Fault
+from armui.sim.faults.schedule import FAULTS, Fault
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
 from tests.sim.talk import ENABLE, frame, mode, tell

@@ -13,7 +13,7 @@ from armui.protocol.codec import OddityKind
 from armui.protocol.codes import EndLoad
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
-from armui.sim.settings import Light
+from armui.sim.parameters.settings import Light
 from tests.sim.talk import BOTH, frame, heard, tell, text
 
 ONE, TWO = Generation.ONE, Generation.TWO

@@ -84,7 +84,7 @@ def test_a_new_mode_word_leaves_every_joint_limp_though_powered(word: str) -> No
     assert arm.enabled == (True,) * 6
     for joint in (1, 2):
         assert abs(arm.joints_deg[joint] - before[joint]) > 5.0
-    assert max(map(abs, arm.body.speeds_deg_s)) > 20.0
+    assert max(map(abs, arm.mechanics.speeds_deg_s)) > 20.0
 
 
 def test_after_a_mode_word_each_joint_waits_for_its_own_frame() -> None:

@@ -7,9 +7,9 @@ import pytest
 from armui.protocol.codec import Codec, Message
 from armui.protocol.codes import ArmStatusCode, EndLoad, MotionState
 from armui.protocol.generation import Generation
-from armui.sim.faults import FAULTS, Fault, FaultError, Faults, fault, read_fault
+from armui.sim.faults.faulty_link import FaultyLink
+from armui.sim.faults.schedule import FAULTS, Fault, FaultError, Faults, fault, read_fault
 from armui.sim.firmware import Firmware
-from armui.sim.line import Line
 from tests.sim.talk import BOTH, ENABLE, RESUME, heard, mode, ready, target, tell
 
 ONE, TWO = Generation.ONE, Generation.TWO
@@ -19,7 +19,7 @@ CLEAR_ALL = "475#0700000000AE0000"
 
 
 def breaking(arm: Firmware) -> Faults:
-    return Faults(arm, Line())
+    return Faults(arm, FaultyLink())
 
 
 def told(arm: Firmware) -> tuple[str, str, list[str]]:
@@ -200,7 +200,7 @@ def test_a_heated_motor_cools_and_the_alarm_ends_with_it() -> None:
 
 def test_a_load_nobody_told_the_arm_of_is_taken_for_a_collision() -> None:
     arm = ready(joints_deg=LEANING)
-    arm.upkeep.hang(1.5)
+    arm.settings_applier.hang(1.5)
     arm.step(0.1)
     assert arm.status is ArmStatusCode.COLLISION
     told_so = ready(joints_deg=LEANING)
@@ -232,7 +232,7 @@ def test_stopped_feedback_still_answers() -> None:
 def test_planned_faults_begin_and_end_at_their_time() -> None:
     arm = Firmware(TWO)
     late, early = fault("sensor-error", 1, start_s=2.0, end_s=3.0), fault("sensor-error", 2)
-    faults = Faults(arm, Line(), [late, early])
+    faults = Faults(arm, FaultyLink(), [late, early])
     seen = []
     for tick in range(9):
         faults.at(tick * 0.5)

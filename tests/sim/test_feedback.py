@@ -7,7 +7,7 @@ from collections import Counter
 
 import pytest
 
-from armui.arm.kinematics import Kinematics
+from armui.kinematics.kinematics import Kinematics
 from armui.protocol.codec import Codec, Message
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation

@@ -11,9 +11,9 @@ from armui.protocol.addressing import Addressing
 from armui.protocol.codes import ArmStatusCode, ControlMode, EndLoad, LinkageRole
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
-from armui.sim.flash import FileFlash, MemoryFlash
-from armui.sim.settings import Linkage, Settings, TeachingHandle
-from armui.sim.settings_text import SettingsTextError, from_text, to_text
+from armui.sim.parameters.flash import FileFlash, MemoryFlash
+from armui.sim.parameters.settings import ArmSettingsRecord, HandleSettings, LinkageSettings
+from armui.sim.parameters.settings_text import SettingsTextError, from_text, to_text
 from tests.sim.talk import BOTH, STOP, heard, mode, ready, target, tell
 
 TWO = Generation.TWO
@@ -113,7 +113,7 @@ def test_a_broken_file_is_kept_aside(tmp_path: Path, content: bytes, reason: str
     path.write_bytes(content)
     flash = FileFlash(path)
     arm = Firmware(TWO, flash=flash)
-    assert arm.settings == Settings()
+    assert arm.settings == ArmSettingsRecord()
     assert flash.trouble.startswith(f"{path} is broken, factory values in use: ")
     assert reason in flash.trouble
     assert flash.trouble.endswith("; kept as arm.json.broken")
@@ -125,11 +125,11 @@ def test_a_broken_file_is_kept_aside(tmp_path: Path, content: bytes, reason: str
 
 def test_a_truncated_file_is_broken(tmp_path: Path) -> None:
     path = tmp_path / "arm.json"
-    text = to_text(Settings())
+    text = to_text(ArmSettingsRecord())
     for length in range(0, len(text) - 1, 97):
         path.write_text(text[:length], encoding="utf-8")
         flash = FileFlash(path)
-        assert flash.load() == Settings()
+        assert flash.load() == ArmSettingsRecord()
         assert flash.trouble
 
 
@@ -143,7 +143,7 @@ def test_a_folder_that_is_not_there_is_told_and_the_arm_goes_on(tmp_path: Path) 
 
 def test_a_folder_in_place_of_the_file_is_told(tmp_path: Path) -> None:
     flash = FileFlash(tmp_path)
-    assert flash.load() == Settings()
+    assert flash.load() == ArmSettingsRecord()
     assert flash.trouble.startswith(f"cannot read {tmp_path}, factory values in use: ")
 
 
@@ -152,7 +152,7 @@ def test_a_failed_write_leaves_the_old_file_and_no_other(
 ) -> None:
     path = tmp_path / "arm.json"
     flash = FileFlash(path)
-    flash.save(Settings())
+    flash.save(ArmSettingsRecord())
     before = path.read_bytes()
 
     def full(*_: object) -> None:
@@ -160,11 +160,11 @@ def test_a_failed_write_leaves_the_old_file_and_no_other(
 
     with monkeypatch.context() as patch:
         patch.setattr("os.fsync", full)
-        flash.save(Settings(load=EndLoad.FULL))
+        flash.save(ArmSettingsRecord(load=EndLoad.FULL))
     assert flash.trouble == f"cannot write {path}: No space left on device"
     assert path.read_bytes() == before
     assert list(tmp_path.iterdir()) == [path]
-    flash.save(Settings(load=EndLoad.FULL))
+    flash.save(ArmSettingsRecord(load=EndLoad.FULL))
     assert flash.trouble == ""
     assert FileFlash(path).load().load is EndLoad.FULL
 
@@ -177,11 +177,11 @@ def test_corrupt_limits_survive_as_they_are() -> None:
 
 
 def test_text_and_back() -> None:
-    settings = Settings(
+    settings = ArmSettingsRecord(
         collision_levels=(0, 8, 1, 2, 3, 4),
         load=EndLoad.HALF,
-        teaching=TeachingHandle(150, 100, 10),
-        linkage=Linkage(LinkageRole.TEACHING_INPUT, 0x10, 0x20, 0x10),
+        teaching=HandleSettings(150, 100, 10),
+        linkage=LinkageSettings(LinkageRole.TEACHING_INPUT, 0x10, 0x20, 0x10),
         zeros_deg=[0.1, -2.5, 3.0, 0.0, 0.0, 1e-9],
     )
     assert from_text(to_text(settings)) == settings
@@ -206,7 +206,7 @@ def test_text_and_back() -> None:
     ],
 )
 def test_text_that_says_something_else_is_refused(part: str, value: object, reason: str) -> None:
-    record = json.loads(to_text(Settings()))
+    record = json.loads(to_text(ArmSettingsRecord()))
     record[part] = value
     with pytest.raises(SettingsTextError, match=reason):
         from_text(json.dumps(record))

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from armui.protocol.addressing import Addressing
-from armui.protocol.codec import Codec, Oddity
+from armui.protocol.codec import Codec, InvalidFrame
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
@@ -78,7 +78,7 @@ def test_the_arm_never_raises_and_always_tells_valid_frames(
         codec = codec_of(generation, arm.addressing)
         # an answer to a change of offsets still has the identifier before it, which is the same
         for answer in (*answers, *arm.step(dt_s)):
-            assert not isinstance(codec.decode(answer), Oddity), answer
+            assert not isinstance(codec.decode(answer), InvalidFrame), answer
 
 
 @settings(max_examples=100, deadline=None)
@@ -112,7 +112,7 @@ def test_half_a_million_frames_of_garbage_leave_the_arm_running_and_truthful(
             arm.on_frame(each)
         told = arm.step(0.005)
     codec = codec_of(generation, arm.addressing)
-    assert not [each for each in told if isinstance(codec.decode(each), Oddity)]
+    assert not [each for each in told if isinstance(codec.decode(each), InvalidFrame)]
     assert sum(arm.ignored.values()) > 400_000
     home = Firmware(generation, flash=arm.flash)
     for each in ("150#0200000000000000", "422#0000000000000000", "470#FC00000000000000"):

@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from armui.arm.kinematics import Kinematics
 from armui.arm.limits import FACTORY_LIMITS
-from armui.sim.gravity import gravity_torques_nm
+from armui.kinematics.kinematics import Kinematics
+from armui.sim.mechanics.gravity import gravity_torques_nm
 
 poses = st.tuples(*(st.floats(j.min_deg, j.max_deg) for j in FACTORY_LIMITS))
 HAND_N = 9.81 * 0.6

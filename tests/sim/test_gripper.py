@@ -6,7 +6,7 @@ import pytest
 
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
-from armui.sim.gripper import GripperError
+from armui.sim.mechanics.gripper import GripperError
 from tests.sim.talk import BOTH, STOP, heard, tell
 
 ONE, TWO = Generation.ONE, Generation.TWO
@@ -145,7 +145,7 @@ def test_a_stopped_arm_takes_no_gripper_command(generation: Generation) -> None:
 def test_a_leaders_jaws_follow_the_hand_and_its_follower_follows() -> None:
     leader, follower = Firmware(TWO), Firmware(TWO)
     tell(leader, "470#FA00000000000000")
-    leader.hand.gripper_to = 30.0
+    leader.hand_guiding.gripper_to = 30.0
     for _ in range(200):
         for each in leader.step(0.005):
             follower.on_frame(each)

@@ -7,9 +7,9 @@ import pytest
 
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.sim.faults import read_fault
+from armui.sim.faults.faulty_link import FaultyLink
+from armui.sim.faults.schedule import read_fault
 from armui.sim.firmware import Firmware
-from armui.sim.line import Line
 from armui.sim.node import Node
 from tests.sim.talk import ENABLE, frame
 
@@ -17,18 +17,18 @@ FRAMES = [Frame(0x151, bytes((number,) * 8)) for number in range(100)]
 
 
 def test_a_good_line_changes_nothing() -> None:
-    line = Line()
+    line = FaultyLink()
     assert line.to_arm(FRAMES, 0.0) == FRAMES
     assert line.to_bus(FRAMES, 0.0, 0.005) == (FRAMES, 0)
 
 
 def test_lost_frames_are_missing_and_the_rest_is_in_order() -> None:
-    line = Line(seed=1)
+    line = FaultyLink(seed=1)
     line.loss = 0.3
     kept, lost = line.to_bus(FRAMES * 100, 0.0, 0.005)
     assert len(kept) + lost == 10_000
     assert lost == pytest.approx(3_000, rel=0.1)
-    again = Line(seed=1)
+    again = FaultyLink(seed=1)
     again.loss = 0.3
     assert again.to_bus(FRAMES * 100, 0.0, 0.005) == (kept, lost)
     one_way = line.to_arm(FRAMES, 0.0)
@@ -37,7 +37,7 @@ def test_lost_frames_are_missing_and_the_rest_is_in_order() -> None:
 
 
 def test_late_frames_arrive_in_order_and_complete() -> None:
-    line = Line()
+    line = FaultyLink()
     line.latency_s = 0.02
     arrived = [line.to_arm(FRAMES[tick : tick + 1], tick * 0.005) for tick in range(10)]
     assert arrived == [[]] * 4 + [[each] for each in FRAMES[:6]]
@@ -48,7 +48,7 @@ def test_late_frames_arrive_in_order_and_complete() -> None:
 
 
 def test_off_means_nothing_either_way() -> None:
-    line = Line()
+    line = FaultyLink()
     line.latency_s = 0.1
     line.to_arm(FRAMES, 0.0)
     line.to_bus(FRAMES, 0.0, 0.005)
@@ -61,7 +61,7 @@ def test_off_means_nothing_either_way() -> None:
 
 
 def test_garbage_comes_at_its_rate_and_is_always_a_frame() -> None:
-    line = Line()
+    line = FaultyLink()
     line.garbage_per_s = 1500.0
     frames = [each for _ in range(200) for each in line.to_bus([], 0.0, 0.005)[0]]
     assert len(frames) == 1500
@@ -123,7 +123,7 @@ def test_an_arm_that_is_bus_off_hears_nothing() -> None:
 
 
 def test_the_next_frames_of_one_identifier_get_lost_and_no_others() -> None:
-    line = Line()
+    line = FaultyLink()
     modes = [Frame(0x151, bytes((number,) * 8)) for number in range(3)]
     others = [Frame(0x155, bytes(8))]
     line.lose_to_arm(0x151)
@@ -137,7 +137,7 @@ def test_the_next_frames_of_one_identifier_get_lost_and_no_others() -> None:
 
 
 def test_one_identifier_is_silent_until_it_is_not() -> None:
-    line = Line()
+    line = FaultyLink()
     line.mute_on |= {0x2A5, 0x2A6}
     line.deaf_to.add(0x150)
     told = [Frame(identifier, bytes(8)) for identifier in (0x2A1, 0x2A5, 0x2A6)]

@@ -54,7 +54,7 @@ def test_generation_1_leads_with_an_angle_and_a_speed_and_sets_it_with_four_byte
 def test_leader_and_follower_move_together(generation: Generation, offset: int) -> None:
     ahead, behind = leader(generation, target_offset=offset), ready(generation)
     tell(behind, f"470#FC00{offset:02X}0000000000")
-    ahead.hand.lead_to(THERE, speed_deg_s=40.0)
+    ahead.hand_guiding.lead_to(THERE, speed_deg_s=40.0)
     strays = []
     for _ in range(600):
         for each in ahead.step(0.005):
@@ -74,7 +74,7 @@ def test_leader_and_follower_move_together(generation: Generation, offset: int) 
 
 def test_a_follower_elsewhere_hears_nothing() -> None:
     ahead, behind = leader(target_offset=0x10), ready()
-    ahead.hand.lead_to(THERE)
+    ahead.hand_guiding.lead_to(THERE)
     for _ in range(100):
         for each in ahead.step(0.005):
             behind.on_frame(each)
@@ -122,7 +122,7 @@ def test_a_teaching_input_still_answers_questions() -> None:
 @pytest.mark.parametrize("generation", BOTH)
 def test_0xfc_makes_it_a_motion_output_in_standby_again(generation: Generation) -> None:
     arm = leader(generation)
-    arm.hand.lead_to(THERE)
+    arm.hand_guiding.lead_to(THERE)
     arm.step(2.0)
     assert tell(arm, "470#FC00000000000000") == ANSWER
     assert arm.control_mode is ControlMode.STANDBY
@@ -130,7 +130,7 @@ def test_0xfc_makes_it_a_motion_output_in_standby_again(generation: Generation) 
     assert heard(frames, 0x2A1)
     assert not heard(frames, 0x155)
     # the hand is not felt any more
-    arm.hand.lead_to(HOME)
+    arm.hand_guiding.lead_to(HOME)
     arm.step(1.0)
     assert arm.joints_deg == THERE
     tell(arm, mode(100), *target(*HOME))
@@ -174,14 +174,14 @@ def test_role_0_changes_the_offsets_only() -> None:
 
 def test_a_hand_moves_no_arm_that_holds_its_joints_and_none_beyond_its_stops() -> None:
     arm = ready()
-    arm.hand.push((10.0, 0, 0, 0, 0, 0))
+    arm.hand_guiding.push((10.0, 0, 0, 0, 0, 0))
     arm.step(1.0)
     assert arm.joints_deg == HOME
     arm = leader()
-    arm.hand.push((0.0, -10.0, 0, 0, 0, 100.0))
+    arm.hand_guiding.push((0.0, -10.0, 0, 0, 0, 100.0))
     arm.step(2.0)
     assert arm.joints_deg == (0, 0, 0, 0, 0, 120.0)
-    arm.hand.let_go()
+    arm.hand_guiding.let_go()
     arm.step(1.0)
     assert arm.joints_deg == (0, 0, 0, 0, 0, 120.0)
 

@@ -6,11 +6,11 @@ import math
 
 import pytest
 
-from armui.arm.kinematics import Kinematics
+from armui.kinematics.kinematics import Kinematics
 from armui.protocol.codec import Codec, Message
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
-from armui.sim.gravity import gravity_torques_nm
+from armui.sim.mechanics.gravity import gravity_torques_nm
 from tests.sim.talk import DISABLE, STOP, ready, tell
 
 TWO = Generation.TWO
@@ -57,12 +57,12 @@ def test_a_real_load_counts_whatever_the_host_says() -> None:
     arm = ready(joints_deg=LEANING)
     tell(arm, NO_DETECTION)
     empty = current_a(arm, 2)
-    arm.upkeep.hang(1.5)
+    arm.settings_applier.hang(1.5)
     loaded = current_a(arm, 2)
     assert loaded < empty - 0.4
     tell(arm, *LOADS)
     assert current_a(arm, 2) == loaded
-    arm.upkeep.hang(None)
+    arm.settings_applier.hang(None)
     tell(arm, LOADS[0])
     assert current_a(arm, 2) == empty
 

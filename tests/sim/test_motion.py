@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from armui.arm.limits import FACTORY_LIMITS
-from armui.sim.motion import SLOWEST_DEG_S, JointMotion, MotionError
+from armui.sim.mechanics.powered_joints import SLOWEST_DEG_S, JointMotion, MotionError
 
 STEP_S = 0.001
 SPEED = math.degrees(3.0)

@@ -70,10 +70,10 @@ def test_emergency_stop_halts_at_once_and_cuts_the_power(generation: Generation)
     arm = ready(generation)
     tell(arm, mode(100), *target(90.0, 90.0, -90.0, 0, 0, 0))
     arm.step(0.4)
-    fast, before = arm.body.speeds_deg_s, arm.joints_deg
+    fast, before = arm.mechanics.speeds_deg_s, arm.joints_deg
     assert max(map(abs, fast)) > 50.0
     assert tell(arm, STOP) == []
-    assert arm.body.speeds_deg_s == (0.0,) * 6
+    assert arm.mechanics.speeds_deg_s == (0.0,) * 6
     assert enabled_bits(arm) == "000000"
     # joint 1 carries no weight: it stands where it was
     assert arm.joints_deg[0] == before[0]
@@ -111,7 +111,7 @@ def test_the_speeds_of_a_sinking_arm_are_those_of_its_positions() -> None:
     for _ in range(100):
         before = arm.joints_deg
         arm.step(0.005)
-        for a, b, speed in zip(before, arm.joints_deg, arm.body.speeds_deg_s, strict=True):
+        for a, b, speed in zip(before, arm.joints_deg, arm.mechanics.speeds_deg_s, strict=True):
             assert (b - a) / 0.005 == pytest.approx(speed, abs=1e-6)
 
 
@@ -153,7 +153,7 @@ def test_disabling_drops_the_arm_to_rest_and_it_lies_still() -> None:
     assert at_rest != LEANING
     arm.step(10.0)
     assert arm.joints_deg == at_rest
-    assert arm.body.speeds_deg_s == (0.0,) * 6
+    assert arm.mechanics.speeds_deg_s == (0.0,) * 6
 
 
 def test_an_arm_folded_on_its_base_has_nowhere_to_fall() -> None:
@@ -218,11 +218,11 @@ def test_a_stop_in_the_middle_of_a_drop_catches_it_with_damping() -> None:
     arm = ready(joints_deg=LEANING)
     tell(arm, DISABLE)
     arm.step(0.3)
-    fast = arm.body.speeds_deg_s[1]
+    fast = arm.mechanics.speeds_deg_s[1]
     tell(arm, STOP)
     arm.step(1.0)
     assert fast > 20.0
-    assert 0.0 < arm.body.speeds_deg_s[1] <= 5.0
+    assert 0.0 < arm.mechanics.speeds_deg_s[1] <= 5.0
 
 
 def test_disabling_a_stopped_arm_does_not_undo_the_damping() -> None:
@@ -230,4 +230,4 @@ def test_disabling_a_stopped_arm_does_not_undo_the_damping() -> None:
     tell(arm, STOP)
     assert tell(arm, DISABLE) == ["476#7100000000000000"]
     arm.step(1.0)
-    assert 0.0 < arm.body.speeds_deg_s[1] <= 5.0
+    assert 0.0 < arm.mechanics.speeds_deg_s[1] <= 5.0

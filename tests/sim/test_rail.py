@@ -8,12 +8,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from armui.sim.rail import Rail
+from armui.sim.motion.path_profile import PathProfile
 
 STEP_S = 0.001
 
 
-def duration_s(rail: Rail) -> float:
+def duration_s(rail: PathProfile) -> float:
     steps = 0
     while not rail.at_end:
         rail.advance(STEP_S)
@@ -30,7 +30,7 @@ def duration_s(rail: Rail) -> float:
     ],
 )
 def test_the_time_it_takes(end: float, top_speed: float, expected_s: float) -> None:
-    rail = Rail(end, 25.0)
+    rail = PathProfile(end, 25.0)
     rail.run(top_speed)
     assert duration_s(rail) == pytest.approx(expected_s, abs=2 * STEP_S)
     assert rail.position == end
@@ -38,7 +38,7 @@ def test_the_time_it_takes(end: float, top_speed: float, expected_s: float) -> N
 
 
 def test_it_does_not_run_unasked_and_a_halted_one_stays() -> None:
-    rail = Rail(10.0, 25.0)
+    rail = PathProfile(10.0, 25.0)
     rail.advance(1.0)
     assert rail.position == 0.0
     assert not rail.moving
@@ -66,7 +66,7 @@ def test_it_does_not_run_unasked_and_a_halted_one_stays() -> None:
 def test_limits_hold_and_the_end_is_exact_whatever_is_asked_on_the_way(
     end: float, acceleration: float, orders: list[tuple[float, int]]
 ) -> None:
-    rail = Rail(end, acceleration)
+    rail = PathProfile(end, acceleration)
     track = [rail.position]
     for top_speed, steps in orders:
         rail.run(top_speed)

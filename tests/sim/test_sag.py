@@ -26,7 +26,7 @@ HERE = (0.0, 40.0, -40.0, 0.0, 0.0, 0.0)
 def sagging(joints_deg: tuple[float, ...] = HERE) -> Firmware:
     """Brought by a motion to where it stands."""
     arm = ready()
-    arm.body.sag_deg = SAG
+    arm.mechanics.sag_deg = SAG
     tell(arm, mode(100), *target(*joints_deg))
     arm.step(3.0)
     assert arm.motion_state is MotionState.REACHED
@@ -95,9 +95,9 @@ def test_a_motion_of_the_tool_starts_without_a_jump_and_ends_beside_its_target(m
         fastest = max(fastest, *(abs(a - b) for a, b in zip(arm.joints_deg, before, strict=True)))
     assert arm.motion_state is MotionState.REACHED
     assert 0.0 < fastest < 172.0 * 0.005
-    reached = arm.kinematics.forward(arm.body.setpoints_deg)
+    reached = arm.kinematics.forward(arm.mechanics.setpoints_deg)
     assert reached[2] == pytest.approx(pose[2] + 10.0, abs=0.01)
-    assert off_by(arm, arm.body.setpoints_deg) == pytest.approx(SAG)
+    assert off_by(arm, arm.mechanics.setpoints_deg) == pytest.approx(SAG)
 
 
 def test_an_arm_that_does_not_sag_is_at_its_setpoints() -> None:
@@ -105,4 +105,4 @@ def test_an_arm_that_does_not_sag_is_at_its_setpoints() -> None:
     assert arm.on_frame(frame(mode(100))) == []
     tell(arm, *target(*HERE))
     arm.step(3.0)
-    assert arm.joints_deg == arm.body.setpoints_deg == HERE
+    assert arm.joints_deg == arm.mechanics.setpoints_deg == HERE

@@ -22,10 +22,10 @@ from typing import IO, Any, NamedTuple
 import can
 import pytest
 
-from armui.arm.kinematics import Kinematics
+from armui.kinematics.kinematics import Kinematics
 from armui.protocol.codes import ArmStatusCode, EndLoad, MotionState
 from armui.protocol.generation import Generation
-from armui.sim.faults import Fault, fault
+from armui.sim.faults.schedule import Fault, fault
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
 

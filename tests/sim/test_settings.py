@@ -7,13 +7,13 @@ from itertools import pairwise
 
 import pytest
 
-from armui.arm.kinematics import Geometry, Kinematics
+from armui.kinematics.kinematics import Geometry, Kinematics
 from armui.protocol.codec import Codec, Message
 from armui.protocol.codes import ArmStatusCode, EndLoad
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
-from armui.sim.settings import Light
+from armui.sim.parameters.settings import Light
 from tests.sim.talk import (
     BOTH,
     DISABLE,

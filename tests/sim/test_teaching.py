@@ -27,11 +27,11 @@ def taught(generation: Generation = TWO) -> Firmware:
     """An arm that was led from home to `THERE` and back half the way."""
     arm = ready(generation)
     tell(arm, RECORD)
-    arm.hand.lead_to(THERE, speed_deg_s=40.0)
+    arm.hand_guiding.lead_to(THERE, speed_deg_s=40.0)
     arm.step(1.5)
-    arm.hand.lead_to(HOME, speed_deg_s=20.0)
+    arm.hand_guiding.lead_to(HOME, speed_deg_s=20.0)
     arm.step(1.0)
-    arm.hand.let_go()
+    arm.hand_guiding.let_go()
     tell(arm, END)
     return arm
 
@@ -64,7 +64,7 @@ def test_recording_and_replaying_as_the_frames_tell_it(generation: Generation) -
     assert tell(arm, RECORD) == []
     # teaching mode, status 0x0B, MOVE P, teaching state 1, reached
     assert status_bytes(arm) == "020B000100000000"
-    arm.hand.lead_to(THERE, speed_deg_s=40.0)
+    arm.hand_guiding.lead_to(THERE, speed_deg_s=40.0)
     arm.step(1.5)
     assert arm.joints_deg == THERE
     assert tell(arm, END) == []
@@ -124,7 +124,7 @@ def test_an_aborted_replay_stays_where_it_brakes() -> None:
 def test_dragging_too_fast_ends_the_recording() -> None:
     arm = ready()
     tell(arm, RECORD)
-    arm.hand.push((0, 200.0, 0, 0, 0, 0))  # more than 3 rad/s
+    arm.hand_guiding.push((0, 200.0, 0, 0, 0, 0))  # more than 3 rad/s
     arm.step(0.1)
     assert status_bytes(arm)[:4] == "0208"
     stopped_at = arm.joints_deg

@@ -8,8 +8,8 @@ from collections.abc import Callable, Sequence
 import numpy as np
 import pytest
 
-from armui.arm.kinematics import Kinematics, Matrix, Pose, pose_to_matrix
-from armui.arm.tool_path import Arc, Line
+from armui.kinematics.kinematics import Kinematics, Matrix, Pose, pose_to_matrix
+from armui.kinematics.tool_path import Arc, Line
 from armui.protocol.codes import ArmStatusCode, MotionState
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware

@@ -9,9 +9,9 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 
-from armui.arm.kinematics import Kinematics, Pose, matrix_to_pose, pose_to_matrix
 from armui.arm.limits import FACTORY_LIMITS, check_joints
-from armui.arm.tool_path import Line
+from armui.kinematics.kinematics import Kinematics, Pose, matrix_to_pose, pose_to_matrix
+from armui.kinematics.tool_path import Line
 from armui.protocol.codes import ArmStatusCode, MotionState
 from armui.protocol.generation import Generation
 from tests.sim.talk import BOTH, arc_point, mode, pose_target, ready, status_bytes, target, tell

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from armui.arm.kinematics import Kinematics
 from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS
 from armui.arm.model import ArmModel
 from armui.arm.state import EndLimits
+from armui.kinematics.kinematics import Kinematics
 from armui.protocol.codes import MoveMode
-from armui.trajectory.program import Trajectory, Waypoint
+from armui.trajectory.points.program import Trajectory, Waypoint
 
 KINEMATICS = Kinematics()
 ARM = ArmModel(

@@ -19,9 +19,9 @@ from pathlib import Path
 import numpy as np
 
 from armui.protocol.codes import MoveMode
-from armui.trajectory.library import Library
-from armui.trajectory.program import Trajectory, Waypoint
-from armui.trajectory.recording import Recording
+from armui.trajectory.library.store import Library
+from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.trajectory.samples.recording import Recording
 
 STAYS = "never touched"
 POINT = Waypoint(MoveMode.MOVE_J, (0.0, 10.0, -20.0, 0.0, 0.0, 0.0))

@@ -8,7 +8,7 @@ import numpy as np
 from hypothesis import strategies as st
 
 from armui.protocol.codes import MoveMode
-from armui.trajectory.program import (
+from armui.trajectory.points.program import (
     JOINT_NAMES,
     LONGEST_NAME,
     POSE_NAMES,
@@ -20,7 +20,7 @@ from armui.trajectory.program import (
     Trajectory,
     Waypoint,
 )
-from armui.trajectory.recording import Recording
+from armui.trajectory.samples.recording import Recording
 
 
 def figure(name: str) -> st.SearchStrategy[float]:

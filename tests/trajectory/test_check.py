@@ -9,13 +9,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from armui.arm.batch import skeletons
-from armui.trajectory.check import Report, check
-from armui.trajectory.collision import collisions, segment_distances
-from armui.trajectory.findings import SEVERITIES, Severity
-from armui.trajectory.program import GripperOpening, Waypoint
-from armui.trajectory.recording import Recording
-from armui.trajectory.timing import plan_path
+from armui.kinematics.batch import skeletons
+from armui.trajectory.planning.check import Report, check
+from armui.trajectory.planning.collision import collisions, segment_distances
+from armui.trajectory.planning.findings import SEVERITIES, Severity
+from armui.trajectory.planning.timing import plan_path
+from armui.trajectory.points.program import GripperOpening, Waypoint
+from armui.trajectory.samples.recording import Recording
 from tests.trajectory.arms import ARM, HERE, KINEMATICS, joint, line, pose, pose_near, run
 
 

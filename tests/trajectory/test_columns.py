@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 
 from armui.protocol.codes import MoveMode
 from armui.trajectory import columns
-from armui.trajectory.columns import Column, ColumnMapping, Quantity
+from armui.trajectory.columns import ColumnMapping, Quantity, TableColumn
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.files.errors import CODES
-from armui.trajectory.program import GripperOpening, Trajectory
-from armui.trajectory.recording import Recording
+from armui.trajectory.points.program import GripperOpening, Trajectory
+from armui.trajectory.samples.recording import Recording
 
 JOINTS = [f"J{joint}" for joint in range(1, 7)]
 
@@ -37,7 +37,7 @@ def mapping(*names, **options):
     chosen = []
     for name in names:
         quantity, _, unit = name.partition(" ")
-        chosen.append(None if name == "-" else Column(Quantity(quantity), unit))
+        chosen.append(None if name == "-" else TableColumn(Quantity(quantity), unit))
     return ColumnMapping(tuple(chosen), **options)
 
 

@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from armui.trajectory import columns
-from armui.trajectory.columns import Build, Encoding
+from armui.trajectory.columns import Dialect, Encoding
 from armui.trajectory.columns.encodings import decode_as, guess_encoding
 from armui.trajectory.columns.model import DECIMALS, DELIMITERS
 from armui.trajectory.files import TrajectoryFileError
@@ -17,7 +17,7 @@ ROW = "1,5;2;3\n"
 
 
 def built(text, **said):
-    sheet = columns.sniff(text, Build(**said))
+    sheet = columns.sniff(text, Dialect(**said))
     return sheet.delimiter, sheet.decimal, sheet.first_line, sheet.width
 
 
@@ -31,7 +31,7 @@ def test_what_is_said_counts_also_where_it_makes_little_sense():
     assert built(ROW * 3, delimiter=",") == (",", ".", 1, 2)
     assert built(ROW * 3, delimiter="\t")[3] == 1
     assert built(ROW * 3, delimiter=";", decimal=".") == (";", ".", 1, 3)
-    sheet = columns.sniff("some prose\nand more\n", Build(delimiter=";"))
+    sheet = columns.sniff("some prose\nand more\n", Dialect(delimiter=";"))
     assert (sheet.width, sheet.preview) == (1, (("some prose",), ("and more",)))
     assert [guess.column for guess in sheet.guesses] == [None]
 
@@ -40,13 +40,13 @@ def test_the_line_of_the_first_figures_is_said():
     text = "# by hand\n7;8;9\nt;j1;j2\n0;1;2\n1;1;2\n"
     sheet = columns.sniff(text)
     assert (sheet.first_line, sheet.header, sheet.count) == (2, (), 4)
-    sheet = columns.sniff(text, Build(first_line=4))
+    sheet = columns.sniff(text, Dialect(first_line=4))
     assert (sheet.first_line, sheet.header, sheet.count) == (4, ("t", "j1", "j2"), 2)
     assert [guess.column and str(guess.column.quantity) for guess in sheet.guesses] == [
         *("time", "J1", "J2")
     ]
     assert sheet.preview[0] == ("0", "1", "2")
-    assert columns.sniff(text, Build(first_line=999)).first_line == 5
+    assert columns.sniff(text, Dialect(first_line=999)).first_line == 5
 
 
 def test_what_stands_above_the_first_line_is_no_measure_of_the_table():
@@ -115,9 +115,9 @@ def test_a_file_is_read_anew_as_the_operator_says(tmp_path):
     path.write_bytes("éa;b\n1;2\n".encode("cp1252"))  # also valid in GBK, as another character
     table = columns.open_table(path)
     assert table.encoding is Encoding.GBK
-    assert table.read_anew(Encoding.WESTERN, Build()).sheet.header == ("éa", "b")
+    assert table.read_anew(Encoding.WESTERN, Dialect()).sheet.header == ("éa", "b")
     with pytest.raises(TrajectoryFileError) as caught:
-        table.read_anew(Encoding.UTF_8, Build())
+        table.read_anew(Encoding.UTF_8, Dialect())
     error = caught.value
     assert (error.file, error.line, error.column) == ("表.txt", 1, 1)
     assert (error.reason.code, error.reason.params) == ("file_not_encoding", {"value": "UTF-8"})
@@ -150,7 +150,7 @@ def outcome(call, *arguments):
     st.binary(max_size=120) | st.text("0123456789.,;\t| -#é时\n", max_size=120).map(str.encode),
     st.none() | st.sampled_from(list(Encoding)),
     st.builds(
-        Build,
+        Dialect,
         st.none() | st.sampled_from(DELIMITERS),
         st.none() | st.sampled_from(DECIMALS),
         st.none() | st.integers(1, 9),

@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from armui.protocol.codes import MoveMode
-from armui.trajectory.library import Library, LibraryError
-from armui.trajectory.program import Trajectory, Waypoint
+from armui.trajectory.library.store import Library, LibraryError
+from armui.trajectory.points.program import Trajectory, Waypoint
 
 POINT = Waypoint(MoveMode.MOVE_J, (0.0, 10.0, -20.0, 0.0, 0.0, 0.0))
 OLD = Trajectory("pick", "old", (POINT,) * 2)

@@ -7,15 +7,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from armui.arm.kinematics import Kinematics
 from armui.arm.refusal import Refusal
+from armui.kinematics.kinematics import Kinematics
 from armui.protocol.codes import MoveMode
-from armui.trajectory import edits
-from armui.trajectory.cells import Column, edited
-from armui.trajectory.clipboard import from_text, to_text
-from armui.trajectory.convert import to_move
 from armui.trajectory.files import TrajectoryFileError
-from armui.trajectory.program import GripperOpening, LightAction, Waypoint
+from armui.trajectory.planning.convert import to_move
+from armui.trajectory.points import edits
+from armui.trajectory.points.cells import PointColumn, edited
+from armui.trajectory.points.clipboard import from_text, to_text
+from armui.trajectory.points.program import GripperOpening, LightAction, Waypoint
 from tests.trajectory.strategies import POINTS
 
 
@@ -85,15 +85,15 @@ def test_a_difference_is_no_larger_than_it_must_be():
 @pytest.mark.parametrize(
     ("column", "text", "changed"),
     [
-        (Column.VALUE_1, "12.5°", {"target": (12.5, 10.0, -10.0, 0.0, 5.0, 0.0)}),
-        (Column.VALUE_6, "−3,25", {"target": (0.0, 10.0, -10.0, 0.0, 5.0, -3.25)}),
-        (Column.SPEED, "55 %", {"speed_percent": 55}),
-        (Column.DWELL, "1.5 s", {"dwell_s": 1.5}),
-        (Column.DWELL, "", {"dwell_s": 0.0}),
-        (Column.GRIPPER, "35mm@1Nm", {"gripper": GripperOpening(35.0, 1.0)}),
-        (Column.GRIPPER, "", {"gripper": None}),
-        (Column.LIGHT, "2/all:255,128,0", {"light": LightAction(2, 255, 128, 0)}),
-        (Column.NOTE, "over the tray", {"note": "over the tray"}),
+        (PointColumn.VALUE_1, "12.5°", {"target": (12.5, 10.0, -10.0, 0.0, 5.0, 0.0)}),
+        (PointColumn.VALUE_6, "−3,25", {"target": (0.0, 10.0, -10.0, 0.0, 5.0, -3.25)}),
+        (PointColumn.SPEED, "55 %", {"speed_percent": 55}),
+        (PointColumn.DWELL, "1.5 s", {"dwell_s": 1.5}),
+        (PointColumn.DWELL, "", {"dwell_s": 0.0}),
+        (PointColumn.GRIPPER, "35mm@1Nm", {"gripper": GripperOpening(35.0, 1.0)}),
+        (PointColumn.GRIPPER, "", {"gripper": None}),
+        (PointColumn.LIGHT, "2/all:255,128,0", {"light": LightAction(2, 255, 128, 0)}),
+        (PointColumn.NOTE, "over the tray", {"note": "over the tray"}),
     ],
 )
 def test_what_is_typed_into_a_cell(column, text, changed):
@@ -103,16 +103,16 @@ def test_what_is_typed_into_a_cell(column, text, changed):
 @pytest.mark.parametrize(
     ("column", "text", "code", "field"),
     [
-        (Column.VALUE_2, "abc", "point_not_a_number", "J2"),
-        (Column.VALUE_2, "", "point_not_a_number", "J2"),
-        (Column.VALUE_3, "361", "point_out_of_range", "J3"),
-        (Column.SPEED, "0", "point_out_of_range", "speed"),
-        (Column.SPEED, "12.5", "point_not_whole", "speed"),
-        (Column.DWELL, "-1", "point_out_of_range", "dwell"),
-        (Column.GRIPPER, "open", "option_bad", "gripper"),
-        (Column.GRIPPER, "900mm@1Nm", "point_out_of_range", "opening"),
-        (Column.LIGHT, "9/all:0,0,0", "option_bad", "light"),
-        (Column.MIDDLE, "1 2 3", "point_incomplete", "middle"),
+        (PointColumn.VALUE_2, "abc", "point_not_a_number", "J2"),
+        (PointColumn.VALUE_2, "", "point_not_a_number", "J2"),
+        (PointColumn.VALUE_3, "361", "point_out_of_range", "J3"),
+        (PointColumn.SPEED, "0", "point_out_of_range", "speed"),
+        (PointColumn.SPEED, "12.5", "point_not_whole", "speed"),
+        (PointColumn.DWELL, "-1", "point_out_of_range", "dwell"),
+        (PointColumn.GRIPPER, "open", "option_bad", "gripper"),
+        (PointColumn.GRIPPER, "900mm@1Nm", "point_out_of_range", "opening"),
+        (PointColumn.LIGHT, "9/all:0,0,0", "option_bad", "light"),
+        (PointColumn.MIDDLE, "1 2 3", "point_incomplete", "middle"),
     ],
 )
 def test_what_cannot_be_names_the_field(column, text, code, field):
@@ -123,7 +123,7 @@ def test_what_cannot_be_names_the_field(column, text, code, field):
 
 def test_a_middle_pose_is_six_figures_with_anything_between():
     arc = Waypoint(MoveMode.MOVE_C, (300.0, 0, 200, 0, 85, 0), (0.0,) * 6)
-    assert edited(arc, Column.MIDDLE, "250, 40; 210 0 85,0").middle == (250, 40, 210, 0, 85, 0)
+    assert edited(arc, PointColumn.MIDDLE, "250, 40; 210 0 85,0").middle == (250, 40, 210, 0, 85, 0)
 
 
 # The kind of motion -------------------------------------------------------------------------------

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from armui.trajectory.columns import Column, ColumnMapping, Quantity, apply, sniff
+from armui.trajectory.columns import ColumnMapping, Quantity, TableColumn, apply, sniff
 from armui.trajectory.files import TrajectoryFileError, log_samples
 from armui.trajectory.files.figures import read_figures
 
@@ -58,7 +58,10 @@ ROWS = st.lists(
     st.sampled_from([ROW, *ODD_ROWS]) | st.text("0123456789;.-e#", max_size=20), max_size=8
 )
 MAPPING = ColumnMapping(
-    (Column(Quantity.TIME, "s"), *(Column(Quantity(f"J{joint}"), "°") for joint in range(1, 7)))
+    (
+        TableColumn(Quantity.TIME, "s"),
+        *(TableColumn(Quantity(f"J{joint}"), "°") for joint in range(1, 7)),
+    )
 )
 
 

@@ -15,8 +15,8 @@ from armui.protocol.codes import MoveMode
 from armui.trajectory import files
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.files.errors import CODES
-from armui.trajectory.program import GripperOpening, LightAction, Trajectory, Waypoint
-from armui.trajectory.recording import Recording
+from armui.trajectory.points.program import GripperOpening, LightAction, Trajectory, Waypoint
+from armui.trajectory.samples.recording import Recording
 from tests.trajectory.strategies import RECORDINGS, TRAJECTORIES
 
 TEXT_FORMATS = (".log", ".csv", ".json")

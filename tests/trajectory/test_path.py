@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from armui.trajectory.path import Path
+from armui.trajectory.planning.planned_path import PlannedPath
 
 
 def path(rows):
     count = len(rows)
-    return Path(
+    return PlannedPath(
         times_s=np.linspace(0.0, 1.0, count),
         joints_deg=np.outer(np.arange(count), np.ones(6)),
         places_mm=np.zeros((count, 3)),

@@ -11,13 +11,13 @@ import numpy as np
 import pytest
 from hypothesis import given
 
-from armui.arm.kinematics import Kinematics
 from armui.arm.limits import FACTORY_LIMITS
 from armui.arm.refusal import Refusal
+from armui.kinematics.kinematics import Kinematics
 from armui.protocol.codes import MoveMode
-from armui.trajectory import search
-from armui.trajectory.convert import to_joints, to_pose
-from armui.trajectory.program import (
+from armui.trajectory.planning.convert import to_joints, to_pose
+from armui.trajectory.points import search
+from armui.trajectory.points.program import (
     GripperOpening,
     LightAction,
     Trajectory,
@@ -25,7 +25,7 @@ from armui.trajectory.program import (
     check_point,
     check_trajectory,
 )
-from armui.trajectory.recording import Recording, check_recording
+from armui.trajectory.samples.recording import Recording, check_recording
 from tests.trajectory.strategies import RECORDINGS, TRAJECTORIES
 
 HERE = (10.0, 70.0, -60.0, 10.0, 25.0, -20.0)
@@ -168,5 +168,5 @@ def test_find_and_replace_figures():
 
 
 def test_the_points_alone_need_no_numpy():
-    code = "import sys, armui.trajectory.program; sys.exit('numpy' in sys.modules)"
+    code = "import sys, armui.trajectory.points.program; sys.exit('numpy' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from armui.arm.limits import FACTORY_LIMITS
-from armui.trajectory.recording import Recording
-from armui.trajectory.thin import thin, to_points, trim
+from armui.trajectory.samples.recording import Recording
+from armui.trajectory.samples.thin import thin, to_points, trim
 
 
 def recording(joints_deg, step_s=0.01, opening_mm=np.nan):

@@ -9,15 +9,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from armui.arm.kinematics import Geometry, Kinematics
-from armui.arm.tool_path import Line
-from armui.control import replayer
+from armui.control.run import replayer
+from armui.kinematics.kinematics import Geometry, Kinematics
+from armui.kinematics.tool_path import Line
 from armui.protocol.codes import MotionState, MoveMode
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
-from armui.trajectory.program import Trajectory, Waypoint
-from armui.trajectory.recording import Recording
-from armui.trajectory.timing import APPROACH_PERCENT, plan_path
+from armui.trajectory.planning.timing import APPROACH_PERCENT, plan_path
+from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.trajectory.samples.recording import Recording
 from tests.sim.talk import arc_point, mode, pose_target, ready, target, tell
 from tests.trajectory.arms import ARM, HERE, KINEMATICS, arc, joint, line, pose, pose_near, run
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from ruckig import InputParameter, Ruckig, Trajectory
 
-from armui.trajectory import trapezoids
+from armui.trajectory.planning import trapezoids
 
 COUNT = 60
 

@@ -7,8 +7,8 @@ from dataclasses import replace
 from typing import Any
 
 from armui.arm.device import Device
-from armui.arm.state import ArmState, Heard, Status
-from armui.control.situation import LinkState, Situation
+from armui.arm.state import ArmState, Reading, Status
+from armui.control.operating_state import LinkState, OperatingState
 
 NOW_S = 100.0
 SIX_FALSE = (False,) * 6
@@ -41,15 +41,15 @@ def arm_state(
     return ArmState(
         sequence=sequence,
         last_feedback_s=at_s,
-        status=Heard(status(**status_changes), at_s),
-        joints_deg=tuple(Heard(angle, at_s) for angle in angles_deg),
-        pose=tuple(Heard(value, at_s) for value in pose),
+        status=Reading(status(**status_changes), at_s),
+        joints_deg=tuple(Reading(angle, at_s) for angle in angles_deg),
+        pose=tuple(Reading(value, at_s) for value in pose),
     )
 
 
-def situation(**changes: Any) -> Situation:
+def operating_state(**changes: Any) -> OperatingState:
     """Online, enabled, free to move."""
-    ready = Situation(
+    ready = OperatingState(
         link=LinkState.ONLINE,
         device=Device("virtual", "test", label="Simulated arm", simulated=True, generation=1),
         enabled=(True,) * 6,

@@ -12,21 +12,21 @@ from armui.arm.device import Device
 from armui.arm.parameters import Batch, Parameter
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
-from armui.control.gripper_ranges import Figures, figures_of
-from armui.control.recovery_steps import Action, Kind, Step
-from armui.control.setting_cell import Cell
-from armui.control.setting_checks import Changes
-from armui.control.situation import Level, Situation
-from armui.control.teaching_phase import why_not
+from armui.control.devices.gripper_ranges import Figures, figures_of
+from armui.control.devices.teaching_phase import why_not
+from armui.control.operating_state import Level, OperatingState
+from armui.control.parameters.setting_cell import SettingCellState
+from armui.control.parameters.setting_checks import Changes
+from armui.control.safety.recovery_steps import Action, Step, StepKind
 from armui.protocol.codes import ALL_JOINTS, LinkageRole, TeachingState, TrajectoryCommand
-from tests.ui.arm_states import arm_state, situation
+from tests.ui.arm_states import arm_state, operating_state
 
 
 class FakeController(QObject):
     """Has the signals and methods of ``ArmController``; ``calls`` holds what was asked."""
 
     state_changed = Signal(object)
-    situation_changed = Signal(object)
+    operating_state_changed = Signal(object)
     step_changed = Signal(object)
     noticed = Signal(object)
     devices_found = Signal(object)
@@ -35,7 +35,7 @@ class FakeController(QObject):
     def __init__(self) -> None:
         super().__init__()
         self.state = ArmState()
-        self.situation = Situation(speed_percent=30)
+        self.operating_state = OperatingState(speed_percent=30)
         self.calls: list[tuple[Any, ...]] = []
         self.answer: Refusal | None = None
         self.motion = FakeMotion(self)
@@ -58,12 +58,12 @@ class FakeController(QObject):
         self.state = state
         self.state_changed.emit(state)
 
-    def be(self, new: Situation) -> None:
-        self.situation = new
-        self.situation_changed.emit(new)
+    def be(self, new: OperatingState) -> None:
+        self.operating_state = new
+        self.operating_state_changed.emit(new)
 
     def be_ready(self, angles_deg: Sequence[float] = (0.0,) * 6) -> None:
-        self.be(situation())
+        self.be(operating_state())
         self.hear(arm_state(angles_deg))
 
     # what the windows ask
@@ -126,7 +126,7 @@ class FakeMotion:
         controller = self._controller
         refusal = controller._asked("set_speed_percent", percent)
         if refusal is None:
-            controller.be(replace(controller.situation, speed_percent=round(percent)))
+            controller.be(replace(controller.operating_state, speed_percent=round(percent)))
         return refusal
 
     def jog(self, joint: int, delta_deg: float) -> Refusal | None:
@@ -206,8 +206,8 @@ class FakeSettings(QObject):
         super().__init__(controller)
         self._controller = controller
 
-    def cell(self, parameter: Parameter) -> Cell:
-        return Cell()
+    def cell(self, parameter: Parameter) -> SettingCellState:
+        return SettingCellState()
 
     def read(self, batches: Iterable[Batch]) -> Refusal | None:
         return self._controller._asked("read_settings", tuple(batches))
@@ -227,7 +227,7 @@ class FakeTeaching:
         self.pending: TeachingState | None = None
 
     def why_not(self, command: TeachingState) -> Refusal | None:
-        return why_not(command, self._controller.state, self._controller.situation)
+        return why_not(command, self._controller.state, self._controller.operating_state)
 
     def command(self, command: TeachingState) -> Refusal | None:
         return self._controller._asked("teach", command)
@@ -241,7 +241,7 @@ class FakePlannedMotion:
         self.paused = False
 
     def why_not(self, _command: TrajectoryCommand) -> Refusal | None:
-        return self._controller.situation.unreachable
+        return self._controller.operating_state.unreachable
 
     def command(self, command: TrajectoryCommand) -> Refusal | None:
         return self._controller._asked("plan", command)
@@ -252,14 +252,14 @@ class FakeRecovery:
 
     def __init__(self, controller: FakeController) -> None:
         self._controller = controller
-        self.step = Step(Kind.NO_DEVICE, Level.INFO, action=Action.CONNECT)
+        self.step = Step(StepKind.NO_DEVICE, Level.INFO, action=Action.CONNECT)
 
     def show(self, step: Step) -> None:
         self.step = step
         self._controller.step_changed.emit(step)
 
     def why_not(self, _step: Step) -> Refusal | None:
-        return self._controller.situation.occupied
+        return self._controller.operating_state.occupied
 
     def act(self, step: Step) -> Refusal | None:
         return self._controller._asked("act", step)
@@ -272,7 +272,10 @@ class FakeZeroing:
         self._controller = controller
 
     def why_not(self) -> Refusal | None:
-        return self._controller.situation.cannot_enable or self._controller.situation.occupied
+        return (
+            self._controller.operating_state.cannot_enable
+            or self._controller.operating_state.occupied
+        )
 
     def set_zero(self, joint: int = ALL_JOINTS) -> Refusal | None:
         return self._controller._asked("set_zero", joint)
@@ -299,10 +302,10 @@ class FakeGripper:
 
     @property
     def figures(self) -> Figures:
-        return figures_of(self._controller.situation.generation, self._controller.state)
+        return figures_of(self._controller.operating_state.generation, self._controller.state)
 
     def why_not(self, *, moving: bool, letting_go: bool = False) -> Refusal | None:
-        return self._controller.situation.cannot_enable
+        return self._controller.operating_state.cannot_enable
 
     def learn_stroke(self) -> None:
         pass

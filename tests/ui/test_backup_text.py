@@ -7,7 +7,7 @@ import pytest
 
 from armui.arm.backup import Backup
 from armui.arm.refusal import Refusal
-from armui.control.situation import Level
+from armui.control.operating_state import Level
 from armui.protocol.generation import Generation
 from armui.ui.dialogs import backup_text
 

@@ -11,11 +11,11 @@ from pytestqt.qtbot import QtBot
 
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
-from armui.control.situation import LinkState, Situation
+from armui.control.operating_state import LinkState, OperatingState
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.translation import Translator
-from tests.ui.arm_states import situation
+from tests.ui.arm_states import operating_state
 from tests.ui.dialog_reading import message, shown, words_of
 from tests.ui.fake_controller import FakeController
 
@@ -203,7 +203,7 @@ def test_the_connected_device_is_marked_and_disconnected(
 ) -> None:
     assert not connect.disconnect_button.isEnabled()
     assert connect.disconnect_button.toolTip()
-    controller.be(situation(device=SIM_2))
+    controller.be(operating_state(device=SIM_2))
 
     assert [row[0] for row in cells(connect)] == ["Online", "", "", ""]
     assert not connect.connect_button.isEnabled()
@@ -224,7 +224,7 @@ def test_the_connected_device_is_marked_and_disconnected(
 def test_the_mark_says_how_the_link_is(
     controller: FakeController, connect: ConnectDialog, link: LinkState, word: str
 ) -> None:
-    controller.be(situation(device=CAN0, link=link))
+    controller.be(operating_state(device=CAN0, link=link))
 
     assert [row[0] for row in cells(connect)] == ["", "", word, ""]
 
@@ -232,7 +232,7 @@ def test_the_mark_says_how_the_link_is(
 def test_a_connected_device_that_no_search_found_is_listed(
     controller: FakeController, connect: ConnectDialog
 ) -> None:
-    controller.be(situation(device=Device("pcan", "PCAN_USBBUS1", 500_000)))
+    controller.be(operating_state(device=Device("pcan", "PCAN_USBBUS1", 500_000)))
 
     assert cells(connect)[-1] == ["Online", "PCAN", "PCAN_USBBUS1", "—", "500 kbit/s"]
 
@@ -240,7 +240,7 @@ def test_a_connected_device_that_no_search_found_is_listed(
 def test_the_chosen_bit_rate_makes_it_no_other_device(
     controller: FakeController, connect: ConnectDialog
 ) -> None:
-    controller.be(situation(device=Device("gs_usb", "0", 500_000, serial="0031002F")))
+    controller.be(operating_state(device=Device("gs_usb", "0", 500_000, serial="0031002F")))
 
     assert cells(connect)[3] == ["Online", "candleLight (gs_usb)", "0", "0031002F", "500 kbit/s"]
     assert len(cells(connect)) == 4
@@ -249,7 +249,7 @@ def test_the_chosen_bit_rate_makes_it_no_other_device(
 def test_a_device_that_does_not_open_says_why_and_what_to_do(
     controller: FakeController, connect: ConnectDialog
 ) -> None:
-    controller.be(Situation(link_problem=Refusal("bus_busy", {"device": "can0"})))
+    controller.be(OperatingState(link_problem=Refusal("bus_busy", {"device": "can0"})))
 
     assert message(connect) == (
         "can0 is in use by another program. Close that program, then connect again."
@@ -259,7 +259,7 @@ def test_a_device_that_does_not_open_says_why_and_what_to_do(
 
 def test_offline_says_what_to_check(controller: FakeController, connect: ConnectDialog) -> None:
     offline = Refusal("offline")
-    controller.be(situation(device=CAN0, link=LinkState.OFFLINE, cannot_move=offline))
+    controller.be(operating_state(device=CAN0, link=LinkState.OFFLINE, cannot_move=offline))
 
     assert "Check its power, the CAN cable and the bit rate." in message(connect)
 
@@ -267,7 +267,7 @@ def test_offline_says_what_to_check(controller: FakeController, connect: Connect
 def test_a_moving_arm_is_not_left_without_a_question(
     qtbot: QtBot, controller: FakeController, connect: ConnectDialog
 ) -> None:
-    controller.be(situation(device=SIM_2, moving=True))
+    controller.be(operating_state(device=SIM_2, moving=True))
     qtbot.mouseClick(connect.disconnect_button, LEFT)
     assert controller.calls[-1] == ("search_devices",)
 
@@ -280,7 +280,7 @@ def test_a_moving_arm_is_not_left_without_a_question(
 def test_the_words_in_the_table_change_with_the_language(
     controller: FakeController, connect: ConnectDialog, translator: Translator
 ) -> None:
-    controller.be(situation(device=SIM_2))
+    controller.be(operating_state(device=SIM_2))
     translator.set_language("zh")
     QApplication.processEvents()
 

@@ -11,8 +11,8 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication, QDialog, QLabel, QWidget
 from pytestqt.qtbot import QtBot
 
-from armui.control.joint_monitor import JointMonitor
-from armui.control.situation import StopState
+from armui.control.devices.joint_monitor import JointMonitor
+from armui.control.operating_state import StopState
 from armui.settings import SettingsStore
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.confirm import ConfirmDialog, confirm
@@ -25,7 +25,7 @@ from armui.ui.theme import Theme, apply_theme
 from armui.ui.translation import Translator
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.stop_shortcut import StopShortcut
-from tests.ui.arm_states import situation
+from tests.ui.arm_states import operating_state
 from tests.ui.dialog_reading import shown, words_of
 from tests.ui.fake_controller import FakeController
 
@@ -253,7 +253,7 @@ def test_the_stop_in_a_question_asks_no_question(
     qtbot: QtBot, controller: FakeController, asked: tuple[ConfirmDialog, list[str]]
 ) -> None:
     dialog, _answers = asked
-    controller.be(situation(stop=StopState.STOPPED))
+    controller.be(operating_state(stop=StopState.STOPPED))
     qtbot.mousePress(dialog.stop_button, LEFT)
 
     assert controller.calls == [("emergency_stop",)]

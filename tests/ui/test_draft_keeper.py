@@ -3,13 +3,13 @@
 from dataclasses import replace
 
 from armui.protocol.codes import MoveMode
-from armui.trajectory.library import Library
-from armui.trajectory.program import Trajectory, Waypoint
+from armui.trajectory.library.store import Library
+from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.background import Background
-from armui.ui.trajectory.document import Document
-from armui.ui.trajectory.draft_keeper import DraftKeeper
-from armui.ui.trajectory.library_work import LibraryWork
-from tests.desk import AtOnce, Slow
+from armui.ui.trajectory.editor.document import Document
+from armui.ui.trajectory.editor.draft_keeper import DraftKeeper
+from armui.ui.trajectory.library.library_work import LibraryWork
+from tests.app_driver import AtOnce, Slow
 
 
 def work_on(library, files, owner):

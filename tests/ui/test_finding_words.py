@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from PySide6.QtWidgets import QApplication
 
-from armui.trajectory.collision import PARTS
-from armui.trajectory.findings import SEVERITIES, Finding
+from armui.trajectory.planning.collision import PARTS
+from armui.trajectory.planning.findings import SEVERITIES, Finding
 from armui.ui import words
 from armui.ui.words import findings
 

@@ -12,21 +12,21 @@ from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from armui.arm.joint_status import Item, Verdict, Word
+from armui.arm.joint_status import Item, StatusVerdict, Word
 from armui.arm.refusal import Refusal
-from armui.arm.state import ArmState, DriverFast, DriverSlow, Heard
-from armui.control.joint_monitor import JointMonitor
-from armui.control.situation import LinkState
+from armui.arm.state import ArmState, DriverFast, DriverSlow, Reading
+from armui.control.devices.joint_monitor import JointMonitor
+from armui.control.operating_state import LinkState
 from armui.protocol.generation import Generation
 from armui.ui import words
 from armui.ui.dialogs.joint_status import JointStatusDialog
 from armui.ui.dialogs.joint_status_model import CELL_ROLE, CellView, JointStatusModel
+from armui.ui.shell.joint_status_button import JointStatusButton
 from armui.ui.theme import DARK, LIGHT, Colors
 from armui.ui.translation import LANGUAGES, Translator
 from armui.ui.widgets import state_mark
-from armui.ui.widgets.joint_status_button import JointStatusButton
 from armui.ui.widgets.state_mark import Mark
-from tests.ui.arm_states import NOW_S, arm_state, situation
+from tests.ui.arm_states import NOW_S, arm_state, operating_state
 from tests.ui.dialog_reading import message, shown
 from tests.ui.fake_controller import FakeController
 
@@ -54,10 +54,10 @@ WELL = DriverSlow(
 def arm(at_s: float = NOW_S, slow: dict[int, DriverSlow] | None = None) -> ArmState:
     """An arm of generation 1 whose drivers have been heard."""
     given = slow or {}
-    fast = Heard(DriverFast(speed_deg_s=-0.04, current_a=1.236, position_deg=None), at_s)
+    fast = Reading(DriverFast(speed_deg_s=-0.04, current_a=1.236, position_deg=None), at_s)
     return replace(
         arm_state(at_s=at_s),
-        drivers_slow=tuple(Heard(given.get(joint, WELL), at_s) for joint in range(1, 7)),
+        drivers_slow=tuple(Reading(given.get(joint, WELL), at_s) for joint in range(1, 7)),
         drivers_fast=(fast,) * 6,
     )
 
@@ -80,7 +80,7 @@ def clock() -> Clock:
 @pytest.fixture
 def monitor(controller: FakeController, clock: Clock) -> JointMonitor:
     monitor = JointMonitor(controller, clock, controller)
-    controller.be(situation(generation=Generation.ONE))
+    controller.be(operating_state(generation=Generation.ONE))
     return monitor
 
 
@@ -187,7 +187,7 @@ def test_without_a_link_everything_heard_is_stale(
     controller: FakeController, model: JointStatusModel
 ) -> None:
     controller.hear(arm())
-    controller.be(situation(generation=Generation.ONE, link=LinkState.LOST))
+    controller.be(operating_state(generation=Generation.ONE, link=LinkState.LOST))
     assert all(view(model, row, joint).stale for row in range(10) for joint in range(1, 7))
 
 
@@ -274,19 +274,19 @@ def test_the_button_says_the_worst_in_words_and_shape(
 def test_the_button_follows_the_link(
     controller: FakeController, button: JointStatusButton, link: LinkState, text: str
 ) -> None:
-    controller.be(situation(generation=None, link=link))
+    controller.be(operating_state(generation=None, link=link))
     assert button.state_text == text
 
 
 def test_the_button_is_drawn_again_only_when_the_worst_changes(
     controller: FakeController, monitor: JointMonitor
 ) -> None:
-    told: list[Verdict] = []
+    told: list[StatusVerdict] = []
     monitor.worst_changed.connect(lambda: told.append(monitor.worst.verdict))
     controller.hear(arm())
     controller.hear(arm(at_s=NOW_S + 0.1))
     controller.hear(arm(slow={1: replace(WELL, voltage_v=20.0)}))
-    assert told == [Verdict.NORMAL]
+    assert told == [StatusVerdict.NORMAL]
 
 
 # Words and marks ----------------------------------------------------------------------------------
@@ -315,17 +315,19 @@ MANUAL = {
     Word.DISABLED: "失能",
     Word.NOT_HOMED: "没有回零",
     Word.HOMED: "已经回零",
-    Verdict.NORMAL: "正常",
-    Verdict.DISABLED: "失能",
-    Verdict.UNKNOWN: "未知",
-    Verdict.FAULT: "有故障",
-    Verdict.OFFLINE: "离线",
+    StatusVerdict.NORMAL: "正常",
+    StatusVerdict.DISABLED: "失能",
+    StatusVerdict.UNKNOWN: "未知",
+    StatusVerdict.FAULT: "有故障",
+    StatusVerdict.OFFLINE: "离线",
 }
 
 
-@pytest.mark.parametrize("code", [*Item, *Word, *Verdict])
-def test_every_word_is_the_manuals(translator: Translator, code: Item | Word | Verdict) -> None:
-    look_up = {Item: words.joint_item, Word: words.joint_word, Verdict: words.joint_verdict}
+@pytest.mark.parametrize("code", [*Item, *Word, *StatusVerdict])
+def test_every_word_is_the_manuals(
+    translator: Translator, code: Item | Word | StatusVerdict
+) -> None:
+    look_up = {Item: words.joint_item, Word: words.joint_word, StatusVerdict: words.joint_verdict}
     english = look_up[type(code)](code)  # type: ignore[operator]
     assert english.isascii()
     translator.set_language("zh")

@@ -6,14 +6,14 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QAbstractButton, QLineEdit, QSlider, QWidget
 
 from armui.arm.refusal import Refusal
-from armui.control.situation import LinkState
+from armui.control.operating_state import LinkState
 from armui.protocol.codes import ALL_LAMPS
-from armui.ui.panels.light_panel import LightPanel
+from armui.ui.panels.light.color_strip import ColorStrip
+from armui.ui.panels.light.hue_field import HueField
+from armui.ui.panels.light.light_panel import LightPanel
 from armui.ui.translation import Translator
-from armui.ui.widgets.color_strip import ColorStrip
-from armui.ui.widgets.hue_field import HueField
 from armui.ui.widgets.message_line import MessageLine
-from tests.ui.arm_states import situation
+from tests.ui.arm_states import operating_state
 
 LEFT = Qt.MouseButton.LeftButton
 CHANNELS = ("red", "green", "blue")
@@ -25,7 +25,7 @@ def panel(qtbot, controller):
     qtbot.addWidget(panel)
     panel.resize(420, 690)
     panel.show()
-    controller.be(situation())
+    controller.be(operating_state())
     return panel
 
 
@@ -245,13 +245,13 @@ def test_a_wrong_lamp_is_said_unless_all_are_chosen(panel, qtbot):
     ],
 )
 def test_without_an_arm_the_button_says_why(panel, controller, qtbot, link, said):
-    controller.be(situation(link=link))
+    controller.be(operating_state(link=link))
     assert not button(panel, "light_confirm_button").isEnabled()
     assert said in button(panel, "light_confirm_button").toolTip()
     assert said in message(panel)
     confirm(qtbot, panel)
     assert controller.calls == []
-    controller.be(situation())
+    controller.be(operating_state())
     assert button(panel, "light_confirm_button").isEnabled()
     assert "Ctrl+Return" in button(panel, "light_confirm_button").toolTip()
     assert message(panel) == ""
@@ -260,7 +260,7 @@ def test_without_an_arm_the_button_says_why(panel, controller, qtbot, link, said
 @pytest.mark.parametrize("reason", ["stopped", "busy", "not_enabled"])
 def test_what_hinders_motion_does_not_hinder_light(panel, controller, qtbot, reason):
     refusal = Refusal(reason, {"joints": "1"})
-    controller.be(situation(cannot_move=refusal, cannot_enable=refusal))
+    controller.be(operating_state(cannot_move=refusal, cannot_enable=refusal))
     confirm(qtbot, panel)
     assert len(controller.calls) == 1
 

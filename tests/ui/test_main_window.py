@@ -16,19 +16,19 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.refusal import Refusal
-from armui.control.situation import LinkState
+from armui.control.operating_state import LinkState
 from armui.settings import SettingsStore
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.main_window import MainWindow
-from armui.ui.operation_area import OperationArea
-from armui.ui.panels.light_panel import LightPanel
-from armui.ui.panels.motion_panel import MotionPanel
+from armui.ui.panels.jogging.motion_panel import MotionPanel
+from armui.ui.panels.light.light_panel import LightPanel
+from armui.ui.shell.operation_area import OperationArea
 from armui.ui.theme import LIGHT, Theme, apply_theme
 from armui.ui.translation import Translator
 from armui.viewport import palette
-from tests.desk import AtOnce
-from tests.ui.arm_states import arm_state, situation
+from tests.app_driver import AtOnce
+from tests.ui.arm_states import arm_state, operating_state
 from tests.ui.dialog_reading import message
 from tests.ui.fake_view import FakeView
 
@@ -163,7 +163,7 @@ def test_the_arm_reaches_the_3d_view(controller, view, window):
     controller.be_ready((1.0, 2.0, -3.0, 4.0, 5.0, 6.0))
     assert view.joints == ((1.0, 2.0, -3.0, 4.0, 5.0, 6.0), None, False)
     assert view.pose == ((56.128, 0.0, 213.266, 0.0, 85.0, 0.0), False)
-    controller.be(situation(link=LinkState.OFFLINE))
+    controller.be(operating_state(link=LinkState.OFFLINE))
     assert view.joints[2]
     assert view.pose[1]
 
@@ -327,7 +327,7 @@ def questions(window):
 
 
 def test_closing_while_the_arm_moves_asks(window, controller, qtbot):
-    controller.be(situation(moving=True))
+    controller.be(operating_state(moving=True))
     assert not window.close()
     (question,) = questions(window)
     assert "does not stop" in question.text()
@@ -339,7 +339,7 @@ def test_closing_while_the_arm_moves_asks(window, controller, qtbot):
 
 
 def test_closing_at_rest_just_closes(window, controller):
-    controller.be(situation())
+    controller.be(operating_state())
     controller.hear(arm_state())
     assert window.close()
     assert not questions(window)

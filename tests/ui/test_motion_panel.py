@@ -8,12 +8,12 @@ from armui.arm.device import Device
 from armui.arm.limits import FACTORY_LIMITS, JointLimits
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
-from armui.control.situation import LinkState
-from armui.ui.panels.motion_panel import MotionPanel
+from armui.control.operating_state import LinkState
+from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.value_label import ValueLabel
-from tests.ui.arm_states import NOW_S, arm_state, situation
+from tests.ui.arm_states import NOW_S, arm_state, operating_state
 
 LEFT = Qt.MouseButton.LeftButton
 ANGLES = (10.0, 20.0, -30.0, 40.0, 50.0, -60.0)
@@ -75,7 +75,7 @@ def test_first_angles_heard_fill_the_fields_once(panel, controller):
 
 
 def test_fields_with_no_figure_are_not_sent(panel, controller, qtbot):
-    controller.be(situation())
+    controller.be(operating_state())
     qtbot.mouseClick(push(panel, "send_button"), LEFT)
     assert controller.calls == []
     assert "not been heard" in message(panel) or "angles" in message(panel)
@@ -214,7 +214,7 @@ def test_a_button_disabled_while_held_goes_no_further(panel, controller, qtbot):
     controller.be_ready(ANGLES)
     button = panel.findChild(JogButton, "jog_plus_1")
     qtbot.mousePress(button, LEFT)
-    controller.be(situation(cannot_move=Refusal("stopped")))
+    controller.be(operating_state(cannot_move=Refusal("stopped")))
     button._on_timeout()
     assert controller.calls == [("jog", 1, 1.0)]
     assert not button._timer.isActive()
@@ -251,17 +251,17 @@ def test_nonsense_is_marked_and_not_sent(panel, controller, qtbot):
 def test_limits_of_the_arm_replace_the_factory_s(panel, controller, qtbot):
     controller.be_ready(ANGLES)
     narrow = (JointLimits(-5.0, 5.0, 100.0), *FACTORY_LIMITS[1:])
-    controller.be(situation(limits=narrow))
+    controller.be(operating_state(limits=narrow))
     assert field(panel, 1).property("attention")
     assert slider(panel, 1).maximum() == 5000
 
 
 def test_factory_limits_say_that_they_are(panel, controller):
-    controller.be(situation(limits_read=(False,) * 6))
+    controller.be(operating_state(limits_read=(False,) * 6))
     row = panel._rows[0]
     assert row._minimum.is_stale()
     assert "Factory" in row._minimum.toolTip()
-    controller.be(situation())
+    controller.be(operating_state())
     assert not row._minimum.is_stale()
     assert "read from the arm" in row._minimum.toolTip()
 
@@ -269,13 +269,13 @@ def test_factory_limits_say_that_they_are(panel, controller):
 def test_what_cannot_be_used_says_why(panel, controller):
     controller.be_ready(ANGLES)
     assert push(panel, "send_button").isEnabled()
-    controller.be(situation(cannot_move=Refusal("stopped")))
+    controller.be(operating_state(cannot_move=Refusal("stopped")))
     for name in ("send_button", "home_button", "jog_plus_1", "jog_minus_6"):
         assert not push(panel, name).isEnabled()
         assert "emergency stop" in push(panel, name).toolTip()
     assert "emergency stop" in message(panel)
     assert push(panel, "load_button").isEnabled()
-    controller.be(situation())
+    controller.be(operating_state())
     assert message(panel) == ""
     assert "Ctrl+Return" in push(panel, "send_button").toolTip()
 
@@ -283,7 +283,7 @@ def test_what_cannot_be_used_says_why(panel, controller):
 def test_stale_angles_turn_muted(panel, controller):
     controller.be_ready(ANGLES)
     assert not measured(panel, 1).is_stale()
-    controller.be(situation(link=LinkState.OFFLINE))
+    controller.be(operating_state(link=LinkState.OFFLINE))
     assert measured(panel, 1).is_stale()
     assert measured(panel, 1).text() == "10.000°"
     assert slider(panel, 1).measured is None
@@ -305,14 +305,14 @@ def test_another_arm_gets_fields_of_its_own(panel, controller):
     controller.be_ready(ANGLES)
     other = Device("virtual", "other", simulated=True, generation=2)
     controller.hear(ArmState())
-    controller.be(situation(device=other))
+    controller.be(operating_state(device=other))
     assert texts(panel) == [""] * 6
     controller.hear(arm_state((1.0,) * 6, sequence=2))
     assert texts(panel)[0] == "1.000"
 
 
 def test_typed_figures_are_not_overwritten_by_the_first_angles(panel, controller, qtbot):
-    controller.be(situation())
+    controller.be(operating_state())
     type_into(qtbot, field(panel, 1), "5")
     controller.hear(arm_state(ANGLES))
     assert texts(panel) == ["5", "20.000", "-30.000", "40.000", "50.000", "-60.000"]

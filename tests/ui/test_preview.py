@@ -5,9 +5,9 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QPushButton
 
-from armui.trajectory.path import Path
-from armui.ui.trajectory.path_preview import PathPreview
-from armui.ui.trajectory.preview_bar import PreviewBar
+from armui.trajectory.planning.planned_path import PlannedPath
+from armui.ui.trajectory.preview.path_preview import PathPreview
+from armui.ui.trajectory.preview.preview_bar import PreviewBar
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.value_label import ValueLabel
 from armui.viewport.path_picture import NOTHING
@@ -15,7 +15,7 @@ from armui.viewport.path_picture import NOTHING
 
 def plan():
     """Joint 1 turns by 10° in each of two seconds; a point after each."""
-    return Path(
+    return PlannedPath(
         times_s=np.linspace(0.0, 2.0, 21),
         joints_deg=np.outer(np.linspace(0.0, 20.0, 21), (1.0, 0.0, 0.0, 0.0, 0.0, 0.0)),
         places_mm=np.outer(np.linspace(0.0, 200.0, 21), (1.0, 0.0, 0.0)),

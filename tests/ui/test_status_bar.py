@@ -5,10 +5,10 @@ from datetime import datetime
 import pytest
 from PySide6.QtWidgets import QLabel
 
-from armui.control.situation import Level, LinkState, Notice
-from armui.ui.status_bar import StatusBar
+from armui.control.operating_state import Level, LinkState, Notice
+from armui.ui.shell.status_bar import StatusBar
 from armui.ui.theme import LIGHT
-from tests.ui.arm_states import NOW_S, arm_state, situation
+from tests.ui.arm_states import NOW_S, arm_state, operating_state
 
 NOON = datetime(2026, 11, 21, 12, 3, 4)
 
@@ -54,7 +54,7 @@ def test_codes_in_words(bar, controller):
 
 
 def test_unknown_codes_keep_their_number(bar, controller):
-    controller.be(situation())
+    controller.be(operating_state())
     controller.hear(arm_state(arm_status=0x2F))
     assert "0x2F" in text(bar, "status_arm")
     assert ink(bar, "status_arm") == LIGHT.stop
@@ -65,21 +65,21 @@ def test_unknown_codes_keep_their_number(bar, controller):
     [(0x01, "stop"), (0x07, "stop"), (0x03, "warn"), (0x04, "warn"), (0x0B, "text")],
 )
 def test_alarms_have_colour_and_sign(bar, controller, code, color):
-    controller.be(situation())
+    controller.be(operating_state())
     controller.hear(arm_state(arm_status=code))
     assert ink(bar, "status_arm") == getattr(LIGHT, color)
     assert bar._status_icon.isVisible() == (color != "text")
 
 
 def test_teaching_is_shown_while_there_is_any(bar, controller):
-    controller.be(situation())
+    controller.be(operating_state())
     controller.hear(arm_state(teaching=4))
     assert text(bar, "status_teaching") == "Replay paused"
     assert bar.findChild(QLabel, "status_teaching").isVisible()
 
 
 def test_joints_out_of_order_are_named(bar, controller):
-    controller.be(situation())
+    controller.be(operating_state())
     controller.hear(arm_state(communication_fault=joints(1, 3), limit_exceeded=joints(6)))
     assert text(bar, "status_joints") == "No communication: J1, J3  Beyond limit: J6"
     assert ink(bar, "status_joints") == LIGHT.stop
@@ -87,13 +87,13 @@ def test_joints_out_of_order_are_named(bar, controller):
 
 def test_stale_status_turns_muted(bar, controller):
     controller.be_ready()
-    controller.be(situation(link=LinkState.OFFLINE))
+    controller.be(operating_state(link=LinkState.OFFLINE))
     assert text(bar, "status_arm") == "Status: Normal"
     assert ink(bar, "status_arm") == LIGHT.muted
 
 
 def test_status_frame_lost_while_others_arrive(bar, controller):
-    controller.be(situation())
+    controller.be(operating_state())
     old = arm_state(at_s=NOW_S)
     new = arm_state(at_s=NOW_S + 0.6, sequence=2)
     fields = {name: getattr(new, name) for name in new.__dataclass_fields__}
@@ -111,7 +111,7 @@ def test_last_notice_with_its_time(bar, controller):
 
 
 def test_the_notice_gives_way_and_the_status_never(bar, controller):
-    controller.be(situation())
+    controller.be(operating_state())
     controller.hear(
         arm_state(
             control_mode=6,

@@ -7,12 +7,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QLineEdit, QVBoxLayout, QWidget
 
-from armui.control.situation import Situation, StopState
+from armui.control.operating_state import OperatingState, StopState
 from armui.ui.dialogs.confirm import ConfirmDialog
-from armui.ui.top_bar import TopBar
+from armui.ui.shell.top_bar import TopBar
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.stop_shortcut import StopShortcut
-from tests.ui.arm_states import situation
+from tests.ui.arm_states import operating_state
 from tests.ui.dialog_reading import hold
 
 LEFT = Qt.MouseButton.LeftButton
@@ -54,11 +54,11 @@ def test_stops_by_space(button, controller, qtbot):
 @pytest.mark.parametrize(
     "now",
     [
-        Situation(),
-        situation(stop=StopState.RUNNING),
-        situation(stop=StopState.REQUESTED),
-        situation(stop=StopState.REQUESTED, stop_unconfirmed=True),
-        situation(stop=StopState.RESUMING),
+        OperatingState(),
+        operating_state(stop=StopState.RUNNING),
+        operating_state(stop=StopState.REQUESTED),
+        operating_state(stop=StopState.REQUESTED, stop_unconfirmed=True),
+        operating_state(stop=StopState.RESUMING),
     ],
 )
 def test_always_enabled_and_stops_unless_the_arm_is_stopped(button, controller, host, qtbot, now):
@@ -72,11 +72,11 @@ def test_always_enabled_and_stops_unless_the_arm_is_stopped(button, controller, 
 def test_every_state_has_its_word(button, controller):
     words = []
     for now in (
-        situation(),
-        situation(stop=StopState.REQUESTED),
-        situation(stop=StopState.REQUESTED, stop_unconfirmed=True),
-        situation(stop=StopState.STOPPED),
-        situation(stop=StopState.RESUMING),
+        operating_state(),
+        operating_state(stop=StopState.REQUESTED),
+        operating_state(stop=StopState.REQUESTED, stop_unconfirmed=True),
+        operating_state(stop=StopState.STOPPED),
+        operating_state(stop=StopState.RESUMING),
     ):
         controller.be(now)
         words.append(button.text())
@@ -84,7 +84,7 @@ def test_every_state_has_its_word(button, controller):
 
 
 def test_recovery_is_asked_about_and_says_that_the_arm_drops(button, controller, host, qtbot):
-    controller.be(situation(stop=StopState.STOPPED))
+    controller.be(operating_state(stop=StopState.STOPPED))
     qtbot.mouseClick(button, LEFT)
     (question,) = questions(host)
     assert controller.calls == []
@@ -97,7 +97,7 @@ def test_recovery_is_asked_about_and_says_that_the_arm_drops(button, controller,
 
 
 def test_recovery_can_be_declined(button, controller, host, qtbot):
-    controller.be(situation(stop=StopState.STOPPED))
+    controller.be(operating_state(stop=StopState.STOPPED))
     qtbot.mouseClick(button, LEFT)
     (question,) = questions(host)
     qtbot.keyClick(question, Qt.Key.Key_Escape)
@@ -108,7 +108,7 @@ def test_recovery_can_be_declined(button, controller, host, qtbot):
 def test_quick_presses_all_mean_stop(button, controller, host):
     # the arm stops between the two presses of one alarmed hand
     QTest.mousePress(button, LEFT)
-    controller.be(situation(stop=StopState.STOPPED))
+    controller.be(operating_state(stop=StopState.STOPPED))
     QTest.mouseDClick(button, LEFT)
     assert set(controller.calls) == {("emergency_stop",)}
     assert len(controller.calls) >= 2
@@ -117,7 +117,7 @@ def test_quick_presses_all_mean_stop(button, controller, host):
 
 def test_the_stop_of_a_dialog_never_asks(host, controller, qtbot):
     button = StopButton(controller, host)
-    controller.be(situation(stop=StopState.STOPPED))
+    controller.be(operating_state(stop=StopState.STOPPED))
     assert button.text() == "Emergency stop"
     qtbot.mouseClick(button, LEFT)
     assert controller.calls == [("emergency_stop",)]
@@ -127,7 +127,7 @@ def test_the_stop_of_a_dialog_never_asks(host, controller, qtbot):
 def test_the_bar_stands_still(button, controller):
     sizes = set()
     for stop in StopState:
-        controller.be(situation(stop=stop))
+        controller.be(operating_state(stop=stop))
         sizes.add(button.sizeHint().toTuple())
     assert len(sizes) == 1
 
@@ -137,7 +137,7 @@ def test_stopped_looks_different(button, controller):
         return button.grab().toImage().pixelColor(6, button.height() // 2)
 
     red = middle()
-    controller.be(situation(stop=StopState.STOPPED))
+    controller.be(operating_state(stop=StopState.STOPPED))
     assert red.red() > 180
     assert red.green() < 80
     assert middle().green() > 200
@@ -175,7 +175,7 @@ def test_keys_stop_under_a_modal_dialog(host, controller, qtbot):
 
 @pytest.mark.usefixtures("shortcut")
 def test_a_key_never_resumes(button, controller, host, qtbot):
-    controller.be(replace(situation(), stop=StopState.STOPPED))
+    controller.be(replace(operating_state(), stop=StopState.STOPPED))
     qtbot.keyClick(button, Qt.Key.Key_F12)
     assert controller.calls == [("emergency_stop",)]
     assert not questions(host)

@@ -5,16 +5,16 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QSpinBox
 
 from armui.arm.refusal import Refusal
-from armui.control.situation import Busy, LinkState, Situation
+from armui.control.operating_state import Busy, LinkState, OperatingState
 from armui.protocol.codes import ALL_JOINTS
 from armui.protocol.generation import Generation
 from armui.ui.dialogs.confirm import ConfirmDialog
-from armui.ui.top_bar import TopBar
-from armui.ui.widgets.communication_button import CommunicationButton
-from armui.ui.widgets.enable_button import EnableButton
+from armui.ui.shell.communication_button import CommunicationButton
+from armui.ui.shell.enable_button import EnableButton
+from armui.ui.shell.top_bar import TopBar
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.value_label import ValueLabel
-from tests.ui.arm_states import arm_state, situation
+from tests.ui.arm_states import arm_state, operating_state
 from tests.ui.dialog_reading import hold
 
 LEFT = Qt.MouseButton.LeftButton
@@ -62,7 +62,7 @@ def test_communication_button_opens_the_connect_window(communication, opened, qt
 def test_every_link_state_has_its_own_word_and_look(communication, controller):
     words, looks = [], []
     for link in LinkState:
-        controller.be(situation(link=link))
+        controller.be(operating_state(link=link))
         words.append(communication.text())
         sign = communication.grab(communication.rect().adjusted(0, 0, -150, 0)).toImage()
         # in greys: the shape alone has to tell the states apart
@@ -74,13 +74,13 @@ def test_every_link_state_has_its_own_word_and_look(communication, controller):
 
 def test_the_device_is_named(communication, controller):
     assert communication.device_name == ""
-    controller.be(situation())
+    controller.be(operating_state())
     assert "1" in communication.device_name
     assert communication.device_name in communication.toolTip()
 
 
 def test_speed_by_field(field, controller, qtbot):
-    controller.be(situation())
+    controller.be(operating_state())
     field.setFocus()
     field.selectAll()
     qtbot.keyClicks(field, "55")
@@ -90,7 +90,7 @@ def test_speed_by_field(field, controller, qtbot):
 
 
 def test_speed_by_keys_on_the_slider(slider, field, controller, qtbot):
-    controller.be(situation())
+    controller.be(operating_state())
     qtbot.keyClick(slider, Qt.Key.Key_Right)
     qtbot.keyClick(slider, Qt.Key.Key_PageUp)
     assert controller.calls == [("set_speed_percent", 31), ("set_speed_percent", 41)]
@@ -99,7 +99,7 @@ def test_speed_by_keys_on_the_slider(slider, field, controller, qtbot):
 
 
 def test_a_click_beside_the_handle_goes_a_page_only(slider, controller, qtbot):
-    controller.be(situation())
+    controller.be(operating_state())
     right_end = slider.rect().center()
     right_end.setX(slider.width() - 12)
     qtbot.mouseClick(slider, LEFT, pos=right_end)
@@ -107,7 +107,7 @@ def test_a_click_beside_the_handle_goes_a_page_only(slider, controller, qtbot):
 
 
 def test_a_drag_sends_once_when_the_handle_is_let_go(slider, field, controller, qtbot):
-    controller.be(situation())
+    controller.be(operating_state())
 
     def at(percent):
         middle = slider.rect().center()
@@ -125,7 +125,7 @@ def test_a_drag_sends_once_when_the_handle_is_let_go(slider, field, controller, 
 
 
 def test_a_refused_speed_is_not_shown_as_a_fact(field, slider, controller, qtbot):
-    controller.be(situation())
+    controller.be(operating_state())
     controller.answer = Refusal("speed_out_of_range", {"value": 60})
     field.setValue(60)
     assert field.value() == 30
@@ -143,7 +143,7 @@ def test_the_arm_s_own_speed_stands_beside(bar, slider, controller):
 
 def test_generation_2_does_not_tell_its_speed(bar, controller):
     own = bar.findChild(ValueLabel, "arm_speed")
-    controller.be(situation(generation=Generation.TWO))
+    controller.be(operating_state(generation=Generation.TWO))
     controller.hear(arm_state(speed_percent=None))
     assert own.text() == "—"
     assert "does not report" in own.toolTip()
@@ -163,20 +163,20 @@ def test_generation_2_does_not_tell_its_speed(bar, controller):
     ],
 )
 def test_enable_button_shows_the_six_joints(enable, controller, marks, busy, word):
-    controller.be(situation(enabled=marks, busy=busy))
+    controller.be(operating_state(enabled=marks, busy=busy))
     assert enable.marks == marks
     assert enable.text() == word
 
 
 @pytest.mark.parametrize("marks", [(False,) * 6, (True,) * 5 + (False,), (None,) * 6])
 def test_a_click_enables_unless_all_are_enabled(enable, controller, qtbot, marks):
-    controller.be(situation(enabled=marks))
+    controller.be(operating_state(enabled=marks))
     qtbot.mouseClick(enable, LEFT)
     assert controller.calls == [("enable", ALL_JOINTS)]
 
 
 def test_disabling_says_first_that_the_arm_drops(bar, enable, controller, qtbot):
-    controller.be(situation())
+    controller.be(operating_state())
     qtbot.mouseClick(enable, LEFT)
     assert controller.calls == []
     (question,) = bar.findChildren(ConfirmDialog)
@@ -188,11 +188,11 @@ def test_disabling_says_first_that_the_arm_drops(bar, enable, controller, qtbot)
 
 
 def test_what_cannot_be_enabled_says_why(enable, controller):
-    controller.be(Situation())
+    controller.be(OperatingState())
     assert not enable.isEnabled()
     assert "connected" in enable.toolTip()
-    controller.be(situation(cannot_enable=Refusal("stopped")))
+    controller.be(operating_state(cannot_enable=Refusal("stopped")))
     assert "emergency stop" in enable.toolTip()
-    controller.be(situation())
+    controller.be(operating_state())
     assert enable.isEnabled()
     assert "drop" in enable.toolTip()

@@ -12,12 +12,14 @@ from PySide6.QtWidgets import QApplication
 
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
-from armui.control.notices import CODES, REFUSALS
-from armui.control.situation import Level, Notice
+from armui.control.events import CODES, REFUSALS
+from armui.control.operating_state import Level, Notice
 from armui.protocol.codes import MoveMode
 from armui.settings import SettingsStore, check
-from armui.trajectory import columns, convert, files, library
-from armui.trajectory.program import GripperOpening, Waypoint, check_point
+from armui.trajectory import columns, files
+from armui.trajectory.library import store as library
+from armui.trajectory.planning import convert
+from armui.trajectory.points.program import GripperOpening, Waypoint, check_point
 from armui.ui import words
 from armui.ui.translation import LANGUAGES, Translator
 from armui.ui.words import notices, refusals

@@ -6,7 +6,7 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
 
 from armui.viewport.camera import HOME_CAMERA
-from armui.viewport.camera_hand import Drag, press_key
+from armui.viewport.camera_input import Drag, press_key
 
 LEFT, MIDDLE, RIGHT = (
     Qt.MouseButton.LeftButton,

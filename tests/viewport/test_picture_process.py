@@ -10,10 +10,10 @@ import pytest
 from PySide6.QtCore import QPoint, Qt, QTimer
 
 from armui.arm.refusal import Refusal
-from armui.viewport.camera_hand import press_key
+from armui.viewport.camera_input import press_key
 from armui.viewport.client import PictureClient
 from armui.viewport.errors import DRAWING_STOPPED, NO_OPENGL, PROCESS_ENDED, PROCESS_HUNG
-from armui.viewport.messages import Phase
+from armui.viewport.messages import PicturePhase
 from armui.viewport.path_picture import PathPicture, Preview
 from armui.viewport.view import ArmView
 from armui.viewport.watch import LIMITS, Limits
@@ -195,7 +195,7 @@ def test_a_file_that_crashes_the_process_is_put_aside(view, losses, qtbot, tmp_p
 
 
 def test_a_file_that_never_ends_is_put_aside(qtbot, tmp_path, monkeypatch):
-    monkeypatch.setitem(LIMITS, Phase.LOADING, Limits(silent_s=30.0, stuck_s=0.3))
+    monkeypatch.setitem(LIMITS, PicturePhase.LOADING, Limits(silent_s=30.0, stuck_s=0.3))
     client = PictureClient("tests.viewport.processes:endless_loading")
     view = ArmView(tmp_path / "endless.urdf", client=client)
     qtbot.addWidget(view)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 
-from armui.paths import URDF
+from armui.system.paths import URDF
 from armui.viewport.palette import DARK, LIGHT, rgb
 from armui.viewport.path_picture import NOTHING, PathPicture, Preview
 from armui.viewport.process.scene import Scene

@@ -11,7 +11,7 @@ from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
 from armui.arm.refusal import Refusal
-from armui.paths import URDF
+from armui.system.paths import URDF
 from armui.viewport.camera import HOME_CAMERA
 from armui.viewport.palette import DARK
 from armui.viewport.process.urdf_file import load_robot

@@ -2,7 +2,7 @@
 
 import pytest
 
-from armui.viewport.messages import Busy, Phase
+from armui.viewport.messages import PictureBusy, PicturePhase
 from armui.viewport.watch import Restarts, is_stuck
 
 
@@ -20,12 +20,12 @@ from armui.viewport.watch import Restarts, is_stuck
     ],
 )
 def test_drawing(cpu_s, late_s, busy_for_s, stuck):
-    assert is_stuck(Busy(Phase.DRAWING, cpu_s, late_s), busy_for_s) is stuck
+    assert is_stuck(PictureBusy(PicturePhase.DRAWING, cpu_s, late_s), busy_for_s) is stuck
 
 
 def test_loading_may_take_longer():
-    assert not is_stuck(Busy(Phase.LOADING, 10.0, 0.0), 12.0)
-    assert is_stuck(Busy(Phase.LOADING, 0.0, 0.0), 20.0)
+    assert not is_stuck(PictureBusy(PicturePhase.LOADING, 10.0, 0.0), 12.0)
+    assert is_stuck(PictureBusy(PicturePhase.LOADING, 0.0, 0.0), 20.0)
 
 
 def test_three_losses_in_a_minute_are_too_many():

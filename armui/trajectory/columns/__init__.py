@@ -1,6 +1,6 @@
 """Import of an unknown table: see how it is built, say which column is what, take it over.
 
-`sniff` looks at the text and guesses; the operator corrects how it is built (`Build`), and what
+`sniff` looks at the text and guesses; the operator corrects how it is built (`Dialect`), and what
 its columns are, to a `ColumnMapping`; `apply` reads the whole text by it.
 """
 
@@ -9,12 +9,12 @@ from armui.trajectory.columns.encodings import LABELS, Encoding
 from armui.trajectory.columns.model import (
     REFUSALS,
     UNITS,
-    Build,
-    Column,
     ColumnMapping,
+    Dialect,
     Guess,
     Quantity,
     Sheet,
+    TableColumn,
 )
 from armui.trajectory.columns.sniff import sniff
 from armui.trajectory.columns.source import TableFile, look_closer, open_table
@@ -23,13 +23,13 @@ __all__ = [
     "LABELS",
     "REFUSALS",
     "UNITS",
-    "Build",
-    "Column",
     "ColumnMapping",
+    "Dialect",
     "Encoding",
     "Guess",
     "Quantity",
     "Sheet",
+    "TableColumn",
     "TableFile",
     "apply",
     "check_mapping",

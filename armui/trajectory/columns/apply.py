@@ -25,8 +25,8 @@ from armui.trajectory.columns.model import (
 from armui.trajectory.files.errors import broken
 from armui.trajectory.files.figures import read_figures
 from armui.trajectory.files.model import Content, verified, verified_point
-from armui.trajectory.program import GripperOpening, Trajectory, Waypoint
-from armui.trajectory.recording import COLUMN_COUNT, GRIPPER, Array, Recording
+from armui.trajectory.points.program import GripperOpening, Trajectory, Waypoint
+from armui.trajectory.samples.recording import COLUMN_COUNT, GRIPPER, Array, Recording
 
 _TIME_DIGITS: Final = 6
 """Of seconds, so that a sum of waits does not drift by rounding."""

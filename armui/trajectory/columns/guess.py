@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Final
 
-from armui.trajectory.columns.model import JOINTS, POSE, UNITS, Column, Guess, Quantity
+from armui.trajectory.columns.model import JOINTS, POSE, UNITS, Guess, Quantity, TableColumn
 
 Figures = Sequence[float | None]
 """Of one column, in their order; ``None`` where a cell holds no number."""
@@ -74,10 +74,10 @@ def guess_columns(header: Sequence[str], figures: Sequence[Figures]) -> tuple[Gu
         if quantity is None:
             guesses.append(Guess(None, 0.0))
         elif unit in UNITS[quantity] and confidence == _UNIT_GUESSED:
-            guesses.append(Guess(Column(quantity, unit), _SURE))
+            guesses.append(Guess(TableColumn(quantity, unit), _SURE))
         else:
             likely = _unit(quantity, quantities, figures)
-            guesses.append(Guess(Column(quantity, likely), confidence))
+            guesses.append(Guess(TableColumn(quantity, likely), confidence))
     return tuple(guesses)
 
 

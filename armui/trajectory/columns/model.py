@@ -70,7 +70,7 @@ UNITS: Final[Mapping[Quantity, Mapping[str, float]]] = {
 """The units of each quantity; times the factor it is in ours: s, °, mm, %."""
 
 
-class Column(NamedTuple):
+class TableColumn(NamedTuple):
     """What a column holds."""
 
     quantity: Quantity
@@ -84,11 +84,11 @@ class Guess(NamedTuple):
     from the figures, 0 for no idea.
     """
 
-    column: Column | None
+    column: TableColumn | None
     confidence: float
 
 
-class Build(NamedTuple):
+class Dialect(NamedTuple):
     """How a table is built as far as the operator says it; what is ``None`` is guessed."""
 
     delimiter: str | None = None
@@ -135,7 +135,7 @@ class ColumnMapping:
         speed_percent: Of points, where no column says it.
     """
 
-    columns: tuple[Column | None, ...]
+    columns: tuple[TableColumn | None, ...]
     move: MoveMode | None = None
     speed_percent: int = 30
 

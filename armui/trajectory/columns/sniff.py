@@ -14,7 +14,7 @@ from armui.trajectory.columns.model import (
     DECIMALS,
     DELIMITERS,
     SPACES,
-    Build,
+    Dialect,
     Sheet,
     as_number,
     is_comment,
@@ -32,7 +32,7 @@ _LOOKED_AT: Final = 400
 """Lines the build of the table is judged by, spread over the whole text."""
 _LOOKED_AT_CHARACTERS: Final = 100_000
 _LEAST_LINES: Final = 10
-_ALL_GUESSED: Final = Build()
+_ALL_GUESSED: Final = Dialect()
 _PREVIEW: Final = 20
 
 
@@ -45,7 +45,7 @@ class _Style(NamedTuple):
     sense: float
 
 
-def sniff(text: str, build: Build = _ALL_GUESSED) -> Sheet:
+def sniff(text: str, build: Dialect = _ALL_GUESSED) -> Sheet:
     """How a table in a text is built and what its columns seem to hold.
 
     Args:
@@ -85,7 +85,7 @@ def sniff(text: str, build: Build = _ALL_GUESSED) -> Sheet:
     )
 
 
-def _styles(build: Build) -> list[tuple[str, str]]:
+def _styles(build: Dialect) -> list[tuple[str, str]]:
     """The delimiters and decimal signs that come into question."""
     if build.delimiter is None and build.decimal is None:
         return list(_STYLES)

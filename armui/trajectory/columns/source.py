@@ -7,7 +7,7 @@ from pathlib import Path
 
 from armui.trajectory import files
 from armui.trajectory.columns.encodings import Encoding, decode_as, guess_encoding
-from armui.trajectory.columns.model import Build, Sheet
+from armui.trajectory.columns.model import Dialect, Sheet
 from armui.trajectory.columns.sniff import sniff
 from armui.trajectory.files.errors import TrajectoryFileError
 
@@ -30,7 +30,7 @@ class TableFile:
     text: str
     sheet: Sheet
 
-    def read_anew(self, encoding: Encoding | None, build: Build) -> TableFile:
+    def read_anew(self, encoding: Encoding | None, build: Dialect) -> TableFile:
         """The same file, read as the operator says; what is left open is guessed.
 
         Raises:
@@ -45,10 +45,10 @@ def open_table(path: Path) -> TableFile:
     Raises:
         TrajectoryFileError: It cannot be read, or holds no table; it names the file.
     """
-    return _read(path.name, files.load_bytes(path), None, Build())
+    return _read(path.name, files.load_bytes(path), None, Dialect())
 
 
-def _read(file_name: str, data: bytes, encoding: Encoding | None, build: Build) -> TableFile:
+def _read(file_name: str, data: bytes, encoding: Encoding | None, build: Dialect) -> TableFile:
     try:
         encoding = encoding or guess_encoding(data)
         text = decode_as(data, encoding)

@@ -14,7 +14,7 @@ from armui.trajectory.files import csv_file, json_file, log_file, maker_csv, npz
 from armui.trajectory.files.errors import TrajectoryFileError, broken
 from armui.trajectory.files.model import LARGEST_BYTES, Content, UnwritableError
 from armui.trajectory.files.text import decode
-from armui.trajectory.recording import Recording
+from armui.trajectory.samples.recording import Recording
 
 __all__ = [
     "SUFFIXES",

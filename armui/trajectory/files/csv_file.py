@@ -18,8 +18,8 @@ from armui.trajectory.files import csv_points
 from armui.trajectory.files.errors import broken
 from armui.trajectory.files.model import Content, parse_time, verified, verify
 from armui.trajectory.files.text import number, parse_number
-from armui.trajectory.program import Trajectory, Waypoint
-from armui.trajectory.recording import COLUMN_COUNT, GRIPPER, Recording
+from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.trajectory.samples.recording import COLUMN_COUNT, GRIPPER, Recording
 
 SAMPLE_TITLES: Final = (
     "t_s",

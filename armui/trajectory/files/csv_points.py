@@ -10,7 +10,7 @@ from armui.trajectory.files.errors import broken
 from armui.trajectory.files.log_points import LETTER_OF, LETTERS
 from armui.trajectory.files.model import verified_point
 from armui.trajectory.files.text import number, parse_number
-from armui.trajectory.program import (
+from armui.trajectory.points.program import (
     GripperAction,
     GripperAngle,
     GripperOpening,

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from armui.trajectory.recording import Array
+from armui.trajectory.samples.recording import Array
 
 
 def read_figures(lines: Sequence[str], delimiter: str | None) -> Array | None:

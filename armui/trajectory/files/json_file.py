@@ -14,7 +14,7 @@ from armui.trajectory.files.json_fields import FieldError, Fields
 from armui.trajectory.files.json_places import place_of
 from armui.trajectory.files.log_points import LETTER_OF, LETTERS
 from armui.trajectory.files.model import VERSION, Content, parse_time, verified, verify
-from armui.trajectory.program import (
+from armui.trajectory.points.program import (
     GripperAction,
     GripperAngle,
     GripperOpening,
@@ -23,7 +23,7 @@ from armui.trajectory.program import (
     Waypoint,
     check_point,
 )
-from armui.trajectory.recording import COLUMN_COUNT, GRIPPER, Recording
+from armui.trajectory.samples.recording import COLUMN_COUNT, GRIPPER, Recording
 
 _KINDS: Final = ("armui trajectory", "armui recording")
 _EMPTY: Final = {"note": "", "gripper": None, "light": None, "comments": ()}

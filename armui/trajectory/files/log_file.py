@@ -23,7 +23,7 @@ from armui.trajectory.files.model import (
     verified,
     verify,
 )
-from armui.trajectory.program import Trajectory, Waypoint, check_point
+from armui.trajectory.points.program import Trajectory, Waypoint, check_point
 
 _FIRST: Final = re.compile(r"armui (trajectory|recording) (\d{1,9})\s*")
 _ENTRY: Final = re.compile(r"([A-Za-z]\w*):[ \t]*(.*?)[ \t]*")

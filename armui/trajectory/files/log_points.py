@@ -17,7 +17,7 @@ from armui.protocol.codes import ALL_LAMPS, MoveMode
 from armui.trajectory.files.errors import broken
 from armui.trajectory.files.model import verified_point
 from armui.trajectory.files.text import number, parse_number
-from armui.trajectory.program import (
+from armui.trajectory.points.program import (
     VALUE_COUNT,
     GripperAction,
     GripperAngle,

@@ -11,7 +11,7 @@ from armui.trajectory.files.errors import broken
 from armui.trajectory.files.figures import read_figures
 from armui.trajectory.files.model import Content, verified
 from armui.trajectory.files.text import number, parse_number
-from armui.trajectory.recording import COLUMN_COUNT, GRIPPER, Array, Recording
+from armui.trajectory.samples.recording import COLUMN_COUNT, GRIPPER, Array, Recording
 
 _TITLES: Final = "# t_s J1 J2 J3 J4 J5 J6 (deg) gripper_mm"
 

@@ -14,7 +14,7 @@ from armui.trajectory.files import csv_file
 from armui.trajectory.files.errors import broken
 from armui.trajectory.files.model import Content, verified
 from armui.trajectory.files.text import parse_number
-from armui.trajectory.recording import COLUMN_COUNT, GRIPPER, Recording
+from armui.trajectory.samples.recording import COLUMN_COUNT, GRIPPER, Recording
 
 _COUNTS: Final = (GRIPPER, COLUMN_COUNT)
 _STEP_DIGITS: Final = 6

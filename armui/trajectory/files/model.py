@@ -8,8 +8,8 @@ from typing import Final
 
 from armui.arm.refusal import Refusal
 from armui.trajectory.files.errors import TrajectoryFileError, broken
-from armui.trajectory.program import Trajectory, Waypoint, check_point, check_trajectory
-from armui.trajectory.recording import Recording, check_recording
+from armui.trajectory.points.program import Trajectory, Waypoint, check_point, check_trajectory
+from armui.trajectory.samples.recording import Recording, check_recording
 
 Content = Trajectory | Recording
 """What a file holds."""

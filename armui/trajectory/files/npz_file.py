@@ -15,7 +15,7 @@ import numpy as np
 from armui.trajectory.files.errors import TrajectoryFileError, broken
 from armui.trajectory.files.json_fields import FieldError, Fields
 from armui.trajectory.files.model import LARGEST_BYTES, Content, parse_time, verified, verify
-from armui.trajectory.recording import COLUMN_COUNT, Recording
+from armui.trajectory.samples.recording import COLUMN_COUNT, Recording
 
 MAGIC: Final = b"PK\x03\x04"
 _SAMPLES: Final = "samples.npy"

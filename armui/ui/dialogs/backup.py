@@ -21,21 +21,21 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.backup import SUFFIX, Backup
-from armui.arm.comparison import Verdict, compare
+from armui.arm.comparison import ComparisonVerdict, compare
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
-from armui.control.backup_files import backup_of, read_backup, write_backup
-from armui.control.parameter_reader import ParameterReader
-from armui.control.setting_cell import CellState
-from armui.control.situation import Level, Situation
+from armui.control.operating_state import Level, OperatingState
+from armui.control.parameters.backup_files import backup_of, read_backup, write_backup
+from armui.control.parameters.parameter_reader import ParameterReader
+from armui.control.parameters.setting_cell import CellState
 from armui.ui import words
 from armui.ui.dialogs import backup_text
 from armui.ui.dialogs.backup_model import BackupModel, DifferencesOnly
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.files import choose_file
+from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.message_line import MessageLine
-from armui.ui.widgets.offer import offer
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -135,7 +135,7 @@ class BackupDialog(ArmDialog):
         self._reader.progressed.connect(self._on_progress)
         self._reader.finished.connect(self._on_read_to_the_end)
         self._settings.changed.connect(self._on_settings_changed)
-        self._controller.situation_changed.connect(self._on_situation_changed)
+        self._controller.operating_state_changed.connect(self._on_situation_changed)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
@@ -225,8 +225,8 @@ class BackupDialog(ArmDialog):
         self._restoring = {}
         self._model.follow([])
         self._compare()
-        self._model.choose(lambda row: row.verdict is Verdict.DIFFERS)
-        generation = self._controller.situation.generation
+        self._model.choose(lambda row: row.verdict is ComparisonVerdict.DIFFERS)
+        generation = self._controller.operating_state.generation
         firmware = self._controller.state.firmware
         self._say(backup_text.difference(backup, generation, firmware), Level.WARNING)
 
@@ -277,7 +277,7 @@ class BackupDialog(ArmDialog):
         failed = [cell.reason for cell in cells if cell.state is not CellState.SAVED]
         self._say(*backup_text.restored(len(cells), failed))
 
-    def _on_situation_changed(self, _situation: Situation) -> None:
+    def _on_situation_changed(self, _operating_state: OperatingState) -> None:
         if self.isVisible():
             self._show_all()
 
@@ -290,12 +290,14 @@ class BackupDialog(ArmDialog):
         return [parameter for batch in batches for parameter in batch.parameters()]
 
     def _now(self) -> Backup | None:
-        situation = self._controller.situation
-        if situation.device is None or situation.generation is None:
+        operating_state = self._controller.operating_state
+        if operating_state.device is None or operating_state.generation is None:
             return None
-        device = words.device_name(situation.device)
+        device = words.device_name(operating_state.device)
         now = datetime.now().astimezone()
-        return backup_of(self._controller.state, self._known(), situation.generation, device, now)
+        return backup_of(
+            self._controller.state, self._known(), operating_state.generation, device, now
+        )
 
     def _compare(self) -> None:
         filed = {} if self._backup is None else self._backup.values
@@ -308,7 +310,7 @@ class BackupDialog(ArmDialog):
         self._compare()
         self._origin.setText(backup_text.origin(self._backup, self._path))
         self._show_possible()
-        unreachable = self._controller.situation.unreachable
+        unreachable = self._controller.operating_state.unreachable
         text, level = self._said
         if unreachable is not None and not text:
             text, level = words.refusal(unreachable), Level.WARNING
@@ -319,15 +321,15 @@ class BackupDialog(ArmDialog):
         reading = self._reader.running
         self.progress.setVisible(reading)
         self.read_button.setText(self.tr("Stop reading") if reading else self.tr("Read"))
-        unreachable = self._controller.situation.unreachable
+        unreachable = self._controller.operating_state.unreachable
         no_way = words.why_not(unreachable)
-        occupied = self._controller.situation.occupied
+        occupied = self._controller.operating_state.occupied
         not_now = words.why_not(occupied)
         busy = words.refusal(Refusal("busy", {"what": "settings"}))
         wait = busy if self._settings.busy or reading else ""
         no_file = "" if self._backup is not None else self.tr("Open a file first.")
         nothing = "" if self._model.chosen else self.tr("Choose what differs in the table first.")
-        for button, hindrance in (
+        for button, reason in (
             (self.read_button, no_way or ("" if reading else wait)),
             (self.save_button, no_way or wait),
             (self.open_button, ""),
@@ -335,7 +337,7 @@ class BackupDialog(ArmDialog):
             (self.all_button, no_file),
             (self.none_button, no_file),
         ):
-            offer(button, hindrance)
+            enable_or_explain(button, reason)
 
     def _refuse(self, refusal: Refusal) -> None:
         self._say(words.refusal(refusal), Level.WARNING)

@@ -14,10 +14,10 @@ from PySide6.QtCore import (
     Signal,
 )
 
-from armui.arm.comparison import Row, Verdict
+from armui.arm.comparison import ComparisonVerdict, Row
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
-from armui.control.setting_cell import Cell, CellState
+from armui.control.parameters.setting_cell import CellState, SettingCellState
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.words.parameters import full_name, value_text, verdict_word
@@ -40,7 +40,7 @@ class BackupModel(QAbstractTableModel):
 
     ticked = Signal()
 
-    def __init__(self, cell: Callable[[Parameter], Cell]) -> None:
+    def __init__(self, cell: Callable[[Parameter], SettingCellState]) -> None:
         super().__init__()
         self._cell = cell
         self._rows: list[Row] = []
@@ -201,4 +201,4 @@ class DifferencesOnly(QSortFilterProxyModel):
         self, source_row: int, _parent: _Index
     ) -> bool:
         """Whether a row is shown."""
-        return not self._only or self._model.rows[source_row].verdict is not Verdict.SAME
+        return not self._only or self._model.rows[source_row].verdict is not ComparisonVerdict.SAME

@@ -23,14 +23,14 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
-from armui.control.situation import Level, LinkState, Situation
+from armui.control.operating_state import Level, LinkState, OperatingState
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.device_model import CHANNEL, STATE, DeviceModel, bitrate_text, same_device
 from armui.ui.dialogs.manual_entry import ManualEntry
+from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.message_line import MessageLine
-from armui.ui.widgets.offer import offer
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -62,7 +62,7 @@ class ConnectDialog(ArmDialog):
         super().__init__(controller, parent)
         self._before_leaving = before_leaving
         self._controller = controller
-        self._situation = controller.situation
+        self._operating_state = controller.operating_state
         self._model = DeviceModel()
         self._searching = False
         self._build()
@@ -79,8 +79,8 @@ class ConnectDialog(ArmDialog):
         self._manual.entered.connect(self._on_entered)
         controller.devices_found.connect(self._on_devices_found)
         controller.searching_changed.connect(self._on_searching_changed)
-        controller.situation_changed.connect(self._on_situation_changed)
-        self._on_situation_changed(controller.situation)
+        controller.operating_state_changed.connect(self._on_situation_changed)
+        self._on_situation_changed(controller.operating_state)
         self.retranslate_ui()
 
     # Layout -----------------------------------------------------------------------------------
@@ -192,14 +192,14 @@ class ConnectDialog(ArmDialog):
         self._leave_then(self._controller.disconnect_device)
 
     def _leave_then(self, action: Callable[[], object]) -> None:
-        if self._before_leaving is None or self._situation.device is None:
+        if self._before_leaving is None or self._operating_state.device is None:
             self._leave_unless_moving(action)
         else:
             self._before_leaving(self, lambda: self._leave_unless_moving(action))
 
     def _leave_unless_moving(self, action: Callable[[], object]) -> None:
         """Do it; but ask before, if a moving arm would be left to itself."""
-        if not self._situation.moving:
+        if not self._operating_state.moving:
             action()
             return
         confirm(
@@ -236,9 +236,9 @@ class ConnectDialog(ArmDialog):
         self._progress.setVisible(searching)
         self._refresh()
 
-    def _on_situation_changed(self, situation: Situation) -> None:
-        self._situation = situation
-        self._model.show_connected(situation.device, situation.link)
+    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+        self._operating_state = operating_state
+        self._model.show_connected(operating_state.device, operating_state.link)
         self._refresh()
 
     # How it looks -----------------------------------------------------------------------------
@@ -260,12 +260,12 @@ class ConnectDialog(ArmDialog):
     def _restore_selection(self) -> None:
         """Keep what was chosen; else choose the connected device, else the first."""
         if self._selected() is None:
-            candidates = (self._kept, self._situation.device, self._model.device(0))
+            candidates = (self._kept, self._operating_state.device, self._model.device(0))
             known = [device for device in candidates if self._model.row_of(device) >= 0]
             self._select(known[0] if known else None)
 
     def _is_connected(self, device: Device) -> bool:
-        return same_device(device, self._situation.device)
+        return same_device(device, self._operating_state.device)
 
     def _refresh(self) -> None:
         self._refresh_message()
@@ -277,21 +277,27 @@ class ConnectDialog(ArmDialog):
             reason = self.tr("This device is connected.")
         else:
             reason = ""
-        offer(self.connect_button, reason)
-        nothing = self._situation.device is None
-        offer(self.disconnect_button, self.tr("No device is connected.") if nothing else "")
-        offer(self.refresh_button, self.tr("The search is under way.") if self._searching else "")
+        enable_or_explain(self.connect_button, reason)
+        nothing = self._operating_state.device is None
+        enable_or_explain(
+            self.disconnect_button, self.tr("No device is connected.") if nothing else ""
+        )
+        enable_or_explain(
+            self.refresh_button, self.tr("The search is under way.") if self._searching else ""
+        )
 
     def _refresh_message(self) -> None:
-        situation = self._situation
-        name = words.device_name(situation.device) if situation.device is not None else ""
-        if situation.link_problem is not None:
-            self._message.show_message(words.refusal(situation.link_problem), Level.FAULT)
-        elif situation.link is LinkState.OFFLINE and situation.cannot_move is not None:
-            self._message.show_message(words.refusal(situation.cannot_move), Level.WARNING)
-        elif situation.link is LinkState.OPENING:
+        operating_state = self._operating_state
+        name = (
+            words.device_name(operating_state.device) if operating_state.device is not None else ""
+        )
+        if operating_state.link_problem is not None:
+            self._message.show_message(words.refusal(operating_state.link_problem), Level.FAULT)
+        elif operating_state.link is LinkState.OFFLINE and operating_state.cannot_move is not None:
+            self._message.show_message(words.refusal(operating_state.cannot_move), Level.WARNING)
+        elif operating_state.link is LinkState.OPENING:
             self._message.show_message(self.tr("Connecting to {device}…").format(device=name))
-        elif situation.link is LinkState.ONLINE:
+        elif operating_state.link is LinkState.ONLINE:
             text = self.tr("Online: {device}").format(device=name)
             self._message.show_message(text, Level.DONE)
         elif self._searching:

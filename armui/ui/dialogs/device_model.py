@@ -8,7 +8,7 @@ from typing import Any, Final
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
 
 from armui.arm.device import Device
-from armui.control.situation import LinkState
+from armui.control.operating_state import LinkState
 from armui.ui import words
 from armui.ui.format import NOTHING
 

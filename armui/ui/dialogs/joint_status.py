@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 
 from armui.arm.joint_status import Item, Word
 from armui.arm.limits import JOINTS
-from armui.control.situation import Level, Notice, Situation
+from armui.control.operating_state import Level, Notice, OperatingState
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.joint_status_cell import JointCellDelegate, cell_width
@@ -31,7 +31,7 @@ from armui.ui.widgets.message_line import MessageLine
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
-    from armui.control.joint_monitor import JointMonitor
+    from armui.control.devices.joint_monitor import JointMonitor
 
 _HEADER_PAD_PX: Final = 20
 _FRAME_PX: Final = 1
@@ -63,7 +63,7 @@ class JointStatusDialog(ArmDialog):
         self.body.addStretch(1)
         self._build_footer()
         monitor.updated.connect(self._on_updated)
-        controller.situation_changed.connect(self._on_situation_changed)
+        controller.operating_state_changed.connect(self._on_situation_changed)
         controller.noticed.connect(self._on_noticed)
         self._table.selectionModel().currentChanged.connect(self._show_detail)
         self._model.dataChanged.connect(self._show_detail)
@@ -156,7 +156,7 @@ class JointStatusDialog(ArmDialog):
             button.setAccessibleName(f"{button.text()} J{joint}")
         self._model.retranslate()
         self._fit_columns()
-        self._show_usable(self._controller.situation)
+        self._show_usable(self._controller.operating_state)
         self._show_detail()
         self._show_notice()
 
@@ -177,12 +177,12 @@ class JointStatusDialog(ArmDialog):
         if self.isVisible():
             self._model.refresh()
 
-    def _on_situation_changed(self, situation: Situation) -> None:
+    def _on_situation_changed(self, operating_state: OperatingState) -> None:
         if self.isVisible():
-            self._show_usable(situation)
+            self._show_usable(operating_state)
 
-    def _show_usable(self, situation: Situation) -> None:
-        reason = situation.unreachable or situation.occupied
+    def _show_usable(self, operating_state: OperatingState) -> None:
+        reason = operating_state.unreachable or operating_state.occupied
         for joint, button in zip(JOINTS, self.clear_buttons, strict=True):
             button.setEnabled(reason is None)
             button.setToolTip(
@@ -204,7 +204,7 @@ class JointStatusDialog(ArmDialog):
     def showEvent(self, event: QShowEvent) -> None:
         """Catch up with what went by while the window was hidden."""
         self._model.refresh()
-        self._show_usable(self._controller.situation)
+        self._show_usable(self._controller.operating_state)
         super().showEvent(event)
 
     # Clearing errors --------------------------------------------------------------------------

@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
 
-from armui.arm.joint_status import UNITS, Cell, Item, Word, rows
+from armui.arm.joint_status import UNITS, Item, StatusCell, Word, rows
 from armui.arm.limits import JOINTS
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.widgets.state_mark import Mark
 
 if TYPE_CHECKING:
-    from armui.control.joint_monitor import JointMonitor
+    from armui.control.devices.joint_monitor import JointMonitor
     from armui.protocol.generation import Generation
 
 _Index = QModelIndex | QPersistentModelIndex
@@ -70,7 +70,7 @@ class JointStatusModel(QAbstractTableModel):
         self._monitor = monitor
         self._generation: Generation | None = None
         self._items = rows(None)
-        self._cells = {(row, column): Cell() for row in range(10) for column in range(6)}
+        self._cells = {(row, column): StatusCell() for row in range(10) for column in range(6)}
 
     def refresh(self) -> None:
         """Look at the joints and tell the view which cells have changed."""
@@ -146,25 +146,25 @@ class JointStatusModel(QAbstractTableModel):
         return None
 
 
-def _text(item: Item, cell: Cell) -> str:
+def _text(item: Item, cell: StatusCell) -> str:
     if item is Item.STATUS_CODE:
         return fmt.NOTHING if cell.value is None else f"0x{int(cell.value):X}"
     return fmt.NOTHING if cell.word is None else words.joint_word(cell.word)
 
 
-def _figure(item: Item, cell: Cell) -> str:
+def _figure(item: Item, cell: StatusCell) -> str:
     if cell.value is None:
         return fmt.NOTHING
     return f"{fmt.number(cell.value, _DECIMALS[item])} {UNITS[item]}"
 
 
-def _small(item: Item, cell: Cell) -> str:
+def _small(item: Item, cell: StatusCell) -> str:
     figure = [_figure(item, cell)] if item in UNITS and cell.value is not None else []
     since = [f"{cell.since:%H:%M:%S}"] if cell.fault and cell.since is not None else []
     return " · ".join(figure + since)
 
 
-def _mark(item: Item, cell: Cell) -> Mark | None:
+def _mark(item: Item, cell: StatusCell) -> Mark | None:
     if item is Item.STATUS_CODE:
         return None
     if cell.word is None:

@@ -8,7 +8,7 @@ from PySide6.QtCore import QCoreApplication, Signal
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from armui.ui.dialogs.confirm import ConfirmDialog
-from armui.ui.widgets.offer import offer
+from armui.ui.widgets.enable_or_explain import enable_or_explain
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -42,9 +42,9 @@ class SaveQuestion(ConfirmDialog):
         self.save_button.clicked.connect(self._on_save)
         self.footer.insertWidget(self.footer.count() - 1, self.save_button)
 
-    def allow_saving(self, hindrance: str) -> None:
+    def allow_saving(self, reason: str) -> None:
         """Offer to save, or say in the button's tooltip why that cannot be done now."""
-        offer(self.save_button, hindrance)
+        enable_or_explain(self.save_button, reason)
 
     def _on_save(self) -> None:
         self.reject()

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 
 from armui import settings
 from armui.arm.refusal import Refusal
-from armui.control.situation import Level
+from armui.control.operating_state import Level
 from armui.settings import SettingsStore
 from armui.ui import format as fmt
 from armui.ui import words

@@ -16,14 +16,14 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.refusal import Refusal
-from armui.control.situation import LinkState, Notice, Situation
+from armui.control.operating_state import LinkState, Notice, OperatingState
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import LinkageRole
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.card import scrolled
-from armui.ui.widgets.offer import offer
+from armui.ui.widgets.enable_or_explain import enable_or_explain
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -67,8 +67,8 @@ class LinkagePanel(Panel):
         self._note.setWordWrap(True)
         self._lay_out()
         self._confirm.clicked.connect(self._ask)
-        self._back.clicked.connect(lambda: self._took(controller.linkage.release()))
-        controller.situation_changed.connect(self._on_situation_changed)
+        self._back.clicked.connect(lambda: self._accepted(controller.linkage.release()))
+        controller.operating_state_changed.connect(self._on_situation_changed)
         controller.noticed.connect(self._on_noticed)
         self.retranslate_ui()
 
@@ -137,7 +137,7 @@ class LinkagePanel(Panel):
 
     def _set(self) -> None:
         offsets = {name: int(box.currentData()) for name, box in self._boxes.items()}
-        self._took(
+        self._accepted(
             self._controller.linkage.set(
                 LinkageRole(self._roles.checkedId()),
                 feedback_offset=offsets["feedback"],
@@ -153,34 +153,36 @@ class LinkagePanel(Panel):
             self._refusal, self._notice = None, notice
             self._show_message()
 
-    def _on_situation_changed(self, situation: Situation) -> None:
-        old, self._situation = self._situation, situation
-        if old.device != situation.device:
+    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+        old, self._operating_state = self._operating_state, operating_state
+        if old.device != operating_state.device:
             self._refusal = self._notice = None
         if self.isVisible():
             self._show_all()
 
     def _show_all(self) -> None:
-        situation = self._situation
-        teaching = situation.teaching_input
+        operating_state = self._operating_state
+        teaching = operating_state.teaching_input
         self._teaching.setVisible(teaching)
         self._back.setVisible(teaching)
-        link = situation.link
+        link = operating_state.link
         reachable = link in {LinkState.ONLINE, LinkState.OFFLINE}
-        why_not = words.why_not(situation.occupied if reachable else situation.unreachable)
-        offer(self._confirm, why_not, self.tr("Says what will change, and asks first."))
+        why_not = words.why_not(
+            operating_state.occupied if reachable else operating_state.unreachable
+        )
+        enable_or_explain(self._confirm, why_not, self.tr("Says what will change, and asks first."))
         self._show_in_use()
         self._show_message()
 
     def _show_in_use(self) -> None:
-        situation = self._situation
-        if situation.link is not LinkState.ONLINE:
+        operating_state = self._operating_state
+        if operating_state.link is not LinkState.ONLINE:
             self._in_use.setText(self.tr("In use: —"))
             return
-        addressing = situation.addressing
+        addressing = operating_state.addressing
         control = (
             f"0x{0x150 + addressing.control_offset:03X}–0x{0x15F + addressing.control_offset:03X}"
-            if situation.control_certain
+            if operating_state.control_certain
             else self.tr("not known")
         )
         self._in_use.setText(
@@ -192,12 +194,12 @@ class LinkagePanel(Panel):
         )
 
     def _show_message(self) -> None:
-        situation = self._situation
+        operating_state = self._operating_state
         refusal = self._refusal
-        if refusal is None and not situation.control_certain:
+        if refusal is None and not operating_state.control_certain:
             refusal = Refusal("control_offset_unknown")
-        if refusal is None and not situation.teaching_input and self._notice is None:
-            refusal = situation.unreachable
+        if refusal is None and not operating_state.teaching_input and self._notice is None:
+            refusal = operating_state.unreachable
         self._say(refusal, self._notice)
 
     def retranslate_ui(self) -> None:

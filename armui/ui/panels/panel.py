@@ -10,7 +10,7 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QLabel, QLayout, QScrollArea, QVBoxLayout, QWidget
 
 from armui.arm.refusal import Refusal
-from armui.control.situation import Level, Notice
+from armui.control.operating_state import Level, Notice
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.widgets.message_line import MessageLine
@@ -49,7 +49,7 @@ class Panel(QWidget):
     ) -> None:
         super().__init__(parent)
         self._controller = controller
-        self._situation = controller.situation
+        self._operating_state = controller.operating_state
         self._refusal: Refusal | None = None
         self._title = QLabel()
         self._title.setProperty("rank", "title")
@@ -95,7 +95,7 @@ class Panel(QWidget):
         scrolls = any(isinstance(part, QScrollArea) for part in parts)
         layout.addStretch(0 if scrolls else 1)
 
-    def _took(self, refusal: Refusal | None) -> bool:
+    def _accepted(self, refusal: Refusal | None) -> bool:
         """Show the controller's answer; whether it was a yes."""
         self._refusal = refusal
         self._show_message()
@@ -127,7 +127,7 @@ class Panel(QWidget):
             title=title,
             text=text,
             action_label=label,
-            on_confirmed=lambda: self._took(act()),
+            on_confirmed=lambda: self._accepted(act()),
             hold=True,
         )
 

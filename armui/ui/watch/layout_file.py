@@ -6,7 +6,7 @@ import stat
 from pathlib import Path
 from typing import Final
 
-from armui.atomic import write_whole
+from armui.system.atomic import write_whole
 
 _MOST_BYTES: Final = 1 << 16
 

@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
-from armui.control.situation import Level
+from armui.control.operating_state import Level
 from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import icons, painting
 

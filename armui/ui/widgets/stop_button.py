@@ -9,7 +9,7 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QApplication, QWidget
 
-from armui.control.situation import Situation, StopState
+from armui.control.operating_state import OperatingState, StopState
 from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import painting
 from armui.ui.widgets.press_button import PressButton
@@ -51,11 +51,11 @@ class StopButton(PressButton):
         self.setObjectName("stop_button")
         self._controller = controller
         self._ask_to_resume = ask_to_resume
-        self._situation = controller.situation
+        self._operating_state = controller.operating_state
         self._last_press_ms: int | None = None
         self._hurried = False
         self.pressed.connect(self._on_pressed)
-        controller.situation_changed.connect(self._on_situation_changed)
+        controller.operating_state_changed.connect(self._on_situation_changed)
         self.retranslate_ui()
 
     # -- behaviour ----------------------------------------------------------------------------
@@ -83,13 +83,13 @@ class StopButton(PressButton):
             self._controller.emergency_stop()
 
     def _offers_recovery(self) -> bool:
-        return self._ask_to_resume is not None and self._situation.stop is StopState.STOPPED
+        return self._ask_to_resume is not None and self._operating_state.stop is StopState.STOPPED
 
     # -- appearance ---------------------------------------------------------------------------
 
-    def _on_situation_changed(self, situation: Situation) -> None:
-        old, self._situation = self._situation, situation
-        if _shown(old) != _shown(situation):
+    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+        old, self._operating_state = self._operating_state, operating_state
+        if _shown(old) != _shown(operating_state):
             self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
@@ -105,15 +105,15 @@ class StopButton(PressButton):
         self.update()
 
     def _words(self) -> str:
-        stop = self._situation.stop
+        stop = self._operating_state.stop
         if stop is StopState.RESUMING:
             return self.tr("Resuming…")
         if self._offers_recovery():
             return self.tr("Resume")
         if stop is StopState.REQUESTED:
-            if self._situation.stop_lapsed:
+            if self._operating_state.stop_lapsed:
                 return self.tr("Stop outstanding")
-            if self._situation.stop_unconfirmed:
+            if self._operating_state.stop_unconfirmed:
                 return self.tr("Stop unconfirmed")
             return self.tr("Stopping…")
         return self.tr("Emergency stop")
@@ -122,12 +122,12 @@ class StopButton(PressButton):
         """What stands below the word, smaller."""
         if self._offers_recovery():
             return self.tr("The arm is stopped")
-        if self._situation.stop_lapsed:
+        if self._operating_state.stop_lapsed:
             return self.tr("Press to send it")
         return {
             StopState.REQUESTED: self.tr("Waiting for the arm"),
             StopState.RESUMING: self.tr("Hold the arm"),
-        }.get(self._situation.stop, STOP_KEY_NAME)
+        }.get(self._operating_state.stop, STOP_KEY_NAME)
 
     def _all_words(self) -> list[str]:
         return [
@@ -162,7 +162,7 @@ class StopButton(PressButton):
         """Draw it."""
         colors = colors_of(self)
         painter = painting.begin(self)
-        stopped = self._offers_recovery() or self._situation.stop is StopState.RESUMING
+        stopped = self._offers_recovery() or self._operating_state.stop is StopState.RESUMING
         if stopped:
             painting.panel(painter, QRectF(self.rect()), colors.warn_pale, colors.warn, 2)
             ink = colors.warn
@@ -206,7 +206,7 @@ class StopButton(PressButton):
         painter.setBrush(QColor(ink))
         painter.drawPolygon(painting.octagon(center, _SIGN_PX))
         painter.setPen(QPen(QColor(ground), 3.4, c=Qt.PenCapStyle.RoundCap))
-        if self._situation.stop is StopState.REQUESTED:
+        if self._operating_state.stop is StopState.REQUESTED:
             painter.drawLine(center + QPointF(0, -6.5), center + QPointF(0, 0.5))
             painter.drawPoint(center + QPointF(0, 6.5))
         else:
@@ -225,6 +225,6 @@ class StopButton(PressButton):
         painter.drawLine(tip, tip + QPointF(-1.5, 5.2))
 
 
-def _shown(situation: Situation) -> tuple[object, ...]:
+def _shown(operating_state: OperatingState) -> tuple[object, ...]:
     """What its words depend on."""
-    return (situation.stop, situation.stop_unconfirmed, situation.stop_lapsed)
+    return (operating_state.stop, operating_state.stop_unconfirmed, operating_state.stop_lapsed)

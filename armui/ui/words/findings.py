@@ -7,7 +7,7 @@ from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-from armui.trajectory.findings import Finding
+from armui.trajectory.planning.findings import Finding
 from armui.ui.words.text import sentence
 
 _FINDINGS: Final[Mapping[str, object]] = {

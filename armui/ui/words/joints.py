@@ -7,7 +7,7 @@ from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
-from armui.arm.joint_status import Item, Verdict, Word
+from armui.arm.joint_status import Item, StatusVerdict, Word
 
 _ITEMS: Final[Mapping[Item, object]] = {
     Item.STATUS_CODE: QT_TRANSLATE_NOOP("JointItem", "Status code:"),
@@ -38,12 +38,12 @@ _WORDS: Final[Mapping[Word, object]] = {
     Word.HOMED: QT_TRANSLATE_NOOP("JointWord", "Homed"),
 }
 
-_VERDICTS: Final[Mapping[Verdict, object]] = {
-    Verdict.NORMAL: QT_TRANSLATE_NOOP("JointVerdict", "Normal"),
-    Verdict.DISABLED: QT_TRANSLATE_NOOP("JointVerdict", "Disabled"),
-    Verdict.UNKNOWN: QT_TRANSLATE_NOOP("JointVerdict", "Unknown"),
-    Verdict.FAULT: QT_TRANSLATE_NOOP("JointVerdict", "Fault"),
-    Verdict.OFFLINE: QT_TRANSLATE_NOOP("JointVerdict", "Offline"),
+_VERDICTS: Final[Mapping[StatusVerdict, object]] = {
+    StatusVerdict.NORMAL: QT_TRANSLATE_NOOP("JointVerdict", "Normal"),
+    StatusVerdict.DISABLED: QT_TRANSLATE_NOOP("JointVerdict", "Disabled"),
+    StatusVerdict.UNKNOWN: QT_TRANSLATE_NOOP("JointVerdict", "Unknown"),
+    StatusVerdict.FAULT: QT_TRANSLATE_NOOP("JointVerdict", "Fault"),
+    StatusVerdict.OFFLINE: QT_TRANSLATE_NOOP("JointVerdict", "Offline"),
 }
 
 
@@ -57,6 +57,6 @@ def joint_word(word: Word) -> str:
     return QCoreApplication.translate("JointWord", str(_WORDS[word]))
 
 
-def joint_verdict(verdict: Verdict) -> str:
+def joint_verdict(verdict: StatusVerdict) -> str:
     """How the six joints are («有故障»)."""
     return QCoreApplication.translate("JointVerdict", str(_VERDICTS[verdict]))

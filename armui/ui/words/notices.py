@@ -9,7 +9,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
-from armui.control.situation import Notice
+from armui.control.operating_state import Notice
 from armui.protocol.codes import EndLoad, TeachingState, TrajectoryCommand
 from armui.ui.words.devices import device_name
 from armui.ui.words.gripper import end_load, gripper_act

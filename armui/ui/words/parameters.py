@@ -7,9 +7,9 @@ from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-from armui.arm.comparison import Verdict
+from armui.arm.comparison import ComparisonVerdict
 from armui.arm.parameters import KINDS, Parameter
-from armui.control.setting_draft import Look
+from armui.control.parameters.setting_draft import CellStatus
 from armui.ui.words.text import sentence
 
 _NAMES: Final[Mapping[str, object]] = {
@@ -31,35 +31,37 @@ _NAMES: Final[Mapping[str, object]] = {
     "teaching_friction": QT_TRANSLATE_NOOP("Parameter", "Teaching friction"),
 }
 
-_LOOKS: Final[Mapping[Look, object]] = {
-    Look.NOT_READ: QT_TRANSLATE_NOOP("Parameter", "not read"),
-    Look.READING: QT_TRANSLATE_NOOP("Parameter", "reading…"),
-    Look.CORRUPT: QT_TRANSLATE_NOOP("Parameter", "corrupt"),
-    Look.SAVING: QT_TRANSLATE_NOOP("Parameter", "saving…"),
-    Look.SAVED: QT_TRANSLATE_NOOP("Parameter", "saved"),
-    Look.NOT_SAVED: QT_TRANSLATE_NOOP("Parameter", "not saved"),
-    Look.WRONG: QT_TRANSLATE_NOOP("Parameter", "not possible"),
+_LOOKS: Final[Mapping[CellStatus, object]] = {
+    CellStatus.NOT_READ: QT_TRANSLATE_NOOP("Parameter", "not read"),
+    CellStatus.READING: QT_TRANSLATE_NOOP("Parameter", "reading…"),
+    CellStatus.CORRUPT: QT_TRANSLATE_NOOP("Parameter", "corrupt"),
+    CellStatus.SAVING: QT_TRANSLATE_NOOP("Parameter", "saving…"),
+    CellStatus.SAVED: QT_TRANSLATE_NOOP("Parameter", "saved"),
+    CellStatus.NOT_SAVED: QT_TRANSLATE_NOOP("Parameter", "not saved"),
+    CellStatus.WRONG: QT_TRANSLATE_NOOP("Parameter", "not possible"),
 }
 
-_EXPLAINED: Final[Mapping[Look, object]] = {
-    Look.NOT_READ: QT_TRANSLATE_NOOP("Parameter", "Not read from the arm."),
-    Look.READING: QT_TRANSLATE_NOOP("Parameter", "Being read from the arm."),
-    Look.CORRUPT: QT_TRANSLATE_NOOP(
+_EXPLAINED: Final[Mapping[CellStatus, object]] = {
+    CellStatus.NOT_READ: QT_TRANSLATE_NOOP("Parameter", "Not read from the arm."),
+    CellStatus.READING: QT_TRANSLATE_NOOP("Parameter", "Being read from the arm."),
+    CellStatus.CORRUPT: QT_TRANSLATE_NOOP(
         "Parameter",
         "What the arm holds here cannot be true: its memory is corrupt (0xFFFF). Enter a value and "
         "save it.",
     ),
-    Look.CHANGED: QT_TRANSLATE_NOOP("Parameter", "Changed and not saved; the arm holds {held}."),
-    Look.SAVING: QT_TRANSLATE_NOOP("Parameter", "Sent to the arm; its answer is awaited."),
-    Look.SAVED: QT_TRANSLATE_NOOP("Parameter", "Saved: the arm holds this value."),
+    CellStatus.CHANGED: QT_TRANSLATE_NOOP(
+        "Parameter", "Changed and not saved; the arm holds {held}."
+    ),
+    CellStatus.SAVING: QT_TRANSLATE_NOOP("Parameter", "Sent to the arm; its answer is awaited."),
+    CellStatus.SAVED: QT_TRANSLATE_NOOP("Parameter", "Saved: the arm holds this value."),
 }
 
-_VERDICTS: Final[Mapping[Verdict, object]] = {
-    Verdict.SAME: QT_TRANSLATE_NOOP("Parameter", "= the same"),
-    Verdict.DIFFERS: QT_TRANSLATE_NOOP("Parameter", "≠ differs"),
-    Verdict.ONLY_IN_FILE: QT_TRANSLATE_NOOP("Parameter", "only in the file"),
-    Verdict.ONLY_IN_ARM: QT_TRANSLATE_NOOP("Parameter", "only in the arm"),
-    Verdict.NOT_READ: QT_TRANSLATE_NOOP("Parameter", "not read from the arm"),
+_VERDICTS: Final[Mapping[ComparisonVerdict, object]] = {
+    ComparisonVerdict.SAME: QT_TRANSLATE_NOOP("Parameter", "= the same"),
+    ComparisonVerdict.DIFFERS: QT_TRANSLATE_NOOP("Parameter", "≠ differs"),
+    ComparisonVerdict.ONLY_IN_FILE: QT_TRANSLATE_NOOP("Parameter", "only in the file"),
+    ComparisonVerdict.ONLY_IN_ARM: QT_TRANSLATE_NOOP("Parameter", "only in the arm"),
+    ComparisonVerdict.NOT_READ: QT_TRANSLATE_NOOP("Parameter", "not read from the arm"),
 }
 
 
@@ -81,19 +83,19 @@ def value_text(name: str, value: float) -> str:
     return f"{value:.{kind.decimals}f}{gap}{kind.unit}"
 
 
-def look_word(look: Look) -> str:
+def look_word(look: CellStatus) -> str:
     """How a parameter stands, in a word or two; nothing where it is as the arm holds it."""
     source = _LOOKS.get(look)
     return "" if source is None else sentence("Parameter", source, {})
 
 
-def look_explained(look: Look, held: str) -> str:
+def look_explained(look: CellStatus, held: str) -> str:
     """The same as a sentence; ``held`` is what the arm holds."""
     source = _EXPLAINED.get(look)
     return "" if source is None else sentence("Parameter", source, {"held": held})
 
 
-def verdict_word(verdict: Verdict) -> str:
+def verdict_word(verdict: ComparisonVerdict) -> str:
     """How a parameter of a backup compares with the arm's."""
     return sentence("Parameter", _VERDICTS[verdict], {})
 

@@ -7,229 +7,231 @@ from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
-from armui.control.recovery_steps import Action, Kind, Step
+from armui.control.safety.recovery_steps import Action, Step, StepKind
 from armui.ui.words import status
 from armui.ui.words.other_hosts import held_target, other_mode
 from armui.ui.words.refusals import refusal, under_way
 from armui.ui.words.text import sentence
 
-_SENTENCES: Final[Mapping[Kind, object]] = {
-    Kind.NO_DEVICE: QT_TRANSLATE_NOOP("RecoveryStep", "No arm is connected."),
-    Kind.OPENING: QT_TRANSLATE_NOOP("RecoveryStep", "The device is being opened."),
-    Kind.DEVICE_LOST: QT_TRANSLATE_NOOP(
+_SENTENCES: Final[Mapping[StepKind, object]] = {
+    StepKind.NO_DEVICE: QT_TRANSLATE_NOOP("RecoveryStep", "No arm is connected."),
+    StepKind.OPENING: QT_TRANSLATE_NOOP("RecoveryStep", "The device is being opened."),
+    StepKind.DEVICE_LOST: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The CAN device is gone. Plug it in again, or choose another one.",
     ),
-    Kind.STOP_WAITS_FOR_DEVICE: QT_TRANSLATE_NOOP(
+    StepKind.STOP_WAITS_FOR_DEVICE: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "A stop is outstanding: it goes out once the CAN device is back. Cut the arm's power if "
         "it moves.",
     ),
-    Kind.STOP_LAPSED_AWAY: QT_TRANSLATE_NOOP(
+    StepKind.STOP_LAPSED_AWAY: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "A stop is outstanding, and the arm is away. Cut its power if it moves, or connect to it "
         "and press the emergency stop.",
     ),
-    Kind.STOP_LAPSED: QT_TRANSLATE_NOOP(
+    StepKind.STOP_LAPSED: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "A stop is outstanding: the arm was away and has not confirmed it. Press the emergency "
         "stop to send it now, or withdraw it.",
     ),
-    Kind.TEACHING_INPUT: QT_TRANSLATE_NOOP(
+    StepKind.TEACHING_INPUT: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The arm is a teaching input: it sends commands and obeys none. Make it a motion "
         "output again.",
     ),
-    Kind.STOP_UNCONFIRMED: QT_TRANSLATE_NOOP(
+    StepKind.STOP_UNCONFIRMED: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The arm has NOT confirmed the stop; it is sent again and again. Cut its power if it "
         "moves.",
     ),
-    Kind.STOP_REQUESTED: QT_TRANSLATE_NOOP(
+    StepKind.STOP_REQUESTED: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "Stop sent. Waiting for the arm to confirm it.",
     ),
-    Kind.OFFLINE: QT_TRANSLATE_NOOP(
+    StepKind.OFFLINE: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "Nothing is heard from the arm. Check its power, the CAN cable and the bit rate.",
     ),
-    Kind.LISTEN_ONLY: QT_TRANSLATE_NOOP(
+    StepKind.LISTEN_ONLY: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "Only listening: nothing is sent but the emergency stop.",
     ),
-    Kind.WORKING: QT_TRANSLATE_NOOP("RecoveryStep", "Waiting for the arm: {what}."),
-    Kind.STOPPED: QT_TRANSLATE_NOOP(
+    StepKind.WORKING: QT_TRANSLATE_NOOP("RecoveryStep", "Waiting for the arm: {what}."),
+    StepKind.STOPPED: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "Stopped. Support the arm: power will be cut and the arm drops. Then resume.",
     ),
-    Kind.HANDSHAKE: QT_TRANSLATE_NOOP("RecoveryStep", "The arm is being asked for its protocol."),
-    Kind.STATUS_UNKNOWN: QT_TRANSLATE_NOOP(
+    StepKind.HANDSHAKE: QT_TRANSLATE_NOOP(
+        "RecoveryStep", "The arm is being asked for its protocol."
+    ),
+    StepKind.STATUS_UNKNOWN: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The arm sends no complete feedback. If it stays so, check its power and connect again.",
     ),
-    Kind.COMMUNICATION: QT_TRANSLATE_NOOP(
+    StepKind.COMMUNICATION: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "No communication with joint {joints}. Check its cable; if the message stays, reset "
         "the arm.",
     ),
-    Kind.COLLISION: QT_TRANSLATE_NOOP(
+    StepKind.COLLISION: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "Collision, joint {joints}. Remove what the arm hit, then clear the error.",
     ),
-    Kind.DRIVER_FAULT: QT_TRANSLATE_NOOP(
+    StepKind.DRIVER_FAULT: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "Driver error, joint {joints}: its motor is off. Hold the arm, then clear the error.",
     ),
-    Kind.OVERCURRENT: QT_TRANSLATE_NOOP(
+    StepKind.OVERCURRENT: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "Overcurrent, joint {joints}: its motor may be off. Hold the arm, take the load "
         "away, clear the error.",
     ),
-    Kind.STALL: QT_TRANSLATE_NOOP(
+    StepKind.STALL: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "Joint {joints} is held fast. Free it, then clear the error.",
     ),
-    Kind.SENSOR: QT_TRANSLATE_NOOP(
+    StepKind.SENSOR: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint's "
         "encoder.",
     ),
-    Kind.UNDERVOLTAGE: QT_TRANSLATE_NOOP(
+    StepKind.UNDERVOLTAGE: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "Supply voltage too low, joint {joints}. Check the 24 V supply; the arm goes on by itself.",
     ),
-    Kind.OVERTEMPERATURE: QT_TRANSLATE_NOOP(
+    StepKind.OVERTEMPERATURE: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "Too hot, joint {joints}. Let the arm cool down; the message goes by itself.",
     ),
-    Kind.JOINT_STATUS: QT_TRANSLATE_NOOP(
+    StepKind.JOINT_STATUS: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The arm reports a joint status fault. Look at the joint status, then clear the errors.",
     ),
-    Kind.BRAKE_CLOSED: QT_TRANSLATE_NOOP(
+    StepKind.BRAKE_CLOSED: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "A joint's brake is not released. Hold the arm, then reset it.",
     ),
-    Kind.CONTROLLER_HOT: QT_TRANSLATE_NOOP(
+    StepKind.CONTROLLER_HOT: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The main controller is too hot. Let it cool down; if the message stays, reset the arm.",
     ),
-    Kind.RESISTOR_HOT: QT_TRANSLATE_NOOP(
+    StepKind.RESISTOR_HOT: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The brake resistor is too hot. Let it cool down; if the message stays, reset the arm.",
     ),
-    Kind.OTHER_FAULT: QT_TRANSLATE_NOOP(
+    StepKind.OTHER_FAULT: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The arm reports an unspecified fault. Look at the joint status, then reset the arm.",
     ),
-    Kind.UNKNOWN_STATUS: QT_TRANSLATE_NOOP(
+    StepKind.UNKNOWN_STATUS: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The arm reports a status this program does not know ({status}). Reset the arm.",
     ),
-    Kind.RECORDING: QT_TRANSLATE_NOOP(
+    StepKind.RECORDING: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The arm records: lead it by hand. Stop recording when done.",
     ),
-    Kind.REPLAYING: QT_TRANSLATE_NOOP(
+    StepKind.REPLAYING: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The arm replays what it was taught. Keep clear.",
     ),
-    Kind.REPLAY_PAUSED: QT_TRANSLATE_NOOP(
+    StepKind.REPLAY_PAUSED: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The replay is paused. Continue under Teaching, or terminate it.",
     ),
-    Kind.OTHER_CONTROL: QT_TRANSLATE_NOOP(
+    StepKind.OTHER_CONTROL: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The arm takes its commands from elsewhere: {mode}. Take the command.",
     ),
-    Kind.CANCEL_UNHEEDED: QT_TRANSLATE_NOOP(
+    StepKind.CANCEL_UNHEEDED: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The arm was told to end its motion and still moves. Stop it, or cut its power.",
     ),
-    Kind.OTHER_MODE: QT_TRANSLATE_NOOP(
+    StepKind.OTHER_MODE: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "Another program drives the arm in {other_mode} mode. Nothing is sent: a mode word would "
         "let the arm fall.",
     ),
-    Kind.OTHER_HOST: QT_TRANSLATE_NOOP(
+    StepKind.OTHER_HOST: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "Another program controls the arm since {since} ({frames}, {rate} frames/s).",
     ),
-    Kind.LEADER_ARM: QT_TRANSLATE_NOOP(
+    StepKind.LEADER_ARM: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "A leader arm moves this arm since {since} ({frames}, {rate} frames/s).",
     ),
-    Kind.PAUSED: QT_TRANSLATE_NOOP(
+    StepKind.PAUSED: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The arm holds back a paused motion to {target}. Hold Continue, or give it up.",
     ),
-    Kind.HELD_AT_ZERO: QT_TRANSLATE_NOOP(
+    StepKind.HELD_AT_ZERO: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The arm holds back a motion to {target} at 0 %. Set a speed and hold Continue, or give "
         "it up.",
     ),
-    Kind.MOTORS_UNKNOWN: QT_TRANSLATE_NOOP(
+    StepKind.MOTORS_UNKNOWN: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "Not every motor has reported. If it stays so, check power and cable, and connect again.",
     ),
-    Kind.DRAG_MODE_AT_REST: QT_TRANSLATE_NOOP(
+    StepKind.DRAG_MODE_AT_REST: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "Still in drag teaching, near the rest pose. Hold the arm and reset it; if it stays, "
         "switch it off and on.",
     ),
-    Kind.DRAG_MODE_WITHOUT_POWER: QT_TRANSLATE_NOOP(
+    StepKind.DRAG_MODE_WITHOUT_POWER: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "Still in drag teaching, joint {joint} at {angle}°. Enable the motors, then lead the "
         "arm to its rest pose.",
     ),
-    Kind.OVERSPEED: QT_TRANSLATE_NOOP(
+    StepKind.OVERSPEED: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "Dragged too fast: the recording has ended. Lead the arm slowly to within {near}° of "
         "zero (joint {joint}: {angle}°).",
     ),
-    Kind.DRAG_MODE: QT_TRANSLATE_NOOP(
+    StepKind.DRAG_MODE: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "Still in drag teaching. Lead every joint by hand to within {near}° of zero (joint "
         "{joint}: {angle}°).",
     ),
-    Kind.OVERSPEED_REPORTED: QT_TRANSLATE_NOOP(
+    StepKind.OVERSPEED_REPORTED: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The arm was dragged too fast. Hold it, then reset it.",
     ),
-    Kind.MOTORS_MIXED: QT_TRANSLATE_NOOP(
+    StepKind.MOTORS_MIXED: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The motors of joint {joints} are off. Hold the arm, then enable them.",
     ),
-    Kind.MOTORS_OFF: QT_TRANSLATE_NOOP(
+    StepKind.MOTORS_OFF: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The motors are off. Enable them to move the arm.",
     ),
-    Kind.BEYOND_LIMIT: QT_TRANSLATE_NOOP(
+    StepKind.BEYOND_LIMIT: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "Joint {joints} beyond its limit. The arm stands still; send a target within the limits.",
     ),
-    Kind.TARGET_BEYOND_LIMIT: QT_TRANSLATE_NOOP(
+    StepKind.TARGET_BEYOND_LIMIT: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The last target is beyond a limit. The arm stands still; send another target.",
     ),
-    Kind.NO_SOLUTION: QT_TRANSLATE_NOOP(
+    StepKind.NO_SOLUTION: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "No way to the last target was found. The arm stands still; send another target.",
     ),
-    Kind.SINGULARITY: QT_TRANSLATE_NOOP(
+    StepKind.SINGULARITY: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The way to the last target is singular. The arm stands still; send another target, "
         "or by joints.",
     ),
-    Kind.READY: QT_TRANSLATE_NOOP("RecoveryStep", "Ready"),
+    StepKind.READY: QT_TRANSLATE_NOOP("RecoveryStep", "Ready"),
 }
 
-_SOMEWHERE: Final[Mapping[Kind, object]] = {
-    Kind.COMMUNICATION: QT_TRANSLATE_NOOP(
+_SOMEWHERE: Final[Mapping[StepKind, object]] = {
+    StepKind.COMMUNICATION: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The arm has lost a joint. Check the cables; if the message stays, reset the arm.",
     ),
-    Kind.COLLISION: QT_TRANSLATE_NOOP(
+    StepKind.COLLISION: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "The arm has hit something. Remove it, then clear the errors.",
     ),

@@ -7,7 +7,7 @@ from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
-from armui.control.teaching_phase import Phase
+from armui.control.devices.teaching_phase import TeachingPhase
 from armui.protocol.codes import TeachingState, TrajectoryCommand
 
 _COMMANDS: Final[Mapping[TeachingState, object]] = {
@@ -28,12 +28,12 @@ _PLANS: Final[Mapping[TrajectoryCommand, object]] = {
     TrajectoryCommand.ABORT: QT_TRANSLATE_NOOP("TrajectoryCommand", "Terminate"),
 }
 
-_PHASES: Final[Mapping[Phase, object]] = {
-    Phase.OFF: QT_TRANSLATE_NOOP("TeachingPhase", "Not in drag teaching"),
-    Phase.IDLE: QT_TRANSLATE_NOOP("TeachingPhase", "In drag teaching, nothing under way"),
-    Phase.RECORDING: QT_TRANSLATE_NOOP("TeachingPhase", "Recording: lead the arm by hand"),
-    Phase.REPLAYING: QT_TRANSLATE_NOOP("TeachingPhase", "Moving along the recording"),
-    Phase.PAUSED: QT_TRANSLATE_NOOP("TeachingPhase", "Replay paused"),
+_PHASES: Final[Mapping[TeachingPhase, object]] = {
+    TeachingPhase.OFF: QT_TRANSLATE_NOOP("TeachingPhase", "Not in drag teaching"),
+    TeachingPhase.IDLE: QT_TRANSLATE_NOOP("TeachingPhase", "In drag teaching, nothing under way"),
+    TeachingPhase.RECORDING: QT_TRANSLATE_NOOP("TeachingPhase", "Recording: lead the arm by hand"),
+    TeachingPhase.REPLAYING: QT_TRANSLATE_NOOP("TeachingPhase", "Moving along the recording"),
+    TeachingPhase.PAUSED: QT_TRANSLATE_NOOP("TeachingPhase", "Replay paused"),
 }
 
 
@@ -47,6 +47,6 @@ def trajectory_command(command: TrajectoryCommand) -> str:
     return QCoreApplication.translate("TrajectoryCommand", str(_PLANS[command]))
 
 
-def teaching_phase(phase: Phase) -> str:
+def teaching_phase(phase: TeachingPhase) -> str:
     """What drag teaching does, for a heading."""
     return QCoreApplication.translate("TeachingPhase", str(_PHASES[phase]))

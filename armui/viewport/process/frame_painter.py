@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from armui.viewport.errors import SceneError
-from armui.viewport.messages import Phase
+from armui.viewport.messages import PicturePhase
 from armui.viewport.view_state import ViewState
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ class FramePainter:
         on_load_failed: Callable[[Refusal], None],
         on_picked: Callable[[int | None], None],
         on_mark_picked: Callable[[int], None],
-        on_phase: Callable[[Phase], None] = lambda _phase: None,
+        on_phase: Callable[[PicturePhase], None] = lambda _phase: None,
     ) -> None:
         self._on_load_failed = on_load_failed
         self._on_picked = on_picked
@@ -122,21 +122,21 @@ class FramePainter:
     def _open(self) -> Scene:
         from armui.viewport.process.scene import Scene  # noqa: PLC0415 - see `open`
 
-        self._on_phase(Phase.OPENING)
+        self._on_phase(PicturePhase.OPENING)
         self._scene = Scene()
         return self._scene
 
     def _load(self, scene: Scene, state: ViewState, known: Robot | None) -> None:
         if known is not None:
             scene.show_robot(known)
-            self._on_phase(Phase.FIRST_DRAWING)
+            self._on_phase(PicturePhase.FIRST_DRAWING)
             return
-        self._on_phase(Phase.STARTING)
+        self._on_phase(PicturePhase.STARTING)
         from armui.viewport.process import urdf_file  # noqa: F401, PLC0415 - see `open`
 
-        self._on_phase(Phase.LOADING)
+        self._on_phase(PicturePhase.LOADING)
         try:
             scene.load(state.robot.path)
         except SceneError as error:
             self._on_load_failed(error.refusal)
-        self._on_phase(Phase.FIRST_DRAWING)
+        self._on_phase(PicturePhase.FIRST_DRAWING)

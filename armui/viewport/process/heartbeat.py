@@ -7,7 +7,7 @@ import time
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final
 
-from armui.viewport.messages import Busy, Phase
+from armui.viewport.messages import PictureBusy, PicturePhase
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -29,7 +29,7 @@ class Heartbeat:
         self._connection = connection
         self._sending = threading.Lock()
         self._awake = threading.Event()
-        self._phase: Phase | None = None
+        self._phase: PicturePhase | None = None
         self._cpu_began_s = 0.0
         self._late_s = 0.0
         threading.Thread(target=self._beat, name="heartbeat", daemon=True).start()
@@ -44,7 +44,7 @@ class Heartbeat:
             self._connection.send(message)
 
     @contextmanager
-    def beating(self, phase: Phase) -> Iterator[None]:
+    def beating(self, phase: PicturePhase) -> Iterator[None]:
         """Give signs of life while something is done."""
         self._cpu_began_s = time.process_time()
         self._phase = phase
@@ -54,7 +54,7 @@ class Heartbeat:
         finally:
             self._phase = None
 
-    def enter(self, phase: Phase) -> None:
+    def enter(self, phase: PicturePhase) -> None:
         """Something else is done from now on: the program has other limits for it."""
         self._cpu_began_s = time.process_time()
         self._phase = phase
@@ -77,5 +77,5 @@ class Heartbeat:
             except OSError:
                 return  # the program has ended; the thread that draws finds out
 
-    def _tell(self, phase: Phase) -> None:
-        self.send(Busy(phase, time.process_time() - self._cpu_began_s, self._late_s))
+    def _tell(self, phase: PicturePhase) -> None:
+        self.send(PictureBusy(phase, time.process_time() - self._cpu_began_s, self._late_s))

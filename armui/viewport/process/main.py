@@ -19,7 +19,7 @@ from armui.viewport.messages import (
     JointPicked,
     LoadFailed,
     MarkPicked,
-    Phase,
+    PicturePhase,
     Ready,
     RobotRead,
 )
@@ -67,13 +67,13 @@ class _Drawing:
         )
 
     def serve(self, connection: Connection) -> None:
-        with self._heart.beating(Phase.STARTING):
+        with self._heart.beating(PicturePhase.STARTING):
             self._painter.open()
         self._say(Ready())
         stands_back = False
         while True:
             request: Draw = connection.recv()
-            with self._heart.beating(Phase.DRAWING):
+            with self._heart.beating(PicturePhase.DRAWING):
                 answer = self._answer(request)
             self._say(answer)
             if not stands_back:

@@ -59,7 +59,7 @@ class Surface:
 
 
 @dataclass(frozen=True)
-class Part:
+class RobotPart:
     """One shape of a link.
 
     Attributes:
@@ -127,7 +127,7 @@ class Robot:
     root: str
     joints: tuple[Joint, ...]
     arm_joints: tuple[str, ...]
-    parts: tuple[Part, ...]
+    parts: tuple[RobotPart, ...]
 
     def link_poses(self, angles_deg: Sequence[float], opening_mm: float) -> dict[str, Matrix]:
         """Poses of all links in the root's frame.

@@ -26,9 +26,9 @@ from armui.viewport.process.robot import (
     HINGES,
     Joint,
     Mimic,
-    Part,
     Rgb,
     Robot,
+    RobotPart,
     Surface,
 )
 
@@ -173,13 +173,13 @@ def _arm_joints(path: Path, joints: Sequence[Joint]) -> tuple[str, ...]:
     return shared
 
 
-def _part(path: Path, description: yourdfpy.Robot, link: str, visual: yourdfpy.Visual) -> Part:
+def _part(path: Path, description: yourdfpy.Robot, link: str, visual: yourdfpy.Visual) -> RobotPart:
     try:
         surface = _surface(path, visual.geometry)
         if visual.origin is not None:
             surface.apply_transform(visual.origin)
         plain = Surface(np.array(surface.vertices, float), np.array(surface.faces, int))
-        return Part(link, plain, _color(description, visual.material))
+        return RobotPart(link, plain, _color(description, visual.material))
     except ValueError as error:  # of trimesh and numpy: too few numbers in a size or a colour
         raise _malformed(path, f"{link}: {error}") from error
 

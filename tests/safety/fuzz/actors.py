@@ -9,17 +9,17 @@ from typing import Any, Final
 
 import numpy as np
 
-from armui.arm.frames import JogFrame
 from armui.arm.parameters import Parameter
-from armui.control.jog_ways import JointJog, ToolJog
-from armui.control.recovery_steps import Action
-from armui.control.replay import Replay
-from armui.control.run import Run
-from armui.control.situation import LinkState, StopState
+from armui.control.motion.jog_path import JointJog, ToolJog
+from armui.control.operating_state import LinkState, StopState
+from armui.control.run.progress import Run
+from armui.control.run.replay import Replay
+from armui.control.safety.recovery_steps import Action
+from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import EndLoad, LinkageRole, MoveMode, TeachingState, TrajectoryCommand
-from armui.sim.faults import fault
-from armui.trajectory.program import Waypoint
-from armui.trajectory.recording import Recording
+from armui.sim.faults.schedule import fault
+from armui.trajectory.points.program import Waypoint
+from armui.trajectory.samples.recording import Recording
 from tests.safety.fuzz.oracle import Asked, Kind, Oracle
 from tests.safety.fuzz.world import World
 from tests.sim.talk import DISABLE, ENABLE, pose_target
@@ -119,7 +119,7 @@ class Actors:
 
     def stop(self) -> None:
         self._controller.emergency_stop()
-        if self._controller.situation.link is not LinkState.NO_DEVICE:
+        if self._controller.operating_state.link is not LinkState.NO_DEVICE:
             self._oracle.stop_pressed()
         self._oracle.cancel("stop")
 
@@ -128,12 +128,12 @@ class Actors:
             self._oracle.stop_lifted()
             self._oracle.cancel("resume")
 
-    def run(self, first: tuple[float, ...], second: tuple[float, ...], laps: int) -> None:
+    def run(self, first: tuple[float, ...], second: tuple[float, ...], cycles: int) -> None:
         points = [Waypoint(MoveMode.MOVE_J, each, speed_percent=50) for each in (first, second)]
-        refusal = self._controller.player.start(Run("fuzz", points, [2.0, 2.0], laps=laps))
+        refusal = self._controller.player.start(Run("fuzz", points, [2.0, 2.0], cycles=cycles))
         self._ask(Kind.RUN, refusal)
 
-    def replay(self, joints_deg: tuple[float, ...], laps: int) -> None:
+    def replay(self, joints_deg: tuple[float, ...], cycles: int) -> None:
         times = np.arange(0.0, 2.0, 0.02)
         samples = np.zeros((len(times), 8))
         samples[:, 0] = times
@@ -141,7 +141,7 @@ class Actors:
         samples[:, 1] += 5.0 * np.sin(math.pi * times)
         samples[:, 7] = math.nan
         recording = Recording("fuzz", samples=samples, modified=datetime(2026, 1, 1, tzinfo=UTC))
-        self._ask(Kind.RUN, self._controller.replayer.start(Replay(recording, laps=laps)))
+        self._ask(Kind.RUN, self._controller.replayer.start(Replay(recording, cycles=cycles)))
 
     def pause_run(self) -> None:
         self._controller.player.pause()
@@ -231,7 +231,7 @@ class Actors:
         self._oracle.stop_lifted()
 
     def connect(self) -> None:
-        if self._controller.situation.link is LinkState.NO_DEVICE:
+        if self._controller.operating_state.link is LinkState.NO_DEVICE:
             self._controller.connect_device(self._world.device)
             self._world.still_timers()
 
@@ -242,17 +242,17 @@ class Actors:
         self.other_ends_streams()
         self.let_go()
         for _ in range(_PATIENCE):
-            situation = self._controller.situation
-            if situation.cannot_move is None:
+            operating_state = self._controller.operating_state
+            if operating_state.cannot_move is None:
                 return
-            if not situation.speed_percent:
+            if not operating_state.speed_percent:
                 self.speed(30)
             self.connect()
-            if situation.stop is StopState.STOPPED:
+            if operating_state.stop is StopState.STOPPED:
                 self.resume()
-            elif situation.cannot_enable is None and False in situation.enabled:
+            elif operating_state.cannot_enable is None and False in operating_state.enabled:
                 self.enable(7)
-            elif situation.holds:
+            elif operating_state.holds:
                 self.plan(TrajectoryCommand.ABORT)
             else:
                 self.next_step()
@@ -332,7 +332,7 @@ class Actors:
             arm.protection.push(self._pushed, torque_nm)
 
     def lead(self, joints_deg: tuple[float, ...]) -> None:
-        self._world.firmware.hand.lead_to(joints_deg, speed_deg_s=_PULLED_DEG)
+        self._world.firmware.hand_guiding.lead_to(joints_deg, speed_deg_s=_PULLED_DEG)
 
     # What breaks -------------------------------------------------------------------------------
 
@@ -342,15 +342,15 @@ class Actors:
     def mend(self) -> None:
         for each in list(self._world.node.faults.active):
             self._world.node.faults.end(each)
-        line = self._world.node.line
+        line = self._world.node.link
         line.mute_on.clear()
         line.deaf_to.clear()
 
     def silence(self, identifiers: tuple[int, ...]) -> None:
-        self._world.node.line.mute_on |= set(identifiers)
+        self._world.node.link.mute_on |= set(identifiers)
 
     def lose(self, identifier: int) -> None:
-        line = self._world.node.line
+        line = self._world.node.link
         (line.lose_to_bus if identifier in (0x2A1, 0x476) else line.lose_to_arm)(identifier)
 
     def unplug(self) -> None:
@@ -382,4 +382,4 @@ class Actors:
         self._oracle.suspended()
 
     def sag(self, degrees: float) -> None:
-        self._world.firmware.body.sag_deg = (0.0, degrees, -degrees, 0.0, degrees, 0.0)
+        self._world.firmware.mechanics.sag_deg = (0.0, degrees, -degrees, 0.0, degrees, 0.0)

@@ -13,8 +13,8 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
-from armui.control.situation import LinkState, StopState
-from armui.sim.motion import SixValues
+from armui.control.operating_state import LinkState, StopState
+from armui.sim.mechanics.powered_joints import SixValues
 from tests.safety.fuzz.traffic import Said, Sender, Started, base_id, is_motion
 from tests.safety.fuzz.world import World
 
@@ -185,10 +185,10 @@ class Oracle:
     def _follow(self) -> None:
         """Note what later judgements depend on."""
         self._places_deg.append(self._world.firmware.joints_deg)
-        world, line = self._world, self._world.node.line
+        world, line = self._world, self._world.node.link
         # of a target of which a frame got lost, or nobody's frame became part, no goal is known
         self._mixed = self._mixed or bool(line.loss or line.garbage_per_s or line.off)
-        if world.controller.situation.link not in (LinkState.ONLINE, LinkState.OFFLINE):
+        if world.controller.operating_state.link not in (LinkState.ONLINE, LinkState.OFFLINE):
             self._unconnected_s = world.time_s
 
     def _on_said(self, said: Said) -> list[Violation]:
@@ -307,7 +307,10 @@ class Oracle:
         if self._stop_holds:
             self._stop_s = None
             return [Violation("S5", "a stop ended by itself", "the arm is no longer stopped")]
-        if self._stop_cannot_arrive() or world.controller.situation.link is LinkState.NO_DEVICE:
+        if (
+            self._stop_cannot_arrive()
+            or world.controller.operating_state.link is LinkState.NO_DEVICE
+        ):
             self._stop_s = world.time_s
             return []
         late_s = world.time_s - max(self._stop_s, self._suspended_s)
@@ -318,7 +321,7 @@ class Oracle:
 
     def _stop_cannot_arrive(self) -> bool:
         """Cut cables and broken lines, by name."""
-        world, line = self._world, self._world.node.line
+        world, line = self._world, self._world.node.link
         identifiers = {0x150, 0x160, 0x170}
         return bool(
             not world.hears
@@ -334,7 +337,7 @@ class Oracle:
 
     def _stale(self) -> list[Violation]:
         world, controller = self._world, self._world.controller
-        situation, state, now_s = controller.situation, controller.state, world.time_s
+        operating_state, state, now_s = controller.operating_state, controller.state, world.time_s
         if now_s - self._suspended_s <= _LOOK_S:
             return []
         limit_s = _OLD_S + _LOOK_S
@@ -342,15 +345,19 @@ class Oracle:
         status_s = _age(state.status, now_s)
         angles_s = max((_age(each, now_s) for each in state.joints_deg), default=1e9)
         feedback_s = now_s - (state.last_feedback_s or -1e9)
-        if situation.link is LinkState.ONLINE and feedback_s > limit_s and state.last_feedback_s:
+        if (
+            operating_state.link is LinkState.ONLINE
+            and feedback_s > limit_s
+            and state.last_feedback_s
+        ):
             found.append(Violation("S18", "online though silent", f"silent for {feedback_s:.2f} s"))
-        if situation.cannot_move is None and status_s > limit_s:
+        if operating_state.cannot_move is None and status_s > limit_s:
             text = f"0x2A1 is {status_s:.2f} s old and the arm may be moved"
             found.append(Violation("S9", "may move by an old 0x2A1", text))
-        if situation.cannot_move is None and angles_s > limit_s:
+        if operating_state.cannot_move is None and angles_s > limit_s:
             text = f"angles are {angles_s:.2f} s old and the arm may be moved"
             found.append(Violation("S9", "may move by old angles", text))
-        if situation.stop is StopState.STOPPED and status_s > limit_s:
+        if operating_state.stop is StopState.STOPPED and status_s > limit_s:
             text = f"0x2A1 is {status_s:.2f} s old and the stop is shown as confirmed"
             found.append(Violation("S6", "stopped by an old 0x2A1", text))
         return found

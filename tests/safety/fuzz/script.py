@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any, Final
 
-from armui.sim.faults import FAULTS, Parameter
+from armui.sim.faults.schedule import FAULTS, FaultParameter
 
 JOINT_RANGES_DEG: Final = ((-60, 60), (20, 90), (-90, -20), (-40, 40), (-40, 40), (-60, 60))
 """A part of each joint's range in which most poses can be reached."""
@@ -101,7 +101,7 @@ def _stream(chance: random.Random) -> tuple[Any, ...]:
 
 def _fault(chance: random.Random) -> tuple[Any, ...]:
     name = chance.choice(sorted(FAULTS))
-    if FAULTS[name].parameter is Parameter.JOINT:
+    if FAULTS[name].parameter is FaultParameter.JOINT:
         return name, float(chance.randint(1, 6))
     return name, None
 

@@ -8,8 +8,8 @@ import pytest
 from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.authority import Authority
-from armui.control.motion import Motion
-from armui.control.other_command import OtherCommand
+from armui.control.motion.joint_motion import Motion
+from armui.control.safety.other_command import OtherCommand
 from armui.protocol.generation import Generation
 from tests.safety.fuzz.runner import Failure, run, shrink
 from tests.safety.fuzz.script import Action, script

@@ -114,10 +114,10 @@ class Traffic:
         said = self._sender_of(frame)
         travel = arm._moves._travel
         before, order = _pursued(arm), travel._order
-        moving, here = arm.body.moving and before is not None, arm.joints_deg
+        moving, here = arm.mechanics.moving and before is not None, arm.joints_deg
         answers = on_frame(frame)
         goal = _pursued(arm)
-        if goal is not None and arm.body.moving and (not moving or travel._order != order):
+        if goal is not None and arm.mechanics.moving and (not moving or travel._order != order):
             self.started.append(Started(said, moving, before or here, goal, here))
         return answers
 

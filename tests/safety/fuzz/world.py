@@ -17,7 +17,7 @@ from armui.bus.worker import BusWorker
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
-from tests.bench import Bench
+from tests.arm_rig import ArmRig
 from tests.company import OtherHost
 from tests.safety.fuzz.lockstep import LockstepWorker
 from tests.safety.fuzz.traffic import Sender, Traffic
@@ -48,7 +48,7 @@ class NotedHost(OtherHost):
         super().say(*lines)
 
 
-class World(Bench):
+class World(ArmRig):
     """A bench on which nothing but its own clock counts.
 
     Attributes:

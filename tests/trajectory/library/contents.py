@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from armui.protocol.codes import MoveMode
-from armui.trajectory.library import Library, LibraryError
-from armui.trajectory.program import Trajectory, Waypoint
-from armui.trajectory.recording import Recording
+from armui.trajectory.library.store import Library, LibraryError
+from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.trajectory.samples.recording import Recording
 
 NOW = datetime(2026, 3, 4, 5, 6, 7, tzinfo=UTC)
 POINT = Waypoint(MoveMode.MOVE_J, (0.0, 10.0, -20.0, 0.0, 0.0, 0.0))

@@ -5,8 +5,9 @@ from dataclasses import replace
 
 import pytest
 
-from armui.trajectory import files, library
+from armui.trajectory import files
 from armui.trajectory.files import TrajectoryFileError
+from armui.trajectory.library import store as library
 from tests.trajectory.library.contents import (
     damage,
     names,

@@ -10,8 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from armui.trajectory.files import TrajectoryFileError
-from armui.trajectory.library import Library
-from armui.trajectory.library_history import Deletion, History, Making, Renaming
+from armui.trajectory.library.history import Deletion, LibraryHistory, Making, Renaming
+from armui.trajectory.library.store import Library
 from tests.trajectory.library.contents import names, opened, recording, refused, trajectory
 
 
@@ -19,7 +19,7 @@ from tests.trajectory.library.contents import names, opened, recording, refused,
 def history(shelf):
     for name in "abc":
         shelf.save(trajectory(name))
-    return History(shelf)
+    return LibraryHistory(shelf)
 
 
 def test_deletions_are_undone_the_last_first(history, shelf):
@@ -172,7 +172,7 @@ def test_all_undone_the_library_is_as_it_was(tmp_path_factory, actions):
     for count, name in enumerate("abc", 1):
         library.save(trajectory(name, count))
     before = [replace(library.load(name)) for name in names(library)]
-    history = History(library)
+    history = LibraryHistory(library)
     for kind, *what in actions:
         there = names(library)
         if kind == "delete":

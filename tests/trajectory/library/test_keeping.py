@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from armui.trajectory.files import TrajectoryFileError
-from armui.trajectory.library import LibraryError
+from armui.trajectory.library.store import LibraryError
 from tests.trajectory.library.contents import (
     NOW,
     POINT,

@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 from hypothesis import given, settings
 
-from armui.trajectory.file_names import file_stem, folded, free_stem
-from armui.trajectory.program import LONGEST_NAME, check_name
+from armui.trajectory.library.file_names import file_stem, folded, free_stem
+from armui.trajectory.points.program import LONGEST_NAME, check_name
 from tests.trajectory.library.contents import names, opened, shown, trajectory
 from tests.trajectory.strategies import NAME, TEXT
 

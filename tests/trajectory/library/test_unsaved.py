@@ -3,7 +3,7 @@
 import pytest
 
 from armui.trajectory.files import TrajectoryFileError
-from armui.trajectory.program import Trajectory
+from armui.trajectory.points.program import Trajectory
 from tests.trajectory.library.contents import names, opened, refused, shown, trajectory
 
 

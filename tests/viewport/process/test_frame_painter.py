@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from armui.arm.refusal import Refusal
-from armui.paths import URDF
+from armui.system.paths import URDF
 from armui.viewport.process import frame_painter
 from armui.viewport.process.frame_painter import FramePainter
 from armui.viewport.view_state import PickRequest, RobotChoice, ViewState
@@ -33,16 +33,16 @@ class Desk:
 
 
 @pytest.fixture
-def desk():
-    desk = Desk()
-    yield desk
-    desk.painter.close()
+def app_driver():
+    app_driver = Desk()
+    yield app_driver
+    app_driver.painter.close()
 
 
-def test_an_unchanged_state_is_not_drawn_again(desk):
-    assert desk.painter.paint(STATE).size_px == (240, 180)
-    assert desk.painter.paint(replace(STATE)) is None
-    assert desk.painter.paint(replace(STATE, angles_deg=(1.0,) * 6)) is not None
+def test_an_unchanged_state_is_not_drawn_again(app_driver):
+    assert app_driver.painter.paint(STATE).size_px == (240, 180)
+    assert app_driver.painter.paint(replace(STATE)) is None
+    assert app_driver.painter.paint(replace(STATE, angles_deg=(1.0,) * 6)) is not None
 
 
 @pytest.mark.parametrize(
@@ -57,66 +57,66 @@ def test_an_unchanged_state_is_not_drawn_again(desk):
         {"angles_deg": None},
     ],
 )
-def test_each_change_gives_another_picture(desk, change):
-    before = desk.painter.paint(STATE).top_down()
-    after = desk.painter.paint(replace(STATE, **change)).top_down()
+def test_each_change_gives_another_picture(app_driver, change):
+    before = app_driver.painter.paint(STATE).top_down()
+    after = app_driver.painter.paint(replace(STATE, **change)).top_down()
     assert after.shape != before.shape or (after != before).any()
 
 
-def test_a_question_is_answered_once_and_draws_nothing(desk):
-    desk.painter.paint(STATE)
+def test_a_question_is_answered_once_and_draws_nothing(app_driver):
+    app_driver.painter.paint(STATE)
     asked = replace(STATE, pick=PickRequest(1, 0.0, 0.0))
-    assert desk.painter.paint(asked) is None
-    assert desk.painter.paint(asked) is None
-    assert desk.picked == [None]
-    desk.painter.paint(replace(STATE, pick=PickRequest(2, 0.0, 0.0)))
-    assert desk.picked == [None, None]
+    assert app_driver.painter.paint(asked) is None
+    assert app_driver.painter.paint(asked) is None
+    assert app_driver.picked == [None]
+    app_driver.painter.paint(replace(STATE, pick=PickRequest(2, 0.0, 0.0)))
+    assert app_driver.picked == [None, None]
 
 
-def test_a_robot_that_fails_is_told_and_the_old_one_stays(desk, tmp_path):
-    before = desk.painter.paint(STATE).top_down()
+def test_a_robot_that_fails_is_told_and_the_old_one_stays(app_driver, tmp_path):
+    before = app_driver.painter.paint(STATE).top_down()
     path = write_arm(tmp_path, hinges=3)
-    after = desk.painter.paint(replace(STATE, robot=RobotChoice(path))).top_down()
+    after = app_driver.painter.paint(replace(STATE, robot=RobotChoice(path))).top_down()
     np.testing.assert_array_equal(before, after)
-    (failure,) = desk.failures
+    (failure,) = app_driver.failures
     assert failure == Refusal("urdf_joint_count", {"path": str(path), "found": 3, "wanted": 6})
 
 
-def test_the_same_file_is_read_again_when_asked_again(desk, tmp_path):
+def test_the_same_file_is_read_again_when_asked_again(app_driver, tmp_path):
     path = write_arm(tmp_path, hinges=3)
-    desk.painter.paint(replace(STATE, robot=RobotChoice(path, 0)))
+    app_driver.painter.paint(replace(STATE, robot=RobotChoice(path, 0)))
     write_arm(tmp_path)
-    desk.painter.paint(replace(STATE, robot=RobotChoice(path, 1)))
-    assert len(desk.failures) == 1
+    app_driver.painter.paint(replace(STATE, robot=RobotChoice(path, 1)))
+    assert len(app_driver.failures) == 1
 
 
-def test_slow_smoothing_waits_until_the_picture_rests(desk, monkeypatch):
+def test_slow_smoothing_waits_until_the_picture_rests(app_driver, monkeypatch):
     monkeypatch.setattr(frame_painter, "_CHEAP_FRAME_S", 0.0)
-    rough = desk.painter.paint(STATE).top_down()
-    assert desk.painter.is_rough
-    fine = desk.painter.refine().top_down()
+    rough = app_driver.painter.paint(STATE).top_down()
+    assert app_driver.painter.is_rough
+    fine = app_driver.painter.refine().top_down()
     assert (fine != rough).any()
-    assert not desk.painter.is_rough
-    assert desk.painter.refine() is None
-    desk.painter.paint(replace(STATE, stale=True))
-    assert desk.painter.is_rough
+    assert not app_driver.painter.is_rough
+    assert app_driver.painter.refine() is None
+    app_driver.painter.paint(replace(STATE, stale=True))
+    assert app_driver.painter.is_rough
 
 
-def test_cheap_smoothing_is_used_at_once(desk, monkeypatch):
+def test_cheap_smoothing_is_used_at_once(app_driver, monkeypatch):
     monkeypatch.setattr(frame_painter, "_CHEAP_FRAME_S", 1e9)
-    desk.painter.paint(STATE)
-    desk.painter.refine()
-    desk.painter.paint(replace(STATE, stale=True))
-    assert not desk.painter.is_rough
+    app_driver.painter.paint(STATE)
+    app_driver.painter.refine()
+    app_driver.painter.paint(replace(STATE, stale=True))
+    assert not app_driver.painter.is_rough
 
 
-def test_a_robot_that_was_read_before_is_not_read_again(desk, tmp_path):
+def test_a_robot_that_was_read_before_is_not_read_again(app_driver, tmp_path):
     path = write_arm(
         tmp_path, visual='<visual><geometry><sphere radius="0.05"/></geometry></visual>'
     )
     state = replace(STATE, robot=RobotChoice(path))
-    first = desk.painter.paint(state).top_down()
-    known = pickle.loads(pickle.dumps(desk.painter.robot))
+    first = app_driver.painter.paint(state).top_down()
+    known = pickle.loads(pickle.dumps(app_driver.painter.robot))
     path.unlink()
     later = Desk()
     np.testing.assert_array_equal(later.painter.paint(state, known).top_down(), first)
@@ -124,8 +124,8 @@ def test_a_robot_that_was_read_before_is_not_read_again(desk, tmp_path):
     assert not later.failures
 
 
-def test_the_image_is_written_as_windows_are_painted(desk):
-    pixels = desk.painter.paint(STATE)
+def test_the_image_is_written_as_windows_are_painted(app_driver):
+    pixels = app_driver.painter.paint(STATE)
     target = bytearray(pixels.nbytes)
     assert pixels.copy_to(memoryview(target)) == (240, 180)
     written = np.frombuffer(target, np.uint8).reshape(180, 240, 4)

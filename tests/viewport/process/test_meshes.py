@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from armui.paths import URDF
+from armui.system.paths import URDF
 
 # Outer sizes in the frame of each link, mm, measured on the arm: low x y z, high x y z.
 SIZES_MM = {

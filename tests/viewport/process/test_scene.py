@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from armui.paths import URDF
+from armui.system.paths import URDF
 from armui.viewport.camera import HOME_CAMERA
 from armui.viewport.errors import SceneError
 from armui.viewport.palette import DARK, LIGHT, rgb

@@ -7,7 +7,7 @@ import pytest
 import trimesh
 
 from armui.arm.refusal import Refusal
-from armui.paths import URDF
+from armui.system.paths import URDF
 from armui.viewport.errors import LOAD_REFUSALS, SceneError
 from armui.viewport.process.urdf_file import load_robot
 from tests.viewport.foreign import joint, link, mesh, write_arm

@@ -1,0 +1,1 @@
+"""What else the arm has: motors, gripper, lamps, linkage, teaching, zeros, end reports."""

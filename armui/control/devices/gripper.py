@@ -1,0 +1,254 @@
+"""夹爪控制: the gripper is commanded (0x159), and followed by what it reports (0x2A8)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from armui.arm.gripper import GripperState
+from armui.arm.parameters import Parameter
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState, is_fresh
+from armui.control.context import Context
+from armui.control.devices.gripper_ranges import Figures, check, figures_of
+from armui.control.parameters.arm_settings import ArmSettings
+from armui.control.parameters.setting_cell import CellState
+from armui.control.requests.request import Request, RequestOutcome
+from armui.protocol import commands
+from armui.protocol.codes import ControlMode
+from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
+
+_REPEAT_S: Final = 0.5
+_ATTEMPTS: Final = 3
+_THERE: Final = 0.5
+"""So close, in mm or degrees, the gripper is where it was sent."""
+_STILL: Final = 0.05
+_STANDS_S: Final = 0.6
+"""A gripper that has not moved for so long has come to its end."""
+_GRIPS_NM: Final = 0.05
+
+_STROKE: Final = Parameter("stroke_limit_mm")
+_OBEYS: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})
+
+
+@dataclass(slots=True)
+class _Travel:
+    """A motion under way.
+
+    Attributes:
+        target: Where it was sent, mm or degrees.
+        last: Where it was seen last.
+        moved_s: When it was last seen to move.
+    """
+
+    target: float
+    last: float
+    moved_s: float
+
+
+class GripperControl:
+    """Commands the gripper; one deed at a time, a new one takes the place of the last.
+
+    The frame carries target, effort and power at once. So whatever switches the power sends the
+    place where the gripper is: nothing moves that was not asked for.
+
+    Args:
+        context: What the parts of the controller share.
+        settings: Reads the stroke that the arm allows.
+        end_run: Called with the reason when the gripper is about to be disabled under a run.
+    """
+
+    def __init__(
+        self, context: Context, settings: ArmSettings, end_run: Callable[[Refusal], None]
+    ) -> None:
+        self._context = context
+        self._end_run = end_run
+        self._settings = settings
+        self._deed: str | None = None
+        self._request: Request | None = None
+        self._travel: _Travel | None = None
+
+    @property
+    def figures(self) -> Figures:
+        """What it can be asked for now."""
+        return figures_of(self._context.connection.generation, self._context.state())
+
+    def why_not(self, *, moving: bool, letting_go: bool = False) -> Refusal | None:
+        """The reason against a command now, or ``None``.
+
+        Args:
+            moving: Whether the command moves it or lets it hold.
+            letting_go: Whether it takes its power: it may hold a finger, so a run is no reason
+                against it; the run ends.
+        """
+        context = self._context
+        operating_state, state = context.operating_state(), context.state()
+        if operating_state.cannot_enable is not None:
+            return operating_state.cannot_enable
+        if context.connection.generation is None:
+            return Refusal("generation_unknown")
+        if state.gripper is None or not is_fresh(state.gripper.at_s, context.clock()):
+            return Refusal("gripper_silent")
+        if not operating_state.control_certain:
+            return Refusal("control_offset_unknown")
+        if operating_state.running and not letting_go:
+            return Refusal("run_under_way")
+        if not moving:
+            return None
+        no_motion = context.why_no_motion()
+        if no_motion is not None:
+            return no_motion
+        mode = None if state.status is None else state.status.value.control_mode
+        return None if mode is None or mode in _OBEYS else Refusal("other_control", {"mode": mode})
+
+    def learn_stroke(self) -> None:
+        """Ask once for the stroke the arm allows (0x47E), where it can be asked."""
+        connection = self._context.connection
+        unread = self._settings.cell(_STROKE).state is CellState.UNREAD
+        if unread and connection.generation is Generation.TWO:
+            self._settings.read([_STROKE.batch])
+
+    # What the operator wants ------------------------------------------------------------------
+
+    def move(self, travel: float, effort: float) -> Refusal | None:
+        """Open or close it, enabling it in the same breath (0x159).
+
+        Args:
+            travel: Opening in mm (generation 2) or angle in degrees (generation 1).
+            effort: Torque in N·m (generation 2) or speed in rad/s (generation 1).
+
+        Returns:
+            ``None`` if it is on its way, or why nothing was sent.
+        """
+        figures = self.figures
+        refusal = (
+            self.why_not(moving=True)
+            or check(figures.travel, travel)
+            or check(figures.effort, effort)
+        )
+        heard = self._heard()
+        if refusal is not None or heard is None:
+            return self._context.refuse(refusal or Refusal("gripper_silent"))
+        if not self._context.connection.send(self._hold(travel, effort)):
+            return self._context.refuse(Refusal("link_lost"))
+        self.forget()
+        self._travel = _Travel(travel, heard.travel, self._context.clock())
+        self._context.tell("gripper_sent", value=travel, unit=figures.travel.unit)
+        return None
+
+    def enable(self, effort: float) -> Refusal | None:
+        """Give it power where it is."""
+        refusal = self.why_not(moving=True) or check(self.figures.effort, effort)
+        heard = self._heard()
+        if refusal is not None or heard is None:
+            return self._context.refuse(refusal or Refusal("gripper_silent"))
+        frames = self._hold(heard.travel, effort)
+        self._start("enable", frames, lambda gripper: gripper.enabled)
+        return None
+
+    def disable(self) -> Refusal | None:
+        """Take its power: it lets go of what it holds. A run under way ends."""
+        refusal = self.why_not(moving=False, letting_go=True)
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        self._end_run(Refusal("run_let_go"))
+        frames = commands.disable_gripper(self._context.connection.codec)
+        self._start("disable", frames, lambda gripper: not gripper.enabled)
+        return None
+
+    def clear_error(self) -> Refusal | None:
+        """Clear its driver's error; it stays without power until it is enabled or moved."""
+        refusal = self.why_not(moving=False)
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        frames = commands.clear_gripper_error(self._context.connection.codec)
+        self._start("clear", frames, lambda gripper: not gripper.faults)
+        return None
+
+    def set_zero(self) -> Refusal | None:
+        """Make where it stands its zero, in generation 2; it has no power afterwards."""
+        refusal = self.why_not(moving=False)
+        if refusal is None and self._context.connection.generation is not Generation.TWO:
+            refusal = Refusal("gripper_no_zero")
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        frames = commands.set_gripper_zero(self._context.connection.codec)
+        self._start("zero", frames, lambda gripper: abs(gripper.travel) <= _THERE)
+        return None
+
+    # How it is carried out --------------------------------------------------------------------
+
+    def _heard(self) -> GripperState | None:
+        heard = self._context.state().gripper
+        return None if heard is None else heard.value
+
+    def _hold(self, travel: float, effort: float) -> list[Frame]:
+        codec = self._context.connection.codec
+        if self._context.connection.generation is Generation.ONE:
+            return commands.move_gripper_angle(codec, angle_deg=travel, speed_rad_s=effort)
+        return commands.move_gripper_opening(codec, opening_mm=travel, torque_nm=effort)
+
+    def _start(
+        self, deed: str, frames: Sequence[Frame], seen: Callable[[GripperState], bool]
+    ) -> None:
+        """Send something, again until the gripper shows it."""
+        context = self._context
+        since_s = context.clock()
+
+        def shows(state: ArmState) -> bool:
+            gripper = state.gripper
+            return gripper is not None and gripper.at_s > since_s and seen(gripper.value)
+
+        self.forget()
+        self._deed = deed
+        self._request = Request(frames, shows, context.connection.send, _REPEAT_S, _ATTEMPTS)
+        context.tell("gripper_act_sent", act=deed)
+        self._request.advance(context.state(), context.clock())
+
+    # A part of the controller -----------------------------------------------------------------
+
+    def advance(self) -> None:
+        """See what the gripper has done, or that it has not."""
+        if self._travel is not None:
+            self._follow(self._travel)
+        if self._request is None:
+            return
+        outcome = self._request.advance(self._context.state(), self._context.clock())
+        if outcome is RequestOutcome.WAITING:
+            return
+        deed = self._deed
+        self.forget()
+        code = "gripper_act_done" if outcome is RequestOutcome.DONE else "gripper_act_failed"
+        self._context.tell(code, act=deed)
+
+    def _follow(self, travel: _Travel) -> None:
+        feedback, now_s = self._context.state().gripper, self._context.clock()
+        if feedback is None or not feedback.fresh(now_s):
+            self._travel = None  # whether it arrives cannot be known; its silence is told elsewhere
+            return
+        heard = feedback.value
+        if abs(heard.travel - travel.last) > _STILL:
+            travel.last, travel.moved_s = heard.travel, now_s
+        gap = abs(heard.travel - travel.target)
+        stands = now_s - travel.moved_s >= _STANDS_S
+        if not stands and (gap > _STILL or not heard.enabled):
+            return
+        there = heard.enabled and gap <= _THERE
+        self._travel = None
+        figures = {"value": heard.travel, "unit": self.figures.travel.unit}
+        if there:
+            self._context.tell("gripper_there", **figures)
+        elif heard.enabled and abs(heard.torque_nm or 0.0) > _GRIPS_NM:
+            self._context.tell("gripper_grips", torque=heard.torque_nm, **figures)
+        else:
+            self._context.tell("gripper_not_there", target=travel.target, **figures)
+
+    def halt(self) -> None:
+        """The arm is to stop: nothing is sent again, nothing more is expected."""
+        self.forget()
+
+    def forget(self) -> None:
+        """Nothing is awaited."""
+        self._deed = self._request = self._travel = None

@@ -1,0 +1,70 @@
+"""清除错误: the errors of the joints' drivers are cleared, and the arm's answer awaited (0x475)."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from armui.arm.refusal import Refusal
+from armui.control.context import Context
+from armui.control.operating_state import why_unreachable
+from armui.control.requests.transactions import Transaction, TransactionQueue
+from armui.protocol import commands
+from armui.protocol.codes import SettingIndex
+
+
+class JointErrors:
+    """Clears errors one order after the other: the arm's answer does not name the joint.
+
+    It moves nothing, so it may be done whenever the arm is online, stopped or not; only a run that
+    is under way is not given back drivers that it was not started with. The answer says that the
+    arm has heard; whether the fault has gone is what the drivers' feedback says.
+
+    Args:
+        context: What the parts of the controller share.
+        orders: Carries out commands that are answered.
+    """
+
+    def __init__(self, context: Context, orders: TransactionQueue) -> None:
+        self._context = context
+        self._orders = orders
+        self._joint: int | None = None
+
+    @property
+    def busy(self) -> bool:
+        """Whether an answer is awaited."""
+        return self._joint is not None
+
+    def why_not(self) -> Refusal | None:
+        """The reason against clearing an error now, or ``None``; one after the other may be."""
+        context = self._context
+        return (
+            why_unreachable(context.connection.link, context.connection.device)
+            or context.operating_state().occupied
+        )
+
+    def clear(self, joint: int) -> Refusal | None:
+        """Ask a joint (1–6, 7 all) to clear its error: ``None`` if it is on its way, or why not."""
+        context = self._context
+        refusal = self.why_not()
+        if refusal is None and self._joint is not None:
+            refusal = Refusal("busy", {"what": "clearing_error"})
+        if refusal is not None:
+            return context.refuse(refusal)
+        self._joint = joint
+        context.tell("clear_error_sent", joint=joint)
+        self._orders.submit(
+            Transaction(
+                commands.clear_joint_error(context.connection.codec, joint),
+                partial(self._on_finished, joint),
+                SettingIndex.JOINT_SETTING,
+                recheck=self.why_not,
+                alters="clearing_error",
+            )
+        )
+        return None
+
+    def _on_finished(self, joint: int, refusal: Refusal | None) -> None:
+        self._joint = None
+        code = "clear_error_answered" if refusal is None else "clear_error_unanswered"
+        if refusal is None or refusal.code == "setting_unanswered":
+            self._context.tell(code, joint=joint)

@@ -1,0 +1,89 @@
+"""灯光控制: the lamps on the boards of the joints (manual section 1.0.7.2, 0x121)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+from armui.arm.limits import JOINTS
+from armui.arm.refusal import Refusal
+from armui.control.context import Context
+from armui.protocol import commands
+from armui.protocol.codes import ALL_LAMPS
+
+RANGES: Final[Mapping[str, range]] = {
+    "joint": JOINTS,
+    "lamp": range(ALL_LAMPS),
+    "red": range(256),
+    "green": range(256),
+    "blue": range(256),
+}
+"""What each figure of the command may be; a lamp may be :data:`ALL_LAMPS` as well."""
+
+_COUNTS: Final = 256
+
+
+class Lights:
+    """Sends colours to the lamps and counts the frames.
+
+    The arm neither answers nor reports its lamps: what was sent is all that is known. A lamp moves
+    nothing, so it may be set whenever the arm is online, enabled or not, stopped or not; but a run
+    that sets lamps itself tells something by them, and no one else does meanwhile.
+
+    Args:
+        context: What the parts of the controller share.
+    """
+
+    def __init__(self, context: Context) -> None:
+        self._context = context
+        self._counter = 0
+
+    def set_light(self, joint: int, lamp: int, red: int, green: int, blue: int) -> Refusal | None:
+        """Colour a lamp of a joint.
+
+        Args:
+            joint: 1–6.
+            lamp: 0–254, or :data:`ALL_LAMPS`.
+            red: Grey value of the red channel, 0–255.
+            green: Of the green one.
+            blue: Of the blue one.
+
+        Returns:
+            ``None`` if it is on its way, or why nothing was sent.
+        """
+        refusal = self._context.operating_state().cannot_set_lamps or check_light(
+            joint=joint, lamp=lamp, red=red, green=green, blue=blue
+        )
+        if refusal is None:
+            frames = commands.set_light(
+                self._context.connection.codec,
+                joint,
+                (red, green, blue),
+                lamp=lamp,
+                counter=self._counter,
+            )
+            if not self._context.connection.send(frames):
+                refusal = Refusal("link_lost")
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        self._counter = (self._counter + 1) % _COUNTS
+        code = "sent_lamps" if lamp == ALL_LAMPS else "sent_lamp"
+        self._context.tell(code, joint=joint, lamp=lamp, color=f"#{red:02X}{green:02X}{blue:02X}")
+        return None
+
+
+def check_light(**figures: int) -> Refusal | None:
+    """Whether figures may be sent to a lamp: ``None``, or the first reason against it.
+
+    Args:
+        **figures: Any of those in :data:`RANGES`.
+    """
+    for name, value in figures.items():
+        allowed = RANGES[name]
+        if value in allowed or (name == "lamp" and value == ALL_LAMPS):
+            continue
+        return Refusal(
+            "light_out_of_range",
+            {"light": name, "value": value, "minimum": allowed[0], "maximum": allowed[-1]},
+        )
+    return None

@@ -1,0 +1,143 @@
+"""The motors' power: enabled, disabled, and given back after an emergency stop (manual 1.0.4)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Final
+
+from armui.arm.limits import JOINTS
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.control.context import Context
+from armui.control.motion.motion_command import End
+from armui.control.operating_state import Busy, StopState
+from armui.control.requests import reports
+from armui.control.requests.request import Request, RequestOutcome
+from armui.control.safety.emergency_stop import is_stopped
+from armui.protocol import commands
+from armui.protocol.codes import ALL_JOINTS
+from armui.protocol.frame import Frame
+
+_REPEAT_S: Final = 0.5
+_ATTEMPTS: Final = 3
+"""Real arms often want the enable command twice."""
+
+
+class Motors:
+    """Switches the motors, and follows each switching until the drivers' feedback shows it.
+
+    Args:
+        context: What the parts of the controller share.
+        end_run: Called with the reason when motors are about to be disabled under a run.
+    """
+
+    def __init__(
+        self,
+        context: Context,
+        end_run: Callable[[Refusal], None],
+    ) -> None:
+        self._context = context
+        self._end_run = end_run
+        self._busy: Busy | None = None
+        self._joints: Sequence[int] = ()
+        self._request: Request | None = None
+
+    @property
+    def busy(self) -> Busy | None:
+        """What the arm has been told and has not shown yet."""
+        return self._busy
+
+    def enable(self, joint: int = ALL_JOINTS) -> Refusal | None:
+        """Enable a motor, or all six with 7 (0x471), again until the drivers say that it is on."""
+        return self._switch(joint, on=True)
+
+    def disable(self, joint: int = ALL_JOINTS) -> Refusal | None:
+        """Disable a motor, or all six with 7 (0x471): the arm DROPS.
+
+        It is never refused for what is under way: that ends.
+        """
+        return self._switch(joint, on=False)
+
+    def why_not_resume(self) -> Refusal | None:
+        """The reason against ending the stop: there is none, or another arm might drop (0x150)."""
+        operating_state = self._context.operating_state()
+        if operating_state.stop is not StopState.STOPPED:
+            return Refusal("not_stopped")
+        if operating_state.listens_only:
+            return Refusal("listen_only")
+        return None if operating_state.control_certain else Refusal("control_offset_unknown")
+
+    def resume(self) -> Refusal | None:
+        """End the emergency stop: power is cut at once, the arm DROPS; then it must be enabled."""
+        context = self._context
+        refusal = self.why_not_resume()
+        if refusal is not None:
+            return context.refuse(refusal)
+        context.tell("resume_sent")
+        self._start(
+            Busy.RESUMING,
+            JOINTS,
+            commands.resume(context.connection.codec),
+            lambda state: state.status is not None and not is_stopped(state),
+        )
+        return None
+
+    def advance(self) -> None:
+        """See whether the arm has done it, or time is up."""
+        if self._request is None or self._busy is None:
+            return
+        state = self._context.state()
+        outcome = self._request.advance(state, self._context.clock())
+        if outcome is RequestOutcome.WAITING:
+            return
+        busy = self._busy
+        self.forget()
+        done = outcome is RequestOutcome.DONE
+        code, figures = reports.on_motors(busy, state, self._joints, done=done)
+        self._context.tell(code, **figures)
+
+    def halt(self) -> None:
+        """The arm is to stop: nothing is switched on any more."""
+        self.forget()
+
+    def forget(self) -> None:
+        """No answer is awaited."""
+        self._busy = None
+        self._request = None
+
+    def _switch(self, joint: int, *, on: bool) -> Refusal | None:
+        context = self._context
+        operating_state = context.operating_state()
+        refusal = operating_state.cannot_switch_on if on else operating_state.cannot_enable
+        if refusal is not None:
+            return context.refuse(refusal)
+        if not on:
+            self._end_run(Refusal("run_disabled"))
+        context.authority.end(End.DISABLED)
+        joints = JOINTS if joint == ALL_JOINTS else (joint,)
+        command = commands.enable_motors if on else commands.disable_motors
+        code = "enable_sent" if on else "disable_sent"
+        if joint == ALL_JOINTS:
+            context.tell(code)
+        else:
+            context.tell(f"{code}_joint", joint=joint)
+        self._start(
+            Busy.ENABLING if on else Busy.DISABLING,
+            joints,
+            command(context.connection.codec, joint),
+            lambda state: all(state.enabled()[number - 1] is on for number in joints),
+        )
+        return None
+
+    def _start(
+        self,
+        busy: Busy,
+        joints: Sequence[int],
+        frames: Sequence[Frame],
+        seen: Callable[[ArmState], bool],
+    ) -> None:
+        context = self._context
+        self._busy, self._joints = busy, joints
+        self._request = Request(frames, seen, context.connection.send, _REPEAT_S, _ATTEMPTS)
+        self._request.advance(context.state(), context.clock())
+        context.operating_state()

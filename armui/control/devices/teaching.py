@@ -1,0 +1,105 @@
+"""示教: drag teaching is commanded, and followed until the arm says that it obeys (0x150)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Final
+
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.control.context import Context
+from armui.control.devices.teaching_phase import TeachingPhase, phase_of, why_not
+from armui.control.requests.request import Request, RequestOutcome
+from armui.protocol import commands
+from armui.protocol.codes import TeachingState
+
+_REPEAT_S: Final = 0.5
+_ATTEMPTS: Final = 3
+_ANSWER_S: Final = 1.5
+
+_LEADS_TO: Final[Mapping[TeachingState, frozenset[TeachingPhase]]] = {
+    TeachingState.START_RECORDING: frozenset({TeachingPhase.RECORDING}),
+    TeachingState.STOP_RECORDING: frozenset({TeachingPhase.IDLE, TeachingPhase.OFF}),
+    TeachingState.RUN_RECORDING: frozenset({TeachingPhase.REPLAYING}),
+    TeachingState.PAUSE: frozenset({TeachingPhase.PAUSED}),
+    TeachingState.CONTINUE: frozenset({TeachingPhase.REPLAYING}),
+    TeachingState.ABORT: frozenset({TeachingPhase.IDLE, TeachingPhase.OFF}),
+    TeachingState.MOVE_TO_START: frozenset({TeachingPhase.REPLAYING}),
+}
+
+_ENDS_SOMETHING: Final = frozenset(
+    {TeachingState.STOP_RECORDING, TeachingState.PAUSE, TeachingState.ABORT}
+)
+"""Sent again while the arm does not show it. What sets the arm going is sent once: it must not
+start late, when nobody expects it any more."""
+
+
+class TeachingControl:
+    """Commands drag teaching, one command at a time.
+
+    Args:
+        context: What the parts of the controller share.
+    """
+
+    def __init__(self, context: Context) -> None:
+        self._context = context
+        self._pending: TeachingState | None = None
+        self._request: Request | None = None
+
+    @property
+    def pending(self) -> TeachingState | None:
+        """The command the arm has not shown yet."""
+        return self._pending
+
+    def why_not(self, command: TeachingState) -> Refusal | None:
+        """The reason against a command now, or ``None``: it may be given."""
+        if self._pending is not None:
+            return Refusal("busy", {"what": "teaching"})
+        return why_not(command, self._context.state(), self._context.operating_state())
+
+    def command(self, command: TeachingState) -> Refusal | None:
+        """Give a command of 0x150 byte 2: ``None`` if it is on its way, or why it is not."""
+        context = self._context
+        refusal = self.why_not(command)
+        if refusal is not None:
+            return context.refuse(refusal)
+        context.tell("teaching_sent", command=int(command))
+        again = command in _ENDS_SOMETHING
+        self._pending = command
+        self._request = Request(
+            commands.teaching_command(context.connection.codec, command),
+            _shows(command),
+            context.connection.send,
+            _REPEAT_S if again else _ANSWER_S,
+            _ATTEMPTS if again else 1,
+        )
+        self._request.advance(context.state(), context.clock())
+        return None
+
+    def advance(self) -> None:
+        """See whether the arm does it, or time is up."""
+        if self._request is None or self._pending is None:
+            return
+        outcome = self._request.advance(self._context.state(), self._context.clock())
+        if outcome is RequestOutcome.WAITING:
+            return
+        command = self._pending
+        self.forget()
+        code = "teaching_done" if outcome is RequestOutcome.DONE else "teaching_unanswered"
+        self._context.tell(code, command=int(command))
+
+    def halt(self) -> None:
+        """A stop ends whatever was asked for."""
+        self.forget()
+
+    def forget(self) -> None:
+        """No answer is awaited."""
+        self._pending = None
+        self._request = None
+
+
+def _shows(command: TeachingState) -> Callable[[ArmState], bool]:
+    def seen(state: ArmState) -> bool:
+        return state.status is not None and phase_of(state.status.value) in _LEADS_TO[command]
+
+    return seen

@@ -1,0 +1,146 @@
+"""How drag teaching stands by the arm's own word, and which command makes sense then: pure."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Mapping
+from typing import Final
+
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState, Status
+from armui.control.operating_state import OperatingState
+from armui.control.safety import interlocks
+from armui.protocol.codes import ArmStatusCode, ControlMode, TeachingState
+
+NEAR_REST_DEG: Final = 15.0
+"""So near to its zero each joint must be for a reset to end drag teaching. The maker says «near
+the rest pose» and no figure; this is what the simulated arm takes it for."""
+
+
+class TeachingPhase(enum.Enum):
+    """What drag teaching is doing."""
+
+    OFF = enum.auto()
+    """The arm is not in drag teaching."""
+    IDLE = enum.auto()
+    """In drag teaching, and nothing is under way; other commands are not obeyed."""
+    RECORDING = enum.auto()
+    """It gives way to the hand and remembers."""
+    REPLAYING = enum.auto()
+    """It moves along the recording, or to its start."""
+    PAUSED = enum.auto()
+
+
+_REPLAYING: Final = frozenset(
+    {TeachingState.RUN_RECORDING, TeachingState.CONTINUE, TeachingState.MOVE_TO_START}
+)
+_BY_STATUS: Final[Mapping[int, TeachingPhase]] = {
+    ArmStatusCode.TEACHING_RECORDING: TeachingPhase.RECORDING,
+    ArmStatusCode.TEACHING_RUNNING: TeachingPhase.REPLAYING,
+    ArmStatusCode.TEACHING_PAUSED: TeachingPhase.PAUSED,
+}
+
+_SUITS: Final[Mapping[TeachingState, frozenset[TeachingPhase]]] = {
+    TeachingState.START_RECORDING: frozenset({TeachingPhase.OFF, TeachingPhase.IDLE}),
+    TeachingState.STOP_RECORDING: frozenset({TeachingPhase.RECORDING}),
+    TeachingState.RUN_RECORDING: frozenset({TeachingPhase.IDLE}),
+    TeachingState.PAUSE: frozenset({TeachingPhase.REPLAYING}),
+    TeachingState.CONTINUE: frozenset({TeachingPhase.PAUSED}),
+    TeachingState.ABORT: frozenset({TeachingPhase.REPLAYING, TeachingPhase.PAUSED}),
+    TeachingState.MOVE_TO_START: frozenset({TeachingPhase.IDLE}),
+}
+"""In which phase a command of 0x150 byte 2 has something to do."""
+
+_ASKS_MUCH: Final = frozenset(
+    {
+        TeachingState.START_RECORDING,
+        TeachingState.RUN_RECORDING,
+        TeachingState.CONTINUE,
+        TeachingState.MOVE_TO_START,
+    }
+)
+"""They move the arm or hand it over: powered motors and a sound arm are needed."""
+
+_SOUND: Final = frozenset(
+    {
+        ArmStatusCode.NORMAL,
+        ArmStatusCode.NO_SOLUTION,
+        ArmStatusCode.SINGULARITY,
+        ArmStatusCode.TARGET_BEYOND_LIMIT,
+        ArmStatusCode.OVERSPEED_WHILE_TEACHING,
+        *_BY_STATUS,
+    }
+)
+
+_UNSUITED: Final[Mapping[TeachingPhase, str]] = {
+    TeachingPhase.OFF: "teaching_off",
+    TeachingPhase.IDLE: "teaching_idle",
+    TeachingPhase.RECORDING: "teaching_recording",
+    TeachingPhase.REPLAYING: "teaching_replaying",
+    TeachingPhase.PAUSED: "teaching_paused",
+}
+"""The reason that a phase is against a command it does not suit."""
+
+
+def phase_of(status: Status) -> TeachingPhase:
+    """What drag teaching does, from bytes 0, 1, 3 and 4 of 0x2A1.
+
+    Byte 1 has room for one code only, so that a fault hides what drag teaching does: then byte 3
+    tells. It names the last command, which says nothing of a replay that has arrived, nor of an
+    arm that has left drag teaching.
+    """
+    told = _BY_STATUS.get(status.arm_status)
+    if told is not None:
+        return told
+    if status.control_mode != ControlMode.TEACHING:
+        return TeachingPhase.OFF
+    if status.teaching == TeachingState.START_RECORDING:
+        return TeachingPhase.RECORDING
+    if status.teaching == TeachingState.PAUSE:
+        return TeachingPhase.PAUSED
+    if status.teaching in _REPLAYING and not status.reached:
+        return TeachingPhase.REPLAYING
+    return TeachingPhase.IDLE
+
+
+def why_under_way(phase: TeachingPhase) -> Refusal | None:
+    """What drag teaching is in the middle of, as a reason against what would spoil it."""
+    return None if phase in {TeachingPhase.OFF, TeachingPhase.IDLE} else Refusal(_UNSUITED[phase])
+
+
+def farthest_from_rest(state: ArmState) -> tuple[int, float] | None:
+    """The joint (1–6) farthest from its zero and its angle in degrees; ``None``: not all heard."""
+    angles_deg = state.angles_deg()
+    if angles_deg is None:
+        return None
+    joint = max(range(len(angles_deg)), key=lambda index: abs(angles_deg[index]))
+    return joint + 1, angles_deg[joint]
+
+
+def why_not(
+    command: TeachingState, state: ArmState, operating_state: OperatingState
+) -> Refusal | None:
+    """The reason against a command of 0x150 byte 2 now, or ``None``: it makes sense."""
+    refusal = interlocks.why_no_command(
+        operating_state.unreachable, operating_state.stop, operating_state.busy
+    )
+    if refusal is None and not operating_state.control_certain:
+        refusal = Refusal("control_offset_unknown")
+    if refusal is not None:
+        return refusal
+    if state.status is None:
+        return Refusal("joints_unknown")
+    status = state.status.value
+    phase = phase_of(status)
+    if phase not in _SUITS[command]:
+        return Refusal(_UNSUITED[phase])
+    if command not in _ASKS_MUCH:
+        return None
+    refusal = operating_state.occupied or operating_state.cannot_send_motion
+    if refusal is not None:
+        return refusal
+    if phase is TeachingPhase.OFF and status.control_mode not in interlocks.MOVABLE_MODES:
+        return Refusal("other_control", {"mode": status.control_mode})
+    if status.arm_status not in _SOUND:
+        return Refusal("arm_fault", {"status": status.arm_status})
+    return interlocks.why_not_enabled(operating_state.enabled)

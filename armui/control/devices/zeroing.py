@@ -1,0 +1,171 @@
+"""零点设置: where a joint stands becomes its zero, if the arm says so (0x475 byte 1, 0x476 byte 1).
+
+The joint's limits are counted from its zero: with a wrong zero the arm runs into its stops. So it
+is done only to an arm that stands still, and what the arm answers is checked against its angles.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.limits import JOINTS
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.control.devices import teaching_phase
+from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
+from armui.control.safety.interlocks import joint_list, why_no_command
+from armui.control.safety.joint_speeds import why_not_still
+from armui.protocol import commands
+from armui.protocol.codes import ALL_JOINTS, SettingIndex
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from armui.control.context import Context
+    from armui.protocol.codec import Message
+
+ENDED: Final = frozenset({"zero_set", "zero_set_joint", "zero_failed"})
+"""Notices after which the angles may be counted anew: places entered before are other places."""
+
+_AT_ZERO_DEG: Final = 0.5
+_SAME_PLACE_DEG: Final = 0.5
+"""A joint that has moved less since the press stands where the operator put it."""
+_LONGEST_S: Final = 0.3
+"""By then the new zero must show in the angles; a moment after the answer they may be old ones."""
+
+
+class Zeroing:
+    """Sets zeros, one order at a time.
+
+    Args:
+        context: What the parts of the controller share.
+        orders: Carries out commands that are answered.
+        before_zeroing: Called when angles are about to be counted anew: setpoints are void.
+    """
+
+    def __init__(
+        self, context: Context, orders: TransactionQueue, before_zeroing: Callable[[], None]
+    ) -> None:
+        self._context = context
+        self._orders = orders
+        self._before_zeroing = before_zeroing
+        self._busy = False
+
+    @property
+    def busy(self) -> bool:
+        """Whether a zero has been sent and its end is not known."""
+        return self._busy
+
+    def why_not(self) -> Refusal | None:
+        """The reason against a new zero that lies in what is under way, or ``None``.
+
+        What was planned, recorded or paused with the old zero would be gone on with under the new.
+        """
+        operating_state, state = self._context.operating_state(), self._context.state()
+        refusal = operating_state.cannot_enable or operating_state.occupied
+        if refusal is None and operating_state.recording:
+            refusal = Refusal("busy", {"what": "recording"})
+        if refusal is not None or state.status is None:
+            return refusal
+        return teaching_phase.why_under_way(teaching_phase.phase_of(state.status.value))
+
+    def set_zero(self, joint: int = ALL_JOINTS) -> Refusal | None:
+        """Make the present position of a joint (1–6, 7 all) its zero.
+
+        Returns:
+            ``None`` if it is on its way, or why nothing was sent.
+        """
+        context = self._context
+        state = context.state()
+        joints = JOINTS if joint == ALL_JOINTS else (joint,)
+        refusal = self.why_not() or why_not_still(state) or self._why_unheard(joints)
+        if refusal is not None:
+            return context.refuse(refusal)
+        self._before_zeroing()
+        self._busy = True
+        context.tell("zero_sent" if joint == ALL_JOINTS else "zero_sent_joint", joint=joint)
+        self._orders.submit(
+            Transaction(
+                commands.set_joint_zero(context.connection.codec, joint),
+                partial(self._on_finished, joint),
+                SettingIndex.JOINT_SETTING,
+                against=partial(_against_answer, joint_list(list(joints))),
+                read_back=ReadBack(
+                    (),
+                    partial(_shown, joints),
+                    partial(_not_at_zero, joints),
+                    proves=bool(_off_zero(joints, state)),
+                ),
+                recheck=partial(self._why_not_any_more, joints, state),
+                # given again, it would make a zero of wherever the joint stands by then
+                attempts=1,
+                ends_with_stop=True,
+                alters="zeroing",
+            )
+        )
+        context.operating_state()
+        return None
+
+    def _why_unheard(self, joints: Sequence[int]) -> Refusal | None:
+        """The angles of the joints are not heard: what became of the zero could not be seen."""
+        state, now_s = self._context.state(), self._context.clock()
+        heard = [state.joints_deg[joint - 1] for joint in joints]
+        known = all(each is not None and each.fresh(now_s) for each in heard)
+        return None if known else Refusal("joints_unknown")
+
+    def _why_not_any_more(self, joints: Sequence[int], pressed: ArmState) -> Refusal | None:
+        """What has come up since the press: a stop, a motion, a joint that stands elsewhere."""
+        operating_state, state = self._context.operating_state(), self._context.state()
+        refusal = why_no_command(operating_state.unreachable, operating_state.stop, None)
+        refusal = refusal or operating_state.occupied or why_not_still(state)
+        return refusal or self._why_unheard(joints) or _why_elsewhere(joints, pressed, state)
+
+    def _on_finished(self, joint: int, refusal: Refusal | None) -> None:
+        self._busy = False
+        if refusal is not None:
+            self._context.tell("zero_failed", reason=refusal)
+        elif joint == ALL_JOINTS:
+            self._context.tell("zero_set")
+        else:
+            self._context.tell("zero_set_joint", joint=joint)
+
+
+def _against_answer(joints: str, answer: Message) -> Refusal | None:
+    if answer.signals["ZeroSet"] == 1:
+        return None
+    return Refusal("zero_not_set", {"joints": joints})
+
+
+def _why_elsewhere(joints: Sequence[int], before: ArmState, now: ArmState) -> Refusal | None:
+    """The joints that do not stand where they stood, as a reason."""
+    moved = [
+        joint
+        for joint in joints
+        if (old := before.joints_deg[joint - 1]) is None
+        or (new := now.joints_deg[joint - 1]) is None
+        or abs(new.value - old.value) > _SAME_PLACE_DEG
+    ]
+    return Refusal("zero_moved", {"joints": joint_list(moved)}) if moved else None
+
+
+def _off_zero(joints: Sequence[int], state: ArmState) -> list[int]:
+    angles = {joint: state.joints_deg[joint - 1] for joint in joints}
+    return [
+        joint for joint, heard in angles.items() if heard is None or abs(heard.value) > _AT_ZERO_DEG
+    ]
+
+
+def _shown(joints: Sequence[int], state: ArmState, since_s: float) -> bool:
+    """Whether the angles tell of the zero: they are at it, or have had time to be."""
+    heard = [state.joints_deg[joint - 1] for joint in joints]
+    times = [each.at_s for each in heard if each is not None and each.at_s > since_s]
+    if len(times) < len(joints):
+        return False
+    return not _off_zero(joints, state) or min(times) - since_s > _LONGEST_S
+
+
+def _not_at_zero(joints: Sequence[int], state: ArmState) -> Refusal | None:
+    off = _off_zero(joints, state)
+    return Refusal("zero_not_taken", {"joints": joint_list(off)}) if off else None

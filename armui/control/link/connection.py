@@ -1,0 +1,308 @@
+"""One device at a time: the bus thread, whether an arm answers, and what it was asked first."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from itertools import count
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QObject, Signal
+
+from armui.arm.device import Device
+from armui.arm.generations import common_to_generations
+from armui.arm.other_hosts import OtherTraffic
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState, is_fresh
+from armui.bus.link import BusReport, BusState
+from armui.control.link.offsets import OffsetFollower
+from armui.control.operating_state import LinkState
+from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
+
+if TYPE_CHECKING:
+    from armui.bus.samples import SampleRing
+    from armui.bus.tap import Tap
+    from armui.bus.worker import BusWorker, Opener
+    from armui.control.link.handshake import Handshake
+    from armui.protocol.codec import Codec
+
+
+_CLOSE_MS: Final = 100
+"""The window waits this long for a device to be closed; a busy driver is left to end by itself."""
+_IS_OPEN: Final = frozenset({BusState.OPEN, BusState.BLOCKED})
+_OPEN_CODES: Final = {BusState.LOST: "reconnected", BusState.BLOCKED: "bus_unblocked"}
+"""The notice that an open bus is worth, by what it was before."""
+
+
+class Connection(QObject):
+    """The way to an arm.
+
+    Args:
+        opener: Opens a device.
+        clock: Monotonic time in seconds.
+        tap: Who else is told of every frame; asked for when a device is opened.
+
+    Signals:
+        changed: A :class:`BusReport` and the code of the notice it is worth.
+        answered: A decoded message that answers a command.
+        arm_came: An arm has come online: another one, or one that was switched off and on, for all
+            that is known. Nothing that was read before holds for it.
+    """
+
+    changed = Signal(object, str)
+    answered = Signal(object)
+    arm_came = Signal()
+
+    def __init__(
+        self,
+        opener: Opener,
+        clock: Callable[[], float],
+        parent: QObject | None = None,
+        *,
+        tap: Callable[[], Tap] | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._make_tap = tap
+        self._tap: Tap | None = None
+        self._opener = opener
+        self._clock = clock
+        self._worker: BusWorker | None = None
+        self._ending: list[BusWorker] = []
+        self._bus_state = BusState.CLOSED
+        self._online = False
+        self._last_feedback_s: float | None = None
+        self._worker_numbers = count(1)
+        self._worker_number = 0
+        self._arms = 0
+        self.device: Device | None = None
+        self.problem: Refusal | None = None
+        self.handshake: Handshake | None = None
+        self._codec: Codec | None = None
+        self.offsets = OffsetFollower()
+
+    @property
+    def codec(self) -> Codec:
+        """What to speak now; only while a device is open."""
+        if self._codec is None:
+            raise RuntimeError("no device is open: there is nothing to speak to")
+        return self._codec
+
+    @property
+    def link(self) -> LinkState:
+        """How the program stands to its arm."""
+        if self._worker is None:
+            return LinkState.NO_DEVICE
+        if self._bus_state is BusState.OPENING:
+            return LinkState.OPENING
+        if self._bus_state is BusState.LOST:
+            return LinkState.LOST
+        return LinkState.ONLINE if self._online else LinkState.OFFLINE
+
+    @property
+    def frames_dropped(self) -> int:
+        """Frames lost before they could be read, since the device was opened."""
+        return 0 if self._worker is None else self._worker.frames_dropped
+
+    @property
+    def samples(self) -> SampleRing:
+        """Joint angles as they come in; only while a device is open."""
+        if self._worker is None:
+            raise RuntimeError("no device is open: nothing comes in")
+        return self._worker.samples
+
+    @property
+    def idle(self) -> bool:
+        """Whether everything sent has been handed to the device."""
+        return self._worker is None or self._worker.idle
+
+    @property
+    def arm(self) -> int | None:
+        """The number of the arm that is online: it grows whenever one comes, the same or another.
+
+        ``None`` while no arm is online.
+        """
+        return self._arms if self.link is LinkState.ONLINE else None
+
+    @property
+    def generation(self) -> Generation | None:
+        """Which protocol the arm speaks, once it is known."""
+        return self.handshake.generation if self.handshake is not None else None
+
+    def open(self, device: Device) -> None:
+        """Open a device; nothing may be open."""
+        # python-can and cantools are loaded with the first device: the window starts without them
+        from armui.bus.opening import opener_after  # noqa: PLC0415
+        from armui.bus.worker import BusWorker  # noqa: PLC0415
+        from armui.protocol.codec import Codec  # noqa: PLC0415
+
+        self.device = device
+        self.problem = None
+        self._tap = None if self._make_tap is None else self._make_tap()
+        self._codec = Codec(Generation.TWO)
+        self.offsets = OffsetFollower()
+        self._bus_state = BusState.OPENING
+        self._worker_number = next(self._worker_numbers)
+        # without a parent: a thread that a driver keeps from ending must not be destroyed
+        self._worker = BusWorker(
+            device,
+            opener_after(tuple(self._ending), self._opener),
+            self._codec,
+            self._clock,
+            listen_only=device.listen_only,
+            number=self._worker_number,
+            tap=self._tap,
+        )
+        self._tell_generation()
+        self._worker.reported.connect(self._on_report)
+        self._worker.answered.connect(self.answered)
+        self._worker.start()
+
+    def close(self) -> None:
+        """Close the device and forget the arm."""
+        if self._worker is not None:
+            self._worker.reported.disconnect(self._on_report)
+            self._worker.answered.disconnect(self.answered)
+            self._worker.finished.connect(self._on_ended)
+            self._ending.append(self._worker)
+            self._worker.close(_CLOSE_MS)
+            self._on_ended()
+        self._worker = None
+        self._bus_state = BusState.CLOSED
+        self._online = False
+        self._last_feedback_s = None
+        self.device = None
+        self.problem = None
+        self.handshake = None
+
+    def wait_until_sent(self, within_s: float) -> None:
+        """Give a driver that is busy a moment for what waits; only at the end of the program."""
+        deadline_s = time.monotonic() + within_s
+        while not self.idle and time.monotonic() < deadline_s:
+            time.sleep(0.005)
+
+    def end(self, within_s: float) -> bool:
+        """Close the device; returns whether every thread has ended within a time."""
+        self.close()
+        deadline_s = time.monotonic() + within_s
+        for worker in tuple(self._ending):
+            worker.wait(max(0, round(1e3 * (deadline_s - time.monotonic()))))
+        self._on_ended()
+        return not self._ending
+
+    def _on_ended(self) -> None:
+        """Let go of the threads that have ended; one that runs must not be destroyed."""
+        for worker in [one for one in self._ending if one.isFinished()]:
+            worker.wait()  # the signal comes a moment before the thread has ended
+            self._ending.remove(worker)
+            worker.deleteLater()
+
+    @property
+    def newest(self) -> ArmState:
+        """The arm as heard until this very moment, newer than the controller's last tick."""
+        return ArmState() if self._worker is None else self._understood(self._worker.state)
+
+    @property
+    def traffic(self) -> OtherTraffic:
+        """What other hosts were heard to send until this very moment."""
+        return OtherTraffic() if self._worker is None else self._worker.traffic
+
+    def send(
+        self, frames: Sequence[Frame], keep_s: float | None = None, command: int | None = None
+    ) -> bool:
+        """Queue frames in order, as one batch; false if no device is open or it is listen-only.
+
+        Args:
+            frames: What to say.
+            keep_s: A batch that could not begin within this time is dropped.
+            command: The number of the command it belongs to; see :meth:`void`.
+        """
+        return self._worker is not None and self._worker.send(frames, keep_s, command)
+
+    def void(self, newest: int) -> None:
+        """Drop what waits to be sent of commands older than this one."""
+        if self._worker is not None:
+            self._worker.void(newest)
+
+    def send_urgent(self, frames: Sequence[Frame]) -> bool:
+        """Send at once, past everything that waits."""
+        return self._worker is not None and self._worker.send_urgent(frames)
+
+    def advance(self, now_s: float) -> ArmState:
+        """Look at what was heard; called regularly while a device is open."""
+        if self._worker is None:
+            return ArmState()
+        state = self._worker.state
+        if state.silences or self._another_answers(state):
+            # Off for one look at least: whatever is under way ends, and begins from nothing.
+            self._start_anew(self._worker, now_s)
+            return self.newest
+        # A handshake starts with an empty picture of the arm: that is no silence.
+        self._last_feedback_s = state.last_feedback_s or self._last_feedback_s
+        is_open = self._bus_state in _IS_OPEN
+        online = is_open and is_fresh(self._last_feedback_s, now_s)
+        came = online and not self._online
+        moved = is_open and self.offsets.advance(state, now_s, came=came)
+        self._online = online
+        if came or moved:
+            self._begin_handshake(self._worker, now_s)
+        if came:
+            self._arms += 1
+            self.arm_came.emit()
+        if self.handshake is not None and online:
+            self.handshake.advance(self._worker.state, now_s)
+            self._codec = self.handshake.codec
+        self._tell_generation()
+        return self.newest
+
+    def _tell_generation(self) -> None:
+        if self._tap is not None:
+            self._tap.know_generation(self.generation)
+
+    def _understood(self, state: ArmState) -> ArmState:
+        """What can be told of the arm as long as it is not known which protocol it speaks."""
+        return state if self.generation is not None else common_to_generations(state)
+
+    def _another_answers(self, state: ArmState) -> bool:
+        """Whether an arm has named another version than the one of the handshake."""
+        known = None if self.handshake is None else self.handshake.firmware
+        return known is not None and state.firmware not in {None, known}
+
+    def _start_anew(self, worker: BusWorker, now_s: float) -> None:
+        """Forget the arm: the next feedback is that of an arm that comes."""
+        self.handshake = None
+        self._online = False
+        self._last_feedback_s = None
+        self.offsets.listen_anew(now_s)
+        self._tell_generation()
+        worker.use_codec(self.codec)
+
+    def _begin_handshake(self, worker: BusWorker, now_s: float) -> None:
+        from armui.control.link.handshake import Handshake  # noqa: PLC0415 - see open()
+
+        self.handshake = Handshake(worker, now_s, self.offsets.addressing)
+        self._codec = self.handshake.codec
+
+    def _on_report(self, report: BusReport) -> None:
+        if self._worker is None or report.worker != self._worker_number:
+            return  # a late word of a device that was left meanwhile
+        before, self._bus_state = self._bus_state, report.state
+        if report.state is BusState.OPEN:
+            self.problem = None
+            self.changed.emit(report, _OPEN_CODES.get(before, "connected"))
+        elif report.state is BusState.BLOCKED:
+            self.problem = report.problem
+            self.changed.emit(report, "bus_blocked")
+        elif report.state is BusState.LOST:
+            self.problem = report.problem
+            self._start_anew(self._worker, self._clock())
+            if before is not BusState.LOST:
+                self.changed.emit(report, "link_lost")
+        elif report.state is BusState.FAILED:
+            self._fail(report)
+
+    def _fail(self, report: BusReport) -> None:
+        problem, device = report.problem, report.device
+        self.close()
+        self.problem = problem
+        self.changed.emit(BusReport(BusState.FAILED, device, problem), "connect_failed")

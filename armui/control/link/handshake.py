@@ -1,0 +1,122 @@
+"""What the program asks an arm when it comes online: which generation it is, and its limits."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Sequence
+from typing import Final, Protocol
+
+from armui.arm.state import ArmState
+from armui.protocol import commands
+from armui.protocol.addressing import Addressing
+from armui.protocol.codec import Codec
+from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
+
+_VERSION_WAIT_S: Final = 0.5
+"""So long an answer is collected. A second question during it would shift its text."""
+_VERSION_ROUNDS: Final = 2
+"""Unanswered so often: generation 1 (see the table of the two generations)."""
+_FAST_PER_S: Final = 1500.0
+"""Between the frames a second of generation 1 (some 700) and of generation 2 (some 3,000)."""
+_ASK_AGAIN_S: Final = 0.2
+_LIMIT_ROUNDS: Final = 5
+
+
+class Wire(Protocol):
+    """What a handshake needs of the bus thread."""
+
+    def send(self, frames: Sequence[Frame]) -> bool:
+        """Queue frames; whether they may go out at all."""
+
+    def use_codec(self, codec: Codec) -> None:
+        """Forget what was heard, and speak another generation from now on."""
+
+
+class HandshakePhase(enum.Enum):
+    """How far a handshake has come."""
+
+    GENERATION = enum.auto()
+    LIMITS = enum.auto()
+    DONE = enum.auto()
+
+
+class Handshake:
+    """Driven by :meth:`advance` from the first feedback on, until :attr:`phase` is ``DONE``.
+
+    It begins with nothing heard. The states it is given must have been heard since it began:
+    the bus thread sees to that (:meth:`armui.bus.worker.BusWorker.use_codec`).
+
+    Attributes:
+        generation: Which protocol the arm speaks, once known.
+        firmware: The version it named; ``None`` in generation 1, and where its text was unreadable.
+        codec: What to speak now.
+    """
+
+    def __init__(self, wire: Wire, now_s: float, addressing: Addressing = Addressing()) -> None:  # noqa: B008 - frozen
+        self.phase = HandshakePhase.GENERATION
+        self.generation: Generation | None = None
+        self.firmware: str | None = None
+        self.codec = Codec(Generation.TWO, addressing)
+        self._wire = wire
+        self._asked = False
+        self._began_s = self._next_s = now_s
+        self._rounds = 0
+        wire.use_codec(self.codec)
+
+    @property
+    def done(self) -> bool:
+        """Whether the arm has answered everything, or as much as it will."""
+        return self.phase is HandshakePhase.DONE
+
+    def advance(self, state: ArmState, now_s: float) -> None:
+        """Ask what is due, and take in what was heard."""
+        if self.phase is HandshakePhase.GENERATION:
+            self._find_generation(state, now_s)
+        elif self.phase is HandshakePhase.LIMITS:
+            self._read_limits(state, now_s)
+
+    def _find_generation(self, state: ArmState, now_s: float) -> None:
+        if state.firmware is not None:
+            self.firmware = state.firmware
+            self._settle(Generation.TWO, now_s)
+        elif now_s < self._next_s:
+            return
+        elif self._rounds < _VERSION_ROUNDS:
+            self._rounds += 1
+            self._asked |= self._wire.send(commands.query_firmware(self.codec))
+            self._next_s = now_s + _VERSION_WAIT_S
+        elif state.version_heard_s is not None or self._speaks_fast(state, now_s):
+            # it answered, and only generation 2 does, though no version can be read in the answer
+            self._settle(Generation.TWO, now_s)
+        else:
+            self.codec = Codec(Generation.ONE, self.codec.addressing)
+            self._wire.use_codec(self.codec)
+            self._settle(Generation.ONE, now_s)
+
+    def _speaks_fast(self, state: ArmState, now_s: float) -> bool:
+        """Whether an arm that must not be asked speaks as often as generation 2.
+
+        On a connection that only listens its silence says nothing.
+        """
+        return not self._asked and state.frames / (now_s - self._began_s) > _FAST_PER_S
+
+    def _settle(self, generation: Generation, now_s: float) -> None:
+        self.generation = generation
+        self.phase = HandshakePhase.LIMITS
+        self._next_s = now_s
+        self._rounds = 0
+
+    def _read_limits(self, state: ArmState, now_s: float) -> None:
+        missing = state.joints_without_limits()
+        if not missing:
+            self.phase = HandshakePhase.DONE
+        elif now_s >= self._next_s:
+            if self._rounds == _LIMIT_ROUNDS:
+                self.phase = HandshakePhase.DONE
+                return
+            self._rounds += 1
+            self._next_s = now_s + _ASK_AGAIN_S
+            for joint in missing:
+                self._wire.send(commands.query_limits(self.codec, joint))
+                self._wire.send(commands.query_acceleration(self.codec, joint))

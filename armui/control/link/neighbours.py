@@ -1,0 +1,88 @@
+"""Other copies of this program on the computer, on the same settings file or CAN channel."""
+
+from __future__ import annotations
+
+import hashlib
+from datetime import datetime
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QObject, Signal
+
+from armui.control.events import CODES
+from armui.control.operating_state import Notice, OperatingState
+from armui.system.presence import PresenceWatch
+
+if TYPE_CHECKING:
+    from armui.arm.device import Device
+    from armui.control.arm_controller import ArmController
+
+_IN_THIS_PROCESS: Final = frozenset({"virtual"})
+"""Back-ends whose channels no other program can reach."""
+
+
+class Neighbours(QObject):
+    """Says that another copy of the program is there, when it comes or is found (safety S21).
+
+    Two copies that drive one arm undo each other's stops and motions; two that change one settings
+    file each keep their own choices and find the other's at the next start.
+
+    Args:
+        controller: Tells which device is open, and gets the notices.
+        settings: The settings file.
+        folder: Where running programs meet.
+        look_s: How often to look.
+    """
+
+    _counted = Signal(str, object, int)
+
+    def __init__(
+        self,
+        controller: ArmController,
+        settings: Path,
+        folder: Path,
+        look_s: float = 1.0,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._controller = controller
+        self._folder = folder
+        self._look_s = look_s
+        self._device: Device | None = None
+        self._channel: PresenceWatch | None = None
+        self._counted.connect(self._on_counted)
+        self._settings = self._watch("settings_shared", str(settings.absolute()), str(settings))
+        controller.operating_state_changed.connect(self._on_situation)
+
+    def close(self) -> None:
+        """Leave every meeting place."""
+        self._controller.operating_state_changed.disconnect(self._on_situation)
+        self._settings.close()
+        if self._channel is not None:
+            self._channel.close()
+            self._channel = None
+
+    def _on_situation(self, operating_state: OperatingState) -> None:
+        device = operating_state.device
+        if device == self._device:
+            return
+        self._device = device
+        if self._channel is not None:
+            self._channel.close()
+            self._channel = None
+        if device is not None and device.interface not in _IN_THIS_PROCESS:
+            key = f"{device.interface} {device.channel} {device.serial or ''}"
+            self._channel = self._watch("channel_shared", key, device)
+
+    def _watch(self, code: str, key: str, what: object) -> PresenceWatch:
+        name = hashlib.sha256(key.encode("utf-8", "surrogatepass")).hexdigest()[:16]
+        tell = partial(self._counted.emit, code, what)
+        return PresenceWatch(self._folder / f"{code}-{name}", tell, self._look_s)
+
+    def _on_counted(self, code: str, what: object, count: int) -> None:
+        late = code == "channel_shared" and what != self._device
+        if count and not late:
+            params = {"device" if code == "channel_shared" else "path": what, "count": count}
+            at = datetime.now().astimezone()
+            self._controller.noticed.emit(Notice(at, CODES[code], code, params))

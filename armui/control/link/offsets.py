@@ -1,0 +1,140 @@
+"""Which identifiers the arm uses (0x470): asked for, heard, followed. Pure; driven by the link.
+
+What moves is 0x2A1–0x2A8 and 0x150–0x15F. The feedback tells its own offset; the offset of the
+commands cannot be heard or asked for, so it is known only from what was set and seen to be taken.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Final
+
+from armui.arm.state import ArmState, is_fresh
+from armui.protocol.addressing import OFFSETS, Addressing
+from armui.protocol.codes import ArmStatusCode, ControlMode
+
+_SILENT_S: Final = 0.5
+"""So long the known feedback must be away before another is taken for the same arm's."""
+_SETTLED_S: Final = 0.05
+"""A status this much after the setting was made after it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Wished:
+    """Offsets that were sent to the arm and have not been seen in use.
+
+    Attributes:
+        addressing: What was sent.
+        since_s: When.
+        answered_s: When 0x476 has said that the arm keeps them; ``None``: it has not.
+        ends_input: Sent to a teaching input: that it gives feedback shows that it has heard.
+    """
+
+    addressing: Addressing
+    since_s: float
+    answered_s: float | None = None
+    ends_input: bool = False
+
+
+class OffsetFollower:
+    """Decides under which identifiers the arm is spoken to.
+
+    Two arms with different offsets are never mixed: as long as the feedback in use goes on, other
+    feedback is another arm's.
+
+    Attributes:
+        addressing: What is in use.
+        control_known: Whether the arm takes commands under it: false for an arm that was found
+            with shifted feedback and has not been set since.
+        requested: What was sent and may come into use at any time.
+    """
+
+    def __init__(self) -> None:
+        self.addressing = Addressing()
+        self.control_known = True
+        self.requested: Wished | None = None
+        self._listening_since_s: float | None = None
+
+    @property
+    def certain(self) -> bool:
+        """Whether commands reach the arm.
+
+        Feedback and commands move together: while the old feedback is heard, so are old commands,
+        unless only the commands are to move.
+        """
+        requested = self.requested
+        moves_unseen = (
+            requested is not None
+            and requested.addressing.feedback_offset == self.addressing.feedback_offset
+        )
+        return self.control_known and not moves_unseen
+
+    def wish(self, addressing: Addressing, now_s: float, *, ends_input: bool = False) -> None:
+        """Offsets have been sent to the arm: it may use them from now on, or later."""
+        same = addressing == self.addressing and self.control_known
+        requested = Wished(addressing, now_s, ends_input=ends_input)
+        self.requested = None if same and self.requested is None else requested
+
+    def answered(self, now_s: float) -> None:
+        """The arm has answered that it keeps what was sent to it last (0x476)."""
+        if self.requested is not None:
+            self.requested = replace(self.requested, answered_s=now_s)
+
+    def listen_anew(self, now_s: float) -> None:
+        """What was heard before is forgotten: give the known feedback time to be heard again."""
+        self._listening_since_s = now_s
+
+    def advance(self, state: ArmState, now_s: float, *, came: bool) -> bool:
+        """Take in what was heard; whether other identifiers are in use from now on.
+
+        Args:
+            state: The arm as heard.
+            now_s: Monotonic time.
+            came: It has come online just now: what it keeps is in use after a power cycle.
+        """
+        if self._listening_since_s is None or came:
+            self._listening_since_s = now_s
+        requested = self.requested
+        if requested is not None and self._taken_unseen(requested, state, came=came):
+            return self._use(requested.addressing, now_s, known=True)
+        if came and self.addressing.control_offset:
+            self.control_known = False  # nothing proves that it is the arm that was set
+        own = OFFSETS.index(self.addressing.feedback_offset)
+        last_s = max(state.status_heard_s[own] or 0.0, self._listening_since_s)
+        if now_s - last_s < _SILENT_S:
+            return False
+        heard = [
+            offset
+            for offset, at_s in zip(OFFSETS, state.status_heard_s, strict=True)
+            if is_fresh(at_s, now_s) and offset != self.addressing.feedback_offset
+        ]
+        if requested is not None and requested.addressing.feedback_offset in heard:
+            return self._use(requested.addressing, now_s, known=True)
+        if not heard:
+            return False
+        # nothing tells the offset of the commands; 0x00 would be a guess
+        return self._use(Addressing(heard[0], self.addressing.control_offset), now_s, known=False)
+
+    def _taken_unseen(self, requested: Wished, state: ArmState, *, came: bool) -> bool:
+        """Only the commands move: the arm takes that in standby, or when it is switched on.
+
+        Nothing it sends shows that it has, so it must have said that it keeps it: a setting that
+        got lost would be taken for one in use, and every motion after it would vanish.
+        """
+        if requested.addressing.feedback_offset != self.addressing.feedback_offset:
+            return False
+        if requested.answered_s is None and not (came and requested.ends_input):
+            return False
+        since_s = requested.since_s if requested.answered_s is None else requested.answered_s
+        status = state.status
+        if status is None or status.at_s < since_s + _SETTLED_S:
+            return False
+        standby = status.value.control_mode == ControlMode.STANDBY
+        return came or (standby and status.value.arm_status != ArmStatusCode.EMERGENCY_STOP)
+
+    def _use(self, addressing: Addressing, now_s: float, *, known: bool) -> bool:
+        moved = addressing != self.addressing
+        self.addressing, self.control_known = addressing, known
+        self.requested = None
+        self._listening_since_s = now_s
+        return moved

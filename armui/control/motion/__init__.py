@@ -1,0 +1,1 @@
+"""Motions sent by hand: joints, poses, lines, arcs, jogging, and what becomes of them."""

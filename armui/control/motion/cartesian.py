@@ -1,0 +1,283 @@
+"""末端控制: the tool is sent to poses, on lines and arcs, and step by step (0x152–0x154, 0x158).
+
+Every target is checked before it is sent, by the inverse kinematics and the limits of the joints;
+a line and an arc over their whole length. What the arm itself then says of a target (0x2A1 byte 1)
+still counts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.control.context import Context
+from armui.control.motion.motion_command import CommandKind
+from armui.control.motion.point_frames import leading_mode
+from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
+from armui.protocol import commands
+from armui.protocol.codes import MoveMode
+
+# The kinematics and what stands on it bring numpy and scipy along. They are loaded when the first
+# pose is asked for: the window starts without them.
+if TYPE_CHECKING:
+    from armui.control.motion.joint_motion import Motion
+    from armui.kinematics.kinematics import Kinematics, Matrix, Pose
+    from armui.protocol.frame import Frame
+
+_NO_TOOL: Final = (0.0,) * 6
+_MODEL_MM: Final = 5.0
+_MODEL_DEG: Final = 2.0
+"""The program's kinematics and the arm's own may differ by this, and not more."""
+_ARRIVED_MM: Final = 5.0
+_ARRIVED_DEG: Final = 0.5
+"""So near to its target the tool has arrived: it is what half a degree of a joint makes of it."""
+_AT_START_MM: Final = 1.0
+_AT_START_DEG: Final = 1.0
+
+
+class Cartesian:
+    """Motions of the tool centre point.
+
+    Args:
+        context: What the parts of the controller share.
+        motion: Owns the speed.
+
+    Attributes:
+        tool: The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees. The arm
+            knows nothing of it: it is told, and tells, where the flange is.
+    """
+
+    def __init__(self, context: Context, motion: Motion) -> None:
+        self._context = context
+        self._motion = motion
+        self._model: Kinematics | None = None
+        self.tool: tuple[float, ...] = _NO_TOOL
+
+    # What is known --------------------------------------------------------------------------
+
+    def prepare(self) -> None:
+        """Load what computes with poses, before there is an arm that must not wait for it."""
+        self.kinematics()
+
+    def kinematics(self) -> Kinematics:
+        """Of the geometry that fits the pose the arm reports best.
+
+        Older firmware counts joints 2 and 3 from other zeros, and an arm of generation 1 tells no
+        version: its own pose does.
+        """
+        from armui.kinematics.kinematics import Geometry, Kinematics  # noqa: PLC0415 - see above
+
+        state = self._context.state()
+        if self._model is None or not self._fits(self._model, state):
+            models = [Kinematics(geometry) for geometry in Geometry]
+            fitting = [model for model in models if self._fits(model, state)]
+            self._model = (fitting or models)[0]
+        return self._model
+
+    def tool_pose(self, state: ArmState) -> Pose | None:
+        """Where the tool centre point is measured, or ``None`` while the pose is not known."""
+        flange = state.end_pose()
+        if flange is None:
+            return None
+        from armui.kinematics.kinematics import Pose  # noqa: PLC0415 - see above
+        from armui.kinematics.poses import tool_pose  # noqa: PLC0415 - see above
+
+        return tool_pose(flange, self.tool) if any(self.tool) else Pose(*flange)
+
+    def why_unknown(self) -> Refusal | None:
+        """The reason against computing with poses: not heard, or not those of this kind of arm."""
+        state = self._context.state()
+        if state.angles_deg() is None:
+            return Refusal("joints_unknown")
+        if state.end_pose() is None:
+            return Refusal("pose_unknown")
+        if self._context.operating_state().moving or self._fits(self.kinematics(), state):
+            return None
+        return Refusal("model_differs")
+
+    @staticmethod
+    def _fits(model: Kinematics, state: ArmState) -> bool:
+        from armui.arm.reach import apart  # noqa: PLC0415 - see above
+        from armui.kinematics.kinematics import Pose  # noqa: PLC0415 - see above
+
+        joints_deg, pose = state.angles_deg(), state.end_pose()
+        if joints_deg is None or pose is None:
+            return True
+        off_mm, off_deg = apart(model.forward(joints_deg), Pose(*pose))
+        return off_mm <= _MODEL_MM and off_deg <= _MODEL_DEG
+
+    # Motions --------------------------------------------------------------------------------
+
+    def check(self, target: Sequence[float], move_mode: MoveMode) -> Refusal | None:
+        """Whether the tool centre point can go from where it is to a pose.
+
+        Args:
+            target: X, Y, Z in mm and RX, RY, RZ in degrees.
+            move_mode: MOVE_P, or MOVE_L for a straight line.
+        """
+        unknown = self.why_unknown()
+        if unknown is not None:
+            return unknown
+        from armui.arm.reach import check_path, check_pose  # noqa: PLC0415 - see above
+        from armui.kinematics.kinematics import pose_to_matrix  # noqa: PLC0415 - see above
+        from armui.kinematics.poses import flange_pose  # noqa: PLC0415 - see above
+        from armui.kinematics.tool_path import Line  # noqa: PLC0415 - see above
+
+        model, start_deg = self.kinematics(), self._start_deg()
+        limits = self._context.operating_state().limits
+        flange = flange_pose(target, self.tool)
+        answer = check_pose(model, flange, start_deg, limits)
+        if isinstance(answer, Refusal):
+            return answer
+        if move_mode is not MoveMode.MOVE_L:
+            return None
+        line = Line(model.matrix(start_deg), pose_to_matrix(flange))
+        return check_path(model, line, start_deg, limits)
+
+    def move(self, target: Sequence[float], move_mode: MoveMode) -> Refusal | None:
+        """Send the tool centre point to a pose, with MOVE P or on a straight line with MOVE L."""
+        code = "sent_line" if move_mode is MoveMode.MOVE_L else "sent_pose"
+        figures: dict[str, object] = dict(zip(map(str.lower, AXES), target, strict=True))
+        return self._move(target, move_mode, code, figures)
+
+    def step(self, axis: int, amount: float, frame: JogFrame) -> Refusal | None:
+        """Move the tool centre point by a step, on a straight line.
+
+        It is added to the target of the motion before, while that is ours and the tool is on its
+        way there or has arrived; otherwise to where the tool is measured.
+
+        Args:
+            axis: 0–5 for X, Y, Z, RX, RY, RZ.
+            amount: In mm or degrees.
+            frame: Whose axes.
+        """
+        unknown = self._context.operating_state().cannot_move or self.why_unknown()
+        if unknown is not None:
+            return self._context.refuse(unknown)
+        from armui.kinematics.kinematics import matrix_to_pose  # noqa: PLC0415 - see above
+        from armui.kinematics.poses import shifted, tool_matrix  # noqa: PLC0415 - see above
+
+        measured_deg = self._context.authority.measured_deg()
+        if measured_deg is None:
+            return self._context.refuse(Refusal("joints_unknown"))
+        measured = tool_matrix(self.kinematics().matrix(measured_deg), self.tool)
+        target = shifted(self._base(measured), axis, amount, frame)
+        unit = "mm" if axis < LINEAR_AXES else "°"
+        figures: dict[str, object] = {"axis": AXES[axis], "step": f"{amount:+g} {unit}"}
+        return self._move(matrix_to_pose(target), MoveMode.MOVE_L, "stepped_tool", figures)
+
+    def move_arc(self, *points: Sequence[float]) -> Refusal | None:
+        """Move on the arc through three poses of the tool centre point (MOVE C).
+
+        The arm must stand at the first of them, so that it goes no way nobody has checked.
+
+        Args:
+            *points: Start, middle and end.
+        """
+        context = self._context
+        refusal = (
+            context.operating_state().cannot_move or self.why_unknown() or self.check_arc(*points)
+        )
+        if refusal is not None:
+            return context.refuse(refusal)
+        from armui.kinematics.poses import flange_pose  # noqa: PLC0415 - see above
+
+        start, middle, end = (flange_pose(point, self.tool) for point in points)
+        codec, percent = context.connection.codec, self._motion.speed_percent
+        frames = leading_mode(codec, context.state(), MoveMode.MOVE_C, percent)
+        frames += commands.move_arc(codec, start, middle, end, speed_percent=percent)
+        return self._send(frames, MoveMode.MOVE_C, points[-1], "sent_arc", {})
+
+    def check_arc(self, *points: Sequence[float]) -> Refusal | None:
+        """Whether the arm stands at the start of an arc and can follow it to its end."""
+        from armui.arm.reach import apart, check_path  # noqa: PLC0415 - see above
+        from armui.kinematics.kinematics import Pose, pose_to_matrix  # noqa: PLC0415 - see above
+        from armui.kinematics.poses import flange_pose  # noqa: PLC0415 - see above
+        from armui.kinematics.tool_path import Arc, ArcError  # noqa: PLC0415 - see above
+
+        model, start_deg = self.kinematics(), self._start_deg()
+        flanges = [flange_pose(Pose(*point), self.tool) for point in points]
+        off_mm, off_deg = apart(flanges[0], model.forward(start_deg))
+        if off_mm > _AT_START_MM or off_deg > _AT_START_DEG:
+            return Refusal(
+                "arc_not_at_start", {"distance": round(off_mm, 1), "turned": round(off_deg, 1)}
+            )
+        try:
+            arc = Arc(*map(pose_to_matrix, flanges))
+        except ArcError:
+            return Refusal("arc_is_none")
+        return check_path(model, arc, start_deg, self._context.operating_state().limits)
+
+    def _move(
+        self,
+        target: Sequence[float],
+        move_mode: MoveMode,
+        code: str,
+        figures: dict[str, object],
+    ) -> Refusal | None:
+        context = self._context
+        refusal = context.operating_state().cannot_move or self.check(target, move_mode)
+        if refusal is not None:
+            return context.refuse(refusal)
+        from armui.kinematics.poses import flange_pose  # noqa: PLC0415 - see above
+
+        codec, percent = context.connection.codec, self._motion.speed_percent
+        frames = leading_mode(codec, context.state(), move_mode, percent)
+        frames += commands.move_pose(
+            codec,
+            flange_pose(target, self.tool),
+            speed_percent=percent,
+            move_mode=move_mode,
+        )
+        return self._send(frames, move_mode, target, code, figures)
+
+    def _send(
+        self,
+        frames: Sequence[Frame],
+        move_mode: MoveMode,
+        target: Sequence[float],
+        code: str,
+        figures: dict[str, object],
+    ) -> Refusal | None:
+        from armui.kinematics.kinematics import Pose, pose_to_matrix  # noqa: PLC0415 - see above
+
+        context = self._context
+        sent = context.send_motion(
+            CommandKind.POSE,
+            frames,
+            move_mode=move_mode,
+            speed_percent=self._motion.speed_percent,
+            tool=pose_to_matrix(Pose(*target)),
+        )
+        if isinstance(sent, Refusal):
+            return context.refuse(sent)
+        context.tell(code, **figures)
+        return None
+
+    def _base(self, measured: Matrix) -> Matrix:
+        """Where a step of the tool starts from."""
+        from armui.arm.reach import apart  # noqa: PLC0415 - see above
+        from armui.kinematics.kinematics import matrix_to_pose  # noqa: PLC0415 - see above
+
+        authority = self._context.authority
+        asked = authority.tool_base()
+        if asked is None or authority.under_way:
+            return measured if asked is None else asked
+        off_mm, off_deg = apart(matrix_to_pose(asked), matrix_to_pose(measured))
+        arrived = off_mm <= _ARRIVED_MM and off_deg <= _ARRIVED_DEG
+        return asked if arrived else measured
+
+    def _start_deg(self) -> Sequence[float]:
+        return self._context.state().angles_deg() or _NO_TOOL
+
+    def advance(self) -> None:
+        """A motion goes on by itself."""
+
+    def halt(self) -> None:
+        """A motion under way ends with the arm's own stop."""
+
+    def forget(self) -> None:
+        """Nothing is known of an arm that is gone; another one may be of another geometry."""
+        self._model = None

@@ -1,0 +1,97 @@
+"""How fast a jog may be, and how far its setpoints may run ahead, so that it ends in time.
+
+A jog is a stream of joint setpoints. Whatever ends the stream, the arm goes on to the last one and
+rests there; no further word is needed. A joint with the acceleration ``a`` that is never asked to
+go further than ``v·τ`` ahead of where it is needs at most ``τ + v/a`` to come to rest there:
+
+- from a standstill, reaching ``v``, going on with it and braking takes ``D/v + v/a`` for a way
+  ``D``, and a faster joint or a shorter way takes less;
+- a joint that is already on its way to a setpoint ahead of it is nearer to the end still.
+
+With ``τ`` = 45 ms and ``v ≤ a·45 ms`` that is 90 ms. The last 10 ms of the promised 100 ms belong
+to the way of a frame through the program and over the bus. At the factory's 5 rad/s² a joint is
+jogged at up to 12.9 °/s. To go on evenly the lead must also cover braking, ``v/(2a)``, and the time
+between two setpoints: 22.5 ms are left for that one, and a stream that is later only goes slower.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, JointLimits
+from armui.arm.state import Reading
+
+HORIZON_S: Final = 0.045
+"""τ: a setpoint is at most as far ahead as a joint gets in this time."""
+
+BRAKING_S: Final = 0.045
+"""A joint is jogged no faster than it can brake from within this time."""
+
+REST_S: Final = HORIZON_S + BRAKING_S
+"""After the last setpoint was heard the arm rests within this time."""
+
+_LEAST_SHARE: Final = 0.1
+"""The lead shrinks no further with the speed: it must span some steps of the protocol."""
+
+
+@dataclass(frozen=True, slots=True)
+class Pace:
+    """What a jog may do now, joint 1 first.
+
+    Attributes:
+        share: Part of the highest jog speed that the speed percentage leaves, 0–1.
+        speeds_deg_s: How fast the setpoint of each joint may move.
+        leads_deg: How far it may be ahead of the joint.
+        arm_percent: The speed percentage the arm is given (0x151 byte 2): its own limit, just
+            above the jog's, so that it runs evenly from setpoint to setpoint.
+    """
+
+    share: float
+    speeds_deg_s: tuple[float, ...]
+    leads_deg: tuple[float, ...]
+    arm_percent: int
+
+
+def pace(
+    percent: float, limits: Sequence[JointLimits], accelerations_deg_s2: Sequence[float]
+) -> Pace:
+    """The pace at a speed percentage.
+
+    Args:
+        percent: 0–100, of the highest jog speed.
+        limits: Of the six joints.
+        accelerations_deg_s2: Highest acceleration of the six joints; see :func:`accelerations`.
+    """
+    share = percent / 100.0
+    caps_deg_s = [
+        min(each.max_speed_deg_s, acceleration * BRAKING_S)
+        for each, acceleration in zip(limits, accelerations_deg_s2, strict=True)
+    ]
+    lead_share = max(share, _LEAST_SHARE)
+    arm_percent = max(
+        math.ceil(100.0 * lead_share * cap / each.max_speed_deg_s)
+        for each, cap in zip(limits, caps_deg_s, strict=True)
+    )
+    return Pace(
+        share=share,
+        speeds_deg_s=tuple(share * cap for cap in caps_deg_s),
+        leads_deg=tuple(lead_share * cap * HORIZON_S for cap in caps_deg_s),
+        arm_percent=min(arm_percent, 100),
+    )
+
+
+def accelerations(heard: Sequence[Reading[float] | None]) -> tuple[float, ...]:
+    """What to rely on for braking: as read from the arm, and never more than the factory's.
+
+    A corrupted flash answers with far too much; an arm that brakes harder than this only rests
+    sooner.
+    """
+    return tuple(
+        FACTORY_ACCELERATION_DEG_S2
+        if each is None or each.value <= 0.0
+        else min(each.value, FACTORY_ACCELERATION_DEG_S2)
+        for each in heard
+    )

@@ -1,0 +1,122 @@
+"""The setpoints of one jog: each a little further along its way, none far ahead of the arm."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.refusal import Refusal
+
+if TYPE_CHECKING:
+    from armui.control.motion.jog_pace import Pace
+    from armui.control.motion.jog_path import JogPath
+
+_TRIES: Final = 3
+_LEAST_SHARE: Final = 0.05
+"""A joint that would have to turn twenty times as fast as it may is at a singular pose."""
+_STRETCHES: Final = (2, 3)
+"""The joints that stretch the arm."""
+_SMALL_DEG: Final = 1e-9
+_CLOSE: Final = 1e-9
+"""Nearer to its end than this, in mm or degrees, a way is gone."""
+_STALLED_S: Final = 0.5
+
+
+class JogStream:
+    """Follows a way at the pace of the arm that is measured; pure, with no clock of its own.
+
+    Args:
+        way: Where to go.
+        base_deg: Six angles the way begins at.
+        measured_deg: Where the joints are then. What lies between the two is the joints' sag
+            under load, and no lead.
+
+    Attributes:
+        setpoint_deg: What the arm is to be sent to now.
+    """
+
+    def __init__(
+        self, way: JogPath, base_deg: Sequence[float], measured_deg: Sequence[float]
+    ) -> None:
+        self.setpoint_deg = tuple(base_deg)
+        self._way = way
+        self._sag_deg = tuple(a - b for a, b in zip(base_deg, measured_deg, strict=True))
+        self._gone = 0.0
+        self._stalled_s = 0.0
+
+    def advance(self, measured_deg: Sequence[float], dt_s: float, pace: Pace) -> Refusal | None:
+        """Put the setpoint on for the time gone by, as far as the arm has followed.
+
+        Args:
+            measured_deg: Where the joints are.
+            dt_s: Since the last call.
+            pace: What may be done now.
+
+        Returns:
+            ``None``, or why it goes no further; the setpoint then stays where it may be.
+        """
+        room = self._way.room() - self._gone
+        if room <= _CLOSE:
+            return self._way.end()
+        before = self._gone
+        way = min(self._way.speed(pace) * dt_s, room)
+        trouble = self._go(way, measured_deg, dt_s, pace)
+        self._stalled_s = 0.0 if self._gone > before else self._stalled_s + dt_s
+        if trouble is None and self._stalled_s >= _STALLED_S:
+            return Refusal("jog_not_following")
+        return trouble
+
+    def _go(
+        self, way: float, measured_deg: Sequence[float], dt_s: float, pace: Pace
+    ) -> Refusal | None:
+        for _ in range(_TRIES):
+            ahead_deg = self._way.joints_at(self._gone + way, self.setpoint_deg)
+            if isinstance(ahead_deg, Refusal):
+                return ahead_deg
+            joint, share = self._share_by_speed(ahead_deg, dt_s, pace)
+            if share < _LEAST_SHARE:
+                return _why_too_fast(joint)
+            share = min(share, self._share_by_lead(ahead_deg, measured_deg, pace))
+            if share >= 1.0:
+                self._gone += way
+                self.setpoint_deg = ahead_deg
+                return None
+            # a bent way may need another try
+            way *= 0.98 * share
+            if way <= _CLOSE:
+                return None
+        return None
+
+    def _share_by_speed(
+        self, ahead_deg: Sequence[float], dt_s: float, pace: Pace
+    ) -> tuple[int, float]:
+        """The joint that holds the step up most, and how much of it that joint can do in time."""
+        worst, least = 1, math.inf
+        steps = zip(ahead_deg, self.setpoint_deg, pace.speeds_deg_s, strict=True)
+        for joint, (ahead, now, speed) in enumerate(steps, start=1):
+            step = abs(ahead - now)
+            if step > _SMALL_DEG and (share := speed * dt_s / step) < least:
+                worst, least = joint, share
+        return worst, least * (1.0 + 1e-6)
+
+    def _share_by_lead(
+        self, ahead_deg: Sequence[float], measured_deg: Sequence[float], pace: Pace
+    ) -> float:
+        """How much of the step leaves every joint within its lead of where it is measured."""
+        least = math.inf
+        for ahead, now, measured, sag, lead in zip(
+            ahead_deg, self.setpoint_deg, measured_deg, self._sag_deg, pace.leads_deg, strict=True
+        ):
+            step = ahead - now
+            if abs(step) > _SMALL_DEG:
+                in_front = math.copysign(1.0, step) * (now - sag - measured)
+                least = min(least, max(0.0, lead - in_front) / abs(step))
+        return least
+
+
+def _why_too_fast(joint: int) -> Refusal:
+    """What a pose in which a joint would have to turn without end means to the operator."""
+    if joint in _STRETCHES:
+        return Refusal("jog_out_of_reach")
+    return Refusal("jog_singular", {"joint": joint})

@@ -1,0 +1,243 @@
+"""Jogging: the arm moves while something is held, and rests when it is not.
+
+The operator's hold is no message that something else must undo. It is the source of a stream of
+joint setpoints (MOVE J, 0x155–0x157), each so near that the arm rests within 100 ms of the last
+one it heard (see :mod:`armui.control.motion.jog_pace`). MOVE L plans anew at each target and cannot be
+streamed, so a straight line of the tool is solved here by the inverse kinematics.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import Qt, QTimer
+
+from armui.arm.refusal import Refusal
+from armui.control.context import Context
+from armui.control.motion.jog_pace import accelerations, pace
+from armui.control.motion.jog_path import JogPath, JointJog, JointJogPath, ToolJog, ToolJogPath
+from armui.control.motion.jog_stream import JogStream
+from armui.control.motion.motion_command import CommandKind, MotionCommand
+from armui.control.safety.rest import QUIET_DEG, QUIET_S, RestWatch
+from armui.kinematics.axes import AXES
+from armui.protocol import commands
+from armui.protocol.codes import MoveMode
+
+if TYPE_CHECKING:
+    from armui.arm.state import ArmState
+    from armui.control.motion.cartesian import Cartesian
+    from armui.control.motion.joint_motion import Motion
+
+_TICK_MS: Final = 10
+_SHORTEST_S: Final = 0.004
+"""Between two setpoints: two timers drive the stream, and one of them is enough."""
+_HELD_UP_S: Final = 0.08
+"""A program that was stuck for so long must not go on by itself: who held on may have let go."""
+_FEEDBACK_S: Final = 0.1
+"""Angles older than this are none to jog by."""
+_KEEP_S: Final = 0.03
+"""A setpoint that could not be sent within this time is dropped."""
+_SETTLE_S: Final = 0.3
+"""So long a jog waits for the arm to come to rest from the last one."""
+
+
+@dataclass(slots=True)
+class _Hold:
+    """One press, from its beginning to its end.
+
+    Attributes:
+        stream: Its setpoints, once the arm has been seen at rest.
+        before: Our command that was under way or had arrived when it began.
+        command: What the arm was told, once the first setpoint is sent.
+    """
+
+    jog: JointJog | ToolJog
+    began_s: float
+    last_s: float
+    stream: JogStream | None = None
+    before: MotionCommand | None = None
+    command: MotionCommand | None = None
+
+
+class Jogging:
+    """Moves while it is held: :meth:`start` on the press, :meth:`stop` when it ends.
+
+    Args:
+        context: What the parts of the controller share.
+        motion: Owns the speed.
+        cartesian: Knows the tool and the kinematics.
+    """
+
+    def __init__(self, context: Context, motion: Motion, cartesian: Cartesian) -> None:
+        self._context = context
+        self._motion = motion
+        self._cartesian = cartesian
+        self._rest = RestWatch(QUIET_DEG, QUIET_S)
+        self._hold: _Hold | None = None
+        self._timer = QTimer()
+        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
+        self._timer.setInterval(_TICK_MS)
+        self._timer.timeout.connect(self.tick)
+
+    @property
+    def active(self) -> bool:
+        """Whether something is held."""
+        return self._hold is not None
+
+    def start(self, jog: JointJog | ToolJog) -> Refusal | None:
+        """Begin to move, and go on until :meth:`stop`; a jog under way ends.
+
+        Returns:
+            ``None``, or why it does not begin. What ends it later is told by the notice
+            ``jog_ended``.
+        """
+        self.stop()
+        context = self._context
+        refusal = context.operating_state().cannot_move
+        if refusal is None and isinstance(jog, ToolJog):
+            refusal = self._cartesian.why_unknown()
+        if refusal is not None:
+            return context.refuse(refusal)
+        now_s = context.clock()
+        self._hold = _Hold(jog, now_s, now_s, before=context.authority.command)
+        self._timer.start()
+        context.operating_state()
+        if isinstance(jog, JointJog):
+            context.tell("jogging_joint", joint=jog.joint, sign=_sign(jog.direction))
+        else:
+            context.tell("jogging_tool", axis=AXES[jog.axis], sign=_sign(jog.direction))
+        return None
+
+    def stop(self) -> None:
+        """Send no more setpoints: the arm rests at the last one, within 100 ms."""
+        if self._hold is not None:
+            self._let_go()
+            self._context.operating_state()
+
+    def _let_go(self) -> None:
+        if self._hold is None:
+            return
+        self._hold = None
+        self._timer.stop()
+
+    def tick(self) -> None:
+        """Send the next setpoint; its own timer calls it, and the controller's."""
+        hold = self._hold
+        if hold is None:
+            return
+        context = self._context
+        now_s = context.clock()
+        dt_s = now_s - hold.last_s
+        if dt_s < _SHORTEST_S:
+            return
+        hold.last_s = now_s
+        state = context.connection.newest
+        measured_deg = state.angles_deg()
+        refusal = _why_blind(state, dt_s, now_s) or context.operating_state().cannot_move
+        if refusal is not None or measured_deg is None:
+            self._end(refusal)
+        elif self._is_replaced(hold):
+            self.stop()  # another command has taken over
+        elif hold.stream is None:
+            self._begin(hold, state, measured_deg, now_s)
+        else:
+            self._go_on(hold, hold.stream, measured_deg, dt_s)
+
+    def _is_replaced(self, hold: _Hold) -> bool:
+        """Whether a command that is not this jog's has been given since it began."""
+        ours = self._context.authority.command
+        if hold.command is not None:
+            return ours is None or ours.number != hold.command.number
+        before = 0 if hold.before is None else hold.before.number
+        return ours is not None and ours.number != before
+
+    def _begin(
+        self, hold: _Hold, state: ArmState, measured_deg: Sequence[float], now_s: float
+    ) -> None:
+        """Only an arm at rest is sure to rest in time again; one that moves is waited for."""
+        self._rest.observe(state, now_s)
+        if not self._rest.at_rest:
+            if now_s - hold.began_s >= _SETTLE_S:
+                self._end(Refusal("still_moving"))
+            return
+        base_deg = self._context.authority.joint_base_deg() or measured_deg
+        hold.stream = JogStream(self._way(hold.jog, base_deg), base_deg, measured_deg)
+
+    def _way(self, jog: JointJog | ToolJog, base_deg: Sequence[float]) -> JogPath:
+        limits = self._context.operating_state().limits
+        if isinstance(jog, JointJog):
+            return JointJogPath(jog, base_deg, limits)
+        cartesian = self._cartesian
+        return ToolJogPath(jog, cartesian.kinematics(), base_deg, cartesian.tool, limits)
+
+    def _go_on(
+        self, hold: _Hold, stream: JogStream, measured_deg: Sequence[float], dt_s: float
+    ) -> None:
+        context = self._context
+        operating_state = context.operating_state()
+        present = pace(
+            self._motion.speed_percent,
+            operating_state.limits,
+            accelerations(context.state().accelerations_deg_s2),
+        )
+        trouble = stream.advance(measured_deg, dt_s, present)
+        target_deg = tuple(round(angle, 3) for angle in stream.setpoint_deg)
+        refusal = self._send(hold, target_deg, present.arm_percent)
+        if refusal is not None or trouble is not None:
+            self._end(refusal or trouble)
+
+    def _send(self, hold: _Hold, target_deg: Sequence[float], percent: int) -> Refusal | None:
+        """The next setpoint: the first with the mode word, the others alone."""
+        context = self._context
+        codec, command = context.connection.codec, hold.command
+        if command is None or command.speed_percent != percent:
+            sent = context.send_motion(
+                CommandKind.JOG,
+                commands.move_joints(codec, target_deg, speed_percent=percent),
+                move_mode=MoveMode.MOVE_J,
+                speed_percent=percent,
+                joints_deg=target_deg,
+                keep_s=_KEEP_S,
+            )
+        else:
+            frames = commands.joint_target(codec, target_deg)
+            sent = context.send_on(command, frames, joints_deg=target_deg, keep_s=_KEEP_S)
+        if isinstance(sent, Refusal):
+            return sent
+        hold.command = sent
+        return None
+
+    def _end(self, reason: Refusal | None) -> None:
+        self.stop()
+        self._context.tell("jog_ended", reason=reason or Refusal("joints_unknown"))
+
+    # The controller's tick ------------------------------------------------------------------
+
+    def advance(self) -> None:
+        """Watch the arm."""
+        self._rest.observe(self._context.connection.newest, self._context.clock())
+        self.tick()
+
+    def halt(self) -> None:
+        """The arm is to stop, or has stopped."""
+        self._let_go()
+
+    def forget(self) -> None:
+        """The arm is gone."""
+        self.halt()
+        self._rest.forget()
+
+
+def _why_blind(state: ArmState, dt_s: float, now_s: float) -> Refusal | None:
+    """Why the program cannot know where the arm is, or whether the operator still holds on."""
+    if dt_s > _HELD_UP_S:
+        return Refusal("jog_held_up", {"value": round(1000 * dt_s)})
+    if any(heard is None or now_s - heard.at_s > _FEEDBACK_S for heard in state.joints_deg):
+        return Refusal("jog_no_feedback")
+    return None
+
+
+def _sign(direction: int) -> str:
+    return "+" if direction > 0 else "−"

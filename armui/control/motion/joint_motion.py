@@ -1,0 +1,153 @@
+"""运动控制: the joints are sent to angles, together or one step at a time (manual 1.0.7.1)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final
+
+from armui.arm.limits import check_joints
+from armui.arm.refusal import Refusal
+from armui.control.context import Context
+from armui.control.motion.motion_command import CommandKind
+from armui.control.motion.speed import speed_frames
+from armui.control.requests import reports
+from armui.control.safety import interlocks
+from armui.protocol import commands
+from armui.protocol.codes import MoveMode
+
+_HOME_DEG: Final = (0.0,) * 6
+_FIRST_SPEED_PERCENT: Final = 30
+_LAG_STEPS: Final = 2
+_SETTLE_S: Final = 0.3
+"""So long after a command of ours the operator's speed is not given back yet."""
+
+
+class Motion:
+    """Joint motions, and the speed of every motion.
+
+    Attributes:
+        speed_percent: What motions are sent with, of the arm's maximum.
+    """
+
+    def __init__(self, context: Context) -> None:
+        self._context = context
+        self.speed_percent = _FIRST_SPEED_PERCENT
+
+    @property
+    def setpoint_deg(self) -> tuple[float, ...] | None:
+        """The angles last sent, as long as a step starts from them."""
+        command = self._context.authority.command
+        return None if command is None else command.joints_deg
+
+    def set_speed_percent(self, percent: float) -> Refusal | None:
+        """Set the speed of motions, 0–100 % of the arm's maximum (0x151 byte 2).
+
+        The arm is told at once, in the mode it is in; it keeps that mode. The next motion brings
+        it to the arm while a jog goes on, while it is not known where the arm listens, while
+        somebody else moves it and while a motion is held back in it.
+        """
+        context = self._context
+        if not 0 <= percent <= 100:
+            return context.refuse(Refusal("speed_out_of_range", {"value": percent}))
+        if context.operating_state().running:
+            return context.refuse(Refusal("run_under_way"))
+        self.speed_percent = round(percent)
+        operating_state = context.operating_state()
+        tellable = operating_state.control_certain and not operating_state.jogging
+        tellable &= (
+            interlocks.why_no_command(operating_state.unreachable, operating_state.stop, None)
+            is None
+        )
+        if tellable and self.tell_speed():
+            context.tell("sent_speed", percent=self.speed_percent)
+        elif context.authority.holds:
+            context.tell("speed_waits", percent=self.speed_percent)
+        return None
+
+    def tell_speed(self) -> bool:
+        """Send the speed in the mode the arm is in; whether that is possible now."""
+        context = self._context
+        authority, percent = context.authority, self.speed_percent
+        mode = None if context.why_no_motion() is not None else authority.mode_in_force()
+        if mode is None or not context.connection.send(
+            speed_frames(context.connection.codec, mode, percent)
+        ):
+            return False
+        authority.told_percent(percent)
+        return True
+
+    def jog(self, joint: int, delta_deg: float) -> Refusal | None:
+        """Move one joint by a step at once; the other five stay where they are or were going."""
+        context = self._context
+        operating_state = context.operating_state()
+        base_deg = context.authority.joint_base_deg()
+        if base_deg is None:
+            return context.refuse(operating_state.cannot_move or Refusal("joints_unknown"))
+        target_deg = list(base_deg)
+        target_deg[joint - 1] = round(target_deg[joint - 1] + delta_deg, 3)
+        return self._move(target_deg, "jogged", joint=joint, target=target_deg[joint - 1])
+
+    def jog_lagging(self, joint: int, step_deg: float) -> bool:
+        """Whether the arm is so far behind that a held button should not step on."""
+        asked_deg, heard = self.setpoint_deg, self._context.state().joints_deg[joint - 1]
+        if asked_deg is None or heard is None:
+            return False
+        return abs(asked_deg[joint - 1] - heard.value) > _LAG_STEPS * abs(step_deg)
+
+    def send_joints(self, angles_deg: Sequence[float]) -> Refusal | None:
+        """Move to six angles in degrees (MOVE J, 0x155–0x157 and 0x151)."""
+        return self._move(angles_deg, "sent_joints", **reports.numbered(angles_deg))
+
+    def go_home(self) -> Refusal | None:
+        """Move to the factory zero angles."""
+        return self._move(_HOME_DEG, "went_home")
+
+    def _move(self, angles_deg: Sequence[float], code: str, **figures: object) -> Refusal | None:
+        """Send six angles if that may be, and tell so with a notice."""
+        context = self._context
+        operating_state = context.operating_state()
+        refusal = operating_state.cannot_move or check_joints(angles_deg, operating_state.limits)
+        if refusal is not None:
+            return context.refuse(refusal)
+        sent = context.send_motion(
+            CommandKind.JOINTS,
+            commands.move_joints(
+                context.connection.codec, angles_deg, speed_percent=self.speed_percent
+            ),
+            move_mode=MoveMode.MOVE_J,
+            speed_percent=self.speed_percent,
+            joints_deg=angles_deg,
+        )
+        if isinstance(sent, Refusal):
+            return context.refuse(sent)
+        context.tell(code, **figures)
+        return None
+
+    def advance(self) -> None:
+        """A motion goes on by itself; afterwards the arm gets the operator's speed back."""
+        context = self._context
+        authority = context.authority
+        given = authority.arm_percent
+        if given is None or given == self.speed_percent or not authority.at_rest:
+            return
+        operating_state = context.operating_state()
+        occupied = operating_state.occupied is not None or authority.mode_in_force() is None
+        if occupied or not operating_state.control_certain or not self._settled():
+            return
+        if (
+            interlocks.why_no_command(
+                operating_state.unreachable, operating_state.stop, operating_state.busy
+            )
+            is None
+        ):
+            self.tell_speed()
+
+    def _settled(self) -> bool:
+        command = self._context.authority.command
+        return command is None or self._context.clock() - command.sent_s >= _SETTLE_S
+
+    def halt(self) -> None:
+        """A motion under way ends with the arm's own stop."""
+
+    def forget(self) -> None:
+        """Nothing of a motion is kept here."""

@@ -1,0 +1,110 @@
+"""A motion command of ours, who else may move the arm, and what is known of it: plain data."""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from armui.arm.other_hosts import OtherTraffic
+    from armui.arm.state import ArmState
+    from armui.kinematics.kinematics import Matrix
+
+
+class Mover(enum.Enum):
+    """Who moves the arm, its gripper included."""
+
+    NOBODY = enum.auto()
+    OURS = enum.auto()
+    """This program: its command is under way or held back."""
+    OTHER_HOST = enum.auto()
+    LEADER = enum.auto()
+    """A teaching-input arm that this arm follows (0x470)."""
+    HAND = enum.auto()
+    """Drag teaching."""
+    GRAVITY = enum.auto()
+    """Motors without power: the arm is limp, or lies where it fell."""
+    UNKNOWN = enum.auto()
+    """The arm is not heard, or moves and nobody is known to move it."""
+
+
+class CommandKind(enum.Enum):
+    """What a command of ours is."""
+
+    JOINTS = enum.auto()
+    POSE = enum.auto()
+    JOG = enum.auto()
+    RUN = enum.auto()
+    REPLAY = enum.auto()
+
+
+class End(enum.Enum):
+    """What ended a command of ours; its target is nothing to start from any more."""
+
+    REPLACED = enum.auto()
+    CANCELLED = enum.auto()
+    STOPPED = enum.auto()
+    DISABLED = enum.auto()
+    OTHER_HOST = enum.auto()
+    TAUGHT = enum.auto()
+    """Drag teaching has begun."""
+    OTHER_MODE = enum.auto()
+    """The arm has left CAN control."""
+    SILENT = enum.auto()
+    LIMITS_CHANGED = enum.auto()
+    ZERO_CHANGED = enum.auto()
+    MOVED_AWAY = enum.auto()
+    """The arm stands elsewhere than it was sent, and is at rest."""
+    NOT_SENT = enum.auto()
+    FORGOTTEN = enum.auto()
+    """Another connection."""
+
+
+class Hold(enum.Enum):
+    """What holds a motion back."""
+
+    PAUSE = "pause"
+    SPEED_ZERO = "speed_zero"
+
+
+@dataclass(frozen=True, slots=True)
+class MotionCommand:
+    """A command of ours that moves the joints.
+
+    Attributes:
+        number: Counts up; a frame of a lower number is outdated.
+        kind: What it is.
+        sent_s: Monotonic time at which its last frames were sent.
+        speed_percent: What it was sent with, of the arm's maximum.
+        joints_deg: The six target angles, where the command names them.
+        tool: The target of the tool centre point, where the command names it.
+    """
+
+    number: int
+    kind: CommandKind
+    sent_s: float
+    speed_percent: int
+    joints_deg: tuple[float, ...] | None = None
+    tool: Matrix | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Observation:
+    """What is known of the arm at one moment.
+
+    Attributes:
+        state: The arm as heard.
+        traffic: What other hosts were heard to send.
+        offsets: The identifier offsets under which the arm may take commands (0x470).
+        online: Whether the arm is heard at all.
+        now_s: Monotonic time.
+        waiting: Whether frames of ours have not left yet.
+    """
+
+    state: ArmState
+    traffic: OtherTraffic
+    offsets: tuple[int, ...]
+    online: bool
+    now_s: float
+    waiting: bool = False

@@ -1,0 +1,90 @@
+"""Points of a trajectory as frames, in the generation the arm speaks."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.protocol import commands
+from armui.protocol.codes import ControlMode, MoveMode
+from armui.protocol.generation import Generation
+from armui.trajectory.points.program import GripperAngle, GripperOpening, Waypoint
+
+if TYPE_CHECKING:
+    from armui.protocol.codec import Codec
+    from armui.protocol.frame import Frame
+
+
+_POSE_MODES: Final = frozenset({MoveMode.MOVE_P, MoveMode.MOVE_L, MoveMode.MOVE_C})
+
+
+def point_frames(
+    codec: Codec, point: Waypoint, state: ArmState, speed_percent: int
+) -> list[Frame] | Refusal:
+    """The frames that send the arm to a point, or why there are none.
+
+    An arc begins where the arm says that it is.
+    """
+    if point.is_joint:
+        return commands.move_joints(codec, point.target, speed_percent=speed_percent)
+    mode = leading_mode(codec, state, point.move, speed_percent)
+    if point.middle is None:
+        return mode + commands.move_pose(
+            codec, point.target, speed_percent=speed_percent, move_mode=point.move
+        )
+    start = state.end_pose()
+    if start is None:
+        return Refusal("pose_unknown")
+    return mode + commands.move_arc(
+        codec, start, point.middle, point.target, speed_percent=speed_percent
+    )
+
+
+def leading_mode(
+    codec: Codec, state: ArmState, move_mode: MoveMode, speed_percent: int
+) -> list[Frame]:
+    """0x151 ahead of a pose, where the arm would take the pose for a target of another kind.
+
+    An arm in MOVE L that hears a pose sets out in a line before it hears of MOVE P or C. From MOVE
+    J nothing goes ahead: there a pose is only kept, and a mode without a new pose might bring the
+    arm to an old one.
+    """
+    mode = None if state.status is None else state.status.value.move_mode
+    if mode == move_mode or mode not in _POSE_MODES:
+        return []
+    return commands.set_mode(
+        codec,
+        control_mode=ControlMode.CAN_CONTROL,
+        move_mode=move_mode,
+        speed_percent=speed_percent,
+    )
+
+
+def action_frames(codec: Codec, point: Waypoint) -> list[Frame]:
+    """The frames for what a point does on arrival."""
+    frames: list[Frame] = []
+    gripper, light = point.gripper, point.light
+    if isinstance(gripper, GripperOpening):
+        frames += commands.move_gripper_opening(
+            codec, opening_mm=gripper.opening_mm, torque_nm=gripper.torque_nm
+        )
+    elif isinstance(gripper, GripperAngle):
+        frames += commands.move_gripper_angle(
+            codec, angle_deg=gripper.angle_deg, speed_rad_s=gripper.speed_rad_s
+        )
+    if light is not None:
+        rgb = (light.red, light.green, light.blue)
+        frames += commands.set_light(codec, light.joint, rgb, lamp=light.lamp)
+    return frames
+
+
+def why_not_possible(generation: Generation | None, points: Sequence[Waypoint]) -> Refusal | None:
+    """The first point this arm's protocol has no frame for: the gripper differs."""
+    for row, point in enumerate(points, start=1):
+        angle = isinstance(point.gripper, GripperAngle)
+        opening = isinstance(point.gripper, GripperOpening)
+        if (generation is Generation.TWO and angle) or (generation is Generation.ONE and opening):
+            return Refusal("gripper_other_generation", {"row": row})
+    return None

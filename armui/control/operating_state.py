@@ -1,0 +1,215 @@
+"""What the operator can do now, and why not: one frozen picture for every button."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from datetime import datetime
+
+from armui.arm.device import Device
+from armui.arm.limits import FACTORY_LIMITS, JointLimits
+from armui.arm.refusal import Refusal
+from armui.arm.state import Six
+from armui.control.motion.motion_command import Hold, Mover
+from armui.protocol.addressing import Addressing
+from armui.protocol.generation import Generation
+
+
+class LinkState(enum.Enum):
+    """How the program stands to its arm."""
+
+    NO_DEVICE = enum.auto()
+    """Nothing is connected."""
+    OPENING = enum.auto()
+    OFFLINE = enum.auto()
+    """A device is open, and no arm has been heard on it for half a second."""
+    ONLINE = enum.auto()
+    LOST = enum.auto()
+    """The device is gone; the program keeps trying to reopen it."""
+
+
+def why_unreachable(link: LinkState, device: Device | None = None) -> Refusal | None:
+    """The reason against sending anything at all: no arm is heard, or it is only listened to.
+
+    Args:
+        link: How the program stands to its arm.
+        device: What is open; ``None`` where something may be done to an arm that is listened to.
+    """
+    if device is not None and device.listen_only and link is LinkState.ONLINE:
+        return Refusal("listen_only")
+    if link is LinkState.LOST:
+        return Refusal("link_lost")
+    if link is LinkState.OFFLINE:
+        return Refusal("offline")
+    return None if link is LinkState.ONLINE else Refusal("not_connected")
+
+
+class StopState(enum.Enum):
+    """Where the emergency stop stands, by the arm's own word (0x2A1 byte 1)."""
+
+    RUNNING = enum.auto()
+    REQUESTED = enum.auto()
+    """Sent, not confirmed yet; it is repeated until it is."""
+    STOPPED = enum.auto()
+    RESUMING = enum.auto()
+
+
+class Busy(enum.Enum):
+    """What the program is waiting for the arm to do."""
+
+    ENABLING = "enabling"
+    DISABLING = "disabling"
+    RESUMING = "resuming"
+    ZEROING = "zeroing"
+
+
+@dataclass(frozen=True, slots=True)
+class OtherHostReport:
+    """Another host that moves the arm.
+
+    Attributes:
+        frames: The identifiers of its motion frames, for a sentence.
+        since: Local time of the first of them.
+        rate_hz: How often they come, rounded; 0 for single frames.
+        reason: It, as a reason against a motion of ours.
+        may_be_taken_over: Whether the operator may take the arm over now.
+    """
+
+    frames: str
+    since: datetime
+    rate_hz: int
+    reason: Refusal
+    may_be_taken_over: bool
+
+
+@dataclass(frozen=True, slots=True)
+class OperatingState:
+    """Everything a button needs to know.
+
+    Attributes:
+        link_problem: Why the device could not be opened or was lost.
+        stop_unconfirmed: A stop was asked for over half a second ago and the arm has not said so.
+        stop_lapsed: That stop is not sent by itself any more: the operator is asked.
+        enabled: Each motor by the arm's word; ``None`` where it has not been heard of late.
+        cannot_move, cannot_enable: Why not, or ``None``: it may.
+        cannot_run: Why a trajectory cannot be run, or the one that runs cannot go on.
+        running: A run or a replay is under way, be it that it dwells, waits or is paused.
+        jogging: Something is held that moves the arm.
+        recording: The program records where the arm goes.
+        altering: What of the arm is being set that a motion counts on; ``None``: nothing.
+        run_sets_lamps: The run under way tells something by the lamps.
+        limits: Of each joint, as read from the arm where ``limits_read``, else the factory's.
+        speed_percent: What motions are sent with.
+        cannot_send_motion: Why no motion frame at all may be sent: the arm is not heard, or
+            somebody else moves it.
+        mover: Who moves the arm.
+        other_host: What another host sends that moves the arm, ``None``: nobody else moves it.
+        holds: What holds back a motion in the arm.
+        held_target_deg: Where that motion leads, as six angles; ``None`` where they are not known.
+        cancel_unheeded: The arm was told to end its motion and does not come to rest.
+        moving: The arm says that it has not reached its target, is not stopped, and is not
+            measured to stand still: a motion cut short stays «not reached» for good. A motion
+            held back counts as well.
+        generation: The protocol the arm speaks, once that is known.
+        addressing: The identifier offsets in use (0x470).
+        control_certain: Whether the arm is known to take commands under them.
+        teaching_input: Commands are heard and no feedback: the arm is a teaching input (0x470).
+    """
+
+    link: LinkState = LinkState.NO_DEVICE
+    device: Device | None = None
+    link_problem: Refusal | None = None
+    stop: StopState = StopState.RUNNING
+    stop_unconfirmed: bool = False
+    stop_lapsed: bool = False
+    enabled: Six[bool | None] = (None, None, None, None, None, None)
+    busy: Busy | None = None
+    cannot_move: Refusal | None = field(default_factory=lambda: Refusal("not_connected"))
+    cannot_run: Refusal | None = field(default_factory=lambda: Refusal("not_connected"))
+    cannot_enable: Refusal | None = field(default_factory=lambda: Refusal("not_connected"))
+    limits: tuple[JointLimits, ...] = FACTORY_LIMITS
+    limits_read: Six[bool] = (False, False, False, False, False, False)
+    speed_percent: int = 0
+    moving: bool = False
+    running: bool = False
+    jogging: bool = False
+    recording: bool = False
+    cannot_send_motion: Refusal | None = None
+    mover: Mover = Mover.UNKNOWN
+    other_host: OtherHostReport | None = None
+    holds: frozenset[Hold] = frozenset()
+    held_target_deg: tuple[float, ...] | None = None
+    cancel_unheeded: bool = False
+    altering: str | None = None
+    run_sets_lamps: bool = False
+    generation: Generation | None = None
+    teaching_input: bool = False
+    addressing: Addressing = field(default_factory=Addressing)
+    control_certain: bool = True
+
+    @property
+    def unreachable(self) -> Refusal | None:
+        """Why nothing can be sent to the arm, or ``None``: it is online."""
+        return why_unreachable(self.link, self.device)
+
+    @property
+    def listens_only(self) -> bool:
+        """Whether the connection sends nothing but an operator's stop."""
+        return self.device is not None and self.device.listen_only
+
+    @property
+    def occupied(self) -> Refusal | None:
+        """Why the arm must be left as it is: its limits, zeros, identifiers, load and drivers.
+
+        What is under way was checked against them. A run that dwells, waits or is paused counts:
+        the arm stands still then, and goes on.
+        """
+        if self.running:
+            return Refusal("run_under_way")
+        if self.jogging:
+            return Refusal("jog_under_way")
+        if Hold.PAUSE in self.holds:
+            return Refusal("plan_paused")
+        if self.holds:
+            return Refusal("held_at_zero")
+        if self.other_host is None or self.teaching_input:
+            return None  # a teaching input sends commands itself
+        return self.other_host.reason
+
+    @property
+    def cannot_set_lamps(self) -> Refusal | None:
+        """Why no lamp may be set, or ``None``: lamps move nothing, but a run may speak by them."""
+        if self.unreachable is None and self.run_sets_lamps:
+            return Refusal("run_sets_lamps")
+        return self.unreachable
+
+    @property
+    def cannot_switch_on(self) -> Refusal | None:
+        """Why motors must not be enabled, or ``None``: they may. To disable is always possible."""
+        return self.cannot_enable or self.occupied
+
+
+class Level(enum.Enum):
+    """How much a notice matters."""
+
+    INFO = enum.auto()
+    DONE = enum.auto()
+    WARNING = enum.auto()
+    FAULT = enum.auto()
+
+
+@dataclass(frozen=True, slots=True)
+class Notice:
+    """Something that happened, as data; the user interface has the sentence for it.
+
+    Attributes:
+        at: Local time.
+        code: One of :data:`armui.control.events.CODES`.
+        params: The figures of the sentence.
+    """
+
+    at: datetime
+    level: Level
+    code: str
+    params: Mapping[str, object] = field(default_factory=dict)

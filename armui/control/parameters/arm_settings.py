@@ -1,0 +1,327 @@
+"""The parameters the arm keeps: read, set, read back and compared (manual 1.0.7.4–1.0.7.6)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QObject, Signal
+
+from armui.arm.limits import JOINTS
+from armui.arm.parameters import Batch, Group, Parameter, all_batches, heard
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.control.context import Context
+from armui.control.operating_state import why_unreachable
+from armui.control.parameters.setting_cell import CellState, SettingCellState
+from armui.control.parameters.setting_checks import (
+    Changes,
+    batches_of,
+    frame_values,
+    not_taken,
+    why_not,
+)
+from armui.control.parameters.setting_frames import INDEX, query_frames, setting_frames
+from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
+from armui.control.safety.joint_speeds import why_moving
+from armui.protocol import commands
+from armui.protocol.codes import SettingIndex
+from armui.protocol.generation import Generation
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from armui.protocol.codec import Codec
+    from armui.protocol.frame import Frame
+
+_JOINT_BATCHES: Final = tuple(
+    Batch(group, joint)
+    for joint in JOINTS
+    for group in (Group.JOINT_LIMITS, Group.JOINT_ACCELERATION)
+)
+
+
+_UNREAD: Final = SettingCellState()
+
+
+class ArmSettings(QObject):
+    """Follows every parameter; the values themselves are those last heard (:class:`ArmState`).
+
+    Args:
+        context: What the parts of the controller share.
+        orders: Carries out commands that are answered.
+
+    Signals:
+        changed: How some parameter stands is another.
+        finished: Nothing is being read or saved any more.
+    """
+
+    changed = Signal()
+    finished = Signal()
+
+    def __init__(
+        self, context: Context, orders: TransactionQueue, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._context = context
+        self._orders = orders
+        self._cells: dict[Parameter, SettingCellState] = {}
+        self._open = 0
+        self._saving: list[Parameter] = []
+
+    @property
+    def busy(self) -> bool:
+        """Whether something is being read or saved."""
+        return self._open > 0
+
+    def cell(self, parameter: Parameter) -> SettingCellState:
+        """How a parameter stands."""
+        cell = self._cells.get(parameter, _UNREAD)
+        if cell.state not in {CellState.READ, CellState.SAVED}:
+            return cell
+        # an arm that went and came back has not said anything yet
+        return _UNREAD if heard(self._context.state(), parameter) is None else cell
+
+    def everything(self) -> list[Batch] | Refusal:
+        """All that this arm keeps, or why that is not known now."""
+        refusal = self._why_unknown()
+        if refusal is not None:
+            return refusal
+        generation = self._context.connection.generation
+        return list(all_batches(teaching=generation is Generation.TWO))
+
+    def holds(self, parameter: Parameter, value: float) -> bool:
+        """Whether what the arm said last is a value, as far as its frames can tell the two apart.
+
+        Only while a device is open.
+        """
+        state = self._context.state()
+        codec = self._context.connection.codec
+        return heard(state, parameter) is not None and not not_taken(
+            codec, state, {parameter: value}
+        )
+
+    def why_not_kept(self, batches: Iterable[Batch]) -> Refusal | None:
+        """Why this arm has no such parameters: generation 1 has no teaching handle."""
+        generation = self._context.connection.generation
+        wants_handle = any(batch.group is Group.TEACHING for batch in batches)
+        if generation is Generation.ONE and wants_handle:
+            return Refusal("setting_not_kept", {"generation": int(generation)})
+        return None
+
+    # What the operator wants ------------------------------------------------------------------
+
+    def read(self, batches: Iterable[Batch]) -> Refusal | None:
+        """Ask the arm for what it holds; what is being read or saved already is left alone.
+
+        Returns:
+            ``None`` if it was asked, or why not.
+        """
+        batches = list(batches)
+        refusal = self._why_unknown() or self.why_not_kept(batches)
+        if refusal is not None:
+            return refusal
+        for batch in batches:
+            if not any(
+                self.cell(parameter).state in {CellState.READING, CellState.SAVING}
+                for parameter in batch.parameters()
+            ):
+                self._read(batch)
+        self.changed.emit()
+        return None
+
+    def save(self, changes: Changes) -> Refusal | None:
+        """Set parameters and see whether the arm has taken them.
+
+        Only what is named is changed; what a frame carries beside it is marked «leave it»
+        (generation 2) or sent as it was read.
+
+        Args:
+            changes: New values in the operator's units.
+
+        Returns:
+            ``None`` if they are on their way, or why nothing was sent.
+        """
+        codec = self._codec()
+        if isinstance(codec, Refusal):
+            return codec
+        refusal = self.why_not_kept(batches_of(changes)) or why_not(
+            codec, self._context.state(), changes
+        )
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        self._context.tell("settings_sent", count=len(changes))
+        self._saving = list(changes)
+        self._submit(*(self._save(codec, batch, changes) for batch in batches_of(changes)))
+        self.changed.emit()
+        return None
+
+    def reset_end_limits(self) -> Refusal | None:
+        """【初始化】: the end's limits as they left the factory (0x477), then read back."""
+        return self._reset(commands.reset_end_limits, [Batch(Group.END_LIMITS)])
+
+    def reset_joint_limits(self) -> Refusal | None:
+        """Limits, speeds and accelerations of all joints as they left the factory (0x477)."""
+        return self._reset(commands.reset_joint_limits, _JOINT_BATCHES)
+
+    def settle(self, parameters: Iterable[Parameter]) -> None:
+        """Forget how the last saving of parameters ended: the operator has seen it."""
+        for parameter in parameters:
+            if self.cell(parameter).state in {CellState.SAVED, CellState.REFUSED}:
+                known = heard(self._context.state(), parameter)
+                self._cells[parameter] = (
+                    _UNREAD if known is None else SettingCellState(CellState.READ)
+                )
+        self.changed.emit()
+
+    # How it is carried out --------------------------------------------------------------------
+
+    def _codec(self) -> Codec | Refusal:
+        """What to speak, or why nothing can be set now."""
+        refusal = self._why_unknown() or self._context.operating_state().occupied
+        if refusal is None and self.busy:
+            refusal = Refusal("busy", {"what": "settings"})
+        if refusal is None:
+            refusal = why_moving(self._context.state())
+        return self._context.connection.codec if refusal is None else self._context.refuse(refusal)
+
+    def _why_unknown(self) -> Refusal | None:
+        """Why the arm cannot be asked: it is not there, or its protocol is not known yet."""
+        connection = self._context.connection
+        refusal = why_unreachable(connection.link, connection.device)
+        if refusal is None and connection.generation is None:
+            return Refusal("generation_unknown")
+        return refusal
+
+    def _read(self, batch: Batch) -> None:
+        self._mark(batch.parameters(), SettingCellState(CellState.READING))
+        self._submit(
+            Transaction((), partial(self._after_reading, batch), read_back=self._back(batch))
+        )
+
+    def _save(self, codec: Codec, batch: Batch, changes: Changes) -> Transaction:
+        values = frame_values(codec, self._context.state(), batch, changes)
+        wanted = {parameter: changes[parameter] for parameter in values if parameter in changes}
+        self._mark(wanted, SettingCellState(CellState.SAVING))
+        return Transaction(
+            setting_frames(codec, batch, values),
+            partial(self._after_saving, wanted),
+            INDEX[batch.group],
+            read_back=self._back(batch, wanted),
+            recheck=self._why_not_any_more,
+            alters="settings",
+        )
+
+    def _back(self, batch: Batch, wanted: Changes | None = None) -> ReadBack:
+        codec = self._context.connection.codec
+        first = batch.parameters()[0]
+
+        def heard_since(state: ArmState, since_s: float) -> bool:
+            known = heard(state, first)
+            return known is not None and known.at_s > since_s
+
+        def against(state: ArmState) -> Refusal | None:
+            return next(iter(not_taken(codec, state, wanted or {}).values()), None)
+
+        return ReadBack(query_frames(codec, batch), heard_since, against)
+
+    def _reset(
+        self, command: Callable[[Codec], Sequence[Frame]], batches: Sequence[Batch]
+    ) -> Refusal | None:
+        codec = self._codec()
+        if isinstance(codec, Refusal):
+            return codec
+        for batch in batches:
+            self._mark(batch.parameters(), SettingCellState(CellState.READING))
+        self._context.tell("settings_reset_sent")
+        self._submit(
+            Transaction(
+                command(codec),
+                partial(self._after_reset, batches),
+                SettingIndex.PARAMETER_COMMAND,
+                recheck=self._why_not_any_more,
+                alters="settings",
+            )
+        )
+        self.changed.emit()
+        return None
+
+    def _why_not_any_more(self) -> Refusal | None:
+        """What has come up since the press against setting parameters."""
+        return self._context.operating_state().occupied or why_moving(self._context.state())
+
+    def _submit(self, *orders: Transaction) -> None:
+        self._open += len(orders)
+        self._orders.submit(*orders)
+
+    # How it ends ------------------------------------------------------------------------------
+
+    def _after_reading(self, batch: Batch, refusal: Refusal | None) -> None:
+        state = CellState.READ if refusal is None else CellState.REFUSED
+        self._mark(batch.parameters(), SettingCellState(state, refusal))
+        self._closed()
+
+    def _after_saving(self, wanted: Changes, refusal: Refusal | None) -> None:
+        differing = {}
+        if refusal is not None and refusal.code == "setting_not_taken":
+            codec = self._context.connection.codec
+            differing = not_taken(codec, self._context.state(), wanted)
+        for parameter in wanted:
+            reason = differing.get(parameter) if differing else refusal
+            state = CellState.SAVED if reason is None else CellState.REFUSED
+            self._mark([parameter], SettingCellState(state, reason))
+        self._closed()
+        if not any(self.cell(each).state is CellState.SAVING for each in self._saving):
+            self._tell_saved()
+
+    def _after_reset(self, batches: Sequence[Batch], refusal: Refusal | None) -> None:
+        if refusal is not None:
+            self._context.refuse(refusal)
+            for batch in batches:
+                self._mark(batch.parameters(), SettingCellState(CellState.REFUSED, refusal))
+        else:
+            self._context.tell("settings_reset")
+            for batch in batches:
+                self._read(batch)
+        self._closed()
+
+    def _tell_saved(self) -> None:
+        reasons = [
+            cell.reason for each in self._saving if (cell := self.cell(each)).reason is not None
+        ]
+        count = len(self._saving)
+        self._saving = []
+        if not reasons:
+            self._context.tell("settings_saved", count=count)
+        else:
+            self._context.tell(
+                "settings_refused", count=len(reasons), total=count, reason=reasons[0]
+            )
+
+    def _closed(self) -> None:
+        self._open -= 1
+        self.changed.emit()
+        if not self.busy:
+            self.finished.emit()
+
+    def _mark(self, parameters: Iterable[Parameter], cell: SettingCellState) -> None:
+        for parameter in parameters:
+            self._cells[parameter] = cell
+
+    # A part of the controller -----------------------------------------------------------------
+
+    def advance(self) -> None:
+        """The order line moves on by itself."""
+
+    def halt(self) -> None:
+        """Settings move nothing: a stop leaves them be."""
+
+    def forget(self) -> None:
+        """Another arm may come: only what was refused is kept, so that it can be read."""
+        self._cells = {
+            parameter: cell
+            for parameter, cell in self._cells.items()
+            if cell.state is CellState.REFUSED
+        }
+        self.changed.emit()

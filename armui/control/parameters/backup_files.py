@@ -1,0 +1,64 @@
+"""Reading and writing the files of 参数备份; what goes wrong is told as data."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from datetime import datetime
+from pathlib import Path
+from typing import Final
+
+from armui import __version__
+from armui.arm.backup import Backup, from_text, to_text
+from armui.arm.parameters import Parameter, heard
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.protocol.generation import Generation
+from armui.system.atomic import write_whole
+
+_LARGEST_BYTES: Final = 1_000_000
+"""A backup has a few thousand; anything like this is another file."""
+
+
+def read_backup(path: Path) -> Backup | Refusal:
+    """The backup in a file, or why it is none."""
+    try:
+        if path.stat().st_size > _LARGEST_BYTES:
+            return Refusal("backup_foreign")
+        return from_text(path.read_text(encoding="utf-8-sig"))
+    except UnicodeDecodeError:
+        return Refusal("backup_foreign")
+    except OSError as error:
+        text = error.strerror or str(error)
+        return Refusal("backup_unreadable", {"path": str(path), "text": text})
+
+
+def write_backup(path: Path, backup: Backup) -> Refusal | None:
+    """Keep a backup in a file; ``None``, or why it could not be written."""
+    try:
+        write_whole(path, to_text(backup))
+    except OSError as error:
+        text = error.strerror or str(error)
+        return Refusal("backup_not_written", {"path": str(path), "text": text})
+    return None
+
+
+def backup_of(
+    state: ArmState,
+    parameters: Sequence[Parameter],
+    generation: Generation,
+    device: str,
+    now: datetime,
+) -> Backup:
+    """What is known of an arm now; what has not been read is not in it."""
+    return Backup(
+        saved_at=now,
+        program=f"armui {__version__}",
+        generation=int(generation),
+        firmware=state.firmware,
+        device=device,
+        values={
+            parameter: known.value
+            for parameter in parameters
+            if (known := heard(state, parameter)) is not None
+        },
+    )

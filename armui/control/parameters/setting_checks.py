@@ -1,0 +1,109 @@
+"""What speaks against setting parameters, before and after: pure, by what was read of the arm."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.parameters import Batch, Group, Parameter, check_value, heard, is_corrupt
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.control.parameters.setting_frames import as_carried, can_leave_unchanged, step_of
+
+if TYPE_CHECKING:
+    from armui.protocol.codec import Codec
+
+_SAME_STEPS: Final = 0.51
+"""Of the frame's resolution: this close, what was read is what was asked for."""
+
+Changes = Mapping[Parameter, float]
+"""New values in the operator's units."""
+
+
+def batches_of(parameters: Iterable[Parameter]) -> list[Batch]:
+    """The frames that parameters need, each once, in their order."""
+    return list(dict.fromkeys(parameter.batch for parameter in parameters))
+
+
+def why_not(codec: Codec, state: ArmState, changes: Changes) -> Refusal | None:
+    """The first reason against sending changes, or ``None``."""
+    for parameter, value in changes.items():
+        refusal = check_value(parameter, value)
+        if refusal is not None:
+            return refusal
+    for batch in batches_of(changes):
+        refusal = _unknown_neighbour(codec, state, batch, changes) or crossed(state, batch, changes)
+        if refusal is not None:
+            return refusal
+    return None
+
+
+def frame_values(
+    codec: Codec, state: ArmState, batch: Batch, changes: Changes
+) -> dict[Parameter, float | None]:
+    """What the frame of a batch carries: the changes; the rest unchanged, or as it was read."""
+    leaves = can_leave_unchanged(codec, batch)
+    values: dict[Parameter, float | None] = {}
+    for parameter in batch.parameters():
+        known = heard(state, parameter)
+        as_read = None if leaves or known is None else known.value
+        values[parameter] = changes.get(parameter, as_read)
+    return values
+
+
+def not_taken(codec: Codec, state: ArmState, wanted: Changes) -> dict[Parameter, Refusal]:
+    """Which of the parameters asked for the arm does not hold, by what was read back."""
+    return {
+        parameter: Refusal(
+            "setting_not_taken",
+            {
+                "parameter": parameter.name,
+                "joint": parameter.joint,
+                "value": value,
+                "held": known.value,
+            },
+        )
+        for parameter, value in wanted.items()
+        if (known := heard(state, parameter)) is not None
+        and abs(known.value - as_carried(codec, parameter, value))
+        > _SAME_STEPS * step_of(codec, parameter)
+    }
+
+
+def crossed(state: ArmState, batch: Batch, changes: Changes) -> Refusal | None:
+    """A joint whose smallest angle would not be below its greatest."""
+    if batch.group is not Group.JOINT_LIMITS:
+        return None
+    ends = [Parameter(name, batch.joint) for name in ("min_angle_deg", "max_angle_deg")]
+    if not any(end in changes for end in ends):
+        return None
+    for end in ends:
+        if end not in changes and is_corrupt(state, end):
+            return Refusal("setting_corrupt", {"parameter": end.name, "joint": end.joint})
+    low, high = (
+        changes[end] if end in changes else known.value if (known := heard(state, end)) else None
+        for end in ends
+    )
+    if low is None or high is None or low < high:
+        return None
+    return Refusal("limits_crossed", {"joint": batch.joint, "minimum": low, "maximum": high})
+
+
+def _unknown_neighbour(
+    codec: Codec, state: ArmState, batch: Batch, changes: Changes
+) -> Refusal | None:
+    """A value that is to stay as it is, and is not known.
+
+    Generation 2 can be told to leave it. Even so it must have been read from this very arm: to one
+    of generation 1 the mark for «leave it» is a value (0x7FFF, 32.767).
+    """
+    leaves = can_leave_unchanged(codec, batch)
+    for parameter in batch.parameters():
+        if parameter in changes:
+            continue
+        figures: dict[str, int | str] = {"parameter": parameter.name, "joint": parameter.joint}
+        if heard(state, parameter) is None:
+            return Refusal("setting_unknown", figures)
+        if is_corrupt(state, parameter) and not leaves:
+            return Refusal("setting_corrupt", figures)
+    return None

@@ -1,0 +1,1 @@
+"""One command's life: sent, answered, read back, refused or timed out."""

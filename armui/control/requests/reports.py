@@ -1,0 +1,47 @@
+"""What to tell the operator when something has come to its end: pure, codes and figures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from armui.arm.limits import plausible
+from armui.arm.state import ArmState
+from armui.control.operating_state import Busy
+from armui.control.safety.interlocks import joint_list
+from armui.protocol.generation import Generation
+
+Report = tuple[str, Mapping[str, object]]
+"""The code of a notice and its figures."""
+
+
+def numbered(angles_deg: Sequence[float]) -> dict[str, float]:
+    """Six angles as figures of a sentence: ``j1`` … ``j6``."""
+    return {f"j{number}": angle for number, angle in enumerate(angles_deg, start=1)}
+
+
+def on_handshake(state: ArmState, generation: Generation | None) -> Iterator[Report]:
+    """What an arm has answered to the first questions."""
+    yield "generation", {"generation": int(generation or 0), "firmware": state.firmware or ""}
+    missing = state.joints_without_limits()
+    if missing:
+        yield "limits_missing", {"joints": joint_list(missing)}
+    else:
+        yield "limits_read", {}
+    for joint, limits in enumerate(state.limits, start=1):
+        if limits is not None and not plausible(limits.value):
+            yield "limits_corrupt", {"joint": joint}
+
+
+def on_motors(busy: Busy, state: ArmState, joints: Sequence[int], *, done: bool) -> Report:
+    """How switching motors, or recovering from a stop, ended."""
+    if busy is Busy.RESUMING:
+        return ("resumed" if done else "resume_failed"), {}
+    wanted = busy is Busy.ENABLING
+    word = "enabled" if wanted else "disabled"
+    if done and len(joints) > 1:
+        return word, {}
+    if done:
+        return f"{word}_joint", {"joint": joints[0]}
+    enabled = state.enabled()
+    left = [joint for joint in joints if enabled[joint - 1] is not wanted]
+    return ("enable_failed" if wanted else "disable_failed"), {"joints": joint_list(left)}

@@ -1,0 +1,303 @@
+"""Commands that the arm answers with 0x476: one at a time, each followed to its end.
+
+The answer names a kind of setting, not which one of it, so a second of the same kind must wait. It
+proves nothing either: where a value can be read back, the value read decides.
+
+A command never waits for a question: one that is being read is set aside. A command that cannot
+begin within a second of the operator's press is dropped, and what was checked then is checked again
+before each frame (safety S14).
+"""
+
+from __future__ import annotations
+
+import enum
+from collections import deque
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.control.context import Context
+from armui.control.operating_state import why_unreachable
+from armui.protocol.codes import SettingIndex
+from armui.protocol.frame import Frame
+
+if TYPE_CHECKING:
+    from armui.protocol.codec import Message
+
+_WAIT_S: Final = 0.5
+_ATTEMPTS: Final = 2
+"""A frame can get lost; most of these commands may be given twice."""
+_WITHIN_S: Final = 1.0
+"""A command leaves within this time of the press, or not at all."""
+_KEEP_S: Final = 0.5
+"""So long a frame may wait in the program, if no time limit comes before."""
+
+
+@dataclass(frozen=True, slots=True)
+class ReadBack:
+    """How an order is checked.
+
+    Attributes:
+        query: The question.
+        heard_since: Whether the arm has answered it since a monotonic time.
+        against: What speaks against the order having been taken, by what was read.
+        proves: Whether reading what was wanted shows that the order was taken: not where the arm
+            held just that before.
+    """
+
+    query: Sequence[Frame]
+    heard_since: Callable[[ArmState, float], bool]
+    against: Callable[[ArmState], Refusal | None]
+    proves: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Transaction:
+    """A command that is answered.
+
+    Attributes:
+        frames: What to send; nothing, if something is only to be read.
+        finished: Told ``None``, it is done, or why not.
+        index: What the answer names; ``None``: no answer is awaited.
+        against: What speaks against it by the answer itself.
+        read_back: How it is checked, where that can be.
+        recheck: Asked before each sending of the frames: the reason against it now, or ``None``.
+        attempts: How often the frames are sent at most while no answer comes.
+        ends_with_stop: It must not be given again to an arm that is being stopped.
+        alters: What it sets that a motion counts on, as a key of the words for what is under way;
+            ``None``: nothing moves differently for it.
+    """
+
+    frames: Sequence[Frame]
+    finished: Callable[[Refusal | None], None]
+    index: SettingIndex | None = None
+    against: Callable[[Message], Refusal | None] = lambda _answer: None
+    read_back: ReadBack | None = None
+    recheck: Callable[[], Refusal | None] = lambda: None
+    attempts: int = _ATTEMPTS
+    ends_with_stop: bool = False
+    alters: str | None = None
+
+
+class _Phase(enum.Enum):
+    ANSWER = enum.auto()
+    READING = enum.auto()
+
+
+@dataclass(slots=True)
+class _Task:
+    """An order and how far it has come.
+
+    Attributes:
+        arm: Which arm was online when it was submitted; ``None``: none was.
+        begin_by_s: It is dropped if it has not begun by then; ``None`` for a further step of an
+            action that has begun, and for a question.
+        send_by_s: No frame that commands is sent later.
+        sent_s: When the first frame of this phase was sent.
+        unanswered: The reason to tell if the value cannot be read back either.
+    """
+
+    order: Transaction
+    arm: int | None
+    begin_by_s: float | None
+    phase: _Phase
+    attempt: int = 0
+    send_by_s: float = 0.0
+    sent_s: float = 0.0
+    deadline_s: float = 0.0
+    unanswered: Refusal | None = None
+
+
+class TransactionQueue:
+    """Carries out orders; a part of the controller.
+
+    Commands go in the order in which they came, the first step of an action before the further
+    steps of an older one, and every command before every question.
+    """
+
+    def __init__(self, context: Context) -> None:
+        self._context = context
+        self._commands: deque[_Task] = deque()
+        self._readings: deque[_Task] = deque()
+        self._task: _Task | None = None
+        context.connection.answered.connect(self._on_answer)
+
+    @property
+    def busy(self) -> bool:
+        """Whether an order is under way or waits."""
+        return self._task is not None
+
+    @property
+    def altering(self) -> str | None:
+        """What of the arm is being set, or waits to be, that a motion counts on."""
+        altered = (task.order.alters for task in self._all())
+        return next((what for what in altered if what is not None), None)
+
+    def submit(self, *orders: Transaction) -> None:
+        """Take the orders of one action on.
+
+        Its first command begins within a second or is dropped; the others follow it.
+        """
+        now_s = self._context.clock()
+        arm = self._context.connection.arm
+        begin_by_s: float | None = now_s + _WITHIN_S
+        for order in orders:
+            if order.frames:
+                self._commands.append(_Task(order, arm, begin_by_s, _Phase.ANSWER))
+                begin_by_s = None
+            else:
+                self._readings.append(_Task(order, arm, None, _Phase.READING))
+        self._set_reading_aside()
+        self._begin_next()
+
+    def advance(self) -> None:
+        """See whether something was read, or is overdue."""
+        self._drop_late()
+        task = self._task
+        if task is None:
+            return
+        read_back = task.order.read_back
+        if task.phase is _Phase.READING and read_back is not None:
+            state = self._context.state()
+            if read_back.heard_since(state, task.sent_s):
+                against = read_back.against(state)
+                if against is not None or not read_back.proves:
+                    against = task.unanswered or against
+                self._end(against)
+                return
+        if self._context.clock() >= task.deadline_s:
+            self._on_overdue(task)
+
+    def halt(self) -> None:
+        """Settings move nothing: a stop leaves them be, but for those that say otherwise."""
+        self._drop(lambda task: task.order.ends_with_stop, Refusal("ended_by_stop"))
+        if self._task is not None and self._task.order.ends_with_stop:
+            self._end(Refusal("ended_by_stop"))
+
+    def forget(self) -> None:
+        """The arm is gone: whatever waits will not be done."""
+        tasks = self._all()
+        self._task = None
+        self._commands.clear()
+        self._readings.clear()
+        for task in tasks:
+            task.order.finished(Refusal("link_lost"))
+
+    def _all(self) -> list[_Task]:
+        under_way = [] if self._task is None else [self._task]
+        return [*under_way, *self._commands, *self._readings]
+
+    def _drop_late(self) -> None:
+        now_s = self._context.clock()
+        self._drop(
+            lambda task: task.begin_by_s is not None and now_s >= task.begin_by_s,
+            Refusal("order_too_late"),
+        )
+
+    def _drop(self, is_dropped: Callable[[_Task], bool], reason: Refusal) -> None:
+        dropped = [task for task in (*self._commands, *self._readings) if is_dropped(task)]
+        self._commands = deque(task for task in self._commands if not is_dropped(task))
+        self._readings = deque(task for task in self._readings if not is_dropped(task))
+        for task in dropped:
+            task.order.finished(reason)
+
+    def _set_reading_aside(self) -> None:
+        """Let a new action pass what is only being read; it is asked for again afterwards."""
+        task = self._task
+        new = any(waiting.begin_by_s is not None for waiting in self._commands)
+        if new and task is not None and task.phase is _Phase.READING:
+            self._readings.appendleft(task)
+            self._task = None
+
+    def _begin_next(self) -> None:
+        if self._task is not None:
+            return
+        self._drop_late()
+        new = next((task for task in self._commands if task.begin_by_s is not None), None)
+        if new is not None:
+            self._commands.remove(new)
+            self._task = new
+        elif self._commands or self._readings:
+            self._task = (self._commands or self._readings).popleft()
+        else:
+            return
+        if self._task.phase is _Phase.ANSWER:
+            begun_s = self._context.clock()
+            self._task.send_by_s = self._task.begin_by_s or begun_s + _WITHIN_S
+            self._task.begin_by_s = None
+        self._begin(self._task, self._task.phase)
+
+    def _begin(self, task: _Task, phase: _Phase) -> None:
+        task.phase = phase
+        task.attempt = 0
+        self._send(task)
+
+    def _send(self, task: _Task) -> None:
+        order, connection = task.order, self._context.connection
+        now_s = self._context.clock()
+        if task.phase is _Phase.READING:
+            refusal = None if connection.arm is None else self._why_another_arm(task)
+            frames = () if order.read_back is None else order.read_back.query
+            keep_s = _KEEP_S
+        else:
+            refusal = self._why_another_arm(task) or order.recheck()
+            frames = order.frames
+            keep_s = min(_KEEP_S, task.send_by_s - now_s)
+        if refusal is not None:
+            self._end(refusal)
+            return
+        task.attempt += 1
+        if task.attempt == 1:
+            task.sent_s = now_s
+        task.deadline_s = now_s + _WAIT_S
+        if not connection.send(frames, keep_s):
+            self._end(Refusal("link_lost"))
+        elif task.phase is _Phase.ANSWER and order.index is None:
+            self._after_answer(task)
+
+    def _why_another_arm(self, task: _Task) -> Refusal | None:
+        """Why the arm that the order was meant for is not the one to be spoken to now."""
+        connection = self._context.connection
+        if task.arm is None or task.arm == connection.arm:
+            return None
+        return why_unreachable(connection.link) or Refusal("arm_changed")
+
+    def _on_answer(self, answer: Message) -> None:
+        task = self._task
+        if task is None or task.phase is not _Phase.ANSWER or answer.name != "SettingResponse":
+            return
+        if answer.signals["Index"] != task.order.index:
+            return
+        against = task.order.against(answer)
+        if against is not None:
+            self._end(against)
+        else:
+            self._after_answer(task)
+
+    def _after_answer(self, task: _Task) -> None:
+        if task.order.read_back is None:
+            self._end(None)
+        else:
+            self._begin(task, _Phase.READING)
+
+    def _on_overdue(self, task: _Task) -> None:
+        reading = task.phase is _Phase.READING
+        in_time = reading or self._context.clock() < task.send_by_s
+        if task.attempt < (_ATTEMPTS if reading else task.order.attempts) and in_time:
+            self._send(task)
+        elif not reading and task.order.read_back is not None:
+            # what the arm holds now decides, but if it can't be read the missing answer is told
+            task.unanswered = Refusal("setting_unanswered")
+            self._begin(task, _Phase.READING)
+        elif not reading:
+            self._end(Refusal("setting_unanswered"))
+        else:
+            self._end(task.unanswered or Refusal("setting_not_read_back"))
+
+    def _end(self, refusal: Refusal | None) -> None:
+        task, self._task = self._task, None
+        if task is not None:
+            task.order.finished(refusal)
+        self._begin_next()

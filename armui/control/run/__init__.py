@@ -1,0 +1,1 @@
+"""Runs of trajectories, replays of recordings, and the recording itself."""

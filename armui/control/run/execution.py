@@ -1,0 +1,123 @@
+"""What a run of points and a replay of a recording share: one at a time, followed to its end."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from armui.arm.refusal import Refusal
+from armui.control.context import Context
+from armui.control.run.progress import OVER, Progress, RunPhase
+from armui.control.run.run_end import cut_short, cut_short_for
+from armui.control.safety.rest import RestWatch
+
+if TYPE_CHECKING:
+    from armui.protocol.codec import Codec
+    from armui.protocol.frame import Frame
+
+
+class Execution(QObject):
+    """Moves the arm for longer than one command; what it does next follows from what the arm says.
+
+    Args:
+        context: What the parts of the controller share.
+
+    Signals:
+        progressed: A :class:`Progress`, when it differs.
+    """
+
+    progressed = Signal(object)
+
+    def __init__(
+        self,
+        context: Context,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._context = context
+        self._phase = RunPhase.IDLE
+        self._progress = Progress()
+        self._rest = RestWatch()
+        self._since_s = 0.0
+
+    @property
+    def progress(self) -> Progress:
+        """How far it has come."""
+        return self._progress
+
+    @property
+    def running(self) -> bool:
+        """Whether it moves the arm, or will."""
+        return self._phase not in OVER
+
+    def end(self, reason: Refusal) -> None:
+        """End it at once, because something else happens that it cannot go on beside."""
+        if self.running:
+            self._fail(reason)
+            self._publish()
+
+    def halt(self) -> None:
+        """An emergency stop ends it."""
+        self.end(Refusal("run_stopped"))
+
+    def forget(self) -> None:
+        """So does the loss of the arm."""
+        self.end(Refusal("link_lost"))
+
+    # What each of the two does its own way ----------------------------------------------------
+
+    def _snapshot(self, reason: Refusal | None) -> Progress:
+        """How far it has come by now.
+
+        Args:
+            reason: Why it failed, if it has.
+        """
+        raise NotImplementedError
+
+    def _tell_failed(self, reason: Refusal) -> None:
+        """Tell the operator why it has ended early."""
+        raise NotImplementedError
+
+    def _end(self, phase: RunPhase) -> None:
+        """Nothing more is sent."""
+        self._phase = phase
+
+    # What both do the same way ----------------------------------------------------------------
+
+    def _fail(self, reason: Refusal) -> None:
+        cut_short_for(self._context, reason)
+        self._end(RunPhase.FAILED)
+        self._progress = self._snapshot(reason)
+        self._tell_failed(reason)
+        self.progressed.emit(self._progress)
+
+    def _abort_motion(self) -> None:
+        """Have the arm end its motion and stay powered; wait until it rests."""
+        cut_short(self._context)
+        self._await_rest()
+
+    def _await_rest(self) -> None:
+        self._since_s = self._context.clock()
+        self._rest = RestWatch()
+        self._phase = RunPhase.STOPPING
+
+    def _publish(self) -> None:
+        progress = self._snapshot(self._progress.reason if self._phase is RunPhase.FAILED else None)
+        if progress != self._progress:
+            self._progress = progress
+            self.progressed.emit(progress)
+
+    def _rests(self) -> bool:
+        """Whether the arm is measured to have come to rest since the motion was ended."""
+        self._rest.observe(self._context.state(), self._context.clock())
+        return self._rest.at_rest
+
+    @property
+    def _codec(self) -> Codec:
+        return self._context.connection.codec
+
+    def _send(self, frames: Sequence[Frame]) -> bool:
+        """Send them; whether they are under way, or there was nothing to send."""
+        return not frames or self._context.connection.send(frames)

@@ -1,0 +1,271 @@
+"""【发送】: runs a trajectory point by point, each followed until the arm says that it is there."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from PySide6.QtCore import QObject
+
+from armui.arm.refusal import Refusal
+from armui.control.context import Context
+from armui.control.motion.motion_command import CommandKind
+from armui.control.motion.point_frames import action_frames, point_frames, why_not_possible
+from armui.control.run.arrival import Arrival, ArrivalWatch
+from armui.control.run.execution import Execution
+from armui.control.run.progress import ENDLESS, Progress, Run, RunPhase, RunSchedule
+from armui.protocol import commands
+from armui.protocol.codes import TrajectoryCommand
+
+_REST_WITHIN_S: Final = 2.0
+"""An arm told to end its motion stands within this time, or the operator is warned."""
+
+
+_UNKNOWN_FOR_S: Final = 1.0
+_PASSING: Final = frozenset({"enabled_unknown", "joints_unknown", "feedback_silent"})
+"""Reasons that may be gone with the next frame."""
+
+
+class Player(Execution):
+    """One run at a time; everything it does follows from what the arm says.
+
+    Args:
+        context: What the parts of the controller share.
+    """
+
+    def __init__(
+        self,
+        context: Context,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(context, parent)
+        self._run: Run | None = None
+        self._schedule: RunSchedule | None = None
+        self._has_lights = False
+        self._paused_phase = RunPhase.IDLE
+        self._paused_s = 0.0
+        self._known_s = 0.0
+        self._known = True
+        self._index = 0
+        self._lap = 1
+        self._watch: ArrivalWatch | None = None
+
+    @property
+    def sets_lamps(self) -> bool:
+        """Whether the run under way tells something by the lamps."""
+        return self.running and self._has_lights
+
+    # What the operator wants ------------------------------------------------------------------
+
+    def start(self, run: Run) -> Refusal | None:
+        """Begin a run: ``None`` if the arm is on its way, or why not."""
+        context = self._context
+        operating_state = context.operating_state()
+        refusal = operating_state.occupied or operating_state.cannot_run or _why_empty(run)
+        if refusal is None:
+            refusal = why_not_possible(context.connection.generation, run.points)
+        if refusal is not None:
+            return context.refuse(refusal)
+        self._run, self._schedule = run, RunSchedule(run)
+        # once: the question is asked at every look at the arm, and there may be 10,000 points
+        self._has_lights = any(point.light for point in run.points)
+        self._index, self._lap = run.first, 1
+        context.tell("run_started", name=run.name)
+        self._send_point()
+        return None
+
+    def pause(self) -> Refusal | None:
+        """Have the arm hold where it is (0x150 byte 1 = 1)."""
+        if self._phase not in {RunPhase.MOVING, RunPhase.DWELLING}:
+            return self._context.refuse(Refusal("not_running"))
+        if self._phase is RunPhase.MOVING:
+            self._send(commands.trajectory_command(self._codec, TrajectoryCommand.PAUSE))
+            self._context.authority.paused()
+        self._paused_phase, self._phase = self._phase, RunPhase.PAUSED
+        self._paused_s = self._context.clock()
+        self._context.tell("run_paused", row=self._index + 1)
+        self._publish()
+        return None
+
+    def go_on(self) -> Refusal | None:
+        """End a pause (0x150 byte 1 = 2), or take the next step."""
+        if self._phase is RunPhase.WAITING:
+            self._next_point()
+            return None
+        if self._phase is not RunPhase.PAUSED:
+            return self._context.refuse(Refusal("not_paused"))
+        refusal = self._context.operating_state().cannot_run
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        if self._paused_phase is RunPhase.MOVING:
+            self._send(commands.trajectory_command(self._codec, TrajectoryCommand.CONTINUE))
+            self._context.authority.went_on(self._context.clock())
+        self._phase = self._paused_phase
+        self._since_s += self._context.clock() - self._paused_s
+        self._context.tell("run_continued", row=self._index + 1)
+        self._publish()
+        return None
+
+    def stop(self) -> None:
+        """End the run: the arm ends its motion where it is and stays powered (0x150 byte 1 = 6)."""
+        if not self.running or self._phase is RunPhase.STOPPING:
+            return
+        self._abort_motion()
+        self._publish()
+
+    def drop(self) -> None:
+        """Forget how the last run ended: it is not to be gone on with."""
+        if not self.running:
+            self._run = self._schedule = None
+            self._phase = RunPhase.IDLE
+            self._publish()
+
+    # What time and the arm bring --------------------------------------------------------------
+
+    def advance(self) -> None:
+        """Move on with the run; the controller's tick calls it."""
+        if not self.running:
+            return
+        reason = self._hindrance()
+        if reason is not None:
+            self._fail(reason)
+        elif not self._known:
+            pass
+        elif self._phase is RunPhase.MOVING:
+            self._follow_motion()
+        elif self._phase is RunPhase.DWELLING:
+            self._follow_dwell()
+        elif self._phase is RunPhase.STOPPING:
+            self._follow_stopping()
+        self._publish()
+
+    def _hindrance(self) -> Refusal | None:
+        """Why the run cannot go on; what is not known for a moment is waited for."""
+        reason = self._context.operating_state().cannot_run
+        now_s = self._context.clock()
+        self._known = reason is None
+        if reason is None or reason.code not in _PASSING:
+            self._known_s = now_s
+            return reason
+        return reason if now_s - self._known_s > _UNKNOWN_FOR_S else None
+
+    def _follow_motion(self) -> None:
+        run, watch, schedule = self._run, self._watch, self._schedule
+        if run is None or watch is None or schedule is None:
+            return
+        now_s = self._context.clock()
+        arrival = watch.look(self._context.state(), now_s)
+        if isinstance(arrival, Refusal):
+            self._fail(arrival)
+        elif arrival is Arrival.REACHED:
+            self._arrive(run, now_s)
+        elif now_s - self._since_s > (limit_s := schedule.time_limit_s(self._index)):
+            self._fail(Refusal("run_too_slow", {"seconds": round(limit_s)}))
+
+    def _arrive(self, run: Run, now_s: float) -> None:
+        self._send(action_frames(self._codec, run.points[self._index]))
+        self._since_s = now_s
+        self._phase = RunPhase.DWELLING
+        self._follow_dwell()
+
+    def _follow_dwell(self) -> None:
+        run = self._run
+        if run is None or self._context.clock() - self._since_s < run.points[self._index].dwell_s:
+            return
+        if run.step_by_step and not self._at_end(run):
+            self._phase = RunPhase.WAITING
+        else:
+            self._next_point()
+
+    def _at_end(self, run: Run) -> bool:
+        last = self._index == len(run.points) - 1
+        return last and run.cycles != ENDLESS and self._lap >= run.cycles
+
+    def _next_point(self) -> None:
+        run = self._run
+        if run is None:
+            return
+        if self._at_end(run):
+            self._phase = RunPhase.DONE
+            self._context.tell("run_done", name=run.name)
+        else:
+            self._index += 1
+            if self._index == len(run.points):
+                self._index = 0
+                self._lap += 1
+            self._send_point()
+        self._publish()
+
+    def _send_point(self) -> None:
+        run = self._run
+        if run is None:
+            return
+        point = run.points[self._index]
+        percent = run.speed_percent(self._index)
+        frames = point_frames(self._codec, point, self._context.state(), percent)
+        if isinstance(frames, Refusal):
+            self._fail(frames)
+            return
+        sent = self._context.send_motion(
+            CommandKind.RUN,
+            frames,
+            move_mode=point.move,
+            speed_percent=percent,
+            joints_deg=point.target if point.is_joint else None,
+        )
+        if isinstance(sent, Refusal):
+            self._fail(sent)
+            return
+        self._since_s = self._context.clock()
+        self._watch = ArrivalWatch(point, self._since_s)
+        self._phase = RunPhase.MOVING
+        self._publish()
+
+    def _follow_stopping(self) -> None:
+        now_s = self._context.clock()
+        if self._rests():
+            self._phase = RunPhase.STOPPED
+            self._context.tell("run_ended", row=self._index + 1)
+        elif now_s - self._since_s > _REST_WITHIN_S:
+            self._fail(Refusal("run_not_ended"))
+
+    def _tell_failed(self, reason: Refusal) -> None:
+        self._context.tell("run_failed", row=self._index + 1, reason=reason)
+
+    # How far it has come ----------------------------------------------------------------------
+
+    def _snapshot(self, reason: Refusal | None) -> Progress:
+        run, schedule = self._run, self._schedule
+        if run is None or schedule is None:
+            return Progress()
+        over = self._phase is RunPhase.DONE
+        elapsed_s = self._elapsed_s(run)
+        return Progress(
+            phase=self._phase,
+            name=run.name,
+            index=self._index,
+            count=len(run.points),
+            cycle=self._lap,
+            cycles=run.cycles,
+            done=1.0 if over else schedule.in_lap_s(self._index, elapsed_s) / (schedule.lap_s or 1),
+            remaining_s=0.0 if over else schedule.remaining_s(self._index, self._lap, elapsed_s),
+            reason=reason,
+        )
+
+    def _elapsed_s(self, run: Run) -> float:
+        """Since the point under way was sent, as the schedule counts."""
+        until_s = self._paused_s if self._phase is RunPhase.PAUSED else self._context.clock()
+        phase = self._paused_phase if self._phase is RunPhase.PAUSED else self._phase
+        elapsed_s = max(0.0, until_s - self._since_s)
+        if phase is not RunPhase.DWELLING:
+            return elapsed_s
+        # on arrival all but the dwell is behind, however long it took
+        factor, point = run.speed_factor, run.points[self._index]
+        return max(0.0, run.expected_s[self._index] - point.dwell_s) / factor + elapsed_s
+
+
+def _why_empty(run: Run) -> Refusal | None:
+    if not run.points:
+        return Refusal("run_empty", {"name": run.name})
+    if not 0 <= run.first < len(run.points):
+        return Refusal("run_no_such_row", {"row": run.first + 1, "maximum": len(run.points)})
+    return None

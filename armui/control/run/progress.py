@@ -1,0 +1,126 @@
+"""What a run of a trajectory is, and how far it has come: plain data."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import accumulate
+
+from armui.arm.refusal import Refusal
+from armui.trajectory.points.program import Waypoint
+
+ENDLESS = 0
+"""As a number of laps: until the operator ends it."""
+
+
+class RunPhase(enum.Enum):
+    """What the run is doing."""
+
+    IDLE = enum.auto()
+    MOVING = enum.auto()
+    """A point has been sent; the arm has not said that it is there."""
+    DWELLING = enum.auto()
+    WAITING = enum.auto()
+    """Step by step: for the operator's word."""
+    PAUSED = enum.auto()
+    STOPPING = enum.auto()
+    """Ended by the operator; the arm has not come to rest."""
+    DONE = enum.auto()
+    STOPPED = enum.auto()
+    """Ended by the operator, the arm is at rest."""
+    FAILED = enum.auto()
+    """Ended by something else; the reason says what."""
+
+
+OVER = frozenset({RunPhase.IDLE, RunPhase.DONE, RunPhase.STOPPED, RunPhase.FAILED})
+"""The arm is not under the run's control."""
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """What the operator wants to have run.
+
+    Attributes:
+        name: The trajectory's.
+        points: All of them.
+        expected_s: How long each takes, dwell included, from the one before.
+        cycles: How often; :data:`ENDLESS` until it is ended.
+        first: The index of the point to begin with, in the first lap.
+        speed_factor: On each point's own speed.
+        step_by_step: Whether to wait for the operator after each point.
+    """
+
+    name: str
+    points: Sequence[Waypoint]
+    expected_s: Sequence[float]
+    cycles: int = 1
+    first: int = 0
+    speed_factor: float = 1.0
+    step_by_step: bool = False
+
+    def speed_percent(self, index: int) -> int:
+        """What a point is sent with."""
+        return min(100, max(1, round(self.points[index].speed_percent * self.speed_factor)))
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """How far a run has come.
+
+    Attributes:
+        phase: What it is doing.
+        name: The trajectory's.
+        index: The point under way, from 0; the one it ended at when it is over.
+        count: How many points a lap has.
+        lap, laps: Which lap, from 1, of how many; 0 endless.
+        done: Share of the lap that is done, 0–1.
+        remaining_s: Of the whole run as planned; ``None`` if it has no end.
+        reason: Why it failed.
+    """
+
+    phase: RunPhase = RunPhase.IDLE
+    name: str = ""
+    index: int = 0
+    count: int = 0
+    cycle: int = 1
+    cycles: int = 1
+    done: float = 0.0
+    remaining_s: float | None = None
+    reason: Refusal | None = None
+
+
+class RunSchedule:
+    """When a run as planned is where."""
+
+    def __init__(self, run: Run) -> None:
+        self._run = run
+        factor = run.speed_factor
+        # dwells do not shorten when the arm moves faster
+        lengths_s = [
+            point.dwell_s + max(0.0, expected_s - point.dwell_s) / factor
+            for point, expected_s in zip(run.points, run.expected_s, strict=True)
+        ]
+        self._ends_s = list(accumulate(lengths_s))
+        self._lengths_s = lengths_s
+
+    @property
+    def lap_s(self) -> float:
+        """How long a lap takes."""
+        return self._ends_s[-1] if self._ends_s else 0.0
+
+    def time_limit_s(self, index: int) -> float:
+        """After this long a point has not been reached; generous, for an arm may be slower."""
+        return 5.0 + 3.0 * self._lengths_s[index]
+
+    def in_lap_s(self, index: int, elapsed_s: float) -> float:
+        """How far a lap is, so long after a point was sent."""
+        length_s = self._lengths_s[index]
+        return self._ends_s[index] - length_s + min(elapsed_s, length_s)
+
+    def remaining_s(self, index: int, cycle: int, elapsed_s: float) -> float | None:
+        """How long the rest of the run takes; ``None`` if it has no end."""
+        if self._run.cycles == ENDLESS:
+            return None
+        laps_left = self._run.cycles - cycle
+        return self.lap_s * (laps_left + 1) - self.in_lap_s(index, elapsed_s)

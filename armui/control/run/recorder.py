@@ -1,0 +1,109 @@
+"""B5: records where the arm goes while it is led by hand, or moved by anything."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from armui.arm.refusal import Refusal
+from armui.control.context import Context
+from armui.control.operating_state import why_unreachable
+
+if TYPE_CHECKING:
+    from armui.control.run.sample_store import Recorded, SampleStore
+
+
+class Recorder(QObject):
+    """Keeps every joint feedback from :meth:`start` to :meth:`finish`; it sends nothing.
+
+    When the arm is lost, what has been recorded is kept.
+
+    Args:
+        context: What the parts of the controller share.
+
+    Signals:
+        changed: More samples, or recording has begun or ended.
+    """
+
+    changed = Signal()
+
+    def __init__(self, context: Context, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._context = context
+        self._samples: SampleStore | None = None
+        self._recording = False
+        self.dropped = 0
+
+    @property
+    def recording(self) -> bool:
+        """Whether it records now."""
+        return self._recording
+
+    @property
+    def count(self) -> int:
+        """How many samples there are."""
+        return 0 if self._samples is None else len(self._samples)
+
+    @property
+    def duration_s(self) -> float:
+        """From the first sample to the last."""
+        return 0.0 if self._samples is None else self._samples.duration_s
+
+    def start(self) -> Refusal | None:
+        """Begin anew: ``None``, or why not."""
+        refusal = why_unreachable(self._context.connection.link)
+        if refusal is None and self._recording:
+            refusal = Refusal("busy", {"what": "recording"})
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        from armui.control.run.sample_store import SampleStore  # noqa: PLC0415 - numpy, faster start
+
+        self._samples = SampleStore()
+        self.dropped = 0
+        ring = self._context.connection.samples
+        ring.take()
+        ring.dropped = 0
+        ring.wanted = self._recording = True
+        self._context.tell("recording_started")
+        self.changed.emit()
+        return None
+
+    def finish(self, name: str) -> Recorded | None:
+        """End recording.
+
+        Args:
+            name: What it is to be called.
+
+        Returns:
+            What was recorded since :meth:`start`, to be joined in another thread; ``None`` if
+            that is nothing.
+        """
+        if self._recording:
+            self._end()
+        return None if self._samples is None else self._samples.recorded(name)
+
+    def advance(self) -> None:
+        """Take in what has come; the controller's tick calls it."""
+        if not self._recording:
+            return
+        taken = self._context.connection.samples.take()
+        if taken and self._samples is not None:
+            self._samples.extend(taken)
+            self.dropped = self._context.connection.samples.dropped
+            self.changed.emit()
+
+    def halt(self) -> None:
+        """A stopped arm may be recorded as well."""
+
+    def forget(self) -> None:
+        """The arm is gone: recording ends, what there is is kept."""
+        if self._recording:
+            self._end()
+
+    def _end(self) -> None:
+        self.advance()
+        self._recording = False
+        self._context.connection.samples.wanted = False
+        self._context.tell("recording_ended", count=self.count, seconds=round(self.duration_s, 1))
+        self.changed.emit()

@@ -1,0 +1,143 @@
+"""What a replay of a recording asks of the arm: pure, on the recording's samples."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.limits import JOINTS, check_joint
+from armui.arm.refusal import Refusal
+from armui.trajectory.samples.replay_profile import ReplayProfile, replay_profile
+from armui.trajectory.samples.sample_cursor import SampleCursor
+
+if TYPE_CHECKING:
+    from armui.arm.state import ArmState
+    from armui.control.operating_state import OperatingState
+    from armui.trajectory.samples.recording import Recording
+
+_SPEED_SLACK: Final = 1.02
+_LAG_SLACK_DEG: Final = 5.0
+_LAG_S: Final = 0.15
+_LAG_MEMORY_S: Final = 1.0
+_ACCELERATION_DEG_S2: Final = math.degrees(5.0)
+"""Taken where the arm has not told its own."""
+
+
+@dataclass(frozen=True)
+class Replay:
+    """What the operator wants to have replayed.
+
+    Attributes:
+        recording: The samples.
+        factor: On the recorded speed.
+        cycles: How often; :data:`armui.control.run.progress.ENDLESS` until it is ended.
+        profile: What was worked out of the recording before; it takes long for a long one.
+    """
+
+    recording: Recording
+    factor: float = 1.0
+    cycles: int = 1
+    profile: ReplayProfile | None = None
+
+    @property
+    def duration_s(self) -> float:
+        """How long a lap takes, without the approach."""
+        return self.recording.duration_s / self.factor
+
+    @property
+    def first_deg(self) -> tuple[float, ...]:
+        """Where it begins."""
+        return tuple(float(angle) for angle in self.recording.joints_deg[0])
+
+    @cached_property
+    def known(self) -> ReplayProfile:
+        """Extremes and speeds at the recorded speed."""
+        return replay_profile(self.recording) if self.profile is None else self.profile
+
+    @cached_property
+    def _cursor(self) -> SampleCursor:
+        return SampleCursor(self.recording)
+
+    @cached_property
+    def _cursor_behind(self) -> SampleCursor:
+        """Follows the first one, :data:`_LAG_MEMORY_S` behind it."""
+        return SampleCursor(self.recording)
+
+    def joints_deg_at(self, at_s: float) -> tuple[float, ...]:
+        """Where the joints shall be, so long after the first sample of a lap."""
+        return self._cursor.joints_deg_at(at_s * self.factor)
+
+    def gripper_mm_at(self, at_s: float) -> float | None:
+        """How far open the gripper shall be, ``None`` where that was not recorded."""
+        opening_mm = self._cursor.gripper_mm_at(at_s * self.factor)
+        return None if math.isnan(opening_mm) else opening_mm
+
+    def lag_allowed_deg(self, at_s: float, state: ArmState) -> tuple[float, ...]:
+        """How far an arm that follows may be behind: what its own braking explains, and a bit.
+
+        An arm that brakes late for a target that has turned round already is no obstacle's work:
+        the fastest of the last second counts.
+        """
+        last = self._cursor.index_at(at_s * self.factor)
+        first = self._cursor_behind.index_at((at_s - _LAG_MEMORY_S) * self.factor)
+        highest = self.known.speeds_deg_s[first : last + 1].max(axis=0)
+        speeds = (self.factor * highest).tolist()
+        return tuple(
+            _LAG_SLACK_DEG
+            + _LAG_S * speed
+            + speed**2 / (2.0 * (heard.value if heard is not None else _ACCELERATION_DEG_S2))
+            for speed, heard in zip(speeds, state.accelerations_deg_s2, strict=True)
+        )
+
+
+def why_not(replay: Replay, operating_state: OperatingState) -> Refusal | None:
+    """What speaks against a replay: too little of it, limits, speeds the joints cannot do."""
+    recording = replay.recording
+    if len(recording.samples) < 2 or recording.duration_s <= 0.0:
+        return Refusal("run_empty", {"name": recording.name})
+    known = replay.known
+    for joint, limits, low_deg, high_deg, recorded_deg_s in zip(
+        JOINTS,
+        operating_state.limits,
+        known.low_deg,
+        known.high_deg,
+        known.fastest_deg_s,
+        strict=True,
+    ):
+        for angle_deg in (low_deg, high_deg):
+            refusal = check_joint(joint, angle_deg, limits)
+            if refusal is not None:
+                return refusal
+        fastest = recorded_deg_s * replay.factor
+        if fastest > limits.max_speed_deg_s * _SPEED_SLACK:
+            best = replay.factor * limits.max_speed_deg_s / fastest
+            return Refusal(
+                "replay_too_fast",
+                {
+                    "joint": joint,
+                    "value": round(fastest, 1),
+                    "maximum": round(limits.max_speed_deg_s, 1),
+                    "percent": math.floor(best * 100.0),
+                },
+            )
+    return None
+
+
+def why_behind(replay: Replay, at_s: float, state: ArmState) -> Refusal | None:
+    """Whether an arm does not follow: ``None``, or which joint is how far behind."""
+    measured_deg = state.angles_deg()
+    if measured_deg is None:
+        return None
+    for joint, target, measured, allowed in zip(
+        JOINTS,
+        replay.joints_deg_at(at_s),
+        measured_deg,
+        replay.lag_allowed_deg(at_s, state),
+        strict=True,
+    ):
+        away_deg = abs(target - measured)
+        if away_deg > allowed:
+            return Refusal("replay_lagging", {"joint": joint, "away": round(away_deg, 1)})
+    return None

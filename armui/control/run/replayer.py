@@ -1,0 +1,273 @@
+"""Replays a recording: a slow approach to its first sample, then joint targets at a fixed rate."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QObject, Qt, QTimer
+
+from armui.arm.refusal import Refusal
+from armui.control.context import Context
+from armui.control.motion.motion_command import CommandKind, MotionCommand
+from armui.control.run.arrival import Arrival, ArrivalWatch
+from armui.control.run.execution import Execution
+from armui.control.run.progress import ENDLESS, Progress, RunPhase
+from armui.protocol import commands
+from armui.protocol.codes import MoveMode
+from armui.trajectory.points.program import Waypoint
+
+if TYPE_CHECKING:
+    from armui.control.run.replay import Replay
+
+PERIOD_MS: Final = 20
+"""50 targets a second; the arm plans anew at each."""
+
+_APPROACH_PERCENT: Final = 15
+_FULL_PERCENT: Final = 100
+_APPROACH_WITHIN_S: Final = 90.0
+_REST_WITHIN_S: Final = 3.0
+_GRIPPER_STEP_MM: Final = 0.5
+_GRIPPER_TORQUE_NM: Final = 1.0
+_GAP_S: Final = 0.08
+"""After a longer pause of the program the recorded time goes on by one period only, so that the arm
+is never asked to catch up; jogs end after the same time."""
+_LONGEST_GAP_S: Final = 0.5
+"""After a pause this long, or a sleep of the computer, a replay does not go on by itself."""
+
+
+class Replayer(Execution):
+    """One replay at a time.
+
+    If the program stops sending, for whatever reason, the arm ends in the target sent last, which
+    is never more than a period ahead of what was recorded.
+
+    Args:
+        context: What the parts of the controller share.
+    """
+
+    def __init__(self, context: Context, parent: QObject | None = None) -> None:
+        super().__init__(context, parent)
+        self._command: MotionCommand | None = None
+        self._replay: Replay | None = None
+        self._ending = RunPhase.DONE
+        self._watch: ArrivalWatch | None = None
+        self._at_s = 0.0
+        self._lap = 1
+        self._gripper_mm: float | None = None
+        self._timer = QTimer(self)
+        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
+        self._timer.setInterval(PERIOD_MS)
+        self._timer.timeout.connect(self.advance)
+
+    # What the operator wants ------------------------------------------------------------------
+
+    def start(self, replay: Replay) -> Refusal | None:
+        """Begin a replay: ``None`` if the arm is on its way to the first sample, or why not."""
+        from armui.control.run.replay import why_not  # noqa: PLC0415 - numpy, loaded with the first
+
+        context = self._context
+        operating_state = context.operating_state()
+        refusal = (
+            operating_state.occupied
+            or operating_state.cannot_run
+            or why_not(replay, operating_state)
+        )
+        if refusal is not None:
+            return context.refuse(refusal)
+        self._replay, self._lap, self._at_s = replay, 1, 0.0
+        self._gripper_mm = None
+        context.tell("run_started", name=replay.recording.name)
+        self._timer.start()
+        self._approach(replay)
+        return None
+
+    def pause(self) -> Refusal | None:
+        """Hold where the arm is: nothing more is sent."""
+        if self._phase is not RunPhase.MOVING or self._watch is not None:
+            return self._context.refuse(Refusal("not_running"))
+        self._phase = RunPhase.PAUSED
+        self._context.tell("replay_paused")
+        self._publish()
+        return None
+
+    def go_on(self) -> Refusal | None:
+        """End a pause."""
+        if self._phase is not RunPhase.PAUSED:
+            return self._context.refuse(Refusal("not_paused"))
+        refusal = self._context.operating_state().cannot_run
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        self._phase = RunPhase.MOVING
+        self._since_s = self._context.clock()
+        self._context.tell("replay_continued")
+        self._publish()
+        return None
+
+    def stop(self) -> None:
+        """End the replay: the arm comes to rest and stays powered."""
+        if not self.running or self._phase is RunPhase.STOPPING:
+            return
+        self._ending = RunPhase.STOPPED
+        self._abort_motion()
+        self._publish()
+
+    # What time and the arm bring --------------------------------------------------------------
+
+    def advance(self) -> None:
+        """Send what is due; called at each tick and by a timer of its own."""
+        replay = self._replay
+        if replay is None or not self.running:
+            return
+        reason = self._why_late() or self._context.operating_state().cannot_run
+        if reason is not None:
+            self._fail(reason)
+        elif self._phase is RunPhase.STOPPING:
+            self._follow_rest(replay)
+        elif self._phase is RunPhase.MOVING and self._watch is not None:
+            self._follow_approach(self._watch)
+        elif self._phase is RunPhase.MOVING:
+            self._stream(replay)
+        self._publish()
+
+    def _approach(self, replay: Replay) -> None:
+        """Set out for the first sample, slowly: the arm may stand anywhere."""
+        self._since_s = self._context.clock()
+        self._watch = ArrivalWatch(Waypoint(MoveMode.MOVE_J, replay.first_deg), self._since_s)
+        sent = self._context.send_motion(
+            CommandKind.RUN,
+            commands.move_joints(self._codec, replay.first_deg, speed_percent=_APPROACH_PERCENT),
+            move_mode=MoveMode.MOVE_J,
+            speed_percent=_APPROACH_PERCENT,
+            joints_deg=replay.first_deg,
+        )
+        if isinstance(sent, Refusal):
+            self._fail(sent)
+            return
+        self._phase = RunPhase.MOVING
+        self._publish()
+
+    def _follow_approach(self, watch: ArrivalWatch) -> None:
+        now_s = self._context.clock()
+        arrival = watch.look(self._context.state(), now_s)
+        if isinstance(arrival, Refusal):
+            self._fail(arrival)
+        elif arrival is Arrival.REACHED:
+            self._begin_stream(now_s)
+        elif now_s - self._since_s > _APPROACH_WITHIN_S:
+            self._fail(Refusal("run_too_slow", {"seconds": round(_APPROACH_WITHIN_S)}))
+
+    def _begin_stream(self, now_s: float) -> None:
+        """Targets from now on are followed at full speed: the recording says how fast."""
+        replay = self._replay
+        if replay is None:
+            return
+        sent = self._context.send_motion(
+            CommandKind.REPLAY,
+            commands.move_joints(self._codec, replay.first_deg, speed_percent=_FULL_PERCENT),
+            move_mode=MoveMode.MOVE_J,
+            speed_percent=_FULL_PERCENT,
+            joints_deg=replay.first_deg,
+        )
+        if isinstance(sent, Refusal):
+            self._fail(sent)
+            return
+        self._command, self._watch = sent, None
+        self._since_s, self._at_s = now_s, 0.0
+
+    def _why_late(self) -> Refusal | None:
+        """Why a stream of targets does not go on after a long pause of the program."""
+        if self._phase is not RunPhase.MOVING or self._watch is not None:
+            return None
+        gap_s = self._context.clock() - self._since_s
+        if gap_s < _LONGEST_GAP_S:
+            return None
+        return Refusal("replay_gap", {"seconds": round(gap_s, 1)})
+
+    def _stream(self, replay: Replay) -> None:
+        from armui.control.run.replay import why_behind  # noqa: PLC0415 - loaded by start()
+
+        now_s = self._context.clock()
+        if now_s <= self._since_s:
+            return
+        gap_s, self._since_s = now_s - self._since_s, now_s
+        gone_s = gap_s if gap_s <= _GAP_S else PERIOD_MS / 1e3
+        self._at_s = min(self._at_s + gone_s, replay.duration_s)
+        behind = why_behind(replay, self._at_s, self._context.state())
+        if behind is not None:
+            self._fail(behind)
+            return
+        target_deg = replay.joints_deg_at(self._at_s)
+        if not self._send_target(target_deg):
+            return
+        self._move_gripper(replay.gripper_mm_at(self._at_s))
+        if self._at_s >= replay.duration_s:
+            self._end_lap(replay)
+
+    def _send_target(self, target_deg: tuple[float, ...]) -> bool:
+        command = self._command
+        if command is None:
+            return False
+        frames = commands.joint_target(self._codec, target_deg)
+        sent = self._context.send_on(command, frames, joints_deg=target_deg)
+        if isinstance(sent, Refusal):
+            self._fail(sent)
+            return False
+        self._command = sent
+        return True
+
+    def _move_gripper(self, opening_mm: float | None) -> None:
+        """Follow the recorded opening in steps; generation 1 tells none."""
+        before_mm = self._gripper_mm
+        if opening_mm is None or (
+            before_mm is not None and abs(opening_mm - before_mm) < _GRIPPER_STEP_MM
+        ):
+            return
+        self._gripper_mm = opening_mm
+        self._send(
+            commands.move_gripper_opening(
+                self._codec, opening_mm=opening_mm, torque_nm=_GRIPPER_TORQUE_NM
+            )
+        )
+
+    def _end_lap(self, replay: Replay) -> None:
+        if replay.cycles != ENDLESS and self._lap >= replay.cycles:
+            self._ending = RunPhase.DONE
+            self._await_rest()
+            return
+        self._lap += 1
+        self._at_s = 0.0
+        self._approach(replay)
+
+    def _follow_rest(self, replay: Replay) -> None:
+        now_s = self._context.clock()
+        if self._rests():
+            self._end(self._ending)
+            code = "run_done" if self._ending is RunPhase.DONE else "replay_ended"
+            self._context.tell(code, name=replay.recording.name)
+        elif now_s - self._since_s > _REST_WITHIN_S:
+            self._fail(Refusal("run_not_ended"))
+
+    def _tell_failed(self, reason: Refusal) -> None:
+        self._context.tell("replay_failed", reason=reason)
+
+    def _end(self, phase: RunPhase) -> None:
+        super()._end(phase)
+        self._timer.stop()
+
+    def _snapshot(self, reason: Refusal | None) -> Progress:
+        replay = self._replay
+        if replay is None:
+            return Progress()
+        done = 1.0 if self._phase is RunPhase.DONE else self._at_s / replay.duration_s
+        laps_left = replay.cycles - self._lap
+        rest_s = replay.duration_s * (1.0 - done + laps_left)
+        return Progress(
+            phase=self._phase,
+            name=replay.recording.name,
+            count=len(replay.recording.samples),
+            cycle=self._lap,
+            cycles=replay.cycles,
+            done=done,
+            remaining_s=None if replay.cycles == ENDLESS else rest_s,
+            reason=reason,
+        )

@@ -1,0 +1,83 @@
+"""Samples as they come in: appended to arrays of a fixed size, never copied while it records."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from datetime import datetime
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from armui.trajectory.samples.recording import COLUMN_COUNT, Array, Recording
+
+if TYPE_CHECKING:
+    from armui.bus.samples import Sample
+
+_CHUNK: Final = 12_000
+"""Samples, a minute at 200 Hz: 0.8 MB at a time."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Recorded:
+    """What a recorder has kept, not joined yet.
+
+    Attributes:
+        name: What it is to be called.
+        chunks: One after the other, as the samples of a `Recording`.
+        ended: When it was.
+    """
+
+    name: str
+    chunks: tuple[Array, ...]
+    ended: datetime
+
+    @property
+    def count(self) -> int:
+        """How many samples there are."""
+        return sum(len(chunk) for chunk in self.chunks)
+
+    def joined(self, name: str | None = None) -> Recording:
+        """The recording: two hours at 200 Hz are 92 MB, so this belongs in another thread.
+
+        Args:
+            name: Another name for it.
+        """
+        return Recording(
+            name or self.name, samples=np.concatenate(self.chunks), modified=self.ended
+        )
+
+
+class SampleStore:
+    """Takes samples; the time of the first one is 0."""
+
+    def __init__(self) -> None:
+        self._full: list[Array] = []
+        self._chunk: Array = np.empty((_CHUNK, COLUMN_COUNT))
+        self._used = 0
+        self._start_s = 0.0
+        self.duration_s = 0.0
+
+    def __len__(self) -> int:
+        return len(self._full) * _CHUNK + self._used
+
+    def extend(self, samples: Sequence[Sample]) -> None:
+        """Append samples."""
+        for sample in samples:
+            if not len(self):
+                self._start_s = sample.at_s
+            elif self._used == _CHUNK:
+                self._full.append(self._chunk)
+                self._chunk, self._used = np.empty((_CHUNK, COLUMN_COUNT)), 0
+            self.duration_s = sample.at_s - self._start_s
+            opening_mm = math.nan if sample.gripper_mm is None else sample.gripper_mm
+            self._chunk[self._used] = (self.duration_s, *sample.joints_deg, opening_mm)
+            self._used += 1
+
+    def recorded(self, name: str) -> Recorded | None:
+        """What there is; ``None`` if that is nothing."""
+        if not len(self):
+            return None
+        chunks = (*self._full, self._chunk[: self._used])
+        return Recorded(name, chunks, datetime.now().astimezone())

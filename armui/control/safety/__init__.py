@@ -1,0 +1,1 @@
+"""What stops the arm, what speaks against moving it, and guided recovery."""

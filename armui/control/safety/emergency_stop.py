@@ -1,0 +1,142 @@
+"""The emergency stop, followed until the arm itself says that it has stopped. Pure."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Final
+
+from armui.arm.state import ArmState
+from armui.control.operating_state import StopState
+from armui.protocol.codes import ArmStatusCode
+from armui.protocol.frame import Frame
+
+_REPEAT_S: Final = 0.1
+_UNCONFIRMED_S: Final = 0.5
+_BY_ITSELF_S: Final = 10.0
+"""A stop older than this is sent to an arm that was away only when the operator asks again."""
+_AWAY_S: Final = 1.0
+"""An arm not heard for so long was away: it may be another, or switched on again."""
+
+
+class EmergencyStop:
+    """Sends a stop at once and again every 100 ms until 0x2A1 confirms it.
+
+    A stop asked for while the device is lost is kept and goes out as soon as it is back. After ten
+    seconds it goes out by itself only to an arm that has been heard all the time; else it has
+    lapsed, and the operator decides: ask for it again, or withdraw it.
+
+    Args:
+        send: Puts frames on the bus past everything that waits; says whether it could.
+    """
+
+    def __init__(self, send: Callable[[Sequence[Frame]], bool]) -> None:
+        self._send = send
+        self._frames: Sequence[Frame] = ()
+        self._requested_s: float | None = None
+        self._asked_s = 0.0
+        self._last_sent_s = 0.0
+        self._reached_s = 0.0
+        self._lapsed = False
+
+    @property
+    def requested(self) -> bool:
+        """Whether a stop has been asked for that the arm has not confirmed."""
+        return self._requested_s is not None
+
+    @property
+    def lapsed(self) -> bool:
+        """Whether it is outstanding and not sent by itself any more."""
+        return self.requested and self._lapsed
+
+    def unconfirmed(self, now_s: float) -> bool:
+        """Whether the confirmation is overdue."""
+        return self._requested_s is not None and now_s - self._requested_s > _UNCONFIRMED_S
+
+    def request(self, frames: Sequence[Frame], now_s: float) -> bool:
+        """Stop now; says whether the frames are on the bus."""
+        if self._requested_s is None or self._lapsed:
+            self._requested_s = now_s
+        self._frames = frames
+        self._lapsed = False
+        self._asked_s = self._reached_s = self._last_sent_s = now_s
+        return self._send(frames)
+
+    def advance(self, state: ArmState, now_s: float, *, online: bool) -> bool:
+        """Take in what was heard, repeat the stop if due; whether it was confirmed just now."""
+        if self._requested_s is None:
+            return False
+        if state.status is not None and state.status.at_s > self._requested_s and is_stopped(state):
+            self._requested_s = None
+            return True
+        self._note_reach(now_s, online=online)
+        if not self._lapsed and now_s - self._last_sent_s >= _REPEAT_S:
+            self._last_sent_s = now_s
+            self._send(self._frames)
+        return False
+
+    def _note_reach(self, now_s: float, *, online: bool) -> None:
+        if now_s - self._asked_s > _BY_ITSELF_S and now_s - self._reached_s > _AWAY_S:
+            self._lapsed = True
+        if online:
+            self._reached_s = now_s
+
+    def forget(self) -> None:
+        """It is withdrawn, or another arm is connected."""
+        self._requested_s = None
+        self._lapsed = False
+
+    def state(self, state: ArmState, now_s: float, *, online: bool, resuming: bool) -> StopState:
+        """Where the stop stands.
+
+        Of an arm whose status is not heard nobody knows whether it still is stopped: the button
+        that recovers a stopped arm must be one that stops it.
+        """
+        if self.requested:
+            return StopState.REQUESTED
+        if resuming:
+            return StopState.RESUMING
+        stopped = online and is_stopped(state) and status_is_fresh(state, now_s)
+        return StopState.STOPPED if stopped else StopState.RUNNING
+
+
+def is_stopped(state: ArmState) -> bool:
+    """Whether the arm's last word on it was that it is stopped."""
+    status = state.status
+    return status is not None and status.value.arm_status == ArmStatusCode.EMERGENCY_STOP
+
+
+def status_is_fresh(state: ArmState, now_s: float) -> bool:
+    """Whether the arm's word on it was heard within the last half second."""
+    return state.status is not None and state.status.fresh(now_s)
+
+
+class StopWatch:
+    """Watches over a confirmed stop: nobody but this program's operator may undo it.
+
+    Attributes:
+        holds: A stop of the operator has been confirmed, and nobody has undone it.
+    """
+
+    def __init__(self) -> None:
+        self.holds = False
+
+    def confirmed(self) -> None:
+        """The arm has confirmed a stop of the operator."""
+        self.holds = True
+
+    def undone(self, state: ArmState, now_s: float, *, resuming: bool) -> bool:
+        """Whether somebody else has just undone the stop.
+
+        Args:
+            state: The arm as heard.
+            now_s: Monotonic time.
+            resuming: This program's own resume is under way.
+        """
+        if not self.holds or not status_is_fresh(state, now_s) or is_stopped(state):
+            return False
+        self.holds = False
+        return not resuming
+
+    def forget(self) -> None:
+        """Another connection: what it was is over."""
+        self.holds = False

@@ -1,0 +1,323 @@
+"""Guided recovery: the next step, its one action, and whether the arm has done what was asked."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.refusal import Refusal
+from armui.control.context import Context
+from armui.control.operating_state import Level
+from armui.control.requests.request import Request, RequestOutcome
+from armui.control.safety.recovery_rules import next_step
+from armui.control.safety.recovery_steps import Action, Step, StepKind
+from armui.protocol import commands
+from armui.protocol.addressing import Addressing
+from armui.protocol.codes import (
+    ALL_JOINTS,
+    ControlMode,
+    LinkageRole,
+    MoveMode,
+    TeachingState,
+    TrajectoryCommand,
+)
+from armui.protocol.frame import Frame
+
+if TYPE_CHECKING:
+    from armui.control.devices.joint_errors import JointErrors
+    from armui.control.devices.motors import Motors
+    from armui.control.devices.teaching import TeachingControl
+    from armui.control.motion.planned_motion import PlannedMotion
+
+_REPEAT_S: Final = 0.5
+_ATTEMPTS: Final = 3
+_SHOWS_LATER_S: Final = 0.5
+"""Between an answer and the feedback that shows its effect: drivers report ten times a second."""
+
+_SETTLE_S: Final = 0.25
+_MAY_BE_BRIEF: Final = frozenset(
+    {StepKind.HANDSHAKE, StepKind.STATUS_UNKNOWN, StepKind.MOTORS_UNKNOWN, StepKind.MOTORS_MIXED}
+)
+"""Drivers and controller report one after the other: what lasts shorter than ``_SETTLE_S`` is no
+step, and a line that flickers leads to wrong clicks."""
+
+_NEEDS_IDENTIFIERS: Final = frozenset(
+    {
+        Action.RESUME,
+        Action.STOP_RECORDING,
+        Action.ABORT_REPLAY,
+        Action.LEAD_BY_HAND,
+        Action.STANDBY,
+    }
+)
+"""What is said on 0x150 and 0x151, which another arm may listen to (0x470)."""
+
+_AT_ONCE: Final = frozenset(
+    {
+        Action.RESET,
+        Action.WITHDRAW_STOP,
+        Action.STOP,
+        Action.GO_ON,
+        Action.GIVE_UP,
+        Action.TAKE_OVER,
+    }
+)
+"""Nothing is waited for: what comes of them is another step."""
+
+_Deed = Callable[[Step], Refusal | None]
+
+
+@dataclass(slots=True)
+class _PendingAction:
+    """An action under way; it is over when the arm is in another state.
+
+    Attributes:
+        step: What it is to settle.
+        idle_since_s: Since when nothing of it is on its way any more.
+    """
+
+    step: Step
+    idle_since_s: float | None = None
+
+
+class Recovery:
+    """Knows the next step at any time and takes it on request.
+
+    Args:
+        context: What the parts of the controller share.
+        motors: Switches the motors.
+        joint_errors: Clears the errors of the drivers.
+        teaching: Commands drag teaching.
+        stop: The emergency stop.
+        withdraw_stop: Gives up a stop that is outstanding.
+        planned_motion: Goes on with a motion held back, or drops it.
+        take_over: Takes the arm from another host.
+        announce: Called with each new step.
+
+    Attributes:
+        step: The next step.
+    """
+
+    def __init__(
+        self,
+        context: Context,
+        *,
+        motors: Motors,
+        joint_errors: JointErrors,
+        teaching: TeachingControl,
+        stop: Callable[[], None],
+        withdraw_stop: Callable[[], None],
+        planned_motion: PlannedMotion,
+        take_over: Callable[[], Refusal | None],
+        announce: Callable[[Step], object],
+    ) -> None:
+        self._context = context
+        self._motors = motors
+        self._joint_errors = joint_errors
+        self._teaching = teaching
+        self._stop = stop
+        self._withdraw_stop = withdraw_stop
+        self._announce = announce
+        self._attempt: _PendingAction | None = None
+        self._in_vain: dict[StepKind, int] = {}
+        self._to_clear: list[int] = []
+        self._request: Request | None = None
+        self._brief_since_s: float | None = None
+        self.step = Step(StepKind.NO_DEVICE, Level.INFO, action=Action.CONNECT)
+        self._deeds: Mapping[Action, _Deed] = {
+            Action.LEAVE_TEACHING_INPUT: self._leave_teaching_input,
+            Action.RESUME: lambda _step: self._motors.resume(),
+            Action.ENABLE: lambda _step: self._motors.enable(),
+            Action.CLEAR_ERRORS: self._clear_errors,
+            Action.RESET: self._reset,
+            Action.STOP_RECORDING: self._teach(TeachingState.STOP_RECORDING),
+            Action.ABORT_REPLAY: self._teach(TeachingState.ABORT),
+            Action.LEAD_BY_HAND: self._teach(TeachingState.START_RECORDING),
+            Action.STANDBY: self._take_command,
+            Action.WITHDRAW_STOP: self._give_up_stop,
+            Action.STOP: self._reset,
+            Action.GO_ON: lambda _step: planned_motion.command(TrajectoryCommand.CONTINUE),
+            Action.GIVE_UP: lambda _step: planned_motion.command(TrajectoryCommand.ABORT),
+            Action.TAKE_OVER: lambda _step: take_over(),
+        }
+        self._planned_motion = planned_motion
+
+    def act(self, step: Step, action: Action | None = None) -> Refusal | None:
+        """Take a step that was shown: ``None`` if it is under way, or why nothing was sent.
+
+        Args:
+            step: What the operator agreed to. If the arm is in another state by now, the step is
+                not taken: its action may mean something else there.
+            action: Its alternative, where that is meant.
+
+        Raises:
+            KeyError: The action is none of the controller's: connecting is the window's.
+        """
+        now = self._look()
+        wanted = step.action if action is None else action
+        if now.kind is not step.kind or wanted is None or wanted not in now.actions:
+            return self._context.refuse(Refusal("step_gone"))
+        if self._attempt is not None:
+            return self._context.refuse(Refusal("busy", {"what": "recovery"}))
+        refusal = self.why_not(now, wanted)
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        self._give_up()
+        refusal = self._deeds[wanted](now)
+        if refusal is None and wanted not in _AT_ONCE:
+            self._attempt = _PendingAction(now)
+        self.advance()
+        return refusal
+
+    def why_not(self, step: Step, action: Action | None = None) -> Refusal | None:
+        """The reason against taking a step now that does not lie in the step, or ``None``.
+
+        Args:
+            step: What is shown.
+            action: Its alternative, where that is meant.
+        """
+        action = action or step.action
+        if action is Action.CLEAR_ERRORS:
+            return self._joint_errors.why_not()
+        if action is Action.GO_ON:
+            return self._planned_motion.why_not(TrajectoryCommand.CONTINUE)
+        if action is Action.TAKE_OVER:
+            return self._why_not_take_over()
+        uncertain = not self._context.operating_state().control_certain
+        if uncertain and action in _NEEDS_IDENTIFIERS:
+            return Refusal("control_offset_unknown")
+        return None
+
+    def _why_not_take_over(self) -> Refusal | None:
+        other = self._context.operating_state().other_host
+        if other is None or other.may_be_taken_over:
+            return None
+        return Refusal("other_host_streams", {"frames": other.frames})
+
+    def advance(self) -> None:
+        """Look at what was heard; called regularly while a device is open."""
+        now_s = self._context.clock()
+        if self._request is not None:
+            outcome = self._request.advance(self._context.state(), now_s)
+            if outcome is not RequestOutcome.WAITING:
+                self._request = None
+        if self._to_clear and not self._joint_errors.busy:
+            self._joint_errors.clear(self._to_clear.pop(0))
+        step = self._look()
+        if step.kind is not StepKind.WORKING:  # another kind is another trouble
+            self._in_vain = {kind: n for kind, n in self._in_vain.items() if kind is step.kind}
+        step = self._follow(step, now_s)
+        if self._holds(step, now_s) and step != self.step:
+            self.step = step
+            self._announce(step)
+
+    def halt(self) -> None:
+        """A stop was asked for: it changes everything."""
+        self._give_up()
+
+    def forget(self) -> None:
+        """The arm is gone: no answer will come."""
+        self._give_up()
+
+    def _look(self) -> Step:
+        context = self._context
+        return next_step(context.state(), context.operating_state(), context.clock(), self._in_vain)
+
+    def _give_up(self) -> None:
+        self._attempt = None
+        self._request = None
+        self._to_clear.clear()
+
+    # How an action fares --------------------------------------------------------------------------
+
+    def _follow(self, step: Step, now_s: float) -> Step:
+        """The step with what has become of the action taken against it."""
+        attempt = self._attempt
+        if attempt is None:
+            return step
+        if step.kind is StepKind.WORKING:
+            return replace(attempt.step, waiting=True)
+        if step.kind is not attempt.step.kind or step.joints != attempt.step.joints:
+            self._give_up()
+            return step
+        if self._under_way:
+            attempt.idle_since_s = None
+        elif attempt.idle_since_s is None:
+            attempt.idle_since_s = now_s
+        elif now_s - attempt.idle_since_s >= _SHOWS_LATER_S:
+            self._give_up()
+            self._in_vain[step.kind] = self._in_vain.get(step.kind, 0) + 1
+            self._context.tell("step_in_vain")
+            return self._look()
+        return replace(step, waiting=True)
+
+    @property
+    def _under_way(self) -> bool:
+        """Whether something of the action may still have an effect."""
+        return (
+            self._request is not None
+            or bool(self._to_clear)
+            or self._joint_errors.busy
+            or self._teaching.pending is not None
+            or self._motors.busy is not None
+        )
+
+    def _holds(self, step: Step, now_s: float) -> bool:
+        """Whether a step is to be shown: some states are passed through in a moment."""
+        if step.kind not in _MAY_BE_BRIEF or step.kind is self.step.kind:
+            self._brief_since_s = None
+            return True
+        if self._brief_since_s is None:
+            self._brief_since_s = now_s
+        return now_s - self._brief_since_s >= _SETTLE_S
+
+    # What the actions do --------------------------------------------------------------------------
+
+    def _teach(self, command: TeachingState) -> _Deed:
+        return lambda _step: self._teaching.command(command)
+
+    def _reset(self, _step: Step) -> Refusal | None:
+        self._stop()
+        return None
+
+    def _give_up_stop(self, _step: Step) -> Refusal | None:
+        self._withdraw_stop()
+        return None
+
+    def _clear_errors(self, step: Step) -> Refusal | None:
+        self._to_clear = list(step.joints) or [ALL_JOINTS]
+        return None
+
+    def _take_command(self, _step: Step) -> Refusal | None:
+        """Back to standby: entering CAN control might start a target somebody left in the arm."""
+        refusal = self._context.why_no_motion()
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        frames = commands.set_mode(
+            self._context.connection.codec,
+            control_mode=ControlMode.STANDBY,
+            move_mode=MoveMode.MOVE_J,
+            speed_percent=0,
+        )
+        return self._send("standby_sent", frames)
+
+    def _leave_teaching_input(self, _step: Step) -> Refusal | None:
+        frames = commands.set_linkage(self._context.connection.codec, LinkageRole.MOTION_OUTPUT)
+        self._context.connection.offsets.wish(Addressing(), self._context.clock(), ends_input=True)
+        return self._send("motion_output_sent", frames)
+
+    def _send(self, code: str, frames: Sequence[Frame]) -> Refusal | None:
+        """Send until the arm is in another state, or time is up."""
+        context = self._context
+        kind = self._look().kind
+        self._request = Request(
+            frames,
+            lambda _state: self._look().kind is not kind,
+            context.connection.send,
+            _REPEAT_S,
+            _ATTEMPTS,
+        )
+        context.tell(code)
+        self._request.advance(context.state(), context.clock())
+        return None

@@ -1,0 +1,180 @@
+"""What ends motion by the operator's hand: the emergency stop, followed, and halt and hold."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState, is_fresh
+from armui.control.devices.teaching_phase import TeachingPhase, phase_of
+from armui.control.operating_state import LinkState, StopState, why_unreachable
+from armui.control.safety.emergency_stop import EmergencyStop, StopWatch
+from armui.protocol import commands
+from armui.protocol.addressing import OFFSETS
+from armui.protocol.codes import TeachingState, TrajectoryCommand
+from armui.protocol.frame import Frame
+
+if TYPE_CHECKING:
+    from armui.arm.device import Device
+    from armui.control.context import Tell
+    from armui.control.link.connection import Connection
+
+_AT_REST_S: Final = 1.3
+"""So long after a halt the rest of the arm is its doing: 1 s, and what measuring it takes."""
+
+
+class Stopping:
+    """Sends stops and halts on every identifier offset, and follows what becomes of them.
+
+    The offset of the commands cannot be heard: an arm obeys the frame that reaches it, whichever
+    of 0x150, 0x160 and 0x170 it listens to.
+
+    Args:
+        connection: The way to the arm.
+        tell: Takes the notices.
+        clock: Monotonic time in seconds.
+        end_all: Has every part of the program give up what would move the arm.
+
+    Attributes:
+        stop_again: A stop that another host undoes is sent again by itself.
+    """
+
+    def __init__(
+        self,
+        connection: Connection,
+        tell: Tell,
+        clock: Callable[[], float],
+        end_all: Callable[[], None],
+    ) -> None:
+        self._connection = connection
+        self._tell = tell
+        self._clock = clock
+        self._end_all = end_all
+        self.keeper = EmergencyStop(connection.send_urgent)
+        self._watch = StopWatch()
+        self._asked_of: Device | None = None
+        self._was_unconfirmed = False
+        self._was_lapsed = False
+        self._halted_s: float | None = None
+        self.stop_again = False
+
+    # The emergency stop -----------------------------------------------------------------------
+
+    def stop(self) -> None:
+        """Stop the arm at once: past every other frame, whatever else is under way (0x150)."""
+        connection = self._connection
+        if connection.device is None:
+            self._tell("stop_not_sent")
+            return
+        self._asked_of = connection.device
+        self._halted_s = None
+        frames = self._on_every_offset(commands.emergency_stop(connection.codec))
+        on_the_bus = self.keeper.request(frames, self._clock())
+        self._end_all()
+        self._tell("stop_sent" if on_the_bus else "stop_not_sent")
+        self._name_others()
+
+    def withdraw(self) -> None:
+        """The operator wants a stop no more that is outstanding."""
+        if self.keeper.requested:
+            self.keeper.forget()
+            self._tell("stop_withdrawn")
+
+    def on_connecting(self, device: Device) -> None:
+        """A stop that is outstanding holds for the device it was asked of, and no other."""
+        self._watch.forget()
+        self._halted_s = None
+        if self.keeper.requested and self._asked_of is not None and not device.same(self._asked_of):
+            self.keeper.forget()
+            self._tell("stop_abandoned", device=self._asked_of)
+
+    def advance(self, state: ArmState, now_s: float, *, resuming: bool, still: bool) -> None:
+        """Take in what was heard; called at each tick, whatever else fails."""
+        keeper = self.keeper
+        online = self._connection.link is LinkState.ONLINE
+        if keeper.advance(state, now_s, online=online):
+            self._watch.confirmed()
+            self._tell("stop_confirmed")
+        unconfirmed = keeper.unconfirmed(now_s)
+        if unconfirmed and not self._was_unconfirmed:
+            self._tell("stop_unconfirmed")
+        if keeper.lapsed and not self._was_lapsed:
+            self._tell("stop_lapsed")
+        self._was_unconfirmed, self._was_lapsed = unconfirmed, keeper.lapsed
+        if self._watch.undone(state, now_s, resuming=resuming):
+            self._tell("stop_undone")
+            if self.stop_again:
+                self.stop()
+        self._follow_halt(now_s, still=still)
+
+    def state(self, state: ArmState, now_s: float, *, resuming: bool) -> StopState:
+        """Where the stop stands; see :meth:`EmergencyStop.state`."""
+        online = self._connection.link is LinkState.ONLINE
+        return self.keeper.state(state, now_s, online=online, resuming=resuming)
+
+    def _name_others(self) -> None:
+        """Name the arms with another offset that are heard: the stop reaches them, too."""
+        own = self._connection.offsets.addressing.feedback_offset
+        heard_s = self._connection.newest.status_heard_s
+        for offset, at_s in zip(OFFSETS, heard_s, strict=True):
+            if offset != own and is_fresh(at_s, self._clock()):
+                self._tell("stop_reaches_other", feedback=f"0x{0x2A1 + offset:03X}")
+
+    def _on_every_offset(self, frames: Sequence[Frame]) -> list[Frame]:
+        """The frames on this arm's own identifier first, the two others directly behind."""
+        addressing = self._connection.codec.addressing
+        return [
+            Frame(shifted, frame.data)
+            for frame in frames
+            for shifted in addressing.on_every_offset(frame.arbitration_id)
+        ]
+
+    # Halt and hold ----------------------------------------------------------------------------
+
+    def why_no_halt(self) -> Refusal | None:
+        """The reason against a halt: no arm is heard, or it may only be listened to."""
+        device = self._connection.device
+        if device is not None and device.listen_only:
+            return Refusal("halt_listen_only")
+        return why_unreachable(self._connection.link)
+
+    def halt(self, end_driven: Callable[[], None]) -> Refusal | None:
+        """End any motion with power on (0x150 byte 1 = 6): the joints hold where they come to rest.
+
+        Past everything that waits, which is dropped. A replay of drag teaching is aborted, too
+        (0x150 byte 2 = 6).
+
+        Args:
+            end_driven: Ends whatever this program drives; called when the frames are on their way.
+        """
+        refusal = self.why_no_halt()
+        if refusal is not None:
+            self._tell("refused", reason=refusal)
+            return refusal
+        codec = self._connection.codec
+        frames = commands.trajectory_command(codec, TrajectoryCommand.ABORT)
+        if self._replays_teaching():
+            frames += commands.teaching_command(codec, TeachingState.ABORT)
+        out = self._connection.send_urgent(self._on_every_offset(frames))
+        end_driven()
+        self._halted_s = self._clock()
+        self._tell("halt_sent" if out else "halt_not_out")
+        return None
+
+    def _replays_teaching(self) -> bool:
+        """Whether the arm says that it runs a recording of its own: that has its own abort."""
+        status = self._connection.newest.status
+        return status is not None and phase_of(status.value) in {
+            TeachingPhase.REPLAYING,
+            TeachingPhase.PAUSED,
+        }
+
+    def _follow_halt(self, now_s: float, *, still: bool) -> None:
+        if self._halted_s is None:
+            return
+        if still:
+            self._halted_s = None
+            self._tell("halt_at_rest")
+        elif now_s - self._halted_s > _AT_REST_S:
+            self._halted_s = None  # a cancel that is not heeded is told by whoever knows who moves

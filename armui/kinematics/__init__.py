@@ -1,0 +1,1 @@
+"""Forward and inverse kinematics, tool paths and their pace; knows numbers only."""

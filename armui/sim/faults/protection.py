@@ -1,0 +1,117 @@
+"""How the arm protects itself: from heat, low voltage, stalled joints and collisions.
+
+The protocol names the alarms and no thresholds; those here are assumptions. So is the meaning of
+the collision levels: the higher the level, the more torque is put down to other causes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Final
+
+from armui.sim.condition import Condition
+from armui.sim.faults.alarms import CUTS_POWER, Alarm
+from armui.sim.mechanics.drivers import Drivers
+from armui.sim.mechanics.gravity import PAYLOADS_KG, Weight
+from armui.sim.mechanics.mechanics import Mechanics
+from armui.sim.mechanics.powered_joints import JOINT_COUNT
+from armui.sim.mechanics.unpowered_joints import UnpoweredJoints
+from armui.sim.parameters.settings import ArmSettingsRecord
+
+LOWEST_V: Final = 20.0
+HOT_C: Final = 80.0
+COOL_C: Final = 75.0
+"""A driver that was too hot is content again below this."""
+
+COLLISION_STEP_NM: Final = (2.0, 2.0, 2.0, 0.6, 0.6, 0.6)
+"""Unexplained torque that counts as a collision, for each level and joint."""
+
+
+class Protection:
+    """Watches the drivers, and takes what a test does to the joints."""
+
+    def __init__(
+        self,
+        mechanics: Mechanics,
+        drivers: Drivers,
+        condition: Condition,
+        settings: ArmSettingsRecord,
+        brake: Callable[[], None],
+    ) -> None:
+        """Watches one arm; `brake` is called when an alarm asks for it."""
+        self._brake = brake
+        self._body = mechanics
+        self._drivers = drivers
+        self._condition = condition
+        self._settings = settings
+        self._blocked = [False] * JOINT_COUNT
+
+    def set_alarm(self, index: int, alarm: Alarm, *, present: bool) -> None:
+        """Says whether the cause of an alarm of a joint (0–5) is there."""
+        is_new = self._condition.alarms.set(index, alarm, present=present)
+        if present and alarm in CUTS_POWER and self._body.powered[index]:
+            self._body.power_off((index,), UnpoweredJoints.FREE)
+        if is_new:
+            self._brake()
+
+    def block(self, index: int, *, blocked: bool) -> None:
+        """Keeps a joint (0–5) from turning under power, or lets it."""
+        self._blocked[index] = blocked
+
+    def push(self, index: int, torque_nm: float) -> None:
+        """Pushes at a joint (0–5) from outside, until told otherwise with 0."""
+        pushes_nm = list(self._body.weight.pushes_nm)
+        pushes_nm[index] = torque_nm
+        self._body.weight.pushes_nm = tuple(pushes_nm)
+
+    def may_power(self, index: int) -> bool:
+        """Whether a motor may be switched on: nothing keeps its driver off."""
+        return not self._condition.alarms.of(index) & CUTS_POWER
+
+    def watch_torques(self) -> None:
+        """Looks for stalled joints and collisions."""
+        if any(self._blocked):
+            self._find_stall()
+        weight = self._body.weight
+        told_kg = PAYLOADS_KG[self._settings.load]
+        if weight.payload_kg == told_kg and not any(weight.pushes_nm):
+            if self._condition.alarms.collision:
+                self._compare((0.0,) * JOINT_COUNT)
+            return
+        positions_deg = self._body.positions_deg
+        expected = Weight(weight.zeros_deg, told_kg).torques_nm(positions_deg)
+        real = weight.torques_nm(positions_deg)
+        self._compare(a - b for a, b in zip(real, expected, strict=True))
+
+    def watch_driver(self, index: int) -> None:
+        """Looks at the temperatures and the supply of one driver (0–5)."""
+        drivers = self._drivers
+        self.set_alarm(index, Alarm.UNDERVOLTAGE, present=drivers.supply_v < LOWEST_V)
+        for alarm, celsius in (
+            (Alarm.MOTOR_OVERTEMPERATURE, drivers.motor_temperatures_c[index]),
+            (Alarm.DRIVER_OVERTEMPERATURE, drivers.driver_temperatures_c[index]),
+        ):
+            was_hot = alarm in self._condition.alarms.of(index)
+            self.set_alarm(index, alarm, present=celsius >= (COOL_C if was_hot else HOT_C))
+
+    def _compare(self, unexplained_nm: Iterable[float]) -> None:
+        for index, torque_nm in enumerate(unexplained_nm):
+            level = self._settings.collision_levels[index]
+            felt = level > 0 and abs(torque_nm) >= level * COLLISION_STEP_NM[index]
+            self.set_alarm(index, Alarm.COLLISION, present=felt and self._body.powered[index])
+
+    def _find_stall(self) -> None:
+        """A joint that cannot turn stands, and with it the others that were on their way."""
+        mechanics = self._body
+        if not mechanics.moving:
+            return
+        stalled = [
+            index
+            for index, blocked in enumerate(self._blocked)
+            if blocked and mechanics.powered[index] and mechanics.speeds_deg_s[index] != 0.0
+        ]
+        for index in stalled:
+            self.set_alarm(index, Alarm.STALL, present=True)
+            self.set_alarm(index, Alarm.STALL, present=False)
+        if stalled:
+            mechanics.halt()

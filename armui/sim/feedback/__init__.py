@@ -1,0 +1,1 @@
+"""What the simulated arm tells, and when."""

@@ -1,0 +1,89 @@
+"""When which feedback frame is due."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+from armui.protocol.database import load_database
+from armui.protocol.generation import Generation
+
+TICK_NS: Final = 5_000_000
+"""Frames leave on this grid: one burst of frames, one thread switch."""
+
+_NS_PER_MS: Final = 1_000_000
+_CONTROLLER: Final = (
+    "ArmStatus",
+    "EndPose1",
+    "EndPose2",
+    "EndPose3",
+    "JointFeedback12",
+    "JointFeedback34",
+    "JointFeedback56",
+    "GripperFeedback",
+)
+_PER_DRIVER: Final = ("DriverFast", "DriverSlow")
+_END_MOTION: Final = tuple(f"EndMotion{joint}" for joint in range(1, 7))
+
+
+@dataclass(slots=True)
+class _Slot:
+    """Frames that leave together."""
+
+    due_ns: int
+    period_ns: int
+    names: tuple[str, ...]
+    is_end_motion: bool
+
+
+class FeedbackSchedule:
+    """The periodic feedback of one generation, with the cycle times of its DBC file.
+
+    The controller sends its eight frames as one burst, so that they belong together. The six
+    drivers send each for itself, spread over the period as far as the grid allows.
+
+    Attributes:
+        end_motion: Whether 0x481–0x486 are on; they follow the controller's frames.
+    """
+
+    def __init__(self, generation: Generation) -> None:
+        self.end_motion = False
+        database = load_database(generation)
+        groups: dict[tuple[int, int, bool], list[str]] = {}
+
+        def add(name: str, part: int, parts: int) -> None:
+            cycle_time_ms = database.get_message_by_name(name).cycle_time
+            if not cycle_time_ms:
+                raise ValueError(f"{name} has no cycle time in the DBC file; give it one")
+            period_ns = cycle_time_ms * _NS_PER_MS
+            first_ns = -(-period_ns * part // (parts * TICK_NS)) * TICK_NS
+            groups.setdefault((first_ns, period_ns, name in _END_MOTION), []).append(name)
+
+        for name in _CONTROLLER:
+            add(name, 1, 1)
+        for name in _END_MOTION:
+            add(name, 1, 1)
+        for kind in _PER_DRIVER:
+            for joint in range(1, 7):
+                add(f"{kind}{joint}", joint, 6)
+        self._slots = [
+            _Slot(first_ns, period_ns, tuple(names), optional)
+            for (first_ns, period_ns, optional), names in groups.items()
+        ]
+        self.next_ns = min(slot.due_ns for slot in self._slots)
+        self.periods_ns: Mapping[str, int] = {
+            name: slot.period_ns for slot in self._slots for name in slot.names
+        }
+
+    def pop(self) -> list[str]:
+        """The names of the frames due at `next_ns`, in the order of the bus; moves on."""
+        now_ns = self.next_ns
+        names: list[str] = []
+        for slot in self._slots:
+            if slot.due_ns == now_ns:
+                if self.end_motion or not slot.is_end_motion:
+                    names += slot.names
+                slot.due_ns += slot.period_ns
+        self.next_ns = min(slot.due_ns for slot in self._slots)
+        return names

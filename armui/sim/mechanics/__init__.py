@@ -1,0 +1,1 @@
+"""How the simulated arm moves: powered, unpowered or led by hand, under gravity."""

@@ -1,0 +1,111 @@
+"""The gripper: jaws that move to where they are told, and grip what is between them."""
+
+from __future__ import annotations
+
+import enum
+import math
+from typing import Final
+
+from armui.protocol.generation import Generation
+from armui.sim.parameters.settings import ArmSettingsRecord
+
+_OPENING_SPEED_MM_S: Final = 80.0
+_WIDEST_MM: Final = 100.0
+_WIDEST_DEG: Final = 100.0
+
+
+class GripperError(enum.StrEnum):
+    """What the gripper's driver complains of: the flags of 0x2A8 byte 6, generation 2."""
+
+    UNDERVOLTAGE = "Undervoltage"
+    MOTOR_OVERTEMPERATURE = "MotorOvertemperature"
+    OVERCURRENT = "Overcurrent"
+    DRIVER_OVERTEMPERATURE = "DriverOvertemperature"
+    SENSOR_FAULT = "SensorFault"
+    DRIVER_FAULT = "DriverFault"
+
+
+class SimulatedGripper:
+    """Where the gripper is, where it goes and what it holds.
+
+    Its travel is an opening in mm in generation 2 and an angle in degrees in generation 1. It
+    grows as the jaws open.
+
+    Attributes:
+        travel: Present opening or angle.
+        speed: Present speed of the travel, per second.
+        torque_nm: Torque it grips with; 0 while nothing is between the jaws. Generation 2.
+        enabled: Whether its motor has power.
+        errors: What is wrong; it has no power until they are cleared.
+        object_width: Size of the thing between the jaws, in the unit of the travel, or None.
+    """
+
+    def __init__(self, generation: Generation, settings: ArmSettingsRecord) -> None:
+        self._generation = generation
+        self._settings = settings
+        self.travel = 0.0
+        self.speed = 0.0
+        self.torque_nm = 0.0
+        self.enabled = False
+        self.errors: set[GripperError] = set()
+        self.object_width: float | None = None
+        self._target = 0.0
+        self._top_speed = _OPENING_SPEED_MM_S
+        self._wanted_nm = 0.0
+
+    def command(self, signals: dict[str, float]) -> None:
+        """Obeys a 0x159 of either generation; a disabled gripper stays where it is."""
+        if signals["ClearError"]:
+            self.errors.clear()
+        self.enabled = bool(signals["Enable"]) and not self.errors
+        if not self.enabled:
+            self.release()
+            if signals.get("SetZero") and not signals["Enable"]:
+                self.travel = self._target = 0.0
+            return
+        target = signals["Opening"] if "Opening" in signals else signals["Angle"]
+        self._target = min(max(target, 0.0), self.widest)
+        if "Speed" in signals:
+            self._top_speed = math.degrees(signals["Speed"])
+        self._wanted_nm = signals.get("Torque", 0.0)
+
+    @property
+    def widest(self) -> float:
+        """How far it opens: generation 2 sets a stroke limit with 0x47D, 0 for none."""
+        if self._generation is Generation.ONE:
+            return _WIDEST_DEG
+        return self._settings.teaching.stroke_limit_mm or _WIDEST_MM
+
+    def release(self) -> None:
+        """Takes its power; it stays where it is."""
+        self.enabled = False
+        self.speed = self.torque_nm = 0.0
+        self._target = self.travel
+
+    def fail(self, error: GripperError) -> None:
+        """Lets its driver complain and give up."""
+        self.errors.add(error)
+        self.release()
+
+    def lead(self, travel: float) -> None:
+        """Puts the jaws where a hand holds them."""
+        self.travel = self._target = min(max(travel, 0.0), self.widest)
+
+    def advance(self, dt_s: float) -> None:
+        """Lets time pass."""
+        self.speed = self.torque_nm = 0.0
+        if not self.enabled:
+            return
+        goal = self._target
+        thing = self.object_width
+        if thing is not None and goal < thing <= self.travel:
+            goal = thing
+        gap = goal - self.travel
+        stride = self._top_speed * dt_s
+        if stride < abs(gap):
+            self.travel += math.copysign(stride, gap)
+            self.speed = math.copysign(self._top_speed, gap)
+        else:
+            self.travel = goal
+            if goal != self._target:
+                self.torque_nm = self._wanted_nm

@@ -1,0 +1,263 @@
+"""The arm's mechanics: joints that are driven, held, or gone limp."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from armui.arm.limits import JointLimits
+from armui.sim.mechanics.gravity import Weight
+from armui.sim.mechanics.hand_guiding import HandGuiding
+from armui.sim.mechanics.powered_joints import JOINT_COUNT, STANDSTILL, JointMotion, SixValues
+from armui.sim.mechanics.servo import JointServo
+from armui.sim.mechanics.unpowered_joints import LimpJoints, UnpoweredJoints
+from armui.sim.motion.tool_plan import PathMotion
+
+
+class Mechanics:
+    """Six joints, their power and their motion through time.
+
+    At the start no motor has power and the arm rests, supported, where it is put.
+
+    Attributes:
+        positions_deg: Where the joints are, joint 1 first.
+        speeds_deg_s: How fast they turn.
+        accelerations_deg_s2: How their speeds change under power.
+        powered: Which motors have power.
+        weight: What gravity pulls at.
+    """
+
+    def __init__(self, positions_deg: Iterable[float], weight: Weight | None = None) -> None:
+        self.weight = weight or Weight()
+        self._motion = JointMotion(positions_deg)
+        self._path: PathMotion | None = None
+        self._hand: HandGuiding | None = None
+        self._servo = JointServo()
+        self._sag_deg: SixValues = STANDSTILL
+        self._limp = LimpJoints(self.weight)
+        self.positions_deg: SixValues = self._motion.positions_deg
+        self.speeds_deg_s: SixValues = STANDSTILL
+        self.accelerations_deg_s2: SixValues = STANDSTILL
+        self.powered: tuple[bool, ...] = (False,) * JOINT_COUNT
+
+    @property
+    def moving(self) -> bool:
+        """Whether the motors are moving joints along a plan."""
+        return self._motion.moving if self._path is None else self._path.moving
+
+    @property
+    def setpoints_deg(self) -> SixValues:
+        """Where the controller holds or moves the joints; they are there but for their sag."""
+        return self._motion.positions_deg
+
+    @property
+    def sag_deg(self) -> SixValues:
+        """By how much each powered joint stands off its setpoint, as under a load; 0 at first.
+
+        Joints that are caught or halted are held where they stand: only a motion brings sag.
+        """
+        return self._sag_deg
+
+    @sag_deg.setter
+    def sag_deg(self, sag_deg: Iterable[float]) -> None:
+        self._sag_deg = tuple(sag_deg)
+        self._read_motion()
+
+    @property
+    def gives_way(self) -> bool:
+        """Whether it goes where a hand leads it."""
+        return self._hand is not None
+
+    def power_on(self, indices: Iterable[int]) -> None:
+        """Powers motors; each holds its joint where it is."""
+        for index in indices:
+            is_caught = index in self._limp or (not self.powered[index] and self._sag_deg[index])
+            self._limp.catch(index)
+            self._set_power(index, on=True)
+            if is_caught:
+                self._place()
+        self._read_motion()
+
+    def power_off(self, indices: Iterable[int], unpowered: UnpoweredJoints) -> None:
+        """Takes the power from motors; their joints give way to gravity.
+
+        A joint that never had power lies supported, and stays; one that is limp already gives way
+        as asked now.
+        """
+        self._hand = None
+        indices = [index for index in indices if self.powered[index] or index in self._limp]
+        self._servo.void(indices)
+        self._limp.release(indices, unpowered)
+        for index in indices:
+            self._set_power(index, on=False)
+        if not any(self.powered):
+            self._place()
+        self._read_motion()
+
+    def let_go(self, indices: Iterable[int], unpowered: UnpoweredJoints) -> None:
+        """Leaves motors their power and takes what they hold at: their joints give way."""
+        self._hand = None
+        indices = [index for index in indices if self.powered[index]]
+        self._servo.void(indices)
+        self._limp.release(indices, unpowered)
+        if not any(self._holds(index) for index in range(JOINT_COUNT)):
+            self._place()
+        self._read_motion()
+
+    def steer(self, index: int, setpoint_deg: float) -> None:
+        """Gives a joint a setpoint that its driver follows without a plan; nothing without power.
+
+        A plan under way is dropped.
+        """
+        if not self.powered[index]:
+            return
+        if index in self._limp:
+            self._limp.catch(index)
+            self._place()
+        self._path = None
+        self._servo.set(index, setpoint_deg)
+
+    def move_to(
+        self,
+        targets_deg: Iterable[float],
+        speeds_deg_s: Sequence[float],
+        accelerations_deg_s2: Sequence[float],
+    ) -> None:
+        """Moves all joints; every motor must have power. A motion under way is replaced."""
+        self._take_up()
+        self._path = None
+        self._motion.move_to(targets_deg, speeds_deg_s, accelerations_deg_s2)
+
+    def follow(self, path: PathMotion) -> None:
+        """Moves all joints along a path that begins at their setpoints; it says how fast."""
+        self._take_up()
+        self._path = path
+
+    def brake(self, accelerations_deg_s2: Sequence[float]) -> None:
+        """Brings a motion to its end as fast as the joints allow, along a path where it has one.
+
+        Joints that follow setpoints without a plan go on to them.
+        """
+        if self._servo:
+            return
+        if self._path is None:
+            self._motion.brake(accelerations_deg_s2)
+        else:
+            self._path.run(0.0)
+
+    def give_way(self, hand_guiding: HandGuiding) -> None:
+        """Powers all motors to carry the arm's weight and no more; a hand leads it."""
+        self.power_on(range(JOINT_COUNT))
+        self.halt()
+        self._hand = hand_guiding
+
+    def hold(self) -> None:
+        """Holds the joints against any hand."""
+        if self._hand is not None:
+            self._hand = None
+            self.halt()
+
+    def halt(self) -> None:
+        """Stands at once, without regard for what the joints can do."""
+        self._servo.void()
+        self._place()
+        self._read_motion()
+
+    def count_anew(self, positions_deg: Iterable[float]) -> None:
+        """Reads other angles where the joints stand, as after a zero was set; nothing moves.
+
+        A plan under way would lead elsewhere: let it end first.
+        """
+        self.positions_deg = tuple(positions_deg)
+        self._servo.void()
+        self._place()
+        self._read_motion()
+
+    def advance(self, dt_s: float, limits: Sequence[JointLimits]) -> None:
+        """Lets time pass."""
+        if self._hand is not None:
+            led_to, speeds_deg_s = self._hand.advance(self.positions_deg, limits, dt_s)
+            self._motion.carry(self._without_sag(led_to), speeds_deg_s, STANDSTILL)
+            self._read_motion()
+            return
+        was_moving = self.moving or bool(self._servo)
+        self._advance_motion(dt_s, limits)
+        if self._limp:
+            self.positions_deg = self._limp.advance(self._driven_and_limp(), limits, dt_s)
+            self._read_speeds()
+        elif was_moving:
+            self._read_motion()
+
+    def _advance_motion(self, dt_s: float, stops: Sequence[JointLimits]) -> None:
+        if self._servo:
+            there, speeds_deg_s = self._servo.advance(self._motion.positions_deg, stops, dt_s)
+            self._motion.carry(there, speeds_deg_s, STANDSTILL)
+            return
+        path = self._path
+        if path is None:
+            self._motion.advance(dt_s)
+            return
+        path.advance(dt_s)
+        self._motion.carry(path.positions_deg, path.speeds_deg_s, path.accelerations_deg_s2)
+        if not path.moving:
+            self._path = None
+
+    def _place(self) -> None:
+        """Holds every joint where it stands."""
+        self._path = None
+        self._motion.place(self._without_sag(self.positions_deg))
+
+    def _take_up(self) -> None:
+        """Lets the planner drive the joints that gave way or followed setpoints."""
+        if self._servo:
+            self._servo.void()
+        if self._limp:
+            self.power_on(i for i in range(JOINT_COUNT) if i in self._limp and self.powered[i])
+
+    def _holds(self, index: int) -> bool:
+        return self.powered[index] and index not in self._limp
+
+    def _without_sag(self, positions_deg: SixValues) -> SixValues:
+        """The setpoints at which the joints stand there."""
+        return self._shifted(positions_deg, -1.0)
+
+    def _shifted(self, positions_deg: SixValues, sign: float) -> SixValues:
+        """Angles moved by the sag of the joints that are held."""
+        if not any(self._sag_deg):
+            return positions_deg
+        return tuple(
+            angle + sign * sag if self._holds(i) else angle
+            for i, (angle, sag) in enumerate(zip(positions_deg, self._sag_deg, strict=True))
+        )
+
+    def _driven_and_limp(self) -> SixValues:
+        """Where the plan has the joints it drives, and where the limp ones are."""
+        driven = self._shifted(self._motion.positions_deg, 1.0)
+        return tuple(
+            self.positions_deg[i] if i in self._limp else driven[i] for i in range(JOINT_COUNT)
+        )
+
+    def _set_power(self, index: int, *, on: bool) -> None:
+        self.powered = (*self.powered[:index], on, *self.powered[index + 1 :])
+
+    def _read_motion(self) -> None:
+        """Takes over what the plan says of the joints that are not limp."""
+        if self._limp:
+            self.positions_deg = self._driven_and_limp()
+        else:
+            self.positions_deg = self._shifted(self._motion.positions_deg, 1.0)
+        self._read_speeds()
+
+    def _read_speeds(self) -> None:
+        motion = self._motion
+        if not self._limp:
+            self.speeds_deg_s = motion.speeds_deg_s
+            self.accelerations_deg_s2 = motion.accelerations_deg_s2
+            return
+        limp_speeds = self._limp.speeds_deg_s
+        self.speeds_deg_s = tuple(
+            limp_speeds[i] if i in self._limp else motion.speeds_deg_s[i]
+            for i in range(JOINT_COUNT)
+        )
+        self.accelerations_deg_s2 = tuple(
+            0.0 if i in self._limp else motion.accelerations_deg_s2[i] for i in range(JOINT_COUNT)
+        )

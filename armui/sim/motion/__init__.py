@@ -1,0 +1,1 @@
+"""What the simulated controller makes of motion commands."""

@@ -1,0 +1,207 @@
+"""The one motion under way: started, slowed, paused, sent on, cut short, reached."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Sequence
+from typing import Final
+
+from armui.protocol.codes import ArmStatusCode, MotionState, MoveMode
+from armui.sim.condition import Condition
+from armui.sim.mechanics.mechanics import Mechanics
+from armui.sim.mechanics.powered_joints import MotionError, SixValues
+from armui.sim.motion.tool_plan import PathMotion, PlanningError
+from armui.sim.parameters.settings import ArmSettingsRecord
+
+Leg = SixValues | PathMotion | Callable[[SixValues], PathMotion | None]
+"""Part of a motion: six angles to go to, a path, or what plans one from where the joints stand.
+
+A planner that returns None says that there is no way left to go.
+"""
+
+_NOTHING: Final = object()
+
+
+class MotionExecutor:
+    """Carries out one order of the host at a time; the next replaces it.
+
+    An order is what the host asked for, in any form that can be compared: hosts repeat themselves
+    at 200 Hz, and what is under way, done or refused already is not begun again.
+
+    Attributes:
+        targets_deg: Where the last order taken on leads.
+        paused: Whether a pause is in force. It holds back an order that replaces the paused one,
+            and ends when that is cut short.
+    """
+
+    def __init__(
+        self, mechanics: Mechanics, condition: Condition, settings: ArmSettingsRecord
+    ) -> None:
+        self._body = mechanics
+        self._condition = condition
+        self._settings = settings
+        self._legs: list[Leg] = []
+        self._running: PathMotion | None = None
+        self._move_mode = MoveMode.MOVE_J
+        self._order: Hashable = _NOTHING
+        self._settled: tuple[object, ...] = ()
+        self.paused = False
+        self.targets_deg: SixValues = mechanics.positions_deg
+
+    @property
+    def may_move(self) -> bool:
+        """Whether the arm is in a state to take targets at all."""
+        condition = self._condition
+        return all(self._body.powered) and not condition.stopped and not condition.hindered
+
+    def serves(self, order: Hashable) -> bool:
+        """Whether this very order is under way, or was done or refused just here."""
+        return self.pursues(order) or (
+            order == self._order and self._settled == self._circumstances()
+        )
+
+    def pursues(self, order: Hashable) -> bool:
+        """Whether this very order is under way."""
+        return bool(self._legs) and order == self._order
+
+    def begin(
+        self, order: Hashable, legs: Sequence[Leg], move_mode: MoveMode, end_deg: SixValues
+    ) -> None:
+        """Takes on an order; the motion before it is replaced.
+
+        Args:
+            order: What the host asked for.
+            legs: The parts of the way, in order. A path begins where the leg before it ends.
+            move_mode: The kind of motion; leaving it cuts the order short.
+            end_deg: Where it leads.
+        """
+        self._condition.accept_target()
+        self._order, self._legs, self._move_mode = order, list(legs), move_mode
+        self._running = None
+        self.targets_deg = end_deg
+        self.drive()
+
+    def refuse(self, order: Hashable, planning_error: PlanningError) -> None:
+        """Says why an order cannot be carried out; the arm stays, or brakes."""
+        condition = self._condition
+        condition.accept_target()
+        condition.no_solution = planning_error.status is ArmStatusCode.NO_SOLUTION
+        condition.singular = planning_error.status is ArmStatusCode.SINGULARITY
+        condition.beyond_limit = list(planning_error.beyond)
+        self.cut_short()
+        self._order, self._settled = order, self._circumstances()
+
+    def mode_changed(self) -> None:
+        """Ends or changes the motion as the mode and speed in `condition` now ask."""
+        if not self._condition.obeys(self._move_mode):
+            self.cut_short()
+        else:
+            self.drive()
+
+    def pause(self) -> None:
+        """Brakes, along the path where there is one; the order stays. At rest it is nothing."""
+        if self._legs:
+            self.paused = True
+            self._brake()
+
+    def go_on(self) -> None:
+        """Ends a pause."""
+        self.paused = False
+        self.drive()
+
+    def cut_short(self) -> None:
+        """Brakes; the order counts as not reached. A pause ends with it."""
+        self.forget()
+        self._brake()
+
+    def forget(self) -> None:
+        """Drops the order and a pause; what moves is left to the caller."""
+        self._legs.clear()
+        self._running = None
+        self._order = _NOTHING
+        self.paused = False
+
+    def drive(self) -> None:
+        """Moves on with the present leg, as fast as the speed percentage says."""
+        if not self._legs:
+            return
+        if self.paused or not self._share:
+            self._brake()
+            return
+        leg = self._legs[0]
+        if isinstance(leg, tuple):
+            self._drive_joints(leg)
+        else:
+            self._drive_path(leg)
+
+    def time_passed(self) -> None:
+        """Notices the end of a leg, and begins the next."""
+        if not self._legs:
+            return
+        leg = self._legs[0]
+        if isinstance(leg, tuple):
+            if self._body.setpoints_deg == leg:
+                self._next_leg()
+        elif self._running is None:
+            self.drive()
+        elif self._running.at_end:
+            self._next_leg()
+
+    @property
+    def _share(self) -> float:
+        return self._condition.speed_percent / 100.0
+
+    def _drive_joints(self, goal_deg: SixValues) -> None:
+        limits = self._settings.limits
+        speeds = [self._share * each.max_speed_deg_s for each in limits]
+        try:
+            self._body.move_to(goal_deg, speeds, self._settings.accelerations_deg_s2)
+        except MotionError:
+            self._body.halt()
+            self.refuse(self._order, PlanningError(ArmStatusCode.NO_SOLUTION))
+            return
+        if self._body.moving:
+            self._condition.motion_state = MotionState.NOT_REACHED
+        else:
+            self._next_leg()
+
+    def _drive_path(self, leg: PathMotion | Callable[[SixValues], PathMotion | None]) -> None:
+        """Runs along a path; one not begun waits until the joints stand."""
+        if self._running is None:
+            if self._body.moving:
+                self._brake()
+                return
+            try:
+                path = leg if isinstance(leg, PathMotion) else leg(self._body.setpoints_deg)
+            except PlanningError as planning_error:
+                self.refuse(self._order, planning_error)
+                return
+            if path is None:
+                self._next_leg()
+                return
+            self._running = path
+            self.targets_deg = path.end_deg
+        self._condition.motion_state = MotionState.NOT_REACHED
+        self._running.run(self._share)
+        self._body.follow(self._running)
+
+    def _next_leg(self) -> None:
+        self._running = None
+        del self._legs[0]
+        if self._legs:
+            self.drive()
+        else:
+            self._settled = self._circumstances()
+            self._condition.motion_state = MotionState.REACHED
+
+    def _brake(self) -> None:
+        self._body.brake(self._settings.accelerations_deg_s2)
+
+    def _circumstances(self) -> tuple[object, ...]:
+        """What the outcome of an order depends on."""
+        settings = self._settings
+        return (
+            self._body.positions_deg,
+            tuple(settings.limits),
+            tuple(settings.accelerations_deg_s2),
+            settings.end_limits,
+        )

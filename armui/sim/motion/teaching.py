@@ -1,0 +1,194 @@
+"""Drag teaching: a hand leads the arm, the arm remembers and does it again (0x150 byte 2)."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Callable
+from typing import Final
+
+from armui.protocol.codes import ArmStatusCode, ControlMode, MotionState, TeachingState
+from armui.sim.condition import Condition
+from armui.sim.mechanics.hand_guiding import HandGuiding
+from armui.sim.mechanics.mechanics import Mechanics
+from armui.sim.mechanics.powered_joints import SixValues
+from armui.sim.motion.tool_plan import PathMotion, PlanningError, plan_replay
+from armui.sim.parameters.settings import ArmSettingsRecord
+
+_SAMPLE_S: Final = 0.05
+_LONGEST_S: Final = 600.0
+_NEAR_REST_DEG: Final = 15.0
+_TO_START_SHARE: Final = 0.2
+"""Share of the joints' highest speeds with which the arm goes to a recording's start."""
+
+
+class _Phase(enum.Enum):
+    IDLE = enum.auto()
+    RECORDING = enum.auto()
+    TO_START = enum.auto()
+    RUNNING = enum.auto()
+    PAUSED = enum.auto()
+
+
+class SimulatedTeaching:
+    """Records what a hand does with the arm, and replays it.
+
+    A replay is as fast as the hand was, and slower where the hand asked more than the motors can
+    do. Once in drag teaching the arm obeys no mode until it is reset near its rest pose.
+
+    Attributes:
+        entered: Whether the arm is in drag teaching.
+        recording: Where the joints were, every 50 ms.
+    """
+
+    def __init__(
+        self,
+        mechanics: Mechanics,
+        condition: Condition,
+        settings: ArmSettingsRecord,
+        hand_guiding: HandGuiding,
+    ) -> None:
+        self._body = mechanics
+        self._condition = condition
+        self._settings = settings
+        self._hand = hand_guiding
+        self._phase = _Phase.IDLE
+        self._since_sample_s = 0.0
+        self._path: PathMotion | None = None
+        self._goes_on = False
+        self.entered = False
+        self.recording: list[SixValues] = []
+        self._commands: dict[TeachingState, Callable[[], bool]] = {
+            TeachingState.START_RECORDING: self._start_recording,
+            TeachingState.STOP_RECORDING: self._stop_recording,
+            TeachingState.RUN_RECORDING: self._run,
+            TeachingState.PAUSE: self._pause,
+            TeachingState.CONTINUE: self._continue,
+            TeachingState.ABORT: self._abort,
+            TeachingState.MOVE_TO_START: self._move_to_start,
+        }
+
+    def command(self, command: TeachingState) -> None:
+        """Obeys 0x150 byte 2; what makes no sense now is ignored."""
+        obey = self._commands.get(command)
+        if obey is not None and obey():
+            self._condition.teaching_state = command
+
+    def interrupt(self) -> None:
+        """Ends what is under way, as a stop or a cut of the power does; the recording stays."""
+        self._phase, self._path = _Phase.IDLE, None
+        self._condition.teaching_state = TeachingState.OFF
+        self._condition.activity = ArmStatusCode.NORMAL
+
+    def reset(self) -> bool:
+        """Leaves drag teaching, if the arm is near its rest pose; whether it is left."""
+        if self.entered and max(map(abs, self._body.positions_deg)) > _NEAR_REST_DEG:
+            return False
+        self.entered = False
+        return True
+
+    def time_passed(self, dt_s: float) -> None:
+        """Records, watches the hand's speed, notices what is reached."""
+        if self._phase is _Phase.RECORDING:
+            self._record(dt_s)
+        elif self._phase is not _Phase.IDLE and self._condition.hindered:
+            self._abort()
+        elif self._phase is _Phase.TO_START and not self._body.moving:
+            self._at_start()
+        elif self._phase is _Phase.RUNNING and self._path is not None and self._path.at_end:
+            self._finish()
+
+    def _record(self, dt_s: float) -> None:
+        limits, speeds = self._settings.limits, self._body.speeds_deg_s
+        if any(abs(v) > each.max_speed_deg_s for v, each in zip(speeds, limits, strict=True)):
+            self._stop_recording()
+            self._condition.activity = ArmStatusCode.OVERSPEED_WHILE_TEACHING
+            self._condition.teaching_state = TeachingState.STOP_RECORDING
+            return
+        self._since_sample_s += dt_s
+        if self._since_sample_s > _SAMPLE_S - 1e-9 and len(self.recording) * _SAMPLE_S < _LONGEST_S:
+            self._since_sample_s = 0.0
+            self.recording.append(self._body.positions_deg)
+
+    def _start_recording(self) -> bool:
+        if not all(self._body.powered) or self._condition.hindered:
+            return False
+        self.entered = True
+        self.recording = [self._body.positions_deg]
+        self._since_sample_s = 0.0
+        self._phase, self._path = _Phase.RECORDING, None
+        self._condition.control_mode = ControlMode.TEACHING
+        self._condition.activity = ArmStatusCode.TEACHING_RECORDING
+        self._body.give_way(self._hand)
+        return True
+
+    def _stop_recording(self) -> bool:
+        if self._phase is not _Phase.RECORDING:
+            return False
+        self.recording.append(self._body.positions_deg)
+        self._body.hold()
+        self._phase = _Phase.IDLE
+        self._condition.activity = ArmStatusCode.NORMAL
+        return True
+
+    def _run(self) -> bool:
+        if not self._go_to_start(goes_on=True):
+            return False
+        self._condition.activity = ArmStatusCode.TEACHING_RUNNING
+        return True
+
+    def _move_to_start(self) -> bool:
+        return self._go_to_start(goes_on=False)
+
+    def _go_to_start(self, *, goes_on: bool) -> bool:
+        ready = self.entered and self._phase is _Phase.IDLE and all(self._body.powered)
+        if not ready or not self.recording or self._condition.hindered:
+            return False
+        settings = self._settings
+        speeds = [_TO_START_SHARE * limits.max_speed_deg_s for limits in settings.limits]
+        self._body.move_to(self.recording[0], speeds, settings.accelerations_deg_s2)
+        self._phase, self._goes_on = _Phase.TO_START, goes_on
+        self._condition.activity = ArmStatusCode.NORMAL
+        self._condition.motion_state = MotionState.NOT_REACHED
+        return True
+
+    def _at_start(self) -> None:
+        if not self._goes_on:
+            self._finish()
+            return
+        try:
+            path = plan_replay(self.recording, _SAMPLE_S, self._settings)
+        except PlanningError:
+            self._finish()
+            self._condition.no_solution = True
+            return
+        self._path, self._phase = path, _Phase.RUNNING
+        path.run(1.0)
+        self._body.follow(path)
+
+    def _pause(self) -> bool:
+        if self._phase is not _Phase.RUNNING or self._path is None:
+            return False
+        self._path.run(0.0)
+        self._phase = _Phase.PAUSED
+        self._condition.activity = ArmStatusCode.TEACHING_PAUSED
+        return True
+
+    def _continue(self) -> bool:
+        if self._phase is not _Phase.PAUSED or self._path is None:
+            return False
+        self._path.run(1.0)
+        self._body.follow(self._path)
+        self._phase = _Phase.RUNNING
+        self._condition.activity = ArmStatusCode.TEACHING_RUNNING
+        return True
+
+    def _abort(self) -> bool:
+        if self._phase in (_Phase.IDLE, _Phase.RECORDING):
+            return False
+        self._body.brake(self._settings.accelerations_deg_s2)
+        self.interrupt()
+        return True
+
+    def _finish(self) -> None:
+        self.interrupt()
+        self._condition.motion_state = MotionState.REACHED

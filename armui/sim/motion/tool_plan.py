@@ -1,0 +1,198 @@
+"""From a path of the tool to a motion of the joints, or to the reason why there is none."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+from scipy.interpolate import CubicSpline
+
+from armui.arm.limits import ANGLE_STEP_DEG
+from armui.kinematics.kinematics import Kinematics
+from armui.kinematics.pace import FINER, Demand, joint_demand, pace, tool_demand
+from armui.kinematics.tool_path import ToolPath, follow
+from armui.protocol.codes import ArmStatusCode
+from armui.sim.mechanics.powered_joints import JOINT_COUNT, STANDSTILL, SixValues
+from armui.sim.motion.path_profile import PathProfile
+from armui.sim.parameters.settings import ArmSettingsRecord
+
+Values = npt.NDArray[np.float64]
+
+_STEP_MM: Final = 1.0
+_STEP_DEG: Final = 0.25
+_FEWEST_STEPS: Final = 16
+
+_LONGEST_MM: Final = 5000.0
+"""No line or arc longer than this stays within reach; it need not be looked at in detail."""
+
+_STEEPEST_DEG: Final = 5.0
+"""A joint that would turn more than this in one step of the path is at a singular pose."""
+_JITTER_DEG: Final = 0.01
+"""But this much is rounding, in however short a path."""
+
+_REPLAY_START_1_S: Final = 4.0
+"""A replay takes at least a quarter of a second to come to its pace."""
+
+
+class PlanningError(Exception):
+    """Why a target or a path cannot be followed.
+
+    Attributes:
+        status: NO_SOLUTION, SINGULARITY or TARGET_BEYOND_LIMIT.
+        beyond: The joints that would leave their range, joint 1 first.
+    """
+
+    def __init__(self, status: ArmStatusCode, beyond: Sequence[bool] = ()) -> None:
+        super().__init__(status.name)
+        self.status = status
+        self.beyond = list(beyond) or [False] * JOINT_COUNT
+
+
+class PathMotion:
+    """Six joints that lead the tool along a path; it can be slowed, halted and sent on.
+
+    Attributes:
+        positions_deg: Where the joints are.
+        speeds_deg_s: How fast they turn.
+        accelerations_deg_s2: How their speeds change.
+        end_deg: Where the path ends.
+    """
+
+    def __init__(self, way: CubicSpline, end: float, top_speed: float, acceleration: float) -> None:
+        """At the start of the path, halted.
+
+        Args:
+            way: Joint angles in degrees over the path, from 0 to `end`.
+            end: The path's length, in any unit.
+            top_speed: The highest speed along it.
+            acceleration: The highest acceleration along it.
+        """
+        self._way = way
+        self._rate = way.derivative()
+        self._bend = way.derivative(2)
+        self._rail = PathProfile(end, acceleration)
+        self._top_speed = top_speed
+        self.end_deg: SixValues = tuple(way(end).tolist())
+        self.positions_deg: SixValues = tuple(way(0.0).tolist())
+        self.speeds_deg_s: SixValues = STANDSTILL
+        self.accelerations_deg_s2: SixValues = STANDSTILL
+
+    @property
+    def at_end(self) -> bool:
+        """Whether the path is done."""
+        return self._rail.at_end
+
+    @property
+    def moving(self) -> bool:
+        """Whether the joints turn, or are about to."""
+        return self._rail.moving
+
+    def run(self, share: float) -> None:
+        """Goes on with a share of the highest speed; 0 brakes along the path."""
+        self._rail.run(share * self._top_speed)
+
+    def advance(self, dt_s: float) -> None:
+        """Lets time pass."""
+        profile = self._rail
+        profile.advance(dt_s)
+        if profile.at_end:
+            self.positions_deg = self.end_deg
+            self.speeds_deg_s = self.accelerations_deg_s2 = STANDSTILL
+            return
+        rate = self._rate(profile.position)
+        self.positions_deg = tuple(self._way(profile.position).tolist())
+        self.speeds_deg_s = tuple((rate * profile.speed).tolist())
+        bend = self._bend(profile.position) * profile.speed**2
+        self.accelerations_deg_s2 = tuple((bend + rate * profile.acceleration).tolist())
+
+
+def plan(
+    kinematics: Kinematics, path: ToolPath, start_deg: Sequence[float], settings: ArmSettingsRecord
+) -> PathMotion:
+    """Plans a motion along a path, as fast as the limits of joints and tool allow throughout.
+
+    Args:
+        kinematics: Of the arm.
+        path: Begins where the joints at `start_deg` hold the flange.
+        start_deg: Where the joints stand.
+        settings: The limits.
+
+    Raises:
+        PlanningError: The first place of the path that cannot be passed, and why; or a limit of 0.
+    """
+    if path.length_mm > _LONGEST_MM:
+        raise PlanningError(ArmStatusCode.NO_SOLUTION)
+    units = max(path.length_mm / _STEP_MM, path.angle_deg / _STEP_DEG)
+    steps = max(math.ceil(units), _FEWEST_STEPS)
+    targets = path.poses(np.linspace(0.0, 1.0, steps + 1))
+    joints = follow(kinematics, targets, start_deg)
+    _check(joints, units / steps, settings)
+    places = np.linspace(0.0, units, steps + 1)
+    way = CubicSpline(places, joints)
+    fine = np.linspace(0.0, units, FINER * steps + 1)
+    top_speed, acceleration = _pace(
+        _joint_demand(way, fine, settings),
+        tool_demand(path.poses(fine / units), fine, settings.end_limits),
+    )
+    if not (0.0 < top_speed < math.inf and 0.0 < acceleration < math.inf):
+        raise PlanningError(ArmStatusCode.NO_SOLUTION)
+    return PathMotion(way, units, top_speed, acceleration)
+
+
+def plan_replay(
+    recording: Sequence[SixValues], sample_s: float, settings: ArmSettingsRecord
+) -> PathMotion:
+    """Plans to pass through recorded joint angles again, at their own pace where the joints can.
+
+    Args:
+        recording: Angles in degrees; it begins where the joints stand.
+        sample_s: The time between two of them.
+        settings: The limits.
+
+    Raises:
+        PlanningError: Nothing is recorded, or a limit of 0.
+    """
+    if len(recording) < 2:
+        raise PlanningError(ArmStatusCode.NO_SOLUTION)
+    end = sample_s * (len(recording) - 1)
+    way = CubicSpline(np.linspace(0.0, end, len(recording)), np.array(recording))
+    fine = np.linspace(0.0, end, FINER * (len(recording) - 1) + 1)
+    top_speed, acceleration = _pace(_joint_demand(way, fine, settings))
+    top_speed = min(top_speed, 1.0)
+    if not (top_speed > 0.0 and acceleration > 0.0):
+        raise PlanningError(ArmStatusCode.NO_SOLUTION)
+    return PathMotion(way, end, top_speed, min(acceleration, _REPLAY_START_1_S))
+
+
+def _check(joints: Values, units_a_step: float, settings: ArmSettingsRecord) -> None:
+    """Raises the first trouble along a path."""
+    half_step = ANGLE_STEP_DEG / 2
+    low = np.array([limits.min_deg - half_step for limits in settings.limits])
+    high = np.array([limits.max_deg + half_step for limits in settings.limits])
+    steepest = _STEEPEST_DEG * min(units_a_step, 1.0) + _JITTER_DEG
+    outside = (joints < low) | (joints > high)
+    jumps = np.zeros(len(joints), dtype=bool)
+    jumps[1:] = (np.abs(np.diff(joints, axis=0)) > steepest).any(axis=1)
+    bad = np.isnan(joints[:, 0]) | jumps | outside.any(axis=1)
+    if not bad.any():
+        return
+    first = int(np.argmax(bad))
+    if np.isnan(joints[first, 0]):
+        raise PlanningError(ArmStatusCode.NO_SOLUTION)
+    if jumps[first]:
+        raise PlanningError(ArmStatusCode.SINGULARITY)
+    raise PlanningError(ArmStatusCode.TARGET_BEYOND_LIMIT, outside[first].tolist())
+
+
+def _joint_demand(way: CubicSpline, places: Values, settings: ArmSettingsRecord) -> Demand:
+    speeds = [limits.max_speed_deg_s for limits in settings.limits]
+    return joint_demand(way, places, speeds, settings.accelerations_deg_s2)
+
+
+def _pace(*demands: Demand) -> tuple[float, float]:
+    """The highest speed and acceleration along one path."""
+    top_speed, acceleration = pace(demands)
+    return float(top_speed[0]), float(acceleration[0])

@@ -1,0 +1,1 @@
+"""The values a simulated arm keeps, and how they are asked for and set."""

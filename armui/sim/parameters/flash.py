@@ -1,0 +1,130 @@
+"""Where an arm's settings outlive a power cut, as in the controller's flash memory."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from pathlib import Path
+from typing import Protocol
+
+from armui.sim.parameters.settings import ArmSettingsRecord
+from armui.sim.parameters.settings_text import SettingsTextError, from_text, to_text
+
+
+class Flash(Protocol):
+    """Keeps the settings of one arm.
+
+    Attributes:
+        trouble: What went wrong last, in words; empty when all is well.
+    """
+
+    trouble: str
+
+    def load(self) -> ArmSettingsRecord:
+        """What was saved last; factory values when nothing was, or when it cannot be read."""
+        ...
+
+    def save(self, settings: ArmSettingsRecord) -> None:
+        """Keeps the settings; what cannot be kept is told in `trouble`, never raised."""
+        ...
+
+
+class MemoryFlash:
+    """Outlives the arm's power cycles, not the program.
+
+    Attributes:
+        text: What is kept; empty in a new one.
+        writes: How often the settings were written.
+    """
+
+    def __init__(self) -> None:
+        self.trouble = ""
+        self.text = ""
+        self.writes = 0
+
+    def load(self) -> ArmSettingsRecord:
+        """What was saved last, or factory values."""
+        if not self.text:
+            return ArmSettingsRecord()
+        try:
+            return from_text(self.text)
+        except SettingsTextError as error:
+            self.trouble = f"flash unreadable, factory values in use: {error}"
+            return ArmSettingsRecord()
+
+    def save(self, settings: ArmSettingsRecord) -> None:
+        """Keeps the settings; the same ones again cost no write."""
+        text = to_text(settings)
+        if text != self.text:
+            self.text = text
+            self.writes += 1
+
+
+class FileFlash:
+    """A file, written as a whole or not at all.
+
+    A file that cannot be understood is kept beside, under a name that ends in `.broken`, and the
+    arm starts with factory values.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self.trouble = ""
+        self._kept = ""
+
+    def load(self) -> ArmSettingsRecord:
+        """What the file says, or factory values."""
+        try:
+            text = self.path.read_text(encoding="utf-8")
+            settings = from_text(text)
+        except FileNotFoundError:
+            return ArmSettingsRecord()
+        except OSError as error:
+            self.trouble = f"cannot read {self.path}, factory values in use: {error.strerror}"
+            return ArmSettingsRecord()
+        except (UnicodeDecodeError, SettingsTextError) as error:
+            self._put_aside(str(error))
+            return ArmSettingsRecord()
+        self._kept = text
+        return settings
+
+    def save(self, settings: ArmSettingsRecord) -> None:
+        """Replaces the file, also through a power cut of the computer."""
+        text = to_text(settings)
+        if text == self._kept:
+            return
+        try:
+            _replace(self.path, text)
+        except OSError as error:
+            self.trouble = f"cannot write {self.path}: {error.strerror}"
+            return
+        self._kept = text
+        self.trouble = ""
+
+    def _put_aside(self, reason: str) -> None:
+        aside = self.path.with_name(f"{self.path.name}.broken")
+        try:
+            self.path.replace(aside)
+        except OSError as error:
+            reason = f"{reason}; it could not be kept as {aside.name}: {error.strerror}"
+        else:
+            reason = f"{reason}; kept as {aside.name}"
+        self.trouble = f"{self.path} is broken, factory values in use: {reason}"
+
+
+def _replace(path: Path, text: str) -> None:
+    """Writes a new file beside the old one and renames it over it.
+
+    Raises:
+        OSError: The folder or the disk does not allow it; the old file is untouched.
+    """
+    handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8") as file:
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+        Path(name).replace(path)
+    except OSError:
+        Path(name).unlink(missing_ok=True)
+        raise

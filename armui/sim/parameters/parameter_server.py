@@ -1,0 +1,253 @@
+"""Where the values an arm keeps are asked for and set over the bus."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from typing import Final, Protocol
+
+from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS, JOINTS, JointLimits
+from armui.protocol.codec import Codec, InvalidFrame
+from armui.protocol.codes import (
+    ALL_JOINTS,
+    VALID,
+    EndLoad,
+    FactoryReset,
+    LimitQuery,
+    ParameterQuery,
+    SettingIndex,
+)
+from armui.protocol.frame import Frame
+from armui.sim.feedback.units import from_degrees, to_degrees
+from armui.sim.parameters.settings import (
+    ArmSettingsRecord,
+    HandleSettings,
+    Light,
+    factory_accelerations,
+)
+
+Signals = dict[str, float]
+
+_END_LIMIT_NAMES: Final = (
+    "MaxLinearSpeed",
+    "MaxAngularSpeed",
+    "MaxLinearAcceleration",
+    "MaxAngularAcceleration",
+)
+_ROUNDING_GRACE: Final = 1.02
+"""29 RPM on the bus are 28.65 RPM in the arm: what is read back may be written again."""
+
+_COLLISION_NAMES: Final = tuple(f"J{joint}" for joint in JOINTS)
+_ON_OFF: Final = ("On", "Off")
+_READS_ONLY: Final = frozenset({"LimitQuery", "LightControl"})
+
+
+class Arm(Protocol):
+    """What settings change beyond the values themselves."""
+
+    def set_zero(self, indices: Iterable[int]) -> bool:
+        """Takes the present position of joints (0–5) as their zero; False when it cannot."""
+        ...
+
+    def clear_joint_errors(self, indices: Iterable[int]) -> None:
+        """Clears the errors the drivers of joints (0–5) keep."""
+        ...
+
+    def report_end_motion(self, *, on: bool) -> None:
+        """Switches 0x481–0x486."""
+        ...
+
+    def settings_changed(self) -> None:
+        """Takes over and keeps what may be new."""
+        ...
+
+
+class ParameterServer:
+    """Answers questions about the settings, and changes them.
+
+    Every setting is answered with 0x476. A value no motor could follow (a range without
+    extent, more speed or acceleration than the motors have) is answered like any other and not
+    stored: the answer alone proves nothing, the value read back does.
+    """
+
+    def __init__(self, codec: Codec, settings: ArmSettingsRecord, arm: Arm) -> None:
+        self._codec = codec
+        self._arm = arm
+        self.settings = settings
+        self._desks: dict[str, Callable[[Signals], list[Frame]]] = {
+            "LimitQuery": self._limit_query,
+            "LimitSetting": self._limit_setting,
+            "JointSetting": self._joint_setting,
+            "ParameterCommand": self._parameter_command,
+            "EndLimitSetting": self._end_limit_setting,
+            "CollisionSetting": self._collision_setting,
+            "TeachingSetting": self._teaching_setting,
+            "LightControl": self._light_control,
+        }
+
+    def handle(self, name: str, signals: Signals) -> list[Frame] | None:
+        """The answers to a message, None when it is not about settings."""
+        parameter_server = self._desks.get(name)
+        if parameter_server is None:
+            return None
+        answers = parameter_server(signals)
+        if name not in _READS_ONLY:
+            self._arm.settings_changed()
+        return answers
+
+    def answer(self, index: SettingIndex, *, zero_set: bool = False) -> Frame:
+        """Says that a setting has been heard, and whether it set a zero."""
+        return self._codec.encode("SettingResponse", Index=index, ZeroSet=zero_set)
+
+    def corrupt_limits(self, index: int) -> None:
+        """Lets one joint's limits (0–5) read back as 0xFFFF in every field."""
+        joint = bytes((index + 1,))
+        limits = self._read(0x473, joint + b"\xff" * 6 + b"\0")
+        acceleration = self._read(0x47C, joint + b"\xff" * 2 + bytes(5))
+        self.settings.limits[index] = JointLimits(
+            limits["MinAngle"],
+            limits["MaxAngle"],
+            to_degrees(limits["MaxSpeed"], self._codec.unit("LimitFeedback", "MaxSpeed")),
+        )
+        self.settings.accelerations_deg_s2[index] = to_degrees(
+            acceleration["MaxAcceleration"],
+            self._codec.unit("AccelerationFeedback", "MaxAcceleration"),
+        )
+        self._arm.settings_changed()
+
+    def _read(self, arbitration_id: int, data: bytes) -> Signals:
+        message = self._codec.decode(Frame(arbitration_id, data))
+        if isinstance(message, InvalidFrame):
+            raise TypeError(message.detail)
+        return message.signals
+
+    def _limit_query(self, signals: Signals) -> list[Frame]:
+        joint = int(signals["Joint"])
+        if signals["Query"] == LimitQuery.ACCELERATION_LIMIT:
+            acceleration = self._outward(
+                "AccelerationFeedback",
+                "MaxAcceleration",
+                self.settings.accelerations_deg_s2[joint - 1],
+            )
+            return [
+                self._codec.encode(
+                    "AccelerationFeedback", Joint=joint, MaxAcceleration=acceleration
+                )
+            ]
+        limits = self.settings.limits[joint - 1]
+        return [
+            self._codec.encode(
+                "LimitFeedback",
+                Joint=joint,
+                MaxAngle=limits.max_deg,
+                MinAngle=limits.min_deg,
+                MaxSpeed=self._outward("LimitFeedback", "MaxSpeed", limits.max_speed_deg_s),
+            )
+        ]
+
+    def _limit_setting(self, signals: Signals) -> list[Frame]:
+        name, index = "LimitSetting", int(signals["Joint"]) - 1
+        limits = self.settings.limits[index]
+        if not self._unchanged(name, "MaxAngle", signals):
+            limits = replace(limits, max_deg=signals["MaxAngle"])
+        if not self._unchanged(name, "MinAngle", signals):
+            limits = replace(limits, min_deg=signals["MinAngle"])
+        if not self._unchanged(name, "MaxSpeed", signals):
+            speed = self._inward(
+                name, "MaxSpeed", signals, most=FACTORY_LIMITS[index].max_speed_deg_s
+            )
+            limits = replace(limits, max_speed_deg_s=speed)
+        if limits.min_deg < limits.max_deg and limits.max_speed_deg_s > 0.0:
+            self.settings.limits[index] = limits
+        return [self.answer(SettingIndex.LIMIT_SETTING)]
+
+    def _joint_setting(self, signals: Signals) -> list[Frame]:
+        name, joint = "JointSetting", int(signals["Joint"])
+        indices = range(len(JOINTS)) if joint == ALL_JOINTS else range(joint - 1, joint)
+        if signals["ClearError"] == VALID:
+            self._arm.clear_joint_errors(indices)
+        zero_set = signals["SetZero"] == VALID and self._arm.set_zero(indices)
+        if signals["AccelerationValid"] == VALID and not self._unchanged(
+            name, "MaxAcceleration", signals
+        ):
+            acceleration = self._inward(
+                name, "MaxAcceleration", signals, most=FACTORY_ACCELERATION_DEG_S2
+            )
+            if acceleration > 0.0:
+                for index in indices:
+                    self.settings.accelerations_deg_s2[index] = acceleration
+        return [self.answer(SettingIndex.JOINT_SETTING, zero_set=zero_set)]
+
+    def _parameter_command(self, signals: Signals) -> list[Frame]:
+        settings = self.settings
+        reset = signals["Reset"]
+        if reset == FactoryReset.END_LIMITS_TO_FACTORY:
+            settings.end_limits = ArmSettingsRecord().end_limits
+        elif reset == FactoryReset.JOINT_LIMITS_TO_FACTORY:
+            settings.limits[:] = FACTORY_LIMITS
+            settings.accelerations_deg_s2[:] = factory_accelerations()
+        feedback = self._codec.word("ParameterCommand", "EndFeedback", int(signals["EndFeedback"]))
+        if feedback in _ON_OFF:
+            self._arm.report_end_motion(on=feedback == "On")
+        loads = signals["LoadValid"] == VALID and signals["Load"] != EndLoad.NOT_GIVEN
+        if loads:
+            settings.load = EndLoad(int(signals["Load"]))
+        frames = self._parameters(ParameterQuery(int(signals["Query"])))
+        asks_only = frames and not (reset or loads or signals["EndFeedback"])
+        return frames if asks_only else [*frames, self.answer(SettingIndex.PARAMETER_COMMAND)]
+
+    def _parameters(self, query: ParameterQuery) -> list[Frame]:
+        settings = self.settings
+        if query is ParameterQuery.END_LIMITS:
+            signals = dict(zip(_END_LIMIT_NAMES, settings.end_limits, strict=True))
+            return [self._codec.encode("EndLimitFeedback", **signals)]
+        if query is ParameterQuery.COLLISION_LEVELS:
+            levels = dict(zip(_COLLISION_NAMES, settings.collision_levels, strict=True))
+            return [self._codec.encode("CollisionFeedback", **levels)]
+        if query is ParameterQuery.TEACHING_SETTING:
+            handle = settings.teaching
+            return [
+                self._codec.encode(
+                    "TeachingFeedback",
+                    TeachingRange=handle.range_percent,
+                    StrokeLimit=handle.stroke_limit_mm,
+                    Friction=handle.friction,
+                )
+            ]
+        return []
+
+    def _end_limit_setting(self, signals: Signals) -> list[Frame]:
+        self.settings.end_limits = tuple(
+            old if self._unchanged("EndLimitSetting", name, signals) else signals[name]
+            for name, old in zip(_END_LIMIT_NAMES, self.settings.end_limits, strict=True)
+        )
+        return [self.answer(SettingIndex.END_LIMIT_SETTING)]
+
+    def _collision_setting(self, signals: Signals) -> list[Frame]:
+        self.settings.collision_levels = tuple(int(signals[name]) for name in _COLLISION_NAMES)
+        return [self.answer(SettingIndex.COLLISION_SETTING)]
+
+    def _teaching_setting(self, signals: Signals) -> list[Frame]:
+        self.settings.teaching = HandleSettings(
+            int(signals["TeachingRange"]), int(signals["StrokeLimit"]), int(signals["Friction"])
+        )
+        return [self.answer(SettingIndex.TEACHING_SETTING)]
+
+    def _light_control(self, signals: Signals) -> list[Frame]:
+        if signals["Enable"]:
+            self.settings.lights[int(signals["Joint"])] = Light(
+                *(int(signals[name]) for name in ("Lamp", "Red", "Green", "Blue", "Counter"))
+            )
+        return []
+
+    def _unchanged(self, message: str, signal: str, signals: Signals) -> bool:
+        """Whether a field asks to leave its value: the only word in its value table."""
+        return self._codec.word(message, signal, signals[signal]) is not None
+
+    def _outward(self, message: str, signal: str, value_deg: float) -> float:
+        return from_degrees(value_deg, self._codec.unit(message, signal))
+
+    def _inward(self, message: str, signal: str, signals: Signals, *, most: float) -> float:
+        """A speed or acceleration in degrees; 0 when it is more than the motors can do."""
+        value_deg = to_degrees(signals[signal], self._codec.unit(message, signal))
+        return min(value_deg, most) if value_deg <= most * _ROUNDING_GRACE else 0.0

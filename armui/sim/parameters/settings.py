@@ -1,0 +1,77 @@
+"""The values an arm keeps, as it leaves the factory."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, fields
+from typing import NamedTuple
+
+from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS, JOINTS, JointLimits
+from armui.protocol.codes import EndLoad, LinkageRole
+
+
+class HandleSettings(NamedTuple):
+    """How drag teaching feels, and the gripper's stroke (0x47D)."""
+
+    range_percent: int = 100
+    stroke_limit_mm: int = 70
+    friction: int = 1
+
+
+class Light(NamedTuple):
+    """The last colour a joint's lamps were given (0x121), with the count the host gave it."""
+
+    lamp: int
+    red: int
+    green: int
+    blue: int
+    counter: int = 0
+
+
+class LinkageSettings(NamedTuple):
+    """What the arm is to another arm, and its identifier offsets (0x470)."""
+
+    role: LinkageRole = LinkageRole.MOTION_OUTPUT
+    feedback_offset: int = 0
+    control_offset: int = 0
+    target_offset: int = 0
+
+
+def factory_accelerations() -> list[float]:
+    """Highest acceleration of each joint as the arm leaves the factory, in °/s²."""
+    return [FACTORY_ACCELERATION_DEG_S2] * len(JOINTS)
+
+
+def _no_zeros() -> list[float]:
+    return [0.0] * len(JOINTS)
+
+
+@dataclass(slots=True)
+class ArmSettingsRecord:
+    """What the arm keeps, with the values it leaves the factory with.
+
+    Attributes:
+        limits: Angles and speeds, joint 1 first.
+        accelerations_deg_s2: Highest accelerations, joint 1 first.
+        end_limits: Linear speed m/s, angular speed rad/s, and their accelerations.
+        collision_levels: 0–8 a joint.
+        load: What the flange carries, as the host says.
+        teaching: The teaching handle, generation 2.
+        linkage: Role and identifier offsets.
+        zeros_deg: Where each joint has its zero, counted from the factory's.
+        lights: The lamps, by joint; dark again after a power cycle.
+    """
+
+    limits: list[JointLimits] = field(default_factory=lambda: list(FACTORY_LIMITS))
+    accelerations_deg_s2: list[float] = field(default_factory=factory_accelerations)
+    end_limits: tuple[float, ...] = (1.0, 1.0, 1.0, 1.0)
+    collision_levels: tuple[int, ...] = (1,) * 6
+    load: EndLoad = EndLoad.EMPTY
+    teaching: HandleSettings = field(default_factory=HandleSettings)
+    linkage: LinkageSettings = field(default_factory=LinkageSettings)
+    zeros_deg: list[float] = field(default_factory=_no_zeros)
+    lights: dict[int, Light] = field(default_factory=dict)
+
+    def take_over(self, other: ArmSettingsRecord) -> None:
+        """Becomes what the other is; the arm's parts go on holding this object."""
+        for each in fields(self):
+            setattr(self, each.name, getattr(other, each.name))

@@ -1,0 +1,1 @@
+"""What the program needs of the computer: files, clock, log, helper processes."""

@@ -1,0 +1,149 @@
+"""What nobody expected: caught at the last place, logged, and told once however often it repeats.
+
+An exception in a slot of Qt, in a thread, or in a part of the controller goes through the logger
+``armui`` to the log file (:mod:`armui.system.log_file`) and to whoever shows it (safety S23).
+"""
+
+from __future__ import annotations
+
+import contextlib
+import logging
+import platform
+import sys
+import threading
+import traceback
+from collections import Counter
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from types import TracebackType
+from typing import Final
+
+from armui import __version__
+
+_LOG: Final = logging.getLogger("armui.system.failures")
+
+Key = tuple[str, str, int]
+
+
+@dataclass(frozen=True, slots=True)
+class Failure:
+    """One exception nobody expected.
+
+    Attributes:
+        error: Its kind and its words, one line.
+        text: Everything a developer needs, to be copied.
+        modules: Of this program, from where it was noticed to where it happened.
+        count: How often it has happened by now.
+    """
+
+    error: str
+    text: str
+    modules: tuple[str, ...]
+    count: int
+
+
+def key_of(error: BaseException) -> Key:
+    """What two exceptions have in common that are the same failure: kind and place."""
+    frames = traceback.extract_tb(error.__traceback__)
+    place = (frames[-1].filename, frames[-1].lineno or 0) if frames else ("", 0)
+    return (type(error).__name__, *place)
+
+
+def is_our_own(error: BaseException) -> bool:
+    """Whether an exception was raised by this program's code, and not by a library or a driver."""
+    last = None
+    for frame, _line in traceback.walk_tb(error.__traceback__):
+        last = frame.f_globals.get("__name__", "")
+    return last is not None and last.startswith("armui.")
+
+
+class FailureHandler(logging.Handler):
+    """Makes a :class:`Failure` of each logged exception.
+
+    Args:
+        tell: Takes them, in the thread where they happen.
+    """
+
+    def __init__(self, tell: Callable[[Failure], None]) -> None:
+        super().__init__(logging.ERROR)
+        self._tell = tell
+        self._counts: Counter[Key] = Counter()
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Tell of a record that carries an exception; others are for the log file only."""
+        error = record.exc_info[1] if record.exc_info else None
+        if error is None:
+            return
+        key = key_of(error)
+        self._counts[key] += 1
+        try:
+            self._tell(_failure(record, error, self._counts[key]))
+        except Exception:  # noqa: BLE001 - telling of a failure must not be another one
+            self.handleError(record)
+
+
+class Repeats(logging.Filter):
+    """Keeps a failure that repeats out of the log but for the 1st, 10th, 100th … time."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._counts: Counter[Key] = Counter()
+
+    def filter(self, record: logging.LogRecord) -> bool:
+        """Whether a record is logged; one that stands for others says for how many."""
+        error = record.exc_info[1] if record.exc_info else None
+        if error is None:
+            return True
+        key = key_of(error)
+        self._counts[key] += 1
+        count = self._counts[key]
+        if count > 1:
+            record.msg, record.args = f"{record.getMessage()} (time {count})", ()
+        return set(str(count)) <= {"0", "1"} and str(count).count("1") == 1
+
+
+def _failure(record: logging.LogRecord, error: BaseException, count: int) -> Failure:
+    line = " ".join(f"{type(error).__name__}: {error}".split())
+    trace = "".join(traceback.format_exception(error))
+    text = (
+        f"armui {__version__}, Python {platform.python_version()}, {platform.platform()}\n"
+        f"{record.getMessage()}, thread {record.threadName}\n{trace}"
+    )
+    modules = tuple(
+        frame.f_globals.get("__name__", "")
+        for frame, _line in traceback.walk_tb(error.__traceback__)
+    )
+    ours = tuple(dict.fromkeys(name for name in modules if name.startswith("armui.")))
+    return Failure(line[:_LONGEST], text, ours, count)
+
+
+_LONGEST: Final = 200
+
+
+@contextlib.contextmanager
+def hooks() -> Iterator[None]:
+    """Log whatever nobody catches, in slots and threads of Qt and in those of Python.
+
+    The hooks that were there before come back at the end.
+    """
+    before, before_in_threads = sys.excepthook, threading.excepthook
+
+    def on_exception(
+        kind: type[BaseException], error: BaseException, trace: TracebackType | None
+    ) -> None:
+        if not isinstance(error, Exception):  # Ctrl-C, and what ends the program on purpose
+            before(kind, error, trace)
+            return
+        _LOG.error("Nobody expected this", exc_info=(kind, error, trace))
+
+    def on_exception_in_thread(hooked: threading.ExceptHookArgs) -> None:
+        if isinstance(hooked.exc_value, Exception):
+            on_exception(hooked.exc_type, hooked.exc_value, hooked.exc_traceback)
+        else:
+            before_in_threads(hooked)
+
+    sys.excepthook, threading.excepthook = on_exception, on_exception_in_thread
+    try:
+        yield
+    finally:
+        sys.excepthook, threading.excepthook = before, before_in_threads

@@ -1,0 +1,198 @@
+"""A process for work that would hold up the window and the bus if it shared Python's lock."""
+
+from __future__ import annotations
+
+import contextlib
+import logging
+import os
+import shutil
+import signal
+import tempfile
+import threading
+import traceback
+from collections.abc import Callable
+from concurrent.futures import (
+    BrokenExecutor,
+    Executor,
+    Future,
+    InvalidStateError,
+    ThreadPoolExecutor,
+)
+from concurrent.futures import wait as wait_for
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final
+
+from armui.system.transfer import Packed, call_packed, pack, unpack
+
+if TYPE_CHECKING:
+    from concurrent.futures import ProcessPoolExecutor
+    from multiprocessing.process import BaseProcess
+
+_LOG: Final = logging.getLogger(__name__)
+
+_NICER_BY: Final = 5
+"""The window and the bus go before it where there are too few cores for all."""
+_END_S: Final = 10.0
+
+
+class HelperProcess(Executor):
+    """Does one piece of work after another; it begins with the first and ends with the program.
+
+    A process that dies takes its work along; the next piece gets another. Starting the process and
+    copying what it is given is done by a thread: whoever asks for work goes on at once.
+    """
+
+    def __init__(self) -> None:
+        self._pool: ProcessPoolExecutor | None = None
+        self._children: set[BaseProcess] = set()
+        self._sender: ThreadPoolExecutor | None = None
+        self._asked: set[Future[Any]] = set()
+        self._folder: Path | None = None
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        """Have something done.
+
+        Args:
+            fn: A function of a module: the other process imports it by its name.
+            *args: What it is called with; it is copied, and so is what comes back.
+            **kwargs: As above.
+        """
+        answer: Future[Any] = Future()
+        self._asked.add(answer)
+        answer.add_done_callback(self._asked.discard)
+        if self._sender is None:
+            self._sender = ThreadPoolExecutor(1, "armui-helper")
+        self._sender.submit(self._send, answer, (fn, args, kwargs))
+        return answer
+
+    def _send(self, answer: Future[Any], call: tuple[object, ...]) -> None:
+        """Hand a piece of work to the process; its answer comes by a thread of the pool."""
+        try:
+            if self._folder is None:
+                self._folder = Path(tempfile.mkdtemp(prefix="armui-"))
+            packed = pack(call, self._folder)
+            try:
+                sent = self._submit(packed, self._folder)
+            except BrokenExecutor:
+                self._end_process(wait=True)
+                sent = self._submit(packed, self._folder)
+        except Exception as error:  # noqa: BLE001 - whatever it is, it is in the answer
+            _settle(answer, error=error)
+            return
+        sent.add_done_callback(partial(_answer, answer))
+
+    def _submit(self, packed: Packed, folder: Path) -> Future[Packed]:
+        import multiprocessing  # noqa: PLC0415 - 50 ms of the start, for those who never use it
+        from concurrent.futures import ProcessPoolExecutor  # noqa: PLC0415 - as above
+
+        before = set(multiprocessing.active_children())
+        if self._pool is None:
+            # a fork would inherit Qt, its threads and every lock they hold
+            context = multiprocessing.get_context("spawn")
+            self._pool = ProcessPoolExecutor(1, mp_context=context, initializer=_settle_in)
+        future = self._pool.submit(call_packed, packed, folder)
+        future.add_done_callback(_log_failure)
+        self._children |= set(multiprocessing.active_children()) - before
+        return future
+
+    def _end_process(self, *, wait: bool) -> None:
+        for child in self._children:
+            child.kill()
+        self._children.clear()
+        if self._pool is not None:
+            self._pool.shutdown(wait, cancel_futures=True)
+            self._pool = None
+
+    def shutdown(self, wait: bool = True, *, cancel_futures: bool = True) -> None:
+        """End the process, whatever it is doing: nobody waits for it any more."""
+        if self._sender is not None:
+            self._sender.shutdown(wait=True, cancel_futures=cancel_futures)
+            self._sender = None
+        self._end_process(wait=wait)
+        for answer in tuple(self._asked):
+            answer.cancel()
+        if self._folder is not None:
+            shutil.rmtree(self._folder, ignore_errors=True)
+            self._folder = None
+
+
+class FileThread(ThreadPoolExecutor):
+    """One thread for what waits for a disk, with a process for what would take it long."""
+
+    def __init__(self) -> None:
+        super().__init__(1, "armui-files")
+        self._process = HelperProcess()
+        self._last: Future[None] | None = None
+
+    @property
+    def ended(self) -> bool:
+        """Whether, after `shutdown`, everything that was asked for is done."""
+        return self._last is not None and self._last.done()
+
+    def call(self, function: Callable[..., Any], *args: Any) -> Any:
+        """Call something in the process, and wait for it; only this thread may.
+
+        Raises:
+            Exception: What it raises there.
+        """
+        return self._process.submit(function, *args).result()
+
+    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
+        """End it when what was asked for is done, or after ten seconds: a disk may hang."""
+        if self._last is None:
+            self._last = self.submit(lambda: None)
+        if wait:
+            wait_for([self._last], _END_S)
+        self._process.shutdown()
+        super().shutdown(wait and self.ended, cancel_futures=cancel_futures)
+
+
+def _answer(answer: Future[Any], sent: Future[Packed]) -> None:
+    if sent.cancelled():
+        answer.cancel()
+        return
+    error = sent.exception()
+    if error is not None:
+        _settle(answer, error=error)
+        return
+    try:
+        _settle(answer, unpack(sent.result()))
+    except Exception as problem:  # noqa: BLE001 - whatever it is, it is in the answer
+        _settle(answer, error=problem)
+
+
+def _settle(
+    answer: Future[Any], value: object = None, *, error: BaseException | None = None
+) -> None:
+    """Give an answer, unless nobody waits for it any more."""
+    with contextlib.suppress(InvalidStateError):
+        if error is None:
+            answer.set_result(value)
+        else:
+            answer.set_exception(error)
+
+
+def _log_failure(future: Future[Any]) -> None:
+    """Keep in the log what went wrong over there; who asked for the work tells the operator."""
+    error = None if future.cancelled() else future.exception()
+    if error is not None:
+        trace = "".join(traceback.format_exception(error))
+        _LOG.warning("Work in the helper process has failed\n%s", trace)
+
+
+def _settle_in() -> None:
+    """In the new process: leave Ctrl-C to the program, stand back, do not outlive it."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    if hasattr(os, "nice"):
+        os.nice(_NICER_BY)
+    threading.Thread(target=_end_with_the_program, daemon=True).start()
+
+
+def _end_with_the_program() -> None:
+    from multiprocessing import parent_process  # noqa: PLC0415 - there already, in that process
+
+    program = parent_process()
+    if program is not None:
+        program.join()
+        os._exit(1)

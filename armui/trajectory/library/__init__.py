@@ -1,0 +1,1 @@
+"""The folder that keeps trajectories: files, index, history, bin and drafts."""

@@ -1,0 +1,211 @@
+"""What was done to the library while the program runs, and how it is undone, the last first.
+
+Not Qt's undo stack: that one holds that a step once done can be undone, and a disk may refuse, or
+another program have been there. A step the disk refuses stays and can be tried again; one that can
+never be undone any more is dropped, and said to be.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from datetime import datetime
+from typing import Final
+
+from armui.arm.refusal import Refusal
+from armui.trajectory.files import TrajectoryFileError
+from armui.trajectory.library.store import Deleted, Library, LibraryError
+
+_TRY_AGAIN: Final = frozenset(
+    {"library_not_saved", "library_not_deleted", "library_not_restored", "library_unreadable"}
+)
+"""Refusals of the disk."""
+
+
+@dataclass(frozen=True, slots=True)
+class Deletion:
+    """Undone by bringing back what was deleted together.
+
+    Attributes:
+        deleted: Where it is now.
+    """
+
+    deleted: Deleted
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of what comes back."""
+        return self.deleted.names
+
+    @property
+    def touched(self) -> tuple[str, ...]:
+        """What is in the library now that is changed by undoing: nothing."""
+        return ()
+
+    def undo(self, library: Library) -> tuple[str, ...]:
+        """Undo it; returns the names of what came of it."""
+        return library.restore(self.deleted)
+
+
+@dataclass(frozen=True, slots=True)
+class Renaming:
+    """Undone by giving back the old name.
+
+    Attributes:
+        old: What it was called.
+        new: What it is called now.
+    """
+
+    old: str
+    new: str
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The old name."""
+        return (self.old,)
+
+    @property
+    def touched(self) -> tuple[str, ...]:
+        """What is changed by undoing."""
+        return (self.new,)
+
+    def undo(self, library: Library) -> tuple[str, ...]:
+        """Undo it; returns the names of what came of it."""
+        library.rename(self.new, self.old)
+        return (self.old,)
+
+
+@dataclass(frozen=True, slots=True)
+class Making:
+    """New ones, by creation, copy or import: undone by deleting them, as long as they are as made.
+
+    Attributes:
+        made: The name of each, and when it was made.
+    """
+
+    made: tuple[tuple[str, datetime], ...]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of the new ones."""
+        return tuple(name for name, _ in self.made)
+
+    @property
+    def touched(self) -> tuple[str, ...]:
+        """What is changed by undoing."""
+        return self.names
+
+    def undo(self, library: Library) -> tuple[str, ...]:
+        """Undo it; returns the names of what came of it: none."""
+        there = {entry.name: entry.modified for entry in library.entries()}
+        drafts = library.drafts()
+        for name, modified in self.made:
+            if name in drafts or there.get(name, modified) != modified:
+                raise LibraryError(Refusal("changed_since", {"name": name}))
+        library.delete(self.names)
+        return ()
+
+
+Step = Deletion | Renaming | Making
+
+
+class LibraryHistory:
+    """Changes the library and remembers how.
+
+    Args:
+        library: What is changed.
+    """
+
+    def __init__(self, library: Library) -> None:
+        self._library = library
+        self._steps: list[Step] = []
+
+    @property
+    def last(self) -> Step | None:
+        """What is undone next."""
+        return next(iter(self._steps[-1:]), None)
+
+    def delete(self, names: Sequence[str]) -> Deleted:
+        """Delete trajectories and drafts.
+
+        Raises:
+            LibraryError: See `Library.delete`.
+        """
+        deleted = self._library.delete(names)
+        if deleted.names:
+            self._steps.append(Deletion(deleted))
+        return deleted
+
+    def rename(self, name: str, new: str) -> None:
+        """Give a trajectory another name.
+
+        Raises:
+            LibraryError: See `Library.rename`.
+            TrajectoryFileError: As there.
+        """
+        self._library.rename(name, new)
+        if new != name:
+            self._steps.append(Renaming(name, new))
+
+    def note_made(self, names: Sequence[str]) -> None:
+        """Remember what was just made.
+
+        Raises:
+            LibraryError: The library cannot be read.
+        """
+        there = {entry.name: entry.modified for entry in self._library.entries()}
+        made = tuple((name, there[name]) for name in names if name in there)
+        if made:
+            self._steps.append(Making(made))
+
+    def undo(self) -> tuple[str, ...]:
+        """Undo the last step.
+
+        Returns:
+            The names of what came back, as they are listed now.
+
+        Raises:
+            LibraryError: It could not be undone; where the disk refused, it can be tried again.
+            TrajectoryFileError: What it was about is damaged, or gone.
+        """
+        step = self._steps[-1]
+        try:
+            names = step.undo(self._library)
+        except LibraryError as error:
+            if error.refusal.code not in _TRY_AGAIN:
+                self._steps.pop()
+            raise
+        except TrajectoryFileError:
+            self._steps.pop()
+            raise
+        self._steps.pop()
+        return names
+
+    def bring_back(self, deleted: Sequence[Deleted]) -> tuple[str, ...]:
+        """Bring back what is chosen of all that was deleted, also before this run of the program.
+
+        Returns:
+            The names under which they are listed now.
+
+        Raises:
+            LibraryError: The disk refuses, or one is gone; those before it are back.
+        """
+        names: list[str] = []
+        for one in deleted:
+            names += self._library.restore(one)
+            self._forget(one)
+        return tuple(names)
+
+    def _forget(self, back: Deleted) -> None:
+        """What is back needs no undoing; the rest of what was deleted with it still does."""
+        places = {place for _, place in back.places}
+        steps: list[Step] = []
+        for step in self._steps:
+            if isinstance(step, Deletion):
+                left = tuple(each for each in step.deleted.places if each[1] not in places)
+                if not left:
+                    continue
+                names = tuple(name for name in step.names if name not in back.names)
+                step = Deletion(replace(step.deleted, names=names, places=left))  # noqa: PLW2901
+            steps.append(step)
+        self._steps = steps

@@ -1,0 +1,232 @@
+"""What the library knows of its files without opening them: a cache, and the check marks.
+
+One JSON file beside the trajectories. An entry counts as long as its file has the size, the time
+and the number it had then; without the cache every file is read once more and nothing is lost but
+the marks.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import math
+import os
+from collections.abc import Collection
+from dataclasses import dataclass, replace
+from datetime import datetime
+from pathlib import Path
+from typing import Any, Final, Literal, NamedTuple, get_args
+
+from armui.arm.refusal import Refusal
+from armui.trajectory.atomic import write_whole
+from armui.trajectory.files import Content, TrajectoryFileError
+from armui.trajectory.samples.recording import Recording
+
+Kind = Literal["points", "recording", "draft"]
+"""A draft is the unsaved state of a trajectory that was never saved, or is gone."""
+Check = Literal["ok", "warnings", "errors"]
+"""How the check before running ended."""
+
+_VERSION: Final = 1
+
+_MOST_BYTES: Final = 64_000_000
+"""More than a hundred thousand entries need; a larger file is not read."""
+
+_BROKEN: Final = (
+    *(OSError, ValueError, TypeError, KeyError, AttributeError),
+    RecursionError,  # lists nested too deep
+    OverflowError,  # a number of hundreds of digits
+)
+"""What a damaged file may raise."""
+
+
+@dataclass(frozen=True, slots=True)
+class IndexEntry:
+    """One line of the library's list.
+
+    Attributes:
+        name: What the operator calls it; no two entries share one.
+        kind: Points to go to, recorded samples, or points that nobody has saved.
+        count: Of the points or samples; 0 where the file is damaged.
+        length_s: How long it takes; ``None`` while nobody has worked it out.
+        modified: When it was last changed.
+        check: How its last check ended; ``None`` where it has changed since, or never had one.
+        damage: What is wrong with its file; ``None`` where nothing is.
+        note: What it is for.
+    """
+
+    name: str
+    kind: Kind
+    count: int
+    length_s: float | None
+    modified: datetime
+    check: Check | None = None
+    damage: TrajectoryFileError | None = None
+    note: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Listing:
+    """What the library shows at one look.
+
+    Attributes:
+        entries: Everything there is, by name.
+        drafts: The names of those with unsaved changes.
+        exists: Whether its folder does.
+    """
+
+    entries: tuple[IndexEntry, ...]
+    drafts: tuple[str, ...]
+    exists: bool
+
+
+def entry_of(content: Content) -> IndexEntry:
+    """The entry of a trajectory or recording nobody has checked yet."""
+    name, note, modified = content.name, content.note, content.modified
+    if isinstance(content, Recording):
+        length = content.duration_s
+        return IndexEntry(name, "recording", len(content.samples), length, modified, note=note)
+    return IndexEntry(name, "points", len(content.points), None, modified, note=note)
+
+
+class Stamp(NamedTuple):
+    """What of a file changes when its content does."""
+
+    size: int
+    time_ns: int
+    number: int
+
+    @classmethod
+    def of(cls, stat: os.stat_result) -> Stamp:
+        """From what the operating system says of a file."""
+        return cls(stat.st_size, stat.st_mtime_ns, stat.st_ino)
+
+
+class Index:
+    """The entries by their file's name.
+
+    Args:
+        path: The file that keeps them; it need not exist.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        self._changed = False
+        self._entries: dict[str, tuple[Stamp, IndexEntry]] = {}
+        self._seen: Stamp | None = None
+
+    def follow(self) -> None:
+        """Take over what another program has found out or marked since this one last looked."""
+        seen = self._stamp()
+        if seen is None or seen == self._seen:
+            return
+        self._seen = seen
+        if seen.size > _MOST_BYTES:
+            return
+        with contextlib.suppress(*_BROKEN):
+            theirs = _unpack(json.loads(self._path.read_bytes()))
+            ours = self._entries if self._changed else {}  # what could not be written as yet
+            self._entries = {**self._entries, **theirs, **ours}
+
+    def _stamp(self) -> Stamp | None:
+        with contextlib.suppress(OSError):
+            return Stamp.of(self._path.stat())
+        return None
+
+    def entry(self, file: str, stamp: Stamp) -> IndexEntry | None:
+        """The entry of a file, unless it is another one by now."""
+        known, entry = self._entries.get(file, (None, None))
+        return entry if known == stamp else None
+
+    def last_name(self, file: str) -> str | None:
+        """What a file's content was called when it was last read."""
+        known = self._entries.get(file)
+        return None if known is None else known[1].name
+
+    def put(self, file: str, stamp: Stamp, entry: IndexEntry) -> None:
+        """Take over what was found out about a file."""
+        if self._entries.get(file) != (stamp, entry):
+            self._entries[file] = stamp, entry
+            self._changed = True
+
+    def keep_only(self, files: Collection[str]) -> None:
+        """Forget the files that are gone."""
+        for file in self._entries.keys() - set(files):
+            del self._entries[file]
+            self._changed = True
+
+    def save(self) -> None:
+        """Write what has changed. A cache that cannot be written is no reason to stop anything."""
+        if not self._changed:
+            return
+        data = {file: [*stamp, _pack(entry)] for file, (stamp, entry) in self._entries.items()}
+        text = json.dumps({"version": _VERSION, "files": data}, ensure_ascii=True)
+        with contextlib.suppress(OSError):
+            write_whole(self._path, text.encode(), to_disk=False)
+            self._changed = False
+            self._seen = self._stamp()
+
+
+def _pack(entry: IndexEntry) -> dict[str, Any]:
+    fields = {
+        "name": entry.name,
+        "kind": entry.kind,
+        "count": entry.count,
+        "length_s": entry.length_s,
+        "modified": entry.modified.isoformat(),
+        "check": entry.check,
+        "note": entry.note,
+    }
+    if (damage := entry.damage) is not None:
+        reason = damage.reason
+        place = [damage.line, damage.column, damage.file]
+        fields["damage"] = [reason.code, dict(reason.params), *place]
+    return fields
+
+
+def _unpack(data: dict[str, Any]) -> dict[str, tuple[Stamp, IndexEntry]]:
+    """The entries of the file; whatever is wrong with it raises something, and then none count."""
+    if data["version"] != _VERSION:
+        return {}
+    entries = {}
+    for file, (size, time_ns, number, fields) in data["files"].items():
+        damage = fields.pop("damage", None)
+        fields["modified"] = datetime.fromisoformat(fields["modified"])
+        entry = IndexEntry(**fields)
+        if damage is not None:
+            code, params, line, column, name = damage
+            _require(isinstance(code, str) and isinstance(params, dict) and isinstance(name, str))
+            _require(isinstance(line, int) and isinstance(column, int))
+            error = TrajectoryFileError(Refusal(code, params), line, column, name)
+            entry = replace(entry, damage=error)
+        _require(_is_sound(entry))
+        entries[file] = Stamp(size, time_ns, number), entry
+    return entries
+
+
+def _is_sound(entry: IndexEntry) -> bool:
+    """Whether every field of an entry is what the list can show."""
+    length_s = entry.length_s
+    return (
+        all(isinstance(text, str) and _can_be_shown(text) for text in (entry.name, entry.note))
+        and entry.kind in get_args(Kind)
+        and isinstance(entry.count, int)
+        and 0 <= entry.count < _MOST_BYTES
+        and (length_s is None or (isinstance(length_s, int | float) and 0 <= length_s < math.inf))
+        and entry.modified.tzinfo is not None
+        and (entry.check is None or entry.check in get_args(Check))
+    )
+
+
+def _can_be_shown(text: str) -> bool:
+    """Whether a text holds no half of a character."""
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
+def _require(sound: bool) -> None:
+    if not sound:
+        raise ValueError("no entry of the library's list")

@@ -1,0 +1,399 @@
+"""The folder that keeps the trajectories: a file for each, every one of them always whole.
+
+Points are kept as `.log`, recordings as `.npz`. What the operator calls a trajectory stands within
+its file; the file's own name is as near to it as every file system allows. A file that somebody
+else has damaged is listed with what is wrong with it, and never written over.
+"""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Final
+
+from armui.arm.refusal import Refusal
+from armui.trajectory import files
+from armui.trajectory.atomic import remove_abandoned
+from armui.trajectory.files import Content, TrajectoryFileError, UnwritableError
+from armui.trajectory.files.errors import broken
+from armui.trajectory.library.bin import Bin, Deleted
+from armui.trajectory.library.calls import Call, call_directly, is_large, load_by, write_content
+from armui.trajectory.library.drafts import Drafts, is_draft
+from armui.trajectory.library.errors import REFUSALS, LibraryError, on_disk
+from armui.trajectory.library.file_names import file_stem, folded, free_stem
+from armui.trajectory.library.index import Check, IndexEntry, Listing, Stamp, entry_of
+from armui.trajectory.library.stored_files import FileStore, StoredFile, name_inside, suffix_of
+from armui.trajectory.points.program import LONGEST_NAME, Trajectory, check_name, check_trajectory
+from armui.trajectory.samples.recording import Recording, check_recording
+
+__all__ = ["REFUSALS", "Check", "Deleted", "IndexEntry", "Library", "LibraryError", "Listing"]
+
+_BIN: Final = ".deleted"
+_ROOM_FOR_NUMBER: Final = 8
+
+
+class Library:
+    """Keeps trajectories and recordings by name. For one thread; other programs may look on.
+
+    Args:
+        folder: Where they are kept; it need not exist.
+        now: Tells the time that is kept as the last change.
+        call: Calls a function with its arguments where it may take long: in another process. Used
+            for large files; called directly by default.
+    """
+
+    def __init__(
+        self,
+        folder: Path,
+        now: Callable[[], datetime] = lambda: datetime.now(UTC),
+        call: Call = call_directly,
+    ) -> None:
+        self._folder = folder
+        self._now = now
+        self._call = call
+        self._shelf = FileStore(folder, call)
+        self._bin = Bin(folder / _BIN)
+        self._drafts = Drafts(folder, call)
+        self._met: dict[str, Stamp] = {}
+        """The files as they were loaded to be edited, by the name of what they hold."""
+
+    def tidy(self) -> None:
+        """Remove what killed programs left half written, and what was deleted long ago."""
+        remove_abandoned(self._folder)
+        self._bin.remove_outdated()
+
+    @property
+    def folder(self) -> Path:
+        """Where the trajectories are kept."""
+        return self._folder
+
+    # What there is --------------------------------------------------------------------------------
+
+    def entries(self) -> list[IndexEntry]:
+        """Everything there is, by name; only files that are new or changed are opened.
+
+        Unsaved states whose trajectory was never saved, or is gone, are listed as `draft`.
+
+        Raises:
+            LibraryError: The folder cannot be read.
+        """
+        found = self._scan()
+        entries = [kept.entry for kept in found.values()]
+        with on_disk("library_unreadable", str(self._folder)):
+            entries += self._drafts.entries(but=found)
+        return sorted(entries, key=lambda one: one.name)
+
+    def listing(self) -> Listing:
+        """The entries, which of them have unsaved changes, and whether there is a folder.
+
+        Raises:
+            LibraryError: The folder cannot be read.
+        """
+        return Listing(tuple(self.entries()), tuple(self.drafts()), self._folder.is_dir())
+
+    def load(self, name: str, *, to_edit: bool = False) -> Content:
+        """A trajectory or recording.
+
+        Args:
+            name: Which.
+            to_edit: Whether `save` shall say if another program has saved it by then.
+
+        Raises:
+            TrajectoryFileError: It is damaged, or gone.
+            LibraryError: The folder cannot be read.
+        """
+        kept = self._scan().get(name)
+        if kept is None:
+            raise TrajectoryFileError(broken("file_gone").reason, file=name)
+        if to_edit:
+            self._met[name] = kept.stamp
+        content: Content = load_by(self._call, kept.path, kept.stamp.size)
+        return content if content.name == name else replace(content, name=name)
+
+    def free_name(self, wish: str) -> str:
+        """A name nothing has, not even a draft: the wish, or the wish with a number.
+
+        Args:
+            wish: Any text; what no name can hold is left out of it.
+        """
+        if check_name(wish) is not None:
+            plain = wish.encode(errors="ignore").decode().replace("\0", "")
+            wish = " ".join(plain.split()) or "?"
+        wish = wish[: LONGEST_NAME - _ROOM_FOR_NUMBER].rstrip()
+        taken = {*self._scan(), *self._drafts.names()}
+        name, number = wish, 1
+        while name in taken:
+            number += 1
+            name = f"{wish} {number}"
+        return name
+
+    # Changes --------------------------------------------------------------------------------------
+
+    def save(self, content: Content, *, replacing: str | None = None) -> bool:
+        """Keep a trajectory or recording, with the present time as that of its last change.
+
+        Its draft is done with.
+
+        Args:
+            content: What to keep.
+            replacing: The name of the one it replaces; it may have had another name.
+
+        Returns:
+            Whether another program had saved the one it replaces since it was loaded here: what
+            that program saved is among what was deleted recently.
+
+        Raises:
+            LibraryError: It is not possible, its name is taken, the one to replace is damaged, or
+                the disk refuses.
+        """
+        self._verify(content)
+        displaced = self._write(replace(content, modified=self._now()), replacing)
+        for name in {content.name, replacing or content.name}:
+            self.drop_draft(name)
+        return displaced
+
+    def rename(self, name: str, new: str) -> None:
+        """Give a trajectory another name; its draft goes along.
+
+        Raises:
+            LibraryError: The new name is taken or no name, or the disk refuses.
+            TrajectoryFileError: It is damaged, or gone.
+        """
+        if new == name:
+            return
+        found, drafts = self._scan(), self._drafts.names()
+        only_draft = self._drafts.load(name) if name not in found else None
+        content = replace(only_draft or self.load(name), name=new)
+        self._verify(content)
+        if new in found or new in drafts:
+            raise LibraryError(Refusal("name_taken", {"name": new}))
+        if isinstance(only_draft, Trajectory):
+            self.save_draft(new, only_draft)
+            self.drop_draft(name)
+            return
+        known = found[name].entry
+        if name in drafts:
+            with on_disk("library_not_saved", new):
+                self._drafts.copy(name, new)
+        try:
+            self._write(content, name)
+        except LibraryError:
+            self.drop_draft(new)
+            raise
+        self.drop_draft(name)
+        self.mark(new, check=known.check, length_s=known.length_s)
+
+    def duplicate(self, name: str, new: str) -> None:
+        """Keep a trajectory once more, under another name.
+
+        Raises:
+            LibraryError: The new name is taken or no name, or the disk refuses.
+            TrajectoryFileError: It is damaged, or gone.
+        """
+        content = replace(self.load(name), name=new)
+        self._verify(content)
+        known = self._scan()[name].entry
+        self._write(content, None)
+        self.mark(new, check=known.check, length_s=known.length_s)
+
+    def delete(self, names: Sequence[str]) -> Deleted:
+        """Move trajectories, their drafts with them, where `restore` finds them.
+
+        Args:
+            names: Which; a draft without a trajectory is one, too. Those that are gone already are
+                left out.
+
+        Returns:
+            What to give to `restore`.
+
+        Raises:
+            LibraryError: The disk refuses; nothing is deleted.
+        """
+        found, drafts = self._scan(), self._drafts.paths()
+        gone = [name for name in dict.fromkeys(names) if name in found or name in drafts]
+        paths = [found[name].path for name in gone if name in found]
+        paths += [drafts[name] for name in gone if name in drafts]
+        with on_disk("library_not_deleted", ", ".join(gone)):
+            places, when = self._bin.take(paths)
+        entries = tuple(found[name].entry for name in gone if name in found)
+        return Deleted(tuple(gone), places, when, entries)
+
+    def recently_deleted(self) -> list[Deleted]:
+        """What can still be restored, the last deleted first, each trajectory by itself.
+
+        Raises:
+            LibraryError: The disk refuses.
+        """
+        with on_disk("library_unreadable", str(self._folder)):
+            return self._bin.contents()
+
+    def restore(self, deleted: Deleted) -> tuple[str, ...]:
+        """Bring back what was deleted; where its name is taken by now, with a number.
+
+        Returns:
+            The names under which it is listed now.
+
+        Raises:
+            LibraryError: The disk refuses, or nothing of it is left.
+        """
+        places = [(file, place) for file, place in deleted.places if place.exists()]
+        if not places and deleted.places:
+            raise LibraryError(Refusal("deleted_gone", {"name": ", ".join(deleted.names)}))
+        names: dict[str, str] = {}
+        with on_disk("library_not_restored", ", ".join(deleted.names)):
+            self._folder.mkdir(parents=True, exist_ok=True)
+            for file, place in places:
+                if not is_draft(place):
+                    names[name_inside(place)] = self._put_back(file, place)
+            for _file, place in filter(lambda each: is_draft(each[1]), places):
+                name = name_inside(place)
+                names[name] = self._put_draft_back(place, names.get(name))
+        for entry in deleted.entries:
+            self.mark(names.get(entry.name, ""), check=entry.check, length_s=entry.length_s)
+        return tuple(names.values())
+
+    def _put_back(self, file: str, place: Path) -> str:
+        """Bring back a trajectory; no draft of another one of its name becomes its own."""
+        name = name_inside(place)
+        free = self.free_name(name)
+        if free != name:
+            with contextlib.suppress(TrajectoryFileError):  # a damaged one stays as it is
+                self._write(replace(files.load(place), name=free), None)
+                self._bin.remove(place)
+                return free
+        path = self._bin.give_back(file, place, self._folder)
+        return next(name for name, kept in self._scan().items() if kept.path == path)
+
+    def _put_draft_back(self, place: Path, owner: str | None) -> str:
+        """Bring back a draft, to the trajectory it was deleted with where it was."""
+        name = name_inside(place)
+        free = owner or self.free_name(name)
+        if free != name:
+            with contextlib.suppress(TrajectoryFileError):
+                content = files.load(place)
+                if isinstance(content, Trajectory):
+                    self._drafts.save(replace(content, name=free))
+                    self._bin.remove(place)
+                    return free
+        self._bin.give_back(place.name, place, self._folder)
+        return free
+
+    def mark(self, name: str, *, check: Check | None, length_s: float | None) -> None:
+        """Note how a trajectory was checked and how long it takes, until its file changes.
+
+        Args:
+            name: Which; nothing is noted of one that is gone or damaged.
+            check: How the check ended.
+            length_s: How long it takes; a recording knows by itself.
+        """
+        kept = self._scan().get(name)
+        if kept is None or kept.entry.damage is not None:
+            return
+        entry = replace(kept.entry, check=check)
+        if entry.kind == "points":
+            entry = replace(entry, length_s=length_s)
+        self._shelf.mark(kept, entry)
+
+    # Drafts ---------------------------------------------------------------------------------------
+
+    def save_draft(
+        self, name: str, content: Trajectory, rest: Callable[[], object] = lambda: None
+    ) -> None:
+        """Keep the unsaved state of a trajectory through a crash; any thread may do so.
+
+        Args:
+            name: What it is called in the library, or will be.
+            content: Its present state.
+            rest: Called every millisecond or so of the work.
+
+        Raises:
+            LibraryError: It is not possible, or the disk refuses.
+        """
+        content = replace(content, name=name, modified=self._now())
+        with on_disk("library_not_saved", name):
+            try:
+                self._drafts.save(content, rest)
+            except UnwritableError as error:
+                raise LibraryError(error.reason, error.row) from error
+
+    def draft(self, name: str) -> Trajectory | None:
+        """The unsaved state of a trajectory, if there is one.
+
+        Raises:
+            TrajectoryFileError: Somebody has damaged it.
+        """
+        return self._drafts.load(name)
+
+    def drop_draft(self, name: str) -> None:
+        """Forget the unsaved state of a trajectory.
+
+        Raises:
+            LibraryError: The disk refuses.
+        """
+        with on_disk("library_not_deleted", name):
+            self._drafts.drop(name)
+
+    def drafts(self) -> list[str]:
+        """The names of all trajectories that have an unsaved state."""
+        return self._drafts.names()
+
+    # Files ----------------------------------------------------------------------------------------
+
+    def _scan(self) -> dict[str, StoredFile]:
+        """All files by the name of what they hold."""
+        with on_disk("library_unreadable", str(self._folder)):
+            return self._shelf.scan()
+
+    def _verify(self, content: Content) -> None:
+        """Make sure that what is kept can be read again.
+
+        Raises:
+            LibraryError: It could not.
+        """
+        call = self._call if is_large(content) else call_directly
+        found = call(_first_fault, content)
+        if found is not None:
+            row, reason = found
+            raise LibraryError(reason, row)
+
+    def _write(self, content: Content, replacing: str | None) -> bool:
+        """Write a file: in place of the one to replace where there is one, else a new one.
+
+        Returns:
+            Whether the one to replace had been changed by another program.
+        """
+        found = self._scan()
+        if content.name != replacing and content.name in found:
+            raise LibraryError(Refusal("name_taken", {"name": content.name}))
+        old = None if replacing is None else found.get(replacing)
+        if old is not None and old.entry.damage is not None:
+            raise LibraryError(Refusal("library_damaged", {"name": str(replacing)}))
+        stems = {folded(kept.path.stem) for kept in found.values() if kept is not old}
+        fitting = self._folder / (free_stem(content.name, stems) + suffix_of(content))
+        in_place = old is not None and old.path.suffix == fitting.suffix
+        path = old.path if old is not None and in_place else fitting
+        with on_disk("library_not_saved", content.name):
+            self._folder.mkdir(parents=True, exist_ok=True)
+            met = None if replacing is None else self._met.get(replacing)
+            displaced = old is not None and met is not None and met != old.stamp
+            if displaced and old is not None:
+                self._bin.keep_copy(old.path)
+            (self._call if is_large(content) else call_directly)(write_content, path, content)
+            if old is not None and not in_place:
+                old.path.unlink()
+        if path != fitting and file_stem(content.name) != file_stem(str(replacing)):
+            # the file's own name follows; where it cannot, the one within it counts
+            with contextlib.suppress(OSError):
+                path = path.rename(fitting)
+        with on_disk("library_unreadable", str(self._folder)):
+            self._met[content.name] = self._shelf.note(path, entry_of(content))
+        return displaced
+
+
+def _first_fault(content: Content) -> tuple[int, Refusal] | None:
+    if isinstance(content, Recording):
+        return check_recording(content)
+    return check_trajectory(content)

@@ -1,0 +1,136 @@
+"""The files of the library as they are on the disk: which there are, and what each holds."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from collections.abc import Iterator
+from dataclasses import replace
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Final, NamedTuple
+
+from armui.trajectory import files
+from armui.trajectory.files import Content, TrajectoryFileError
+from armui.trajectory.library.calls import Call, call_directly, entry_by
+from armui.trajectory.library.file_names import file_stem
+from armui.trajectory.library.index import Index, IndexEntry, Stamp
+from armui.trajectory.samples.recording import Recording
+
+_SUFFIXES: Final = (".log", ".npz")
+_INDEX: Final = ".index.json"
+
+
+class StoredFile(NamedTuple):
+    """A file of the library and what is known of it."""
+
+    path: Path
+    stamp: Stamp
+    entry: IndexEntry
+
+
+class FileStore:
+    """The files in a folder, by the name of what they hold.
+
+    Args:
+        folder: It need not exist.
+        call: Where large files are read.
+    """
+
+    def __init__(self, folder: Path, call: Call = call_directly) -> None:
+        self._folder = folder
+        self._call = call
+        self._index = Index(folder / _INDEX)
+
+    def scan(self) -> dict[str, StoredFile]:
+        """All of them; only those that are new or changed are opened.
+
+        Raises:
+            OSError: The folder cannot be read.
+        """
+        self._index.follow()
+        looks = (self._look(path, stamp) for path, stamp in self._files())
+        found = [kept for kept in looks if kept is not None]
+        self._index.keep_only([kept.path.name for kept in found])
+        self._index.save()
+        return _by_name(found)
+
+    def note(self, path: Path, entry: IndexEntry) -> Stamp:
+        """Take over what a file holds that was just written; returns its stamp.
+
+        Raises:
+            OSError: It is gone.
+        """
+        stamp = Stamp.of(path.stat())
+        self._index.put(path.name, stamp, entry)
+        self._index.save()
+        return stamp
+
+    def mark(self, kept: StoredFile, entry: IndexEntry) -> None:
+        """Take over what was found out about a file, unless it has changed since the scan."""
+        self._index.put(kept.path.name, kept.stamp, entry)
+        self._index.save()
+
+    def _files(self) -> Iterator[tuple[Path, Stamp]]:
+        if not self._folder.is_dir():
+            return
+        with os.scandir(self._folder) as items:
+            for item in items:
+                shown = item.name.endswith(_SUFFIXES) and not item.name.startswith(".")
+                if shown and item.is_file():
+                    with contextlib.suppress(FileNotFoundError):  # another program has deleted it
+                        yield Path(item.path), Stamp.of(Path(item.path).stat())
+
+    def _look(self, path: Path, stamp: Stamp) -> StoredFile | None:
+        """What is known of a file; it is opened only where it is not the one known."""
+        entry = self._index.entry(path.name, stamp)
+        if entry is None:
+            try:
+                entry = entry_by(self._call, path, stamp.size)
+            except TrajectoryFileError as error:
+                if not path.exists():  # another program has deleted it meanwhile
+                    return None
+                kind: Final = "points" if path.suffix == ".log" else "recording"
+                name = self._index.last_name(path.name) or _name_of(path)
+                changed = datetime.fromtimestamp(stamp.time_ns / 1e9, UTC)
+                entry = IndexEntry(name, kind, 0, None, changed, damage=error)
+            self._index.put(path.name, stamp, entry)
+        return StoredFile(path, stamp, entry)
+
+
+def _by_name(found: list[StoredFile]) -> dict[str, StoredFile]:
+    """Files by name; a copy that holds a name already taken goes by its file's name."""
+    named: dict[str, StoredFile] = {}
+    found = sorted(found, key=lambda kept: (kept.path.stem != file_stem(kept.entry.name), kept))
+    for kept in found:
+        name, number = kept.entry.name, 1
+        if name in named:
+            name = stem = _name_of(kept.path)
+            while name in named:
+                number += 1
+                name = f"{stem} {number}"
+        entry = kept.entry if name == kept.entry.name else replace(kept.entry, name=name)
+        named[name] = kept._replace(entry=entry)
+    return named
+
+
+def _name_of(path: Path) -> str:
+    """What a file's name says, as far as it can be shown."""
+    return path.stem.encode(errors="replace").decode()
+
+
+def name_inside(path: Path) -> str:
+    """The name a file of the library gives its content; else what its own name says.
+
+    Args:
+        path: Of a trajectory, recording or draft; only its beginning is read.
+    """
+    found = None
+    with contextlib.suppress(OSError):
+        found = files.name_in(path)
+    return found or _name_of(path)
+
+
+def suffix_of(content: Content) -> str:
+    """How the name of the file ends that is to hold something."""
+    return ".npz" if isinstance(content, Recording) else ".log"

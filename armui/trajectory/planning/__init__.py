@@ -1,0 +1,1 @@
+"""Where a trajectory leads: its path, its time, and what speaks against it."""

@@ -1,0 +1,241 @@
+"""Checks a trajectory before it is run: the whole way, not only its points."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from armui.arm.limits import JOINTS
+from armui.arm.model import ArmModel
+from armui.kinematics.batch import flange_heights, jacobians, margins
+from armui.trajectory.planning.collision import collisions
+from armui.trajectory.planning.findings import Finding, Severity
+from armui.trajectory.planning.planned_path import PlannedPath
+from armui.trajectory.planning.recording_check import check_recorded
+from armui.trajectory.planning.stops import TOOL_MOVES, bounds
+from armui.trajectory.planning.timing import plan_path
+from armui.trajectory.points.program import GripperOpening, Trajectory, Waypoint
+from armui.trajectory.samples.recording import Recording
+
+Array = npt.NDArray[np.float64]
+Whole = npt.NDArray[np.int64]
+Flags = npt.NDArray[np.bool_]
+
+FAR_FROM_START_DEG: Final = 30.0
+"""A first point further from where the joints are is worth a look."""
+LARGE_TURN_DEG: Final = 90.0
+"""So is a joint that turns further to a pose: the arm may hold it in another way than meant."""
+NEAR_SINGULAR: Final = 0.02
+"""Smallest singular value, m and rad a rad: a hand at 60 mm/s then asks a joint for its 3 rad/s."""
+FLOOR_MM: Final = 0.0
+"""The plane the arm stands on."""
+_SPEED_SLACK: Final = 1.02
+_COLLISION_STEP_DEG: Final = 2.0
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """What a check has found.
+
+    Attributes:
+        findings: By row; what concerns the whole comes first.
+        path: The way that was checked, for the preview.
+    """
+
+    findings: tuple[Finding, ...]
+    path: PlannedPath
+
+    @property
+    def errors(self) -> tuple[Finding, ...]:
+        """What forbids a run."""
+        return tuple(each for each in self.findings if each.severity is Severity.ERROR)
+
+    @property
+    def warnings(self) -> tuple[Finding, ...]:
+        """What the operator may accept."""
+        return tuple(each for each in self.findings if each.severity is Severity.WARNING)
+
+
+def check(
+    content: Trajectory | Recording,
+    arm: ArmModel,
+    start_deg: Sequence[float],
+    path: PlannedPath | None = None,
+) -> Report:
+    """Checks whether this arm can do all of it, and whether it should.
+
+    Args:
+        content: What shall be run.
+        arm: The arm.
+        start_deg: Where its joints are.
+        path: The plan of it from there, if there is one already.
+    """
+    path = plan_path(content, arm, start_deg) if path is None else path
+    findings = list(path.problems)
+    if isinstance(content, Recording):
+        findings += check_recorded(content, path, arm)
+        slow = np.zeros(len(path.rows), dtype=bool)
+    elif not len(path.times_s):
+        findings += _empty(content.points)
+        slow = np.empty(0, dtype=bool)
+    else:
+        slow = _by_row(path, [point.move in TOOL_MOVES for point in content.points])
+        findings += _limits(path, slow, arm)
+        findings += _near_singular(path, slow, arm)
+        posed = [not point.is_joint and point.move not in TOOL_MOVES for point in content.points]
+        findings += _large_turns(path, _by_row(path, posed))
+    if isinstance(content, Trajectory):
+        findings += _grippers(content.points, arm)
+    if len(path.times_s):
+        findings += _far_from_start(path)
+        findings += _below_floor(path, arm)
+        findings += _tool_too_fast(path, ~slow, arm)
+        findings += _collisions(path, arm)
+    findings.sort(key=lambda each: (-1 if each.row is None else each.row, each.severity.value))
+    return Report(tuple(findings), path)
+
+
+def _empty(points: Sequence[Waypoint]) -> Iterator[Finding]:
+    if not points:
+        yield Finding("empty")
+
+
+def _grippers(points: Sequence[Waypoint], arm: ArmModel) -> Iterator[Finding]:
+    if arm.stroke_mm is None:
+        return
+    for row, point in enumerate(points):
+        action = point.gripper
+        if isinstance(action, GripperOpening) and action.opening_mm > arm.stroke_mm:
+            figures = {"value": float(action.opening_mm), "maximum": float(arm.stroke_mm)}
+            yield Finding("gripper_beyond_stroke", figures, row)
+
+
+def _limits(path: PlannedPath, led: Flags, arm: ArmModel) -> Iterator[Finding]:
+    """Of a motion of the joints its end counts, of a line or an arc every place.
+
+    Joints that begin beyond a limit may come back.
+    """
+    low, high = bounds(arm)
+    over = np.maximum(low - path.joints_deg, path.joints_deg - high)
+    last = np.append(np.diff(path.rows) != 0, True)
+    beyond = (over > 0.0).any(axis=1) & (led | last)
+    for index in _worst(beyond, over.max(axis=1, initial=-np.inf), path.rows):
+        joint = int(np.argmax(over[index]))
+        limits = arm.limits[joint]
+        figures = {
+            "joint": JOINTS[joint],
+            "value": float(path.joints_deg[index, joint]),
+            "minimum": limits.min_deg,
+            "maximum": limits.max_deg,
+        }
+        yield _at(
+            path, index, "target_beyond_limit" if last[index] else "path_beyond_limit", figures
+        )
+
+
+def _near_singular(path: PlannedPath, led: Flags, arm: ArmModel) -> Iterator[Finding]:
+    places = np.flatnonzero(led)
+    nearness = np.zeros(len(path.rows))
+    nearness[places] = -margins(arm.kinematics, path.joints_deg[places])
+    nearest = np.array(list(_worst(led, nearness, path.rows)), dtype=np.int64)
+    if not len(nearest):
+        return
+    grids = jacobians(arm.kinematics, path.joints_deg[nearest])
+    smallest = np.linalg.svd(grids, compute_uv=False)[:, -1]
+    for index, value in zip(nearest.tolist(), smallest.tolist(), strict=True):
+        if value < NEAR_SINGULAR:
+            yield _at(path, index, "near_singular", {"value": value, "minimum": NEAR_SINGULAR})
+
+
+def _large_turns(path: PlannedPath, posed: Flags) -> Iterator[Finding]:
+    firsts = np.flatnonzero(np.diff(path.rows, prepend=-1) != 0)
+    lasts = np.append(firsts[1:], len(path.rows)) - 1
+    turns = np.abs(path.joints_deg[lasts] - path.joints_deg[firsts])
+    for which in np.flatnonzero((turns > LARGE_TURN_DEG).any(axis=1) & posed[lasts]).tolist():
+        joint = int(np.argmax(turns[which]))
+        figures = {"joint": JOINTS[joint], "value": round(float(turns[which, joint]), 1)}
+        yield _at(path, int(lasts[which]), "large_turn", figures)
+
+
+def _far_from_start(path: PlannedPath) -> Iterator[Finding]:
+    first_row = np.flatnonzero(path.rows == path.rows[0])
+    away = np.abs(path.joints_deg[first_row[-1]] - path.joints_deg[0])
+    joint = int(np.argmax(away))
+    if away[joint] > FAR_FROM_START_DEG:
+        figures = {"joint": JOINTS[joint], "value": round(float(away[joint]), 1)}
+        yield _at(path, int(first_row[-1]), "far_from_start", figures)
+
+
+def _below_floor(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
+    heights = np.minimum(path.places_mm[:, 2], flange_heights(arm.kinematics, path.joints_deg))
+    below = FLOOR_MM - heights
+    for index in _worst(below > 0.0, below, path.rows, path.expected_s == ()):
+        yield _at(path, index, "below_floor", {"value": round(float(below[index]), 1)})
+
+
+def _tool_too_fast(path: PlannedPath, free: Flags, arm: ArmModel) -> Iterator[Finding]:
+    """Motions of the joints: the arm keeps the tool's limit on lines and arcs only."""
+    if arm.end_limits is None:
+        return
+    most = 1e3 * arm.end_limits.max_linear_speed_m_s
+    speeds = path.speeds_mm_s
+    fast = free & (speeds > _SPEED_SLACK * most)
+    for index in _worst(fast, speeds, path.rows, path.expected_s == ()):
+        figures = {"value": round(float(speeds[index])), "maximum": round(most)}
+        yield _at(path, index, "tool_too_fast", figures)
+
+
+def _collisions(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
+    turned = np.abs(np.diff(path.joints_deg, axis=0)).max(axis=1, initial=0.0)
+    strides = np.floor(np.concatenate(([0.0], np.cumsum(turned))) / _COLLISION_STEP_DEG)
+    looked_at = np.flatnonzero(np.diff(strides, prepend=-1.0) != 0.0)
+    hits = collisions(arm.kinematics, path.joints_deg[looked_at], arm.tool_mm)
+    told: set[int] = set()
+    for which in sorted(hits):
+        index = int(looked_at[which])
+        row = int(path.rows[index])
+        # of a recording the first of those on end is enough
+        before = which - 1 in hits and path.expected_s == ()
+        if row not in told and not before:
+            told.add(row)
+            one, other = hits[which].split("/")
+            yield _at(path, index, "links_collide", {"one": one, "other": other})
+
+
+def _worst(
+    mask: Flags,
+    badness: Array,
+    rows: Whole,
+    on_end: bool = False,
+) -> Iterable[int]:
+    """The worst sample of each row that is marked; of a recording, of each run of samples."""
+    marked = np.flatnonzero(mask)
+    if not len(marked):
+        return []
+    groups = rows[marked]
+    if on_end:
+        groups = np.cumsum(np.diff(marked, prepend=marked[0]) > 1)
+    order = np.lexsort((-badness[marked], groups))
+    _, firsts = np.unique(groups[order], return_index=True)
+    worst: list[int] = marked[order[firsts]].tolist()
+    return worst
+
+
+def _by_row(path: PlannedPath, flags: Sequence[bool]) -> Flags:
+    return np.array(flags, dtype=bool)[path.rows]
+
+
+def _at(
+    path: PlannedPath, index: int, code: str, figures: Mapping[str, float | int | str]
+) -> Finding:
+    return Finding(
+        code,
+        figures,
+        int(path.rows[index]),
+        tuple(path.joints_deg[index].tolist()),
+        tuple(path.places_mm[index].tolist()),
+    )

@@ -1,0 +1,144 @@
+"""Whether parts of the arm would pass through each other: capsules along its bones.
+
+Their sizes are those of the meshes in ``urdf/``, a little within the covers: what is told touches.
+Neighbours are left out, their joints' limits keep them apart.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from armui.kinematics.batch import Skeleton, skeletons
+from armui.kinematics.kinematics import BASE_MM, ELBOW_MM, HAND_MM, UPPER_ARM_MM, Kinematics
+
+Array = npt.NDArray[np.float64]
+Whole = npt.NDArray[np.int64]
+
+PARTS: Final = ("base", "upper arm", "forearm", "hand", "gripper")
+"""The parts of the arm as findings name them."""
+
+_COLUMN_RADIUS_MM: Final = 38.0
+_SOCKET_MM: Final = (-33.0, 60.0)
+_SOCKET_RADIUS_MM: Final = 25.0
+"""The box with the sockets behind the foot: its place along X, its height."""
+_UPPER_ARM_RADIUS_MM: Final = 26.0
+_FOREARM_RADIUS_MM: Final = 28.0
+_HAND_RADIUS_MM: Final = 31.0
+_KNEE_MM: Final = (125.0, 29.0)
+"""Where the bow of the upper arm is: along it, and outwards."""
+_FOREARM_FROM_MM: Final = 60.0
+"""The forearm from the elbow on; before that it is the elbow's motor, the upper arm's neighbour."""
+_PALM_AT_MM: Final = 54.0
+_PALM_HALF_MM: Final = 56.0
+_PALM_RADIUS_MM: Final = 14.0
+_FINGER_RADIUS_MM: Final = 18.0
+_FURTHEST_MM: Final = 75.0
+"""No part of hand and gripper is further from their axis."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Capsule:
+    part: str
+    start: Array
+    end: Array
+    radius_mm: float
+
+
+def collisions(kinematics: Kinematics, joints_deg: Array, tool_mm: float) -> dict[int, str]:
+    """Where parts of the arm would be in each other.
+
+    Args:
+        kinematics: Of the arm.
+        joints_deg: (n, 6).
+        tool_mm: How far the gripper reaches beyond the flange; 0 if there is none.
+
+    Returns:
+        By index, the two parts, as ``upper arm/gripper``.
+    """
+    bones = skeletons(kinematics, joints_deg)
+    close = np.flatnonzero(_close(bones, tool_mm))
+    found: dict[int, str] = {}
+    if not len(close):
+        return found
+    near = Skeleton(*(each[close] for each in bones))
+    for fixed, moving in _pairs(near, tool_mm):
+        gaps = segment_distances(fixed.start, fixed.end, moving.start, moving.end)
+        for index in close[gaps < fixed.radius_mm + moving.radius_mm].tolist():
+            found.setdefault(index, f"{fixed.part}/{moving.part}")
+    return found
+
+
+def segment_distances(a: Array, b: Array, c: Array, d: Array) -> Array:
+    """(n,) the shortest distances between the segments a–b and c–d, all (n, 3)."""
+    one, other, between = b - a, d - c, a - c
+    one_2, other_2 = _dot(one, one), np.maximum(_dot(other, other), 1e-12)
+    along, across = _dot(one, other), _dot(other, between)
+    lean = _dot(one, between)
+    slant = one_2 * other_2 - along**2
+    parallel = slant <= 1e-9 * one_2 * other_2
+    share = np.where(
+        parallel, 0.0, (along * across - lean * other_2) / np.where(parallel, 1.0, slant)
+    )
+    share = np.clip(share, 0.0, 1.0)
+    back = np.clip((along * share + across) / other_2, 0.0, 1.0)
+    share = np.clip((along * back - lean) / np.maximum(one_2, 1e-12), 0.0, 1.0)
+    gap: Array = np.linalg.norm(between + share[:, None] * one - back[:, None] * other, axis=1)
+    return gap
+
+
+def _close(bones: Skeleton, tool_mm: float) -> npt.NDArray[np.bool_]:
+    """Whether hand or forearm could touch anything, by the spheres around them."""
+    half_mm = (HAND_MM + tool_mm) / 2.0
+    middle = bones.centre + half_mm * bones.hand
+    reach_mm = half_mm + _FURTHEST_MM
+    to_axis = np.hypot(middle[:, 0], middle[:, 1])
+    to_column = np.hypot(to_axis, np.maximum(middle[:, 2] - BASE_MM, 0.0))
+    shoulder = np.array((0.0, 0.0, BASE_MM))
+    along = np.clip(_dot(middle - shoulder, bones.upper_arm), 0.0, UPPER_ARM_MM)
+    off_arm = np.linalg.norm(middle - shoulder - along[:, None] * bones.upper_arm, axis=1)
+    near_arm = off_arm < reach_mm + _UPPER_ARM_RADIUS_MM + _KNEE_MM[1]
+    wrist = bones.centre[:, 2] < BASE_MM + _COLUMN_RADIUS_MM + _FOREARM_RADIUS_MM
+    return np.asarray((to_column < reach_mm + _COLUMN_RADIUS_MM) | near_arm | wrist)
+
+
+def _pairs(bones: Skeleton, tool_mm: float) -> Iterator[tuple[_Capsule, _Capsule]]:
+    """The parts that could meet."""
+    foot = np.zeros_like(bones.elbow)
+    shoulder = foot + np.array((0.0, 0.0, BASE_MM))
+    knee = (
+        shoulder
+        + _KNEE_MM[0] * bones.upper_arm
+        - _KNEE_MM[1] * np.cross(bones.side, bones.upper_arm)
+    )
+    column = _Capsule("base", foot, shoulder, _COLUMN_RADIUS_MM)
+    low = foot + np.array((_SOCKET_MM[0], 0.0, 0.0))
+    socket = _Capsule("base", low, low + np.array((0.0, 0.0, _SOCKET_MM[1])), _SOCKET_RADIUS_MM)
+    upper = (
+        _Capsule("upper arm", shoulder, knee, _UPPER_ARM_RADIUS_MM),
+        _Capsule("upper arm", knee, bones.elbow, _UPPER_ARM_RADIUS_MM),
+    )
+    bar = bones.elbow + ELBOW_MM * bones.across + _FOREARM_FROM_MM * bones.forearm
+    yield column, _Capsule("forearm", bar, bones.centre, _FOREARM_RADIUS_MM)
+    for moving in _hand(bones, tool_mm):
+        for fixed in (column, socket, *upper):
+            yield fixed, moving
+
+
+def _hand(bones: Skeleton, tool_mm: float) -> Iterator[_Capsule]:
+    yield _Capsule("hand", bones.centre, bones.flange, _HAND_RADIUS_MM)
+    if tool_mm > _PALM_AT_MM:
+        palm = bones.flange + _PALM_AT_MM * bones.hand
+        aside = _PALM_HALF_MM * bones.palm
+        yield _Capsule("gripper", palm - aside, palm + aside, _PALM_RADIUS_MM)
+        tip = bones.flange + (tool_mm - _FINGER_RADIUS_MM) * bones.hand
+        yield _Capsule("gripper", palm, tip, _FINGER_RADIUS_MM)
+
+
+def _dot(one: Array, other: Array) -> Array:
+    products: Array = np.einsum("ij,ij->i", one, other)
+    return products

@@ -1,0 +1,194 @@
+"""The points of a trajectory as arrays, and where the joints are at each of them.
+
+Stop 0 is where the arm stands before it runs; stop i is the point in row i − 1.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+from scipy.spatial.transform import Rotation
+
+from armui.arm.limits import ANGLE_STEP_DEG
+from armui.arm.model import ArmModel
+from armui.kinematics.batch import WAYS, flanges, solutions
+from armui.kinematics.kinematics import Joints, Pose, matrix_to_pose, wrapped_deg
+from armui.kinematics.wrist import STRETCHED_DEG
+from armui.protocol.codes import MoveMode
+from armui.trajectory.points.program import Waypoint
+
+Array = npt.NDArray[np.float64]
+Whole = npt.NDArray[np.int64]
+
+TOOL_MOVES: Final = frozenset({MoveMode.MOVE_L, MoveMode.MOVE_C})
+"""Motions that lead the tool along a path."""
+
+
+@dataclass(frozen=True, slots=True)
+class Stops:
+    """What is known of the stops before the way between them is.
+
+    Attributes:
+        joints_deg: (n, 6) targets of MOVE J, and of the start; NaN for poses.
+        goals: (n, 4, 4) transforms of the flange.
+        solutions_deg: (n, 8, 6) ways to hold the flange there, see `armui.kinematics.batch.solutions`.
+        within: (n, 8) whether each is within the joints' limits.
+        stretched: (n,) whether the wrist may be stretched there.
+    """
+
+    joints_deg: Array
+    goals: Array
+    solutions_deg: Array
+    within: npt.NDArray[np.bool_]
+    stretched: npt.NDArray[np.bool_]
+
+
+def stops(points: Sequence[Waypoint], arm: ArmModel, start_deg: Sequence[float]) -> Stops:
+    """The stops of a trajectory that begins where the joints are at `start_deg`."""
+    targets = np.array([start_deg, *(point.target for point in points)], dtype=float)
+    posed = np.array([False, *(not point.is_joint for point in points)])
+    joints_deg = np.where(posed[:, None], math.nan, targets)
+    goals = np.empty((len(targets), 4, 4))
+    goals[~posed] = flanges(arm.kinematics, targets[~posed])
+    goals[posed] = transforms(targets[posed])
+    ways, bends = solutions(arm.kinematics, goals)
+    low, high = bounds(arm)
+    within = np.asarray(((ways >= low) & (ways <= high)).all(axis=2))
+    return Stops(joints_deg, goals, ways, within, bends < STRETCHED_DEG)
+
+
+def transforms(poses: Array) -> Array:
+    """(n, 4, 4) of (n, 6) poses: X Y Z in mm, RX RY RZ in degrees."""
+    matrices = np.zeros((len(poses), 4, 4))
+    if len(poses):
+        turns = Rotation.from_euler("xyz", poses[:, 3:], degrees=True)
+        matrices[:, :3, :3] = turns.as_matrix()
+    matrices[:, :3, 3] = poses[:, :3]
+    matrices[:, 3, 3] = 1.0
+    return matrices
+
+
+def bounds(arm: ArmModel) -> tuple[Array, Array]:
+    """The lowest and the highest angles of the joints, with the rounding of the bus granted."""
+    half_step = ANGLE_STEP_DEG / 2
+    low = np.array([limits.min_deg - half_step for limits in arm.limits])
+    high = np.array([limits.max_deg + half_step for limits in arm.limits])
+    return low, high
+
+
+@dataclass(frozen=True, slots=True)
+class Route:
+    """Where the joints go from stop to stop.
+
+    Attributes:
+        origins: (n,) the stop each motion begins at; −1 for stops that are left out.
+        ends_deg: (n, 6) the joints at each stop; NaN where it is not known.
+        ways: (n,) the way of the arm on which a tool move begins.
+        unreachable: Poses no way leads to.
+    """
+
+    origins: Whole
+    ends_deg: Array
+    ways: Whole
+    unreachable: list[int]
+
+
+def choose(
+    points: Sequence[Waypoint],
+    table: Stops,
+    arm: ArmModel,
+    skipped: Mapping[int, object],
+    followed: Mapping[int, tuple[Joints, Joints]],
+) -> Route:
+    """Where the joints go, as the arm chooses among the ways to its poses.
+
+    MOVE P goes to the nearest way within the limits; lines and arcs stay on the way where they
+    begin, and where they really end is told by following them.
+
+    Args:
+        points: The trajectory.
+        table: Its stops.
+        arm: The arm.
+        skipped: Stops that cannot be reached: the arm stays where it is.
+        followed: By stop, the joints a tool move was followed from, and to.
+    """
+    count = len(points) + 1
+    route = Route(np.full(count, -1), np.full((count, 6), math.nan), np.zeros(count, int), [])
+    joints: Joints = tuple(table.joints_deg[0].tolist())
+    route.ends_deg[0] = joints
+    here = 0
+    for stop, point in enumerate(points, start=1):
+        if stop in skipped:
+            continue
+        end: Joints | None
+        if point.is_joint:
+            end = point.target
+        elif point.move in TOOL_MOVES:
+            way = _way_at(table.solutions_deg[here], joints)
+            route.ways[stop] = way
+            before = followed.get(stop)
+            if before is not None and before[0] == joints:
+                end = before[1]
+            else:
+                end = _wrist_near(table.solutions_deg[stop, 2 * way : 2 * way + 2], joints)
+        else:
+            end = _nearest(table, stop, joints, arm)
+        route.origins[stop] = here
+        if end is None:
+            if np.isnan(table.solutions_deg[stop]).all():
+                route.unreachable.append(stop)
+            continue
+        route.ends_deg[stop] = joints = end
+        here = stop
+    return route
+
+
+def _way_at(ways_deg: Array, joints: Joints) -> int:
+    """Which way of the arm the joints are on."""
+    arms: Array = ways_deg.reshape(WAYS, 2, 6)[:, 0, :3] - np.array(joints[:3])
+    gaps = np.abs(arms).max(axis=1)
+    return int(np.argmin(np.where(np.isnan(gaps), math.inf, gaps)))
+
+
+def _wrist_near(ways_deg: Array, joints: Joints) -> Joints | None:
+    """Of two bends of the wrist the nearer one, without a turn more than needed."""
+    if math.isnan(ways_deg[0, 0]):
+        return None
+    rows = [
+        (
+            *way[:3],
+            *(
+                before + wrapped_deg(angle - before)
+                for angle, before in zip(way[3:], joints[3:], strict=True)
+            ),
+        )
+        for way in ways_deg.tolist()
+    ]
+    return min(rows, key=lambda row: math.dist(row[3:], joints[3:]))
+
+
+def _nearest(table: Stops, stop: int, joints: Joints, arm: ArmModel) -> Joints | None:
+    """The nearest way to a pose, of those within the limits if there is one."""
+    if table.stretched[stop]:
+        return _nearest_stretched(matrix_to_pose(table.goals[stop]), joints, arm)
+    ways = table.solutions_deg[stop]
+    off: Array = ways - np.array(joints)
+    gaps = np.einsum("ij,ij->i", off, off)
+    gaps[np.isnan(gaps)] = math.inf
+    inside = np.where(table.within[stop], gaps, math.inf)
+    best = int(np.argmin(inside if np.isfinite(inside).any() else gaps))
+    return tuple(ways[best].tolist()) if math.isfinite(gaps[best]) else None
+
+
+def _nearest_stretched(pose: Pose, joints: Joints, arm: ArmModel) -> Joints | None:
+    """The same with a wrist that is as good as stretched: joint 4 stays where it is."""
+    low, high = bounds(arm)
+    ways = arm.kinematics.inverse(pose, joints)
+    inside = [way for way in ways if (low <= way).all() and (way <= high).all()]
+    best = inside or ways
+    return best[0] if best else None

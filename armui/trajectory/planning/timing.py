@@ -1,0 +1,190 @@
+"""How long a trajectory takes and where it goes, planned as the arm moves.
+
+MOVE J and P go from rest to rest, all joints arriving together; lines and arcs keep the limits of
+joints and tool all along. Each point is begun when the one before is reached and its dwell is over.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from armui.arm.model import ArmModel
+from armui.trajectory.planning import trapezoids
+from armui.trajectory.planning.planned_path import PlannedPath, sampled_path
+from armui.trajectory.planning.planning import Plan, plan_route
+from armui.trajectory.points.program import Trajectory
+from armui.trajectory.samples.recording import Recording
+
+Array = npt.NDArray[np.float64]
+Whole = npt.NDArray[np.int64]
+
+APPROACH_PERCENT: Final = 15
+"""The speed at which a replay approaches its first sample."""
+
+_STEP_DEG: Final = 2.5
+_FEWEST_STEPS: Final = 8
+_SLOWEST: Final = 0.05
+"""Limits of 0 are taken as so many °/s and °/s²: the time is long, and known."""
+
+
+def plan_path(
+    content: Trajectory | Recording,
+    arm: ArmModel,
+    start_deg: Sequence[float],
+    *,
+    speed_factor: float = 1.0,
+) -> PlannedPath:
+    """Plans a trajectory or the replay of a recording.
+
+    Args:
+        content: What is run.
+        arm: The arm.
+        start_deg: Where its joints are before. A recording is approached from there.
+        speed_factor: On the speed of every point, or on the recorded speed; above 0.
+    """
+    if isinstance(content, Recording):
+        return _replay(content, arm, start_deg, speed_factor)
+    plan = plan_route(content.points, arm, start_deg)
+    percents = np.array([point.speed_percent for point in content.points], dtype=float)
+    shares = np.clip(np.round(percents * speed_factor), 1, 100) / 100.0
+    dwells_s = np.array([point.dwell_s for point in content.points])
+    return _sampled(plan, arm, shares, dwells_s)
+
+
+@dataclass(frozen=True, slots=True)
+class _Motions:
+    """From stop to stop, in the order they are run, those left out left out.
+
+    Attributes:
+        rows: (m,) the points they lead to.
+        starts_deg, ends_deg: (m, 6).
+        lasting_s: (m,) without the dwell.
+        counts: (m,) how many samples show each, both ends among them.
+    """
+
+    rows: Whole
+    starts_deg: Array
+    ends_deg: Array
+    lasting_s: Array
+    counts: Whole
+
+
+def _sampled(plan: Plan, arm: ArmModel, shares: Array, dwells_s: Array) -> PlannedPath:
+    """A plan in samples.
+
+    Args:
+        plan: Where the joints go.
+        arm: The arm.
+        shares: (points,) of the highest speed.
+        dwells_s: (points,) how long the arm stays.
+    """
+    motions = _motions(plan, arm, shares)
+    _, accelerations = _limits(arm)
+    dwells_s = dwells_s[motions.rows]
+    # one sample more holds the end of a dwell
+    counts = motions.counts + (dwells_s > 0.0)
+    firsts = np.cumsum(counts) - counts
+    begins_s = np.cumsum(motions.lasting_s + dwells_s) - motions.lasting_s - dwells_s
+    total = int(counts.sum())
+    which = np.repeat(np.arange(len(counts)), counts)
+    local = np.arange(total) - firsts[which]
+    parts = np.minimum(local / np.maximum(motions.counts[which] - 1, 1), 1.0)
+    lasting_s = motions.lasting_s[which, None]
+    spent_s = parts[:, None] * lasting_s
+    even = trapezoids.even_speeds(
+        motions.ends_deg - motions.starts_deg, motions.lasting_s[:, None], accelerations
+    )
+    joints = motions.starts_deg[which] + trapezoids.places(
+        spent_s, lasting_s, even[which], accelerations
+    )
+    times_s = spent_s[:, 0]
+    index_of = np.full(len(shares), -1)
+    index_of[motions.rows] = np.arange(len(motions.rows))
+    for group in plan.moves:
+        wanted = group.broken < 0
+        indices = index_of[group.stops[wanted] - 1]
+        steps = group.joints_deg.shape[1]
+        at = firsts[indices][:, None] + np.arange(steps)
+        joints[at] = group.joints_deg[wanted]
+        rate = group.speeds[wanted, None] * shares[motions.rows[indices], None]
+        times_s[at] = trapezoids.times(
+            np.linspace(0.0, 1.0, steps), np.array(1.0), rate, group.accelerations[wanted, None]
+        )
+    ended = local >= motions.counts[which] - 1
+    joints[ended] = motions.ends_deg[which[ended]]
+    stays = local >= motions.counts[which]
+    times_s[stays] += dwells_s[which[stays]]
+    expected_s = np.zeros(len(shares))
+    expected_s[motions.rows] = motions.lasting_s + dwells_s
+    return sampled_path(
+        np.maximum.accumulate(times_s + begins_s[which]),  # against rounding
+        joints,
+        motions.rows[which],
+        arm,
+        expected_s=tuple(expected_s.tolist()),
+        problems=tuple(plan.problems[stop] for stop in sorted(plan.problems)),
+    )
+
+
+def _motions(plan: Plan, arm: ArmModel, shares: Array) -> _Motions:
+    route = plan.route
+    run = np.flatnonzero((route.origins >= 0) & ~np.isnan(route.ends_deg[:, 0]))
+    starts, ends = route.ends_deg[route.origins[run]], route.ends_deg[run]
+    rows = run - 1
+    lasting_s, counts = _joint_moves(starts, ends, shares[rows], arm)
+    index_of = np.full(len(route.origins), -1)
+    index_of[run] = np.arange(len(run))
+    for group in plan.moves:
+        wanted = group.broken < 0
+        indices = index_of[group.stops[wanted]]
+        rate = group.speeds[wanted] * shares[rows[indices]]
+        ones = np.ones(len(indices))
+        lasting_s[indices] = trapezoids.durations(ones, rate, group.accelerations[wanted])
+        counts[indices] = group.joints_deg.shape[1]
+        ends[indices] = group.joints_deg[wanted, -1]
+    return _Motions(rows, starts, ends, lasting_s, counts)
+
+
+def _joint_moves(
+    starts_deg: Array, ends_deg: Array, shares: Array, arm: ArmModel
+) -> tuple[Array, Whole]:
+    """How long MOVE J takes, and how many samples show it; (m,) each."""
+    tops, accelerations = _limits(arm)
+    ways = np.abs(ends_deg - starts_deg)
+    each_s = trapezoids.durations(ways, np.maximum(shares[:, None] * tops, _SLOWEST), accelerations)
+    steps = np.maximum(np.ceil(ways.max(axis=1, initial=0.0) / _STEP_DEG), _FEWEST_STEPS)
+    return each_s.max(axis=1, initial=0.0), steps.astype(np.int64) + 1
+
+
+def _limits(arm: ArmModel) -> tuple[Array, Array]:
+    """The highest speeds and accelerations of the joints."""
+    tops = np.array([limits.max_speed_deg_s for limits in arm.limits])
+    return tops, np.maximum(np.array(arm.accelerations_deg_s2), _SLOWEST)
+
+
+def _replay(
+    recording: Recording, arm: ArmModel, start_deg: Sequence[float], speed_factor: float
+) -> PlannedPath:
+    """The approach to the first sample, which the arm waits for, then the samples in their time."""
+    samples = recording.joints_deg
+    if not len(samples):
+        return sampled_path(np.empty(0), np.empty((0, 6)), np.empty(0, dtype=np.int64), arm)
+    share = np.array([APPROACH_PERCENT / 100.0])
+    start, first = np.array([start_deg], dtype=float), samples[:1]
+    lasting_s, counts = _joint_moves(start, first, share, arm)
+    _, accelerations = _limits(arm)
+    even = trapezoids.even_speeds(first - start, lasting_s[:, None], accelerations)
+    times_s = np.linspace(0.0, float(lasting_s[0]), int(counts[0]))
+    approach = start + trapezoids.places(times_s[:, None], lasting_s, even, accelerations)
+    recorded_s = (recording.times_s - recording.times_s[0]) / speed_factor
+    return sampled_path(
+        np.concatenate((times_s[:-1], lasting_s[0] + recorded_s)),
+        np.vstack((approach[:-1], samples)),
+        np.concatenate((np.zeros(len(times_s) - 1, dtype=np.int64), np.arange(len(samples)))),
+        arm,
+    )

@@ -1,0 +1,144 @@
+"""The columns of a table of points, and what becomes of a point when a cell of it is edited."""
+
+from __future__ import annotations
+
+import enum
+import re
+from dataclasses import replace
+from typing import Final
+
+from armui.arm.refusal import Refusal
+from armui.protocol.codes import MoveMode
+from armui.trajectory.files.errors import TrajectoryFileError
+from armui.trajectory.files.log_points import (
+    gripper_text,
+    light_text,
+    read_gripper,
+    read_light,
+)
+from armui.trajectory.files.text import number
+from armui.trajectory.points.program import (
+    POSE_NAMES,
+    VALUE_COUNT,
+    WHOLE,
+    Values,
+    Waypoint,
+    check_figure,
+    check_point,
+)
+
+
+class PointColumn(enum.IntEnum):
+    """From left to right."""
+
+    MOVE = 0
+    VALUE_1 = 1
+    VALUE_2 = 2
+    VALUE_3 = 3
+    VALUE_4 = 4
+    VALUE_5 = 5
+    VALUE_6 = 6
+    MIDDLE = 7
+    SPEED = 8
+    DWELL = 9
+    GRIPPER = 10
+    LIGHT = 11
+    NOTE = 12
+
+
+VALUES: Final = range(PointColumn.VALUE_1, PointColumn.VALUE_6 + 1)
+"""The columns of the six values of the target."""
+
+_PARTING: Final = re.compile(r"[\s;,，；/]+")
+_UNIT: Final = re.compile(r"\s*(?:°|deg|mm|%|s)$")
+
+
+def text_of(point: Waypoint, column: PointColumn) -> str:
+    """What stands in a cell when it is edited, exact; :func:`edited` reads it."""
+    if column in VALUES:
+        return number(point.target[column - PointColumn.VALUE_1])
+    if column is PointColumn.MIDDLE:
+        return " ".join(map(number, point.middle or ()))
+    if column is PointColumn.SPEED:
+        return str(point.speed_percent)
+    if column is PointColumn.DWELL:
+        return number(point.dwell_s)
+    if column is PointColumn.GRIPPER:
+        return "" if point.gripper is None else gripper_text(point.gripper)
+    if column is PointColumn.LIGHT:
+        return "" if point.light is None else light_text(point.light)
+    return point.note if column is PointColumn.NOTE else f"MOVE {point.move.name[-1]}"
+
+
+def edited(point: Waypoint, column: PointColumn, text: str) -> Waypoint | Refusal:
+    """A point after a text has been entered in one of its cells.
+
+    Args:
+        point: Before.
+        column: Which cell; not that of the kind of motion, see
+            :func:`armui.trajectory.planning.convert.to_move`.
+        text: What was entered. A figure may have its unit behind it, and a decimal comma.
+
+    Returns:
+        The point, or why it cannot be so.
+    """
+    try:
+        changed = _edited(point, column, text.strip())
+    except TrajectoryFileError as error:
+        return error.reason
+    return changed if isinstance(changed, Refusal) else check_point(changed) or changed
+
+
+def _edited(point: Waypoint, column: PointColumn, text: str) -> Waypoint | Refusal:
+    if column in VALUES:
+        place = column - PointColumn.VALUE_1
+        value = figure(point.names[place], text)
+        if isinstance(value, Refusal):
+            return value
+        target = (*point.target[:place], value, *point.target[place + 1 :])
+        return replace(point, target=target)
+    if column is PointColumn.MIDDLE:
+        middle = _six(text)
+        return middle if isinstance(middle, Refusal) else replace(point, middle=middle)
+    if column is PointColumn.SPEED:
+        value = figure("speed", text)
+        return value if isinstance(value, Refusal) else replace(point, speed_percent=int(value))
+    if column is PointColumn.DWELL:
+        value = figure("dwell", text or "0")
+        return value if isinstance(value, Refusal) else replace(point, dwell_s=value)
+    if column is PointColumn.GRIPPER:
+        return replace(point, gripper=read_gripper(text, 0, 0) if text else None)
+    if column is PointColumn.LIGHT:
+        return replace(point, light=read_light(text, 0, 0) if text else None)
+    return replace(point, note=text)
+
+
+def figure(field: str, text: str) -> float | Refusal:
+    """The figure in a text, or why it is none that a point may have.
+
+    Args:
+        field: A key of `program.RANGES`.
+        text: As the operator types: a unit behind it, a decimal comma and the typographic minus
+            are understood.
+    """
+    plain = _UNIT.sub("", text.strip()).replace("−", "-").replace(",", ".")
+    try:
+        value = float(plain)
+    except ValueError:
+        code = "point_not_whole" if field in WHOLE else "point_not_a_number"
+        return Refusal(code, {"field": field, "value": text.strip(), "unit": ""})
+    return check_figure(field, value) or value
+
+
+def _six(text: str) -> Values | Refusal:
+    words = [word for word in _PARTING.split(text) if word]
+    if len(words) != VALUE_COUNT:
+        return Refusal("point_incomplete", {"field": "middle", "value": len(words)})
+    values = [figure(name, word) for name, word in zip(POSE_NAMES, words, strict=True)]
+    wrong = next((value for value in values if isinstance(value, Refusal)), None)
+    return wrong or tuple(value for value in values if not isinstance(value, Refusal))
+
+
+def editable(point: Waypoint, column: PointColumn) -> bool:
+    """Whether a cell takes anything: a middle pose belongs to arcs alone."""
+    return column is not PointColumn.MIDDLE or point.move is MoveMode.MOVE_C

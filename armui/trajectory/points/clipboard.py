@@ -1,0 +1,121 @@
+"""Points as text for the clipboard, and the points in a text from it, as of a spreadsheet."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final
+
+from armui.arm.refusal import Refusal
+from armui.protocol.codes import MoveMode
+from armui.trajectory import files
+from armui.trajectory.files import csv_file, json_file, log_file
+from armui.trajectory.files.errors import TrajectoryFileError, broken
+from armui.trajectory.files.log_points import LETTERS, read_point
+from armui.trajectory.files.model import verified_point
+from armui.trajectory.points.cells import VALUES, PointColumn, edited, figure, text_of
+from armui.trajectory.points.program import (
+    JOINT_NAMES,
+    POSE_NAMES,
+    VALUE_COUNT,
+    Trajectory,
+    Waypoint,
+)
+
+_DELIMITERS: Final = ("\t", ";", ",")
+_MOVES: Final = {
+    **{f"MOVE {letter}": move for letter, move in LETTERS.items()},
+    **{f"MOVE_{letter}": move for letter, move in LETTERS.items()},
+    **LETTERS,
+}
+_NO_POSE: Final = (0.0,) * VALUE_COUNT
+
+
+def to_text(points: Sequence[Waypoint]) -> str:
+    """A row for each point and a tab between its cells: what a spreadsheet takes over as it is."""
+    return "\n".join(
+        "\t".join(_one_line(text_of(point, column)) for column in PointColumn) for point in points
+    )
+
+
+def from_text(text: str, like: MoveMode = MoveMode.MOVE_J) -> tuple[Waypoint, ...]:
+    """The points in a text.
+
+    Understood are what :func:`to_text` writes, whole files of this program, lines of its ``.log``
+    format, and rows of a spreadsheet: perhaps the kind of motion, six values, perhaps speed in
+    percent and dwell in seconds. A first row without a figure is taken for titles.
+
+    Args:
+        text: From the clipboard.
+        like: The kind of motion of rows that do not say it.
+
+    Raises:
+        TrajectoryFileError: With line and cell.
+    """
+    if log_file.is_log(text) or json_file.is_json(text) or csv_file.is_csv(text):
+        content = files.read_text(text, "clipboard")
+        if isinstance(content, Trajectory):
+            return content.points
+        raise broken("file_kind_unknown", 1)
+    # not splitlines: it would part a note at signs that end no line in a spreadsheet
+    numbered = enumerate(text.replace("\r\n", "\n").split("\n"), 1)
+    lines = [(number, line) for number, line in numbered if line.strip()]
+    if not lines:
+        raise broken("file_empty")
+    if not _has_figure(lines[0][1]) and len(lines) > 1:
+        lines = lines[1:]
+    return tuple(_read_row(line, number, like) for number, line in lines)
+
+
+def _one_line(text: str) -> str:
+    return " ".join(text.split()) if any(sign in text for sign in "\t\r\n") else text
+
+
+def _has_figure(line: str) -> bool:
+    """Whether a row has a cell that is a figure: titles have none."""
+    return any(
+        not isinstance(figure("X", cell), Refusal)
+        for cell in line.replace("\t", " ").replace(",", " ").replace(";", " ").split()
+    )
+
+
+def _read_row(line: str, number: int, like: MoveMode) -> Waypoint:
+    delimiter = next((sign for sign in _DELIMITERS if sign in line), None)
+    if delimiter is None and line.split(maxsplit=1)[0] in LETTERS:
+        return read_point(line.strip(), number, ())
+    cells = [cell.strip() for cell in line.split(delimiter)]
+    move = _MOVES.get(cells[0].upper())
+    if move is None:
+        move, cells = like, ["", *cells]
+    values = cells[1 : 1 + VALUE_COUNT]
+    if len(values) != VALUE_COUNT:
+        raise broken("values_count", number, 1, value=len(values), expected=VALUE_COUNT)
+    names = JOINT_NAMES if move is MoveMode.MOVE_J else POSE_NAMES
+    target = tuple(
+        _taken(figure(name, cell), number, place)
+        for place, (name, cell) in enumerate(zip(names, values, strict=True), 1)
+    )
+    rest = cells[1 + VALUE_COUNT :]
+    if len(rest) < len(PointColumn) - len(VALUES) - 1 and _is_figure(rest[:1]):
+        rest = ["", *rest]  # a spreadsheet's rows have no column of middle poses
+    # an arc needs some middle before its cell is read; without one it is none
+    middle = _NO_POSE if move is MoveMode.MOVE_C else None
+    point = Waypoint(move, target, middle)
+    if middle is not None and not (rest and rest[0]):
+        raise broken("values_count", number, PointColumn.MIDDLE + 1, value=0, expected=VALUE_COUNT)
+    for column, cell in zip(range(PointColumn.MIDDLE, len(PointColumn)), rest, strict=False):
+        if cell:
+            changed = edited(point, PointColumn(column), cell)
+            if isinstance(changed, Refusal):
+                raise TrajectoryFileError(changed, number, column + 1)
+            point = changed
+    return verified_point(point, number)
+
+
+def _is_figure(cells: Sequence[str]) -> bool:
+    return bool(cells) and bool(cells[0]) and not isinstance(figure("X", cells[0]), Refusal)
+
+
+def _taken(value: float | Refusal, line: int, column: int) -> float:
+    if isinstance(value, Refusal):
+        raise TrajectoryFileError(value, line, column)
+    return value

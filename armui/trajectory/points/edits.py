@@ -1,0 +1,113 @@
+"""Edits of a trajectory's points: each takes the points and gives the points after it.
+
+Points are a tuple and are never changed in place, so that a step back is the tuple from before,
+and what an edit has changed can be found by comparing the two.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from armui.trajectory.points.program import Waypoint
+
+Points = tuple[Waypoint, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """What an edit did: from a row on, some points gave way to others.
+
+    Attributes:
+        first: The first row that differs, from 0.
+        removed: The points that stood there.
+        added: Those that stand there now.
+    """
+
+    first: int
+    removed: Points
+    added: Points
+
+    def apply(self, points: Points) -> Points:
+        """The points after the edit."""
+        return points[: self.first] + self.added + points[self.first + len(self.removed) :]
+
+    def reversed(self) -> Change:
+        """The edit that takes this one back."""
+        return Change(self.first, self.added, self.removed)
+
+
+def difference(before: Points, after: Points) -> Change | None:
+    """The smallest stretch in which two lists of points differ; ``None`` if they are the same."""
+    shorter = min(len(before), len(after))
+    first = 0
+    while first < shorter and before[first] is after[first]:
+        first += 1
+    last = 0
+    while last < shorter - first and before[-1 - last] is after[-1 - last]:
+        last += 1
+    change = Change(first, before[first : len(before) - last], after[first : len(after) - last])
+    return None if change.removed == change.added else change
+
+
+def insert(points: Points, row: int, new: Iterable[Waypoint]) -> Points:
+    """New points before a row; at the number of rows, after the last."""
+    return (*points[:row], *new, *points[row:])
+
+
+def remove(points: Points, rows: Iterable[int]) -> Points:
+    """Without some rows."""
+    gone = frozenset(rows)
+    return tuple(point for row, point in enumerate(points) if row not in gone)
+
+
+def change(points: Points, changed: Mapping[int, Waypoint]) -> Points:
+    """With other points in some rows."""
+    result = list(points)
+    for row, point in changed.items():
+        result[row] = point
+    return tuple(result)
+
+
+def chosen(points: Points, rows: Iterable[int]) -> Points:
+    """The points of some rows, from top to bottom."""
+    return tuple(points[row] for row in sorted(set(rows)))
+
+
+def duplicate(points: Points, rows: Sequence[int]) -> Points:
+    """With copies of some rows, together, after the last of them."""
+    return insert(points, max(rows) + 1, chosen(points, rows)) if rows else points
+
+
+def move(points: Points, rows: Sequence[int], before: int) -> tuple[Points, int]:
+    """With some rows, together, before another row.
+
+    Args:
+        points: All of them.
+        rows: Which to move.
+        before: The row they shall stand before, counted as the rows are now.
+
+    Returns:
+        The points, and the row in which the first of the moved ones stands.
+    """
+    moved = chosen(points, rows)
+    gone = frozenset(rows)
+    first = before - sum(1 for row in gone if row < before)
+    return insert(remove(points, gone), first, moved), first
+
+
+def shift(points: Points, rows: Sequence[int], by: int) -> tuple[Points, int]:
+    """With some rows one place further up or down; at the ends nothing changes.
+
+    Args:
+        points: All of them.
+        rows: Which to move.
+        by: −1 up, +1 down.
+
+    Returns:
+        As :func:`move`.
+    """
+    first, last = min(rows), max(rows)
+    if first + min(by, 0) < 0 or last + max(by, 0) >= len(points):
+        return points, first
+    return move(points, rows, first + by if by < 0 else last + 1 + by)

@@ -1,0 +1,276 @@
+"""A trajectory as the operator wrote it: points, one after the other. Knows no numpy, no arm.
+
+A point of MOVE J holds six joint angles; one of MOVE P, L or C the pose of the flange it ends in.
+An arc of MOVE C begins where the point before it ends and goes over a middle pose.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, fields
+from datetime import UTC, datetime
+from itertools import starmap
+from operator import attrgetter
+from typing import Any, Final, NamedTuple
+
+from armui.arm.refusal import Refusal
+from armui.protocol.codes import ALL_LAMPS, MoveMode
+
+Values = tuple[float, ...]
+"""Six values: joint angles in degrees, or X Y Z in mm and RX RY RZ in degrees."""
+
+MOVES: Final = (MoveMode.MOVE_J, MoveMode.MOVE_P, MoveMode.MOVE_L, MoveMode.MOVE_C)
+"""The kinds of motion a point can ask for."""
+
+VALUE_COUNT: Final = 6
+LONGEST_TEXT: Final = 4000
+"""Characters of a note or a comment."""
+LONGEST_NAME: Final = 200
+
+
+class Range(NamedTuple):
+    """What a figure may be."""
+
+    minimum: float
+    maximum: float
+    unit: str
+
+
+ANGLE: Final = Range(-360.0, 360.0, "°")
+PLACE: Final = Range(-2000.0, 2000.0, "mm")
+JOINT_NAMES: Final = ("J1", "J2", "J3", "J4", "J5", "J6")
+POSE_NAMES: Final = ("X", "Y", "Z", "RX", "RY", "RZ")
+RANGES: Final = {
+    **dict.fromkeys(JOINT_NAMES, ANGLE),
+    **dict.fromkeys(POSE_NAMES, PLACE),
+    **dict.fromkeys(POSE_NAMES[3:], ANGLE),
+    "speed": Range(1, 100, "%"),
+    "dwell": Range(0.0, 3600.0, "s"),
+    "opening": Range(0.0, 200.0, "mm"),
+    "torque": Range(0.0, 5.0, "N·m"),
+    "gripper angle": Range(-360.0, 360.0, "°"),
+    "gripper speed": Range(0.0, 60.0, "rad/s"),
+    "light joint": Range(1, 6, ""),
+    "lamp": Range(0, ALL_LAMPS, ""),
+    "red": Range(0, 255, ""),
+    "green": Range(0, 255, ""),
+    "blue": Range(0, 255, ""),
+}
+"""What each figure of a point may be, whichever the arm: wider than any arm's own limits.
+
+A speed of 0 % would never arrive. Torque: protocol 0x159, generation 2.
+"""
+WHOLE: Final = frozenset({"speed", "light joint", "lamp", "red", "green", "blue"})
+"""The figures that are whole numbers."""
+
+
+@dataclass(frozen=True, slots=True)
+class GripperOpening:
+    """Opens or closes the gripper as generation 2 does (0x159): to an opening, with a torque."""
+
+    opening_mm: float
+    torque_nm: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class GripperAngle:
+    """Turns the gripper as generation 1 does (0x159): to an angle, with a speed."""
+
+    angle_deg: float
+    speed_rad_s: float = 1.0
+
+
+GripperAction = GripperOpening | GripperAngle
+
+
+@dataclass(frozen=True, slots=True)
+class LightAction:
+    """Colours the lamps of a joint (0x121)."""
+
+    joint: int
+    red: int
+    green: int
+    blue: int
+    lamp: int = ALL_LAMPS
+
+
+@dataclass(frozen=True, slots=True)
+class Waypoint:
+    """One step of a trajectory: go there, then act, then wait.
+
+    Attributes:
+        move: How to get there, one of :data:`MOVES`.
+        target: Six joint angles for MOVE J, else the pose of the flange.
+        middle: The pose an arc of MOVE C goes over; ``None`` for every other kind.
+        speed_percent: Of the highest speed, 1–100.
+        dwell_s: How long to stay.
+        gripper: What the gripper does on arrival.
+        light: What the lamps do on arrival.
+        note: The operator's own words.
+        comments: Lines that stood before the point in its file.
+    """
+
+    move: MoveMode
+    target: Values
+    middle: Values | None = None
+    speed_percent: int = 30
+    dwell_s: float = 0.0
+    gripper: GripperAction | None = None
+    light: LightAction | None = None
+    note: str = ""
+    comments: tuple[str, ...] = ()
+
+    @property
+    def is_joint(self) -> bool:
+        """Whether the target is six joint angles."""
+        return self.move is MoveMode.MOVE_J
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What the six values of the target are called."""
+        return JOINT_NAMES if self.is_joint else POSE_NAMES
+
+    def figures(self) -> Iterator[tuple[str, float]]:
+        """Every figure of the point by the name it has in :data:`RANGES`."""
+        yield from zip(self.names, self.target, strict=False)
+        if self.middle is not None:
+            yield from zip(POSE_NAMES, self.middle, strict=False)
+        yield "speed", self.speed_percent
+        yield "dwell", self.dwell_s
+        if isinstance(self.gripper, GripperOpening):
+            yield "opening", self.gripper.opening_mm
+            yield "torque", self.gripper.torque_nm
+        elif self.gripper is not None:
+            yield "gripper angle", self.gripper.angle_deg
+            yield "gripper speed", self.gripper.speed_rad_s
+        if self.light is not None:
+            yield "light joint", self.light.joint
+            yield "lamp", self.light.lamp
+            yield "red", self.light.red
+            yield "green", self.light.green
+            yield "blue", self.light.blue
+
+
+@dataclass(frozen=True, slots=True)
+class Trajectory:
+    """Points under a name.
+
+    Attributes:
+        name: What the operator calls it.
+        note: What it is for.
+        points: In the order they are run.
+        modified: When it was last changed, with its time zone.
+        closing: Comment lines after the last point of its file.
+    """
+
+    name: str
+    note: str = ""
+    points: tuple[Waypoint, ...] = ()
+    modified: datetime = datetime(1970, 1, 1, tzinfo=UTC)
+    closing: tuple[str, ...] = ()
+
+    def __reduce__(self) -> tuple[object, ...]:
+        """To another process its points go as bare figures, in a fraction of the time."""
+        rest = (self.name, self.note, self.modified, self.closing)
+        return _unpacked, (list(map(_FIELDS_OF, self.points)), *rest)
+
+
+_FIELDS_OF: Final = attrgetter(*(field.name for field in fields(Waypoint)))
+
+
+def _unpacked(
+    points: Iterable[tuple[Any, ...]],
+    name: str,
+    note: str,
+    modified: datetime,
+    closing: tuple[str, ...],
+) -> Trajectory:
+    """The other way round than :meth:`Trajectory.__reduce__`."""
+    return Trajectory(name, note, tuple(starmap(Waypoint, points)), modified, closing)
+
+
+def check_figure(field: str, value: float) -> Refusal | None:
+    """Whether a figure of a point is possible: ``None``, or the reason against it.
+
+    Args:
+        field: A key of :data:`RANGES`.
+        value: What was entered.
+    """
+    allowed = RANGES[field]
+    if not math.isfinite(value) or (field in WHOLE and value != int(value)):
+        code = "point_not_whole" if field in WHOLE else "point_not_a_number"
+        return Refusal(code, {"field": field, "value": value, "unit": allowed.unit})
+    if not allowed.minimum <= value <= allowed.maximum:
+        return Refusal("point_out_of_range", {**allowed._asdict(), "field": field, "value": value})
+    return None
+
+
+def check_point(point: Waypoint) -> Refusal | None:
+    """Whether a point is whole and possible for some arm: ``None``, or the first reason against.
+
+    Whether *this* arm can do it is for `armui.trajectory.planning.check`.
+    """
+    if point.move not in MOVES:
+        return Refusal("point_move_unknown", {"value": str(point.move)})
+    arc = point.move is MoveMode.MOVE_C
+    if len(point.target) != VALUE_COUNT:
+        return Refusal("point_incomplete", {"field": "target", "value": len(point.target)})
+    if arc != (point.middle is not None) or (arc and len(point.middle or ()) != VALUE_COUNT):
+        return Refusal("point_incomplete", {"field": "middle", "value": len(point.middle or ())})
+    for field, value in point.figures():
+        refusal = check_figure(field, value)
+        if refusal is not None:
+            return refusal
+    for comment in point.comments:
+        refusal = check_text("comment", comment, lines=1)
+        if refusal is not None:
+            return refusal
+    return check_text("note", point.note)
+
+
+def check_name(name: str) -> Refusal | None:
+    """Whether a trajectory may be called so; any script and any sign of it is welcome."""
+    if not name.strip():
+        return Refusal("name_empty", {})
+    if len(name) > LONGEST_NAME:
+        return Refusal("name_too_long", {"value": len(name), "maximum": LONGEST_NAME})
+    if any(character in name for character in "\r\n\0"):
+        return Refusal("text_bad", {"field": "name"})
+    return check_text("name", name)
+
+
+def check_text(field: str, text: str, *, lines: int = 0) -> Refusal | None:
+    """Whether a text can be kept in a file: of a decent length, no half of a character.
+
+    Args:
+        field: What the text is.
+        text: The text.
+        lines: 1 where it must not have more than one.
+    """
+    if len(text) > LONGEST_TEXT:
+        return Refusal(
+            "text_too_long", {"field": field, "value": len(text), "maximum": LONGEST_TEXT}
+        )
+    half = any("\ud800" <= character <= "\udfff" for character in text)
+    if half or "\0" in text or (lines and ("\n" in text or "\r" in text)):
+        return Refusal("text_bad", {"field": field})
+    return None
+
+
+def check_trajectory(trajectory: Trajectory) -> tuple[int, Refusal] | None:
+    """The first thing that keeps a trajectory from being saved.
+
+    Returns:
+        The row of the point, from 1, or 0 for the trajectory itself, and the reason.
+    """
+    refusal = check_name(trajectory.name) or check_text("note", trajectory.note)
+    for comment in trajectory.closing:
+        refusal = refusal or check_text("comment", comment, lines=1)
+    if refusal is not None:
+        return 0, refusal
+    for row, point in enumerate(trajectory.points, start=1):
+        refusal = check_point(point)
+        if refusal is not None:
+            return row, refusal
+    return None

@@ -1,0 +1,1 @@
+"""Recordings: samples over time, thinned, read forward, prepared for replay."""

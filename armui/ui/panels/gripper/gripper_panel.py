@@ -1,0 +1,310 @@
+"""夹爪控制: the gripper's opening and torque, or its angle and speed, and its power (0x159)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import (
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from armui.arm.gripper import GripperState
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState, Reading
+from armui.control.devices.gripper_ranges import figures_of
+from armui.control.operating_state import Notice, OperatingState
+from armui.protocol.generation import Generation
+from armui.ui import words
+from armui.ui.freshness import is_stale
+from armui.ui.panels.gripper.gripper_row import GripperRow
+from armui.ui.panels.motors.motor_row import PowerMark
+from armui.ui.panels.panel import Panel
+from armui.ui.widgets.card import scrolled
+from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.state_mark import Mark
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_TALLEST_CARD_PX: Final = 330
+_SEND_KEY: Final = "Ctrl+Return"
+_ACTS: Final = ("enable", "disable", "clear", "zero")
+
+
+class GripperPanel(Panel):
+    """Target and measured values of the gripper, the buttons for its power, its errors in words.
+
+    Args:
+        controller: Whom to tell.
+    """
+
+    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+        super().__init__(controller, "gripper_message", parent)
+        self._notice: Notice | None = None
+        self._generation = self._operating_state.generation or Generation.TWO
+        self._hindrances: tuple[Refusal | None, ...] | None = None
+        self._mark = PowerMark()
+        self._power = QLabel()
+        self._power.setObjectName("gripper_power")
+        self._faults = QLabel()
+        self._faults.setObjectName("gripper_faults")
+        self._faults.setProperty("rank", "fault")
+        self._faults.setWordWrap(True)
+        self._rows = QVBoxLayout()
+        self._rows.setSpacing(10)
+        self._stroke_note = QLabel()
+        self._stroke_note.setObjectName("gripper_stroke_note")
+        self._stroke_note.setProperty("rank", "muted")
+        self._stroke_note.setWordWrap(True)
+        self._send = QPushButton()
+        self._send.setObjectName("gripper_send_button")
+        self._send.setShortcut(QKeySequence(_SEND_KEY))
+        self._send.setProperty("primary", True)
+        self._send.setMinimumHeight(38)
+        self._acts = {act: QPushButton() for act in _ACTS}
+        self._rows_of = {each: self._make_rows(each) for each in Generation}
+        self._lay_out()
+        self._connect()
+        self.retranslate_ui()
+
+    # -- layout -------------------------------------------------------------------------------
+
+    def _make_rows(self, generation: Generation) -> tuple[GripperRow, GripperRow]:
+        """The generations measure other quantities: each has rows of its own."""
+        figures = figures_of(generation, self._controller.state)
+        travel = GripperRow(figures.travel, steps=True)
+        effort = GripperRow(figures.effort, steps=False)
+        for row in (travel, effort):
+            row.edited.connect(self._on_edited)
+            row.hide()
+            self._rows.addWidget(row)
+        travel.stepped.connect(self._on_stepped)
+        return travel, effort
+
+    @property
+    def _travel(self) -> GripperRow:
+        return self._rows_of[self._generation][0]
+
+    @property
+    def _effort(self) -> GripperRow:
+        return self._rows_of[self._generation][1]
+
+    def _lay_out(self) -> None:
+        state = QHBoxLayout()
+        state.addWidget(self._mark)
+        state.addWidget(self._power)
+        state.addStretch(1)
+        card = QFrame()
+        column = QVBoxLayout(card)
+        column.setContentsMargins(16, 12, 16, 12)
+        column.setSpacing(10)
+        column.addLayout(state)
+        column.addWidget(self._faults)
+        column.addLayout(self._rows)
+        column.addWidget(self._stroke_note)
+        column.addStretch(1)
+
+        acts = QGridLayout()
+        acts.setSpacing(8)
+        for place, (act, button) in enumerate(self._acts.items()):
+            button.setObjectName(f"gripper_{act}_button")
+            acts.addWidget(button, 0, place)
+        self._stack(scrolled(card, _TALLEST_CARD_PX), self._send, acts)
+
+    def _connect(self) -> None:
+        self._send.clicked.connect(self._on_send)
+        self._acts["enable"].clicked.connect(self._on_enable)
+        self._acts["disable"].clicked.connect(self._ask_to_disable)
+        self._acts["clear"].clicked.connect(
+            lambda: self._accepted(self._controller.gripper.clear_error())
+        )
+        self._acts["zero"].clicked.connect(self._ask_for_zero)
+        self._controller.state_changed.connect(self._on_state_changed)
+        self._controller.operating_state_changed.connect(self._on_situation_changed)
+        self._controller.noticed.connect(self._on_noticed)
+
+    # -- actions ------------------------------------------------------------------------------
+
+    def _on_edited(self) -> None:
+        self._refusal = self._notice = None
+        self._show_message()
+
+    def _on_send(self) -> None:
+        travel, effort = self._travel.field.value, self._effort.field.value
+        if travel is None or effort is None:
+            self._accepted(self._travel.refusal() or self._effort.refusal())
+            return
+        self._accepted(self._controller.gripper.move(travel, effort))
+
+    def _on_stepped(self, sign: int) -> None:
+        """A step goes from where it was sent, or from where it is; the last one is shorter."""
+        heard, figure = self._controller.state.gripper, self._travel.figure
+        start = self._travel.field.value
+        if start is None or self._travel.refusal() is not None:
+            start = None if heard is None else heard.value.travel
+        effort = self._effort.field.value
+        if start is None or effort is None:
+            self._accepted(self._effort.refusal() or Refusal("gripper_silent"))
+            return
+        target = min(max(start + sign * figure.step, figure.minimum), figure.maximum)
+        if self._accepted(self._controller.gripper.move(round(target, 3), effort)):
+            self._travel.show_value(target)
+
+    def _on_enable(self) -> None:
+        effort = self._effort.field.value
+        if effort is None:
+            self._accepted(self._effort.refusal())
+            return
+        self._accepted(self._controller.gripper.enable(effort))
+
+    def _ask_to_disable(self) -> None:
+        self._ask_to_hold(
+            self.tr("Disable the gripper"),
+            self.tr("The gripper loses its power and drops what it holds. Hold the workpiece."),
+            words.gripper_act("disable"),
+            self._controller.gripper.disable,
+        )
+
+    def _ask_for_zero(self) -> None:
+        self._ask_to_hold(
+            self.tr("Set the zero of the gripper"),
+            self.tr(
+                "Where the gripper stands now becomes its 0 mm, and it loses its power: it drops "
+                "what it holds.\nClose it by hand before. With a wrong zero it presses against its "
+                "stop, or does not close."
+            ),
+            words.gripper_act("zero"),
+            self._controller.gripper.set_zero,
+        )
+
+    # -- what the gripper says ----------------------------------------------------------------
+
+    def _on_noticed(self, notice: Notice) -> None:
+        if notice.code.startswith("gripper_"):
+            self._refusal, self._notice = None, notice
+            self._show_message()
+
+    def _on_state_changed(self, state: ArmState) -> None:
+        if self.isVisible():
+            self._show_state(state)
+
+    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+        old, self._operating_state = self._operating_state, operating_state
+        if old.cannot_enable != operating_state.cannot_enable:
+            self._refusal = None
+        if old.device != operating_state.device:
+            self._notice = None
+        if self.isVisible():
+            self._show_all()
+
+    def _show_state(self, state: ArmState) -> None:
+        heard = state.gripper
+        stale = is_stale(heard, state, self._operating_state)
+        gripper = None if heard is None else heard.value
+        self._travel.show_measured(None if gripper is None else gripper.travel, stale=stale)
+        effort = None
+        if gripper is not None:
+            first = self._generation is Generation.ONE
+            effort = gripper.speed_rad_s if first else gripper.torque_nm
+        self._effort.show_measured(effort, stale=stale)
+        self._show_power(heard, stale=stale)
+        figures = self._controller.gripper.figures
+        self._travel.set_figure(figures.travel)
+        self._stroke_note.setVisible(not figures.stroke_read)
+        self._show_possible()
+
+    def _show_power(self, heard: Reading[GripperState] | None, *, stale: bool) -> None:
+        if heard is None or stale:
+            mark, word = Mark.UNKNOWN, self.tr("No gripper heard")
+        elif heard.value.faults:
+            mark, word = Mark.FAULT, self.tr("Fault")
+        elif heard.value.enabled:
+            mark, word = Mark.GOOD, self.tr("Enabled")
+        else:
+            mark, word = Mark.OFF, self.tr("Disabled")
+        self._mark.show_mark(mark, muted=stale)
+        self._power.setText(word)
+        faults = sorted(heard.value.faults, key=lambda f: f.name) if heard and not stale else []
+        self._faults.setText("; ".join(words.gripper_fault(fault) for fault in faults))
+        self._faults.setVisible(bool(faults))
+
+    # -- appearance ---------------------------------------------------------------------------
+
+    def _show_all(self) -> None:
+        generation = self._operating_state.generation or self._generation
+        if generation is not self._generation:
+            self._generation = generation
+            self._hindrances = None
+            self._describe()
+        for each, rows in self._rows_of.items():
+            for row in rows:
+                row.setVisible(each is generation)
+        if self.isVisible():
+            self._controller.gripper.learn_stroke()
+        self._acts["zero"].setVisible(self._generation is not Generation.ONE)
+        self._show_state(self._controller.state)
+        self._show_message()
+
+    def _show_possible(self) -> None:
+        gripper = self._controller.gripper
+        hindrances = (
+            gripper.why_not(moving=True),
+            gripper.why_not(moving=False),
+            gripper.why_not(moving=False, letting_go=True),
+        )
+        if hindrances == self._hindrances:
+            return
+        self._hindrances = hindrances
+        why_not_move, why_not, why_not_let_go = map(words.why_not, hindrances)
+        self._travel.allow_steps(why_not_move)
+        use = self.tr("Moves the gripper to the target, and gives it power.")
+        enable_or_explain(self._send, why_not_move, use, key=_SEND_KEY)
+        for act, reason, use in (
+            ("enable", why_not_move, self.tr("Gives the gripper power where it is.")),
+            (
+                "disable",
+                why_not_let_go,
+                self.tr("Takes its power: it drops what it holds. Asks first."),
+            ),
+            ("clear", why_not, self.tr("Clears its error; it has no power until enabled again.")),
+            ("zero", why_not, self.tr("Makes the present opening its zero. Asks first.")),
+        ):
+            enable_or_explain(self._acts[act], reason, use)
+
+    def _show_message(self) -> None:
+        refusal = self._refusal or self._operating_state.cannot_enable
+        if refusal is None and self._notice is None:
+            refusal = self._travel.refusal() or self._effort.refusal()
+        if refusal is not None and refusal.code == "busy" and self._refusal is None:
+            refusal = None  # what is under way will say itself how it ends
+        self._say(refusal, self._notice)
+
+    def _describe(self) -> None:
+        for rows in self._rows_of.values():
+            for row in rows:
+                row.retranslate_ui()
+        self._stroke_note.setText(
+            self.tr("How far this gripper turns is not published: watch where it ends.")
+            if self._generation is Generation.ONE
+            else self.tr("The stroke limit has not been read: up to 100 mm may be asked for.")
+        )
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._title.setText(self.tr("Gripper control"))
+        self._send.setText(self.tr("Send"))
+        self._send.setAccessibleName(f"{self._title.text()}: {self._send.text()}")
+        self._send.setShortcut(QKeySequence(_SEND_KEY))  # a new text takes it away
+        for act, button in self._acts.items():
+            button.setText(words.gripper_act(act))
+            button.setAccessibleName(f"{self._title.text()}: {button.text()}")
+        self._hindrances = None
+        self._describe()
+        self._show_all()

@@ -1,0 +1,159 @@
+"""One figure of the gripper: what is wanted in a field and on a slider, what is measured beside."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
+
+from armui.arm.refusal import Refusal
+from armui.control.devices.gripper_ranges import Figure, check
+from armui.ui import format as fmt
+from armui.ui import words
+from armui.ui.widgets.curve_menu import tell_quantities
+from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.jog_button import JogButton
+from armui.ui.widgets.track_slider import TrackSlider
+from armui.ui.widgets.value_label import ValueLabel
+
+_WIDEST: Final = "-000.000 rad/s"
+_LABEL_PX: Final = 52
+
+
+class GripperRow(QWidget):
+    """A field, a slider, the measured value; with − and + where a step acts at once.
+
+    Args:
+        figure: What it is; its widgets are called ``gripper_<figure>_field``, ``…_slider``.
+        steps: Whether it has − and +.
+
+    Signals:
+        edited: The operator changed the figure; nothing is sent.
+        stepped: − or + was pressed, or is still held: −1 or +1.
+    """
+
+    edited = Signal()
+    stepped = Signal(int)
+
+    def __init__(self, figure: Figure, *, steps: bool, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        name = f"gripper_{figure.name}"
+        self._figure = figure
+        self._label = QLabel()
+        self._label.setFixedWidth(_LABEL_PX)
+        self.field = FigureField(fmt.DECIMALS, figure.unit)
+        self.field.setObjectName(f"{name}_field")
+        self.field.step = figure.step
+        self.slider = TrackSlider(figure.resolution, origin=0.0)
+        self.slider.setObjectName(f"{name}_slider")
+        self.measured = ValueLabel(_WIDEST)
+        self.measured.setObjectName(f"{name}_measured")
+        tell_quantities(self, *(f"{source}.{name}" for source in ("arm", "own", "other")))
+        self.minus, self.plus = JogButton("−"), JogButton("+")
+        self._label.setBuddy(self.field)
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setHorizontalSpacing(6)
+        grid.setVerticalSpacing(4)
+        grid.addWidget(self._label, 0, 0)
+        grid.addWidget(self.field, 0, 2)
+        grid.addWidget(self.measured, 0, 4, Qt.AlignmentFlag.AlignRight)
+        grid.addWidget(self.slider, 1, 1, 1, 4)
+        grid.setColumnStretch(2, 1)
+        for button, word, sign, column in (
+            (self.minus, "minus", -1, 1),
+            (self.plus, "plus", 1, 3),
+        ):
+            button.setObjectName(f"{name}_{word}")
+            button.setVisible(steps)
+            button.stepped.connect(lambda sign=sign: self.stepped.emit(sign))
+            button.repeated.connect(lambda sign=sign: self.stepped.emit(sign))
+            if steps:
+                grid.addWidget(button, 0, column)
+            else:
+                button.setParent(self)
+        self.slider.set_limits(0.0, figure.usual)
+        self.field.value_edited.connect(self._on_field_edited)
+        self.slider.valueChanged.connect(self._on_slider_moved)
+        self.show_value(figure.first)
+        self.retranslate_ui()
+
+    @property
+    def figure(self) -> Figure:
+        """What it is."""
+        return self._figure
+
+    def refusal(self) -> Refusal | None:
+        """What is to be said against what stands in the field; an empty one is no figure."""
+        if self.field.value is None:
+            return Refusal("gripper_not_a_number", {**self._params(), "value": self.field.text()})
+        return check(self._figure, self.field.value)
+
+    def _params(self) -> dict[str, float | int | str]:
+        figure = self._figure
+        return {
+            "gripper": figure.name,
+            "minimum": figure.minimum,
+            "maximum": figure.maximum,
+            "unit": figure.unit,
+        }
+
+    def set_figure(self, figure: Figure) -> None:
+        """Take another range of the same quantity."""
+        if figure != self._figure:
+            self._figure = figure
+            self.slider.set_limits(0.0, figure.usual)
+            self._after_change()
+            self.retranslate_ui()
+
+    def show_value(self, value: float | None) -> None:
+        """Put a figure into field and slider without telling anyone."""
+        self.field.show_value(value)
+        self._after_change()
+
+    def show_measured(self, value: float | None, *, stale: bool) -> None:
+        """Show what the gripper says."""
+        unit = self._figure.unit
+        gap = "" if unit == "°" else " "
+        text = fmt.NOTHING if value is None else f"{fmt.number(value)}{gap}{unit}"
+        self.measured.show_text(text, stale=stale)
+        self.slider.show_measured(None if stale else value)
+
+    def allow_steps(self, why_not: str) -> None:
+        """Enable − and +, or disable them and say why."""
+        for button, tip in (
+            (self.minus, self.tr("Closes the gripper by {step} at once. Hold to go on.")),
+            (self.plus, self.tr("Opens the gripper by {step} at once. Hold to go on.")),
+        ):
+            button.setEnabled(not why_not)
+            step = f"{self._figure.step:g} {self._figure.unit}"
+            button.setToolTip(why_not or tip.format(step=step))
+
+    def _on_field_edited(self) -> None:
+        self._after_change()
+        self.edited.emit()
+
+    def _on_slider_moved(self) -> None:
+        self.field.show_value(self.slider.wish)
+        self._after_change()
+        self.edited.emit()
+
+    def _after_change(self) -> None:
+        wrong = self.refusal() is not None
+        self.slider.show_wish(self.field.value, attention=wrong)
+        self.field.show_attention(wanted=wrong)
+
+    def retranslate_ui(self) -> None:
+        """Put names and ranges into the operator's language."""
+        figure = self._figure
+        name = words.gripper_figure(figure.name)
+        self._label.setText(name)
+        span = f"{name}: {figure.minimum:g}–{figure.maximum:g} {figure.unit}"
+        for widget in (self.field, self.slider):
+            widget.setAccessibleName(name)
+            widget.setToolTip(span)
+        self.measured.setAccessibleName(self.tr("Measured: {figure}").format(figure=name))
+        self.measured.setToolTip(self.tr("Measured by the gripper"))
+        self.minus.setAccessibleName(self.tr("{figure} minus").format(figure=name))
+        self.plus.setAccessibleName(self.tr("{figure} plus").format(figure=name))

@@ -1,0 +1,1 @@
+"""Panels that move the arm: joints, end pose and held jogging."""

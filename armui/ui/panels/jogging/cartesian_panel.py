@@ -1,0 +1,294 @@
+"""末端控制: the tool is sent to a pose, on a line or an arc, stepped and jogged (0x152–0x154)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtWidgets import (
+    QFrame,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.control.motion.jog_path import ToolJog
+from armui.protocol.codes import ArmStatusCode, MoveMode
+from armui.ui import words
+from armui.ui.freshness import is_stale
+from armui.ui.panels.jogging.arc_box import ArcBox
+from armui.ui.panels.jogging.frame_choice import FrameChoice
+from armui.ui.panels.jogging.jog_panel import JogPanel
+from armui.ui.panels.jogging.pose_rows import PoseRows
+from armui.ui.panels.jogging.tool_box import ToolBox
+from armui.ui.widgets.enable_or_explain import enable_or_explain
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.settings import SettingsStore
+
+_OWN_REFUSALS: Final = frozenset(
+    {
+        ArmStatusCode.NO_SOLUTION,
+        ArmStatusCode.SINGULARITY,
+        ArmStatusCode.TARGET_BEYOND_LIMIT,
+    }
+)
+"""What 0x2A1 says of a target the arm itself refuses."""
+_KEYS: Final = (
+    ("X", "↑", "↓"),
+    ("Y", "←", "→"),
+    ("Z", "PgUp", "PgDn"),
+    ("RX", "Q", "A"),
+    ("RY", "W", "S"),
+    ("RZ", "E", "D"),
+)
+_TALLEST_CARD_PX: Final = 640
+
+
+class CartesianPanel(JogPanel):
+    """Targets and measured pose of one point: the tool centre point, or the flange without a tool.
+
+    Args:
+        controller: Whom to ask for motion.
+        preferences: Keep the tool.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        preferences: SettingsStore,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(
+            controller,
+            "tool",
+            message_name="pose_message",
+            keys=_KEYS,
+            numbers=range(len(_KEYS)),
+            write_step=lambda step: f"{step:g} mm / {step:g}°",
+            parent=parent,
+        )
+        self._preferences = preferences
+        self._jogged = False
+        self._frame = FrameChoice()
+        self._rows = PoseRows()
+        self._tool = ToolBox()
+        self._arc = ArcBox()
+        self._load, self._move_p, self._move_l = QPushButton(), QPushButton(), QPushButton()
+        for button, name in (
+            (self._load, "load_pose_button"),
+            (self._move_p, "move_p_button"),
+            (self._move_l, "move_l_button"),
+        ):
+            button.setObjectName(name)
+        self._move_p.setProperty("primary", True)
+        self._move_l.setProperty("primary", True)
+        self._lay_out()
+        self._connect()
+        self._use_tool(preferences.settings.tool)
+        self._on_step_chosen()
+        self.retranslate_ui()
+
+    def _lay_out(self) -> None:
+        card = QFrame()
+        rows = QVBoxLayout(card)
+        rows.setContentsMargins(16, 10, 16, 12)
+        rows.setSpacing(12)
+        rows.addWidget(self._rows)
+        rows.addWidget(self._tool)
+        rows.addWidget(self._arc)
+        rows.addStretch(1)
+        self._finish(
+            card,
+            (self._load, self._move_p, self._move_l),
+            tallest_px=_TALLEST_CARD_PX,
+            above=(self._frame,),
+        )
+
+    def _connect(self) -> None:
+        self._rows.stepped.connect(self._on_stepped)
+        self._rows.repeated.connect(self._on_repeated)
+        self._rows.held.connect(self._on_held)
+        self._rows.let_go.connect(self._on_let_go)
+        self._rows.edited.connect(self._on_edited)
+        self._tool.changed.connect(self._on_tool_changed)
+        self._arc.capture_wanted.connect(self._on_capture)
+        self._arc.start_wanted.connect(self._on_go_to_start)
+        self._arc.send_wanted.connect(self._on_send_arc)
+        self._load.clicked.connect(self._on_load)
+        self._move_p.clicked.connect(lambda: self._send(MoveMode.MOVE_P))
+        self._move_l.clicked.connect(lambda: self._send(MoveMode.MOVE_L))
+        self._controller.state_changed.connect(self._on_state_changed)
+
+    # -- the tool -----------------------------------------------------------------------------
+
+    def _on_tool_changed(self, tool: tuple[float, ...]) -> None:
+        if tool == self._controller.cartesian.tool:
+            self._accepted(None)
+            self._tool.mark(wrong=False)
+            return
+        refusal = self._preferences.change(tool=tool)
+        self._tool.mark(wrong=refusal is not None)
+        self._accepted(refusal)
+        if self._preferences.settings.tool == tool:
+            self._use_tool(tool)
+
+    def _use_tool(self, tool: tuple[float, ...]) -> None:
+        """Poses of another point stand for nothing: they are taken anew."""
+        self._controller.cartesian.tool = tool
+        self._tool.show_tool(tool)
+        self._arc.clear()
+        self._rows.fill(self._pose())
+        self._rows.name_point(with_tool=any(tool))
+        self._show_measured()
+
+    def _pose(self) -> tuple[float, ...] | None:
+        return self._controller.cartesian.tool_pose(self._controller.state)
+
+    # -- jogging ------------------------------------------------------------------------------
+
+    def _take_step(self, step: float, *, continuous: bool) -> None:
+        self._rows.set_step(step, continuous=continuous)
+
+    def _on_stepped(self, place: int, direction: int) -> None:
+        amount = direction * self._step_box.step
+        refusal = self._controller.cartesian.step(place, amount, self._frame.frame)
+        self._jogged = refusal is None
+        self._accepted(refusal)
+
+    def _on_repeated(self, place: int, direction: int) -> None:
+        """MOVE L plans anew at each target: a held button waits for the arm."""
+        if not self._operating_state.moving:
+            self._on_stepped(place, direction)
+
+    def _on_held(self, place: int, direction: int) -> None:
+        jog = ToolJog(place, direction, self._frame.frame)
+        refusal = self._controller.jogging.start(jog)
+        self._jogged = refusal is None
+        self._accepted(refusal)
+
+    # -- targets ------------------------------------------------------------------------------
+
+    def _on_load(self) -> None:
+        pose = self._pose()
+        if pose is not None:
+            self._rows.fill(pose)
+        self._accepted(None if pose is not None else Refusal("pose_unknown"))
+
+    def _send(self, move_mode: MoveMode) -> None:
+        self._jogged = False
+        target = self._rows.targets()
+        if isinstance(target, Refusal):
+            self._accepted(target)
+            return
+        self._accepted(self._controller.cartesian.move(target, move_mode))
+
+    def _on_capture(self, place: int) -> None:
+        pose = self._pose()
+        if pose is not None:
+            self._arc.take(place, pose)
+        self._accepted(None if pose is not None else Refusal("pose_unknown"))
+
+    def _on_go_to_start(self) -> None:
+        self._jogged = False
+        start = self._arc.poses[0]
+        if start is None:
+            self._accepted(Refusal("arc_incomplete", {"point": self._arc.missing() or ""}))
+        else:
+            self._accepted(self._controller.cartesian.move(start, MoveMode.MOVE_P))
+
+    def _on_send_arc(self) -> None:
+        points = [pose for pose in self._arc.poses if pose is not None]
+        missing = self._arc.missing()
+        if missing is not None:
+            self._accepted(Refusal("arc_incomplete", {"point": missing}))
+        else:
+            self._accepted(self._controller.cartesian.move_arc(*points))
+
+    def _follow_jog(self) -> None:
+        """The fields go along with a jog: sending them must not take it back."""
+        if self._jogged:
+            self._rows.fill(self._pose())
+
+    def _on_edited(self) -> None:
+        self._jogged = False
+        self._accepted(None)
+
+    # -- what the arm says --------------------------------------------------------------------
+
+    def _on_state_changed(self, _state: ArmState) -> None:
+        self._fill_once()
+        if self.isVisible():
+            self._follow_jog()
+            self._show_measured()
+            self._show_message()
+
+    def _fill_once(self) -> None:
+        device = self._operating_state.device
+        if device is None or device == self._filled_for or not self.isVisible():
+            return
+        pose = self._pose()
+        if pose is not None:
+            self._filled_for = device
+            if self._rows.empty:
+                self._rows.fill(pose)
+            self._show_possible()
+
+    def _show_measured(self) -> None:
+        state = self._controller.state
+        stale = any(is_stale(heard, state, self._operating_state) for heard in state.pose)
+        self._rows.show_measured(self._pose(), stale=stale)
+
+    def _forget_targets(self) -> None:
+        self._rows.fill(None)
+        self._arc.clear()
+
+    # -- appearance ---------------------------------------------------------------------------
+
+    def _show_all(self) -> None:
+        self._fill_once()
+        self._show_possible()
+        self._show_message()
+        self._show_measured()
+
+    def _show_possible(self) -> None:
+        why_not = self._why_not_move()
+        self._rows.allow_jog(why_not)
+        self._key_pad.allow(why_not)
+        unknown = self._controller.state.end_pose() is None
+        no_pose = words.refusal(Refusal("pose_unknown")) if unknown else ""
+        self._arc.allow(no_pose, why_not)
+        for button, reason, use in (
+            (
+                self._load,
+                no_pose,
+                self.tr("Fills the fields with the measured pose; nothing moves."),
+            ),
+            (self._move_p, why_not, self.tr("Moves to the pose, each joint on its own way.")),
+            (self._move_l, why_not, self.tr("Moves to the pose on a straight line.")),
+        ):
+            enable_or_explain(button, reason, use)
+
+    def _first_wrong(self) -> Refusal | None:
+        """A figure that is none, or what the arm itself says against its last target."""
+        nonsense = self._rows.nonsense()
+        if nonsense is not None:
+            return nonsense
+        status = self._controller.state.status
+        if status is not None and status.value.arm_status in _OWN_REFUSALS:
+            return Refusal("target_refused", {"status": status.value.arm_status})
+        return None
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._title.setText(self.tr("Tool control"))
+        for button, text in (
+            (self._load, self.tr("Load")),
+            (self._move_p, "MOVE P"),
+            (self._move_l, "MOVE L"),
+        ):
+            button.setText(text)
+            button.setAccessibleName(text)
+        super().retranslate_ui()

@@ -1,0 +1,56 @@
+"""Whose axes − and + go along: the base's or the tool's."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QToolButton,
+    QWidget,
+)
+
+from armui.kinematics.axes import JogFrame
+
+
+class FrameChoice(QWidget):
+    """One button a frame; one of them is chosen."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._label = QLabel()
+        self._buttons = QButtonGroup(self)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(6)
+        layout.addWidget(self._label)
+        for number, frame in enumerate(JogFrame):
+            button = QToolButton()
+            button.setObjectName(f"frame_{frame.value}")
+            button.setCheckable(True)
+            button.setProperty("choice", True)
+            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+            self._buttons.addButton(button, number)
+            layout.addWidget(button, 1)
+        self._buttons.button(0).setChecked(True)
+        self.retranslate_ui()
+
+    @property
+    def frame(self) -> JogFrame:
+        """The chosen one."""
+        return tuple(JogFrame)[self._buttons.checkedId()]
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._label.setText(self.tr("− and + along"))
+        for number, text in enumerate((self.tr("Base frame"), self.tr("Tool frame"))):
+            self._buttons.button(number).setText(text)
+            self._buttons.button(number).setAccessibleName(text)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)

@@ -1,0 +1,197 @@
+"""What 运动控制 and 末端控制 share: targets beside what is measured, a step, and keys to jog by."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QLayout,
+    QPushButton,
+    QToolButton,
+    QWidget,
+)
+
+from armui.arm.refusal import Refusal
+from armui.control.devices.zeroing import ENDED
+from armui.control.operating_state import Notice, OperatingState
+from armui.ui import words
+from armui.ui.panels.jogging.key_pad import KeyPad, Keys
+from armui.ui.panels.jogging.step_box import StepBox
+from armui.ui.panels.panel import Panel
+from armui.ui.widgets.card import scrolled
+
+if TYPE_CHECKING:
+    from armui.arm.device import Device
+    from armui.control.arm_controller import ArmController
+
+_BUTTON_PX: Final = 38
+
+
+class JogPanel(Panel):
+    """A card of targets, and two ways to jog: − and + beside them, and keys.
+
+    Targets are void when another arm is connected. What is jogged goes by numbers: those of the
+    joints, or the places in a pose. A key of the pad does what the button of the same number does.
+
+    Args:
+        controller: Whom to ask for motion.
+        name: For the names of its widgets: ``<name>_step``, ``<name>_keys_button``.
+        message_name: The object name of the message.
+        keys: Of each number in order, the keys that jog it.
+        numbers: By which the rows go, in the order of the keys.
+        write_step: A step as text.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        name: str,
+        *,
+        message_name: str,
+        keys: Keys,
+        numbers: Sequence[int],
+        write_step: Callable[[float], str],
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(controller, message_name, parent)
+        self._numbers = tuple(numbers)
+        self._filled_for: Device | None = None
+        self._step_label = QLabel()
+        self._step_box = StepBox(write_step)
+        self._step_box.setObjectName(f"{name}_step")
+        self._step_label.setBuddy(self._step_box)
+        self._keys = QToolButton()
+        self._keys.setObjectName(f"{name}_keys_button")
+        self._keys.setCheckable(True)
+        self._keys.setProperty("choice", True)
+        self._key_pad = KeyPad(keys, f"{name}_key_pad")
+        self._key_pad.hide()
+
+    def _finish(
+        self,
+        card: QFrame,
+        buttons: Sequence[QPushButton],
+        *,
+        tallest_px: int,
+        above: Sequence[QWidget] = (),
+    ) -> None:
+        """Lay the panel out around its card, and listen; the last step but the words.
+
+        Args:
+            card: Holds the rows.
+            buttons: Those below it, from left to right.
+            tallest_px: The card grows no higher.
+            above: What stands between the title and the card.
+        """
+        head = QHBoxLayout()
+        head.addWidget(self._title)
+        head.addStretch(1)
+        for widget in (self._keys, self._step_label, self._step_box):
+            head.addWidget(widget)
+        row = QHBoxLayout()
+        row.setSpacing(10)
+        for button in buttons:
+            button.setMinimumHeight(_BUTTON_PX)
+            row.addWidget(button, 1)
+        parts: list[QWidget | QLayout] = [*above, scrolled(card, tallest_px), self._key_pad, row]
+        self._stack(*parts, head=head)
+        self._step_box.chosen.connect(self._on_step_chosen)
+        self._keys.toggled.connect(self._on_keys_toggled)
+        self._key_pad.pressed.connect(self._on_key_pressed)
+        self._key_pad.let_go.connect(self._on_let_go)
+        self._controller.operating_state_changed.connect(self._on_situation_changed)
+        self._controller.noticed.connect(self._on_noticed)
+
+    # -- what a panel of its own adds ---------------------------------------------------------
+
+    def _on_stepped(self, number: int, direction: int) -> None:
+        """Jog by one step."""
+        raise NotImplementedError
+
+    def _on_held(self, number: int, direction: int) -> None:
+        """Jog until :meth:`_on_let_go`."""
+        raise NotImplementedError
+
+    def _take_step(self, step: float, *, continuous: bool) -> None:
+        """Have − and + of the rows go by a step, or on and on while they are held."""
+        raise NotImplementedError
+
+    def _first_wrong(self) -> Refusal | None:
+        """What is to be said against the targets as they stand in the fields."""
+        raise NotImplementedError
+
+    def _fill_once(self) -> None:
+        """Take over what is measured, the first time it is heard of a device."""
+        raise NotImplementedError
+
+    def _forget_targets(self) -> None:
+        """The arm is another one, or counts its angles anew."""
+        raise NotImplementedError
+
+    def _show_possible(self) -> None:
+        """Enable what can be used now; say in the tooltips of the rest why not."""
+        raise NotImplementedError
+
+    # -- jogging ------------------------------------------------------------------------------
+
+    def _on_step_chosen(self) -> None:
+        self._take_step(self._step_box.step, continuous=self._step_box.continuous)
+        self._key_pad.set_continuous(self._step_box.continuous)
+        self._show_possible()
+
+    def _on_keys_toggled(self, wanted: bool) -> None:
+        self._key_pad.setVisible(wanted)
+        if wanted:
+            self._key_pad.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def _on_key_pressed(self, place: int, direction: int) -> None:
+        jog = self._on_held if self._step_box.continuous else self._on_stepped
+        jog(self._numbers[place], direction)
+
+    def _on_let_go(self) -> None:
+        self._controller.jogging.stop()
+
+    def _on_noticed(self, notice: Notice) -> None:
+        """What ended a jog is said where the operator looks; a new zero makes targets void."""
+        reason = notice.params.get("reason")
+        if notice.code == "jog_ended" and isinstance(reason, Refusal) and self.isVisible():
+            self._accepted(reason)
+        elif notice.code in ENDED:
+            # the same figures are another place by the new zero
+            self._forget_targets()
+            self._show_message()
+
+    # -- what the arm says --------------------------------------------------------------------
+
+    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+        old, self._operating_state = self._operating_state, operating_state
+        if old.device != operating_state.device:
+            # another arm: targets made for the last one would be a trap
+            self._filled_for = None
+            self._forget_targets()
+        if old.cannot_move != operating_state.cannot_move:
+            self._refusal = None
+        self._fill_once()
+        if self.isVisible():
+            self._show_all()
+
+    def _why_not_move(self) -> str:
+        return words.why_not(self._operating_state.cannot_move)
+
+    def _show_message(self) -> None:
+        self._say(self._refusal or self._operating_state.cannot_move or self._first_wrong())
+
+    def retranslate_ui(self) -> None:
+        """Put the words of the head into the operator's language."""
+        self._step_label.setText(self.tr("Step"))
+        self._step_box.setAccessibleName(self.tr("Step of − and +"))
+        self._keys.setText(self.tr("Keys"))
+        self._keys.setAccessibleName(self.tr("Keyboard jogging"))
+        self._keys.setToolTip(self.tr("Jog by keys, with the space bar held as dead-man key"))
+        self._show_possible()
+        self._show_message()

@@ -1,0 +1,291 @@
+"""运动控制: six joints, jogged at once or sent together (manual section 1.0.7.1)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from armui.arm.limits import JOINTS
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.control.motion.jog_path import JointJog
+from armui.control.operating_state import Notice
+from armui.ui import format as fmt
+from armui.ui import words
+from armui.ui.freshness import is_stale
+from armui.ui.panels.jogging.jog_panel import JogPanel
+from armui.ui.panels.jogging.joint_row import JointRow
+from armui.ui.widgets.enable_or_explain import enable_or_explain
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_FIELD_INDENT_PX: Final = 80
+_TALLEST_CARD_PX: Final = 600
+_KEYS: Final = tuple(
+    (f"J{joint}", plus, minus)
+    for joint, plus, minus in zip(JOINTS, "QWERTY", "ASDFGH", strict=True)
+)
+_HOME_KEY, _LOAD_KEY, _SEND_KEY = "Ctrl+Shift+H", "Ctrl+L", "Ctrl+Return"
+
+
+class MotionPanel(JogPanel):
+    """Targets on the left, measured angles on the right; says why if the arm can't move.
+
+    The fields hold what the arm measured until the operator types something else, so that
+    sending them never moves a joint nobody touched.
+
+    Args:
+        controller: Whom to ask for motion.
+        jog_step_deg: Step of − and + to begin with.
+    """
+
+    def __init__(
+        self, controller: ArmController, jog_step_deg: float, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(
+            controller,
+            "jog",
+            message_name="motion_message",
+            keys=_KEYS,
+            numbers=JOINTS,
+            write_step=fmt.short_angle,
+            parent=parent,
+        )
+        self._jogged: int | None = None
+        self._target_head = QLabel()
+        self._measured_head = QLabel()
+        self._rows = [JointRow(j, self._operating_state.limits[j - 1]) for j in JOINTS]
+        self._home = QPushButton()
+        self._load = QPushButton()
+        self._send = QPushButton()
+        self._name_buttons()
+        self._lay_out()
+        self._connect()
+        self.set_jog_step(jog_step_deg)
+        self.retranslate_ui()
+
+    def _name_buttons(self) -> None:
+        for button, name, key in (
+            (self._home, "home_button", _HOME_KEY),
+            (self._load, "load_button", _LOAD_KEY),
+            (self._send, "send_button", _SEND_KEY),
+        ):
+            button.setObjectName(name)
+            button.setShortcut(QKeySequence(key))
+        self._send.setProperty("primary", True)
+
+    def _lay_out(self) -> None:
+        card = QFrame()
+        rows = QVBoxLayout(card)
+        rows.setContentsMargins(16, 10, 16, 12)
+        rows.setSpacing(4)
+        columns = QHBoxLayout()
+        columns.addSpacing(_FIELD_INDENT_PX)
+        for label in (self._target_head, self._measured_head):
+            label.setProperty("rank", "muted")
+        columns.addWidget(self._target_head)
+        columns.addStretch(1)
+        columns.addWidget(self._measured_head)
+        rows.addLayout(columns)
+        for row in self._rows:
+            rows.addWidget(row, 1)
+        buttons = (self._home, self._load, self._send)
+        self._finish(card, buttons, tallest_px=_TALLEST_CARD_PX)
+
+    def _connect(self) -> None:
+        for row in self._rows:
+            row.stepped.connect(self._on_stepped)
+            row.repeated.connect(self._on_repeated)
+            row.held.connect(self._on_held)
+            row.let_go.connect(self._on_let_go)
+            row.edited.connect(self._on_edited)
+        self._home.clicked.connect(self._on_home)
+        self._load.clicked.connect(self._on_load)
+        self._send.clicked.connect(self._on_send)
+        self._controller.state_changed.connect(self._on_state_changed)
+
+    # -- step ---------------------------------------------------------------------------------
+
+    @property
+    def jog_step_deg(self) -> float:
+        """How far one press of − or + goes."""
+        return self._step_box.step
+
+    def set_jog_step(self, step_deg: float) -> None:
+        """Take the step of the settings; the usual ones can still be chosen."""
+        self._step_box.set_step(step_deg)
+        self._on_step_chosen()
+
+    def focus_joint(self, joint: int) -> None:
+        """Bring the operator to the target field of a joint."""
+        field = self._rows[joint - 1].field
+        field.setFocus(Qt.FocusReason.OtherFocusReason)
+        field.selectAll()
+
+    def _take_step(self, step: float, *, continuous: bool) -> None:
+        for row in self._rows:
+            row.set_step(step, continuous=continuous)
+
+    # -- actions ------------------------------------------------------------------------------
+
+    def _on_repeated(self, joint: int, direction: int) -> None:
+        """A held button waits for an arm that doesn't keep up: letting go must end the motion."""
+        if not self._controller.motion.jog_lagging(joint, self.jog_step_deg):
+            self._on_stepped(joint, direction)
+
+    def _on_stepped(self, joint: int, direction: int) -> None:
+        if self._accepted(self._controller.motion.jog(joint, direction * self.jog_step_deg)):
+            setpoint_deg = self._controller.motion.setpoint_deg
+            if setpoint_deg is not None:
+                self._rows[joint - 1].show_target(setpoint_deg[joint - 1])
+                self._show_message()
+
+    def _on_held(self, joint: int, direction: int) -> None:
+        self._jogged = joint
+        self._accepted(self._controller.jogging.start(JointJog(joint, direction)))
+
+    def _on_let_go(self) -> None:
+        super()._on_let_go()
+        self._show_jogged()
+
+    def _on_noticed(self, notice: Notice) -> None:
+        super()._on_noticed(notice)
+        if notice.code == "jog_ended" and self.isVisible():
+            self._show_jogged()
+
+    def _show_jogged(self) -> None:
+        """The field of the joint goes along with a jog: sending it must not take it back."""
+        setpoint_deg, joint = self._controller.motion.setpoint_deg, self._jogged
+        if setpoint_deg is not None and joint is not None:
+            self._rows[joint - 1].show_target(setpoint_deg[joint - 1])
+
+    def _on_home(self) -> None:
+        self._accepted(self._controller.motion.go_home())
+
+    def _on_load(self) -> None:
+        angles_deg = self._controller.state.angles_deg()
+        if angles_deg is None:
+            self._accepted(Refusal("joints_unknown"))
+            return
+        self._fill(angles_deg)
+        self._accepted(None)
+
+    def _on_send(self) -> None:
+        targets_deg: list[float] = []
+        for row in self._rows:
+            if row.target_deg is None:
+                self._accepted(self._why_no_figure(row))
+                return
+            targets_deg.append(row.target_deg)
+        self._accepted(self._controller.motion.send_joints(targets_deg))
+
+    @staticmethod
+    def _why_no_figure(row: JointRow) -> Refusal:
+        if row.field.is_nonsense():
+            return Refusal("joint_not_a_number", {"joint": row.joint, "value": row.field.text()})
+        return Refusal("joints_unknown")
+
+    def _on_edited(self) -> None:
+        self._refusal = None
+        self._show_message()
+
+    # -- what the arm says --------------------------------------------------------------------
+
+    def _on_state_changed(self, state: ArmState) -> None:
+        self._fill_once()
+        if self.isVisible():
+            self._show_measured(state)
+            if self._controller.jogging.active:
+                self._show_jogged()
+
+    def _show_measured(self, state: ArmState) -> None:
+        for row, heard in zip(self._rows, state.joints_deg, strict=True):
+            angle_deg = None if heard is None else heard.value
+            row.show_measured(angle_deg, stale=is_stale(heard, state, self._operating_state))
+
+    def _fill_once(self) -> None:
+        """Load the first angles heard from a device, where the operator has not typed one."""
+        device = self._operating_state.device
+        if device is None or device == self._filled_for:
+            return
+        angles_deg = self._controller.state.angles_deg()
+        if angles_deg is not None:
+            self._filled_for = device
+            for row, angle_deg in zip(self._rows, angles_deg, strict=True):
+                if not row.field.text():
+                    row.show_target(angle_deg)
+            self._show_possible()
+
+    def _fill(self, angles_deg: tuple[float, ...] | None) -> None:
+        for row, angle_deg in zip(self._rows, angles_deg or (None,) * len(JOINTS), strict=True):
+            row.show_target(angle_deg)
+
+    def _forget_targets(self) -> None:
+        self._fill(None)
+
+    def _show_all(self) -> None:
+        for row, limits, read in zip(
+            self._rows, self._operating_state.limits, self._operating_state.limits_read, strict=True
+        ):
+            row.set_limits(limits, read=read)
+        self._show_possible()
+        self._show_message()
+        self._show_measured(self._controller.state)
+
+    # -- appearance ---------------------------------------------------------------------------
+
+    def _show_possible(self) -> None:
+        why_not = self._why_not_move()
+        for row in self._rows:
+            row.allow_jog(why_not)
+        self._key_pad.allow(why_not)
+        heard = self._controller.state.angles_deg() is not None
+        no_angles = "" if heard else words.refusal(Refusal("joints_unknown"))
+        for button, reason, use, key in (
+            (self._home, why_not, self.tr("Moves all joints to 0°."), _HOME_KEY),
+            (
+                self._load,
+                no_angles,
+                self.tr("Fills the fields with the measured angles; nothing moves."),
+                _LOAD_KEY,
+            ),
+            (self._send, why_not, self.tr("Moves the arm to the angles in the fields."), _SEND_KEY),
+        ):
+            enable_or_explain(button, reason, use, key=key)
+
+    def _first_wrong(self) -> Refusal | None:
+        for row in self._rows:
+            if row.field.is_nonsense():
+                return self._why_no_figure(row)
+            beyond = row.beyond_limits()
+            if beyond is not None:
+                return beyond
+        return None
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._title.setText(self.tr("Motion control"))
+        self._step_box.setToolTip(self.tr("How far one press of − or + moves a joint"))
+        self._target_head.setText(self.tr("Target"))
+        self._measured_head.setText(self.tr("Measured"))
+        for button, text in (
+            (self._home, self.tr("Home")),
+            (self._load, self.tr("Load")),
+            (self._send, self.tr("Send")),
+        ):
+            shortcut = button.shortcut()
+            button.setText(text)
+            button.setShortcut(shortcut)
+            button.setAccessibleName(text)
+        super().retranslate_ui()

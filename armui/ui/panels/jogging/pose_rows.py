@@ -1,0 +1,109 @@
+"""The six figures of a pose, one below the other, targets beside measured values."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QEvent, Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+
+from armui.arm.refusal import Refusal
+from armui.kinematics.axes import AXES, LINEAR_AXES
+from armui.ui.panels.jogging.pose_row import PoseRow
+
+
+class PoseRows(QWidget):
+    """Targets to type and jog; their signals are those of :class:`PoseRow`."""
+
+    stepped = Signal(int, int)
+    repeated = Signal(int, int)
+    held = Signal(int, int)
+    let_go = Signal()
+    edited = Signal(int)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._point = QLabel()
+        self._point.setObjectName("point_label")
+        self._measured_head = QLabel()
+        self._with_tool = False
+        self._rows = [
+            PoseRow(place, name, "mm" if place < LINEAR_AXES else "°")
+            for place, name in enumerate(AXES)
+        ]
+        head = QHBoxLayout()
+        for label in (self._point, self._measured_head):
+            label.setProperty("rank", "muted")
+        head.addWidget(self._point)
+        head.addStretch(1)
+        head.addWidget(self._measured_head)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(6)
+        layout.addLayout(head)
+        for row in self._rows:
+            layout.addWidget(row)
+            row.stepped.connect(self.stepped)
+            row.repeated.connect(self.repeated)
+            row.held.connect(self.held)
+            row.let_go.connect(self.let_go)
+            row.edited.connect(self.edited)
+        self.retranslate_ui()
+
+    @property
+    def empty(self) -> bool:
+        """Whether nothing stands in any field."""
+        return not any(row.field.text() for row in self._rows)
+
+    def targets(self) -> list[float] | Refusal:
+        """The six figures, or why one of them is none."""
+        values = [row.field.value for row in self._rows]
+        targets = [value for value in values if value is not None]
+        if len(targets) == len(AXES):
+            return targets
+        return self.nonsense() or Refusal("pose_unknown")
+
+    def nonsense(self) -> Refusal | None:
+        """What is to be said against the first text that is no figure."""
+        for row in self._rows:
+            if row.field.is_nonsense():
+                return Refusal("pose_not_a_number", {"axis": row.name, "value": row.field.text()})
+        return None
+
+    def fill(self, pose: Sequence[float] | None) -> None:
+        """Put a pose into the fields; ``None`` empties them."""
+        for row, value in zip(self._rows, pose or (None,) * len(AXES), strict=True):
+            row.show_target(value)
+
+    def show_measured(self, pose: Sequence[float] | None, *, stale: bool) -> None:
+        """Show what is measured."""
+        for row, value in zip(self._rows, pose or (None,) * len(AXES), strict=True):
+            row.show_measured(value, stale=stale)
+
+    def set_step(self, step: float, *, continuous: bool) -> None:
+        """How far one press of − or + goes, or whether it goes on while they are held."""
+        for row in self._rows:
+            row.set_step(step, continuous=continuous)
+
+    def allow_jog(self, why_not: str) -> None:
+        """Enable − and +, or disable them and say why."""
+        for row in self._rows:
+            row.allow_jog(why_not)
+
+    def name_point(self, *, with_tool: bool) -> None:
+        """Say which point the figures are about."""
+        self._with_tool = with_tool
+        self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._point.setText(
+            self.tr("Tool centre point") if self._with_tool else self.tr("Flange (no tool set)")
+        )
+        self._measured_head.setText(self.tr("Measured"))
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)

@@ -1,0 +1,1 @@
+"""灯光控制: the lamps of the joints."""

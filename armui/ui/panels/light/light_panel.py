@@ -1,0 +1,302 @@
+"""灯光控制: the colour of the lamps on the joints (manual section 1.0.7.2)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtGui import QColor, QKeySequence
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QCheckBox,
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QToolButton,
+    QWidget,
+)
+
+from armui.arm.limits import JOINTS
+from armui.arm.refusal import Refusal
+from armui.control.devices.lights import RANGES, check_light
+from armui.control.operating_state import OperatingState
+from armui.protocol.codes import ALL_LAMPS
+from armui.ui import format as fmt
+from armui.ui import words
+from armui.ui.panels.light.channel_row import FULL, ChannelRow
+from armui.ui.panels.light.color_strip import ColorStrip
+from armui.ui.panels.light.hue_field import HueField
+from armui.ui.panels.panel import Panel
+from armui.ui.widgets.card import scrolled
+from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.track_slider import TrackSlider
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_CHANNELS: Final = ("red", "green", "blue")
+_TALLEST_CARD_PX: Final = 520
+_FIELD_PX: Final = 74
+_CONFIRM_KEY: Final = "Ctrl+Return"
+
+
+class LightPanel(Panel):
+    """What is to be sent to the lamps; it never claims to know what colour they have.
+
+    Fields, sliders and picker are three ways to the same colour. Everything stays as it was left
+    while another panel is used.
+
+    Args:
+        controller: Whom to tell.
+    """
+
+    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+        super().__init__(controller, "light_message", parent)
+        self._joint_label = QLabel()
+        self._joints = QButtonGroup(self)
+        self._lamp_label = QLabel()
+        self._lamp = FigureField(0)
+        self._lamp.setObjectName("lamp_field")
+        self._lamp.setFixedWidth(_FIELD_PX)
+        self._lamp.show_value(0)
+        self._lamp_label.setBuddy(self._lamp)
+        self._all_lamps = QCheckBox()
+        self._all_lamps.setObjectName("all_lamps")
+        self._all_lamps.setChecked(True)
+        self._rows = {name: ChannelRow(name) for name in _CHANNELS}
+        self._hue = HueField()
+        self._hue.setObjectName("hue_field")
+        self._brightness_label = QLabel()
+        self._brightness = TrackSlider(1.0, origin=0.0)
+        self._brightness.setObjectName("brightness_slider")
+        self._brightness.setRange(0, FULL)
+        self._brightness.setPageStep(16)
+        self._effect_label = QLabel()
+        self._effect = ColorStrip()
+        self._effect.setObjectName("effect_strip")
+        self._confirm = QPushButton()
+        self._confirm.setObjectName("light_confirm_button")
+        self._confirm.setShortcut(QKeySequence(_CONFIRM_KEY))
+        self._confirm.setProperty("primary", True)
+        self._confirm.setMinimumHeight(38)
+        self._note = QLabel()
+        self._note.setObjectName("light_note")
+        self._note.setProperty("rank", "muted")
+        self._note.setWordWrap(True)
+        self._lay_out()
+        self._connect()
+        self._show_color(QColor(FULL, FULL, FULL))
+        self.retranslate_ui()
+
+    # -- layout -------------------------------------------------------------------------------
+
+    def _lay_out(self) -> None:
+        card = QFrame()
+        grid = QGridLayout(card)
+        grid.setContentsMargins(16, 12, 16, 12)
+        grid.setHorizontalSpacing(10)
+        grid.setVerticalSpacing(8)
+        grid.addWidget(self._joint_label, 0, 0)
+        grid.addLayout(self._make_joint_buttons(), 0, 1)
+        lamp = QHBoxLayout()
+        lamp.addWidget(self._all_lamps)
+        lamp.addStretch(1)
+        lamp.addWidget(self._lamp)
+        grid.addWidget(self._lamp_label, 1, 0)
+        grid.addLayout(lamp, 1, 1)
+        for place, row in enumerate(self._rows.values(), start=2):
+            grid.addWidget(row.label, place, 0)
+            grid.addWidget(row, place, 1)
+        grid.addWidget(self._hue, 5, 0, 1, 2)
+        grid.addWidget(self._brightness_label, 6, 0)
+        grid.addWidget(self._brightness, 6, 1)
+        grid.setRowStretch(5, 1)
+        grid.setColumnStretch(1, 1)
+
+        effect = QHBoxLayout()
+        effect.setSpacing(12)
+        effect.addWidget(self._effect_label)
+        effect.addWidget(self._effect, 1)
+
+        self._stack(scrolled(card, _TALLEST_CARD_PX), effect, self._confirm, self._note)
+
+    def _make_joint_buttons(self) -> QHBoxLayout:
+        buttons = QHBoxLayout()
+        buttons.setSpacing(6)
+        for joint in JOINTS:
+            button = QToolButton()
+            button.setObjectName(f"light_joint_{joint}")
+            button.setText(str(joint))
+            button.setCheckable(True)
+            button.setProperty("choice", True)
+            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+            self._joints.addButton(button, joint)
+            buttons.addWidget(button)
+        self._joints.button(JOINTS[0]).setChecked(True)
+        return buttons
+
+    def _connect(self) -> None:
+        self._joints.idClicked.connect(self._on_edited)
+        self._all_lamps.toggled.connect(self._on_edited)
+        self._lamp.value_edited.connect(self._on_edited)
+        for row in self._rows.values():
+            row.edited.connect(self._on_channel_edited)
+        self._hue.picked.connect(self._on_picked)
+        self._brightness.valueChanged.connect(self._on_brightness_moved)
+        self._confirm.clicked.connect(self._on_confirm)
+        self._controller.operating_state_changed.connect(self._on_situation_changed)
+
+    # -- the colour ---------------------------------------------------------------------------
+
+    def color(self) -> QColor | None:
+        """The colour in the fields, or ``None`` if one of them holds no grey value."""
+        red, green, blue = (self._rows[name].value for name in _CHANNELS)
+        if red is None or green is None or blue is None:
+            return None
+        return QColor(red, green, blue)
+
+    def _on_channel_edited(self) -> None:
+        color = self.color()
+        if color is not None:
+            self._hue.show_color(color)
+            self._brightness.show_wish(color.value())
+        self._effect.show_color(color)
+        self._on_edited()
+
+    def _on_picked(self) -> None:
+        """Picking while it is dark means that there shall be light."""
+        self._show_color(self._hue.color((self._brightness.value() or FULL) / FULL))
+        self._on_edited()
+
+    def _on_brightness_moved(self) -> None:
+        self._show_color(self._hue.color(self._brightness.value() / FULL))
+        self._on_edited()
+
+    def _show_color(self, color: QColor) -> None:
+        """Put a colour into everything but the mark of the picker, which may stand finer."""
+        for name, value in zip(_CHANNELS, (color.red(), color.green(), color.blue()), strict=True):
+            self._rows[name].show_value(value)
+        with QSignalBlocker(self._brightness):
+            self._brightness.show_wish(color.value())
+        self._effect.show_color(color)
+
+    # -- actions ------------------------------------------------------------------------------
+
+    def focus_joint(self, joint: int) -> None:
+        """Choose a joint."""
+        button = self._joints.button(joint)
+        button.setChecked(True)
+        button.setFocus(Qt.FocusReason.OtherFocusReason)
+        self._on_edited()
+
+    def _figures(self) -> dict[str, FigureField]:
+        """The fields that count now, by the names of ``lights.RANGES``."""
+        lamp = {} if self._all_lamps.isChecked() else {"lamp": self._lamp}
+        return {**lamp, **{name: row.field for name, row in self._rows.items()}}
+
+    def _on_confirm(self) -> None:
+        fields = self._figures()
+        values = {
+            name: int(field.value) for name, field in fields.items() if field.value is not None
+        }
+        if len(values) < len(fields):
+            self._accepted(self._first_wrong())
+        else:
+            values.setdefault("lamp", ALL_LAMPS)
+            self._accepted(self._controller.lights.set_light(self._joints.checkedId(), **values))
+
+    def _first_wrong(self) -> Refusal | None:
+        wrong = (_why_wrong(name, field) for name, field in self._figures().items())
+        return next((refusal for refusal in wrong if refusal is not None), None)
+
+    def _on_edited(self) -> None:
+        self._refusal = None
+        self._show_all()
+
+    # -- appearance ---------------------------------------------------------------------------
+
+    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+        old, self._operating_state = self._operating_state, operating_state
+        if old.cannot_set_lamps != operating_state.cannot_set_lamps:
+            self._refusal = None
+            self._show_possible()
+            self._show_message()
+
+    def _show_all(self) -> None:
+        self._show_lamp()
+        self._show_possible()
+        self._show_message()
+
+    def _show_lamp(self) -> None:
+        every = self._all_lamps.isChecked()
+        self._lamp.setEnabled(not every)
+        self._lamp.show_attention(wanted=not every and _why_wrong("lamp", self._lamp) is not None)
+        self._lamp.setToolTip(
+            self.tr("Every lamp is chosen. Take the tick away to choose one.")
+            if every
+            else _range_text("lamp")
+        )
+
+    def _show_possible(self) -> None:
+        """Enable what can be used now; say in the tooltip why not."""
+        use = self.tr("Sends the colour to the lamps; nothing moves.")
+        enable_or_explain(
+            self._confirm,
+            words.why_not(self._operating_state.cannot_set_lamps),
+            use,
+            key=_CONFIRM_KEY,
+        )
+
+    def _show_message(self) -> None:
+        self._say(self._refusal or self._operating_state.cannot_set_lamps or self._first_wrong())
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._title.setText(self.tr("Light control"))
+        self._joint_label.setText(words.light_figure("joint"))
+        for joint in JOINTS:
+            name = self.tr("Lamps of joint {joint}").format(joint=joint)
+            self._joints.button(joint).setAccessibleName(name)
+            self._joints.button(joint).setToolTip(name)
+        self._lamp_label.setText(words.light_figure("lamp"))
+        self._lamp.setAccessibleName(words.light_figure("lamp"))
+        self._all_lamps.setText(self.tr("All"))
+        self._all_lamps.setAccessibleName(self.tr("All lamps of the joint"))
+        for name, row in self._rows.items():
+            row.describe(words.light_figure(name), _range_text(name))
+        self._hue.setAccessibleName(self.tr("Hue and saturation"))
+        self._hue.setToolTip(self.tr("Click, drag or use the arrow keys to pick a colour."))
+        self._brightness_label.setText(self.tr("Brightness"))
+        self._brightness.setAccessibleName(self.tr("Brightness"))
+        self._brightness.setToolTip(self.tr("The same colour, darker or brighter"))
+        self._effect_label.setText(self.tr("Effect"))
+        self._effect.setAccessibleName(self.tr("Effect"))
+        self._effect.setToolTip(self.tr("The colour that Confirm sends"))
+        self._confirm.setText(self.tr("Confirm"))
+        self._confirm.setShortcut(QKeySequence(_CONFIRM_KEY))  # a new text takes it away
+        self._confirm.setAccessibleName(self.tr("Confirm"))
+        self._note.setText(
+            self.tr(
+                "Works on joints that have a lamp board.\n"
+                "Lamps give no feedback: this is only what will be sent."
+            )
+        )
+        self._show_all()
+
+
+def _range_text(name: str) -> str:
+    return f"{words.light_figure(name)}: {RANGES[name][0]}–{RANGES[name][-1]}"
+
+
+def _why_wrong(name: str, field: FigureField) -> Refusal | None:
+    """What is to be said against the text in a field."""
+    value = field.value
+    if value is not None:
+        return check_light(**{name: int(value)})
+    bounds = {"minimum": RANGES[name][0], "maximum": RANGES[name][-1]}
+    text = field.text().strip() or fmt.NOTHING
+    return Refusal("light_not_a_number", {"light": name, "value": text, **bounds})

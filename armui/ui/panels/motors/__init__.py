@@ -1,0 +1,1 @@
+"""电机控制: one row a motor."""

@@ -1,0 +1,197 @@
+"""电机设置: each motor's power, zero and errors, beside what its driver says (manual 1.0.7.7)."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+
+from armui.arm.limits import JOINTS
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.control.operating_state import Notice, OperatingState
+from armui.protocol.codes import ALL_JOINTS
+from armui.ui import words
+from armui.ui.freshness import is_stale
+from armui.ui.panels.motors.motor_row import (
+    COLUMN_GAP_PX,
+    FIGURE_PX,
+    ActButtons,
+    MotorAct,
+    MotorRow,
+)
+from armui.ui.panels.panel import Panel
+from armui.ui.widgets.card import scrolled
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_TALLEST_CARD_PX: Final = 520
+_OURS: Final = (
+    "enable",
+    "disable",
+    "zero_",
+    "clear_error_",
+)
+"""How the codes of the notices that are told here begin."""
+
+
+class MotorPanel(Panel):
+    """Six rows of figures and buttons, and the buttons once more for all joints.
+
+    Disabling lets the arm drop and a wrong zero makes it run into its stops: both say so and must
+    be confirmed by holding a button.
+
+    Args:
+        controller: Whom to tell.
+    """
+
+    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+        super().__init__(controller, "motor_message", parent)
+        self._notice: Notice | None = None
+        self._heads = [QLabel() for _ in range(4)]
+        self._rows = [MotorRow(joint) for joint in JOINTS]
+        self._all_label = QLabel()
+        self._all = ActButtons(ALL_JOINTS)
+        self._lay_out()
+        for acts in self._all_acts():
+            acts.wanted.connect(self._on_wanted)
+        controller.state_changed.connect(self._on_state_changed)
+        controller.operating_state_changed.connect(self._on_situation_changed)
+        controller.noticed.connect(self._on_noticed)
+        self.retranslate_ui()
+
+    def _lay_out(self) -> None:
+        card = QFrame()
+        rows = QVBoxLayout(card)
+        rows.setContentsMargins(12, 8, 12, 10)
+        rows.setSpacing(9)
+        heads = QHBoxLayout()
+        heads.setSpacing(COLUMN_GAP_PX)
+        heads.addStretch(1)
+        for head in self._heads:
+            head.setProperty("rank", "muted")
+            head.setFixedWidth(FIGURE_PX)
+            head.setAlignment(Qt.AlignmentFlag.AlignRight)
+            heads.addWidget(head)
+        rows.addLayout(heads)
+        for row in self._rows:
+            rows.addWidget(row)
+        rows.addStretch(1)
+
+        every = QVBoxLayout()
+        every.setSpacing(4)
+        every.addWidget(self._all_label)
+        every.addWidget(self._all)
+        self._stack(scrolled(card, _TALLEST_CARD_PX), every, gap_px=10)
+
+    def _all_acts(self) -> list[ActButtons]:
+        return [*(row.acts for row in self._rows), self._all]
+
+    def focus_joint(self, joint: int) -> None:
+        """Bring the operator to the buttons of a joint."""
+        button = self._rows[joint - 1].acts.buttons[MotorAct.ENABLE]
+        button.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    # -- actions ------------------------------------------------------------------------------
+
+    def _on_wanted(self, joint: int, act: MotorAct) -> None:
+        controller = self._controller
+        if act is MotorAct.ENABLE:
+            self._accepted(controller.motors.enable(joint))
+        elif act is MotorAct.CLEAR:
+            self._accepted(controller.joint_errors.clear(joint))
+        elif act is MotorAct.DISABLE:
+            self._ask_to_disable(joint)
+        else:
+            self._ask_for_zero(joint)
+
+    def _ask_to_disable(self, joint: int) -> None:
+        danger = self.tr("The arm will drop when it loses its power. Hold the arm.")
+        if joint == ALL_JOINTS:
+            title = self.tr("Disable all six motors")
+            text = danger
+        else:
+            title = self.tr("Disable the motor of joint {joint}").format(joint=joint)
+            text = self.tr("Joint {joint} and what hangs on it gives way.").format(joint=joint)
+            text = f"{danger}\n{text}"
+        act = partial(self._controller.motors.disable, joint)
+        self._ask_to_hold(title, text, self.tr("Disable"), act)
+
+    def _ask_for_zero(self, joint: int) -> None:
+        if joint == ALL_JOINTS:
+            title = self.tr("Set the zero of all six joints")
+            text = self.tr("Where all six joints stand now becomes their 0°.")
+        else:
+            title = self.tr("Set the zero of joint {joint}").format(joint=joint)
+            text = self.tr("Where joint {joint} stands now becomes its 0°.").format(joint=joint)
+        danger = self.tr(
+            "The limits move with the zero, and so does every stored trajectory. With a wrong zero "
+            "the arm runs into its stops.\nSet it only at the mark of the joint's zero, with the "
+            "arm standing still. The arm keeps it; there is no way back but to set it again."
+        )
+        act = partial(self._controller.zeroing.set_zero, joint)
+        self._ask_to_hold(title, f"{text}\n{danger}", self.tr("Set zero"), act)
+
+    def _accepted(self, refusal: Refusal | None) -> bool:
+        """A no of the controller is a notice too; it stays until the next deed."""
+        if refusal is not None:
+            self._say(refusal)
+        return refusal is None
+
+    # -- what the arm says --------------------------------------------------------------------
+
+    def _on_noticed(self, notice: Notice) -> None:
+        if notice.code.startswith(_OURS):
+            self._notice = notice
+            self._show_message()
+
+    def _on_state_changed(self, state: ArmState) -> None:
+        if self.isVisible():
+            self._show_state(state)
+
+    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+        old, self._operating_state = self._operating_state, operating_state
+        if old.unreachable != operating_state.unreachable or old.stop is not operating_state.stop:
+            self._notice = None
+        if self.isVisible():
+            self._show_all()
+
+    def _show_state(self, state: ArmState) -> None:
+        for row in self._rows:
+            slow, fast = state.drivers_slow[row.joint - 1], state.drivers_fast[row.joint - 1]
+            row.show_slow(slow, stale=is_stale(slow, state, self._operating_state))
+            row.show_fast(fast, stale=is_stale(fast, state, self._operating_state))
+
+    def _show_all(self) -> None:
+        self._show_state(self._controller.state)
+        operating_state = self._operating_state
+        for act, blocked in (
+            (MotorAct.ENABLE, operating_state.cannot_switch_on),
+            (MotorAct.DISABLE, operating_state.cannot_enable),
+            (MotorAct.ZERO, self._controller.zeroing.why_not()),
+            (MotorAct.CLEAR, operating_state.unreachable or operating_state.occupied),
+        ):
+            for acts in self._all_acts():
+                acts.allow(act, words.why_not(blocked))
+        self._show_message()
+
+    def _show_message(self) -> None:
+        blocked = self._operating_state.cannot_switch_on
+        if blocked is not None and blocked.code == "busy":
+            blocked = None  # what is under way will say itself how it ends
+        self._say(blocked, self._notice)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._title.setText(self.tr("Motor settings"))
+        self._all_label.setText(self.tr("All joints"))
+        for head, text in zip(
+            self._heads,
+            (self.tr("Motor"), self.tr("Driver"), self.tr("Current"), self.tr("Voltage")),
+            strict=True,
+        ):
+            head.setText(text)
+        self._show_all()

@@ -1,0 +1,1 @@
+"""Panels for the parameters the arm keeps."""

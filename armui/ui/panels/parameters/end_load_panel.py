@@ -1,0 +1,207 @@
+"""末端负载: what the arm carries, and how fast each joint's end moves (0x477, 0x481–0x486)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from armui.arm.limits import JOINTS
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.control.devices.end_reports import is_reporting
+from armui.control.operating_state import LinkState, Notice, OperatingState
+from armui.protocol.codes import EndLoad
+from armui.ui import format as fmt
+from armui.ui import words
+from armui.ui.freshness import is_stale
+from armui.ui.panels.panel import Panel
+from armui.ui.widgets.curve_menu import tell_quantities
+from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.value_label import ValueLabel
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_LOADS: Final = (EndLoad.EMPTY, EndLoad.HALF, EndLoad.FULL)
+_FIGURES: Final = (
+    ("linear_speed_m_s", "m/s"),
+    ("angular_speed_rad_s", "rad/s"),
+    ("linear_acceleration_m_s2", "m/s²"),
+    ("angular_acceleration_rad_s2", "rad/s²"),
+)
+_OURS: Final = ("load_", "end_feedback_")
+
+
+class EndLoadPanel(Panel):
+    """Three loads to choose from, and a table that lives while 0x481–0x486 arrive.
+
+    Args:
+        controller: Whom to tell.
+    """
+
+    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+        super().__init__(controller, "end_load_message", parent)
+        self._notice: Notice | None = None
+        self._reporting: bool | None = None
+        self._loads = QButtonGroup(self)
+        self._note = QLabel()
+        self._note.setProperty("rank", "muted")
+        self._note.setWordWrap(True)
+        self._send = QPushButton()
+        self._send.setObjectName("load_confirm_button")
+        self._send.setProperty("primary", True)
+        self._motion_title = QLabel()
+        self._state = QLabel()
+        self._state.setObjectName("end_feedback_state")
+        self._switch = QPushButton()
+        self._switch.setObjectName("end_feedback_button")
+        self._units = [QLabel(unit) for _field, unit in _FIGURES]
+        self._cells = {
+            (joint, field): ValueLabel("-00.000") for joint in JOINTS for field, _unit in _FIGURES
+        }
+        for (joint, field), cell in self._cells.items():
+            tell_quantities(
+                cell, f"arm.end_{field.partition('_m_')[0].partition('_rad_')[0]}.{joint}"
+            )
+        self._lay_out()
+        self._send.clicked.connect(self._on_send)
+        self._switch.clicked.connect(self._on_switch)
+        controller.state_changed.connect(self._on_state_changed)
+        controller.operating_state_changed.connect(self._on_situation_changed)
+        controller.noticed.connect(self._on_noticed)
+        self.retranslate_ui()
+
+    def _lay_out(self) -> None:
+        load_card, motion_card = QFrame(), QFrame()
+        for card in (load_card, motion_card):
+            card.setProperty("card", True)
+        column = QVBoxLayout(load_card)
+        column.setContentsMargins(16, 12, 16, 12)
+        row = QHBoxLayout()
+        for load in _LOADS:
+            button = QToolButton()
+            button.setObjectName(f"load_{load.name.lower()}")
+            button.setCheckable(True)
+            button.setProperty("choice", True)
+            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+            self._loads.addButton(button, int(load))
+            row.addWidget(button)
+        column.addLayout(row)
+        column.addWidget(self._send)
+        column.addWidget(self._note)
+
+        grid = QGridLayout(motion_card)
+        grid.setContentsMargins(16, 12, 16, 12)
+        grid.setVerticalSpacing(6)
+        grid.addWidget(self._motion_title, 0, 0, 1, 5)
+        grid.addWidget(self._state, 1, 0, 1, 3)
+        grid.addWidget(self._switch, 1, 3, 1, 2)
+        right = Qt.AlignmentFlag.AlignRight
+        for place, label in enumerate(self._units, start=1):
+            label.setProperty("rank", "muted")
+            grid.addWidget(label, 2, place, right)
+            grid.setColumnStretch(place, 1)
+        for joint in JOINTS:
+            grid.addWidget(QLabel(f"J{joint}"), joint + 2, 0)
+            for place, (field, _unit) in enumerate(_FIGURES, start=1):
+                cell = self._cells[joint, field]
+                cell.setObjectName(f"{field}_{joint}")
+                grid.addWidget(cell, joint + 2, place, right)
+        self._stack(load_card, motion_card)
+
+    # -- actions ------------------------------------------------------------------------------
+
+    def _on_send(self) -> None:
+        chosen = self._loads.checkedId()
+        if chosen < 0:
+            self._accepted(Refusal("load_not_chosen"))
+        else:
+            self._accepted(self._controller.end_reports.set_load(EndLoad(chosen)))
+
+    def _on_switch(self) -> None:
+        on = not is_reporting(self._controller.state)
+        self._accepted(self._controller.end_reports.switch(on=on))
+
+    # -- appearance ---------------------------------------------------------------------------
+
+    def _on_noticed(self, notice: Notice) -> None:
+        if notice.code.startswith(_OURS):
+            self._refusal, self._notice = None, notice
+            self._show_message()
+
+    def _on_state_changed(self, state: ArmState) -> None:
+        if self.isVisible():
+            self._show_state(state)
+
+    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+        old, self._operating_state = self._operating_state, operating_state
+        if old.link is not operating_state.link:
+            self._refusal = self._notice = None
+        if self.isVisible():
+            self._show_all()
+
+    def _show_state(self, state: ArmState) -> None:
+        for joint in JOINTS:
+            heard = state.end_motion[joint - 1]
+            stale = is_stale(heard, state, self._operating_state)
+            for field, _unit in _FIGURES:
+                value = None if heard is None else getattr(heard.value, field)
+                self._cells[joint, field].show_text(fmt.number(value), stale=stale)
+        reporting = is_reporting(state) and self._operating_state.link is LinkState.ONLINE
+        if reporting is not self._reporting:
+            self._reporting = reporting
+            self._state.setText(self.tr("The arm reports") if reporting else self.tr("Not heard"))
+            self._switch.setText(self.tr("Switch off") if reporting else self.tr("Switch on"))
+            self._switch.setAccessibleName(f"{self._motion_title.text()}: {self._switch.text()}")
+
+    def _show_all(self) -> None:
+        unreachable = self._operating_state.unreachable
+        why_not = words.why_not(unreachable or self._operating_state.occupied)
+        use = self.tr("Tells the arm what it carries: it holds against that weight.")
+        enable_or_explain(self._send, why_not, use)
+        use = self.tr("Switches the periodic frames 0x481–0x486.")
+        enable_or_explain(self._switch, words.why_not(unreachable), use)
+        self._show_state(self._controller.state)
+        self._show_message()
+
+    def _show_message(self) -> None:
+        self._say(self._refusal or self._operating_state.unreachable, self._notice)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._title.setText(self.tr("End load"))
+        for load in _LOADS:
+            text = words.end_load(load)
+            self._loads.button(int(load)).setText(text)
+            self._loads.button(int(load)).setAccessibleName(f"{self._title.text()}: {text}")
+        self._send.setText(self.tr("Confirm"))
+        self._send.setAccessibleName(f"{self._title.text()}: {self._send.text()}")
+        self._note.setText(
+            self.tr("The arm answers this setting and cannot be asked for it afterwards.")
+        )
+        self._motion_title.setText(self.tr("Speed and acceleration of the end, by joint"))
+        names = (
+            self.tr("Linear speed"),
+            self.tr("Angular speed"),
+            self.tr("Linear acceleration"),
+            self.tr("Angular acceleration"),
+        )
+        for (field, _unit), label, name in zip(_FIGURES, self._units, names, strict=True):
+            label.setToolTip(name)
+            for joint in JOINTS:
+                self._cells[joint, field].setAccessibleName(f"J{joint} {name}")
+        self._reporting = None
+        self._show_all()

@@ -1,0 +1,70 @@
+"""What 配速设置 and 夹爪设置 share: the parameters of one group, a line each."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
+
+from armui.arm.parameters import Batch, Group
+from armui.ui.panels.parameters.parameter_panel import ParameterPanel
+from armui.ui.panels.parameters.setting_cell import FigureCell
+from armui.ui.words.parameters import parameter_name
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_FIELD_PX: Final = 132
+_TALLEST_CARD_PX: Final = 260
+
+
+class ListedParameters(ParameterPanel):
+    """A name and a field with its unit for each parameter of a group.
+
+    Args:
+        controller: Whom to ask.
+        name: For the names of the buttons.
+        group: What is listed.
+        open_backup: Opens 参数备份.
+        can_reset: Whether there is a 【初始化】.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        name: str,
+        group: Group,
+        open_backup: Callable[[], object],
+        *,
+        can_reset: bool,
+        parent: QWidget | None = None,
+    ) -> None:
+        cells = [
+            FigureCell(parameter, parameter.kind.unit) for parameter in Batch(group).parameters()
+        ]
+        super().__init__(controller, name, cells, open_backup, can_reset=can_reset, parent=parent)
+        self._labels = {cell.parameter.name: QLabel() for cell in cells}
+        card = QFrame()
+        grid = QGridLayout(card)
+        grid.setContentsMargins(16, 14, 16, 10)
+        grid.setHorizontalSpacing(12)
+        grid.setVerticalSpacing(6)
+        for row, cell in enumerate(cells):
+            label = self._labels[cell.parameter.name]
+            label.setWordWrap(True)
+            label.setBuddy(cell.field)
+            label.setMinimumHeight(cell.field.height())
+            cell.setFixedWidth(_FIELD_PX)
+            grid.addWidget(label, row, 0, Qt.AlignmentFlag.AlignTop)
+            grid.addWidget(cell, row, 1)
+        grid.setColumnStretch(0, 1)
+        grid.setRowStretch(len(cells), 1)
+        self.finish(card, tallest_px=_TALLEST_CARD_PX)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        for name, label in self._labels.items():
+            label.setText(parameter_name(name))
+        super().retranslate_ui()

@@ -1,0 +1,394 @@
+"""What 关节设置, 配速设置 and 碰撞等级 share: read, edit, save, and see what the arm has taken."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QToolButton,
+    QWidget,
+)
+
+from armui.arm.device import Device
+from armui.arm.parameters import heard
+from armui.arm.refusal import Refusal
+from armui.arm.state import Reading
+from armui.control.operating_state import OperatingState
+from armui.control.parameters.setting_checks import batches_of
+from armui.control.parameters.setting_draft import CellStatus, SettingDraft
+from armui.control.parameters.setting_saving import SettingSaving
+from armui.ui import format as fmt
+from armui.ui import words
+from armui.ui.dialogs.confirm import confirm
+from armui.ui.panels.panel import Panel
+from armui.ui.panels.parameters import parameter_message
+from armui.ui.panels.parameters.parameter_buttons import SAVE_KEY, ParameterButtons
+from armui.ui.panels.parameters.setting_cell import SettingCell
+from armui.ui.widgets.card import scrolled
+from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.words.parameters import (
+    full_name,
+    look_explained,
+    look_word,
+    span_text,
+    value_text,
+)
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+
+class ParameterPanel(Panel):
+    """Shows parameters as the arm holds them, and lets the operator enter others and save them.
+
+    They are read whenever the panel is shown, and when the arm comes online meanwhile. Fields are
+    locked until 【编辑】; what was entered stays until it is in the arm, or given up.
+
+    Args:
+        controller: Whom to ask.
+        name: For the names of the buttons: ``<name>_save_button``.
+        cells: One a parameter, in the order of the Tab key.
+        open_backup: Opens 参数备份.
+        can_reset: Whether there is a 【初始化】.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        name: str,
+        cells: Sequence[SettingCell],
+        open_backup: Callable[[], object],
+        *,
+        can_reset: bool,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(controller, f"{name}_message", parent)
+        self._settings = controller.settings
+        self._cells = {cell.parameter: cell for cell in cells}
+        self._draft = SettingDraft(list(self._cells))
+        self._saving = SettingSaving(self._settings, self._draft)
+        self._then: Callable[[], object] | None = None
+        self._batches = batches_of(self._cells)
+        self._ready = False
+        self._device: Device | None = None
+        self._backup = QToolButton()
+        self._backup.setObjectName(f"{name}_backup_button")
+        self._backup.clicked.connect(open_backup)
+        self._buttons = ParameterButtons(name, can_reset=can_reset)
+
+    def finish(self, card: QFrame, *, tallest_px: int) -> None:
+        """Lay the panel out around its card; the last step of making one.
+
+        Args:
+            card: Holds the cells.
+            tallest_px: It grows no higher.
+        """
+        head = QHBoxLayout()
+        head.addWidget(self._title, 1)
+        head.addWidget(self._backup)
+        self._stack(scrolled(card, tallest_px), self._buttons, head=head)
+        for before, after in pairwise(cell.focus_widget for cell in self._cells.values()):
+            self.setTabOrder(before, after)
+        self._connect()
+        self._on_situation_changed(self._controller.operating_state)
+        self.retranslate_ui()
+
+    def _connect(self) -> None:
+        for cell in self._cells.values():
+            cell.edited.connect(lambda cell=cell: self._on_edited(cell))
+        self._buttons.read.clicked.connect(self._on_read)
+        self._buttons.reset.clicked.connect(self._on_reset)
+        self._buttons.edit.clicked.connect(self._on_edit)
+        self._buttons.cancel.clicked.connect(self._on_cancel)
+        self._buttons.save.clicked.connect(self._on_save)
+        self._settings.changed.connect(self._on_settings_changed)
+        self._controller.operating_state_changed.connect(self._on_situation_changed)
+
+    # -- what a panel of its own adds ---------------------------------------------------------
+
+    def title(self) -> str:
+        """What the panel is called."""
+        raise NotImplementedError
+
+    def reset_question(self) -> tuple[str, str]:
+        """Title and text of the question before 【初始化】."""
+        return "", ""
+
+    def why_no_reset(self) -> str:
+        """Why 【初始化】 is not there for this arm; empty: it is."""
+        return ""
+
+    def reset_to_factory(self) -> Refusal | None:
+        """Ask the arm for its factory values."""
+        return None
+
+    def danger(self) -> str:
+        """What in the figures shown is dangerous, in plain words; empty: nothing."""
+        return ""
+
+    def danger_of_saving(self) -> str:
+        """What saving would make dangerous, to be agreed to before; empty: nothing."""
+        return ""
+
+    # -- leaving ------------------------------------------------------------------------------
+
+    def has_unsaved_changes(self) -> bool:
+        """Whether something was entered that is not in the arm."""
+        return self._draft.changed
+
+    def discard_changes(self) -> None:
+        """Forget what was entered."""
+        self._draft.end()
+        self._saving.forget()
+        self._then = None
+        self._refusal = None
+        self._settings.settle(self._cells)
+        self._show_all()
+
+    def why_no_saving(self) -> str:
+        """Why what was entered cannot be saved now; empty: it can."""
+        wrong = self._draft.first_wrong(self._controller.state)
+        return self._no_way() or words.why_not(self._controller.operating_state.occupied or wrong)
+
+    def save_changes(self, then: Callable[[], object]) -> None:
+        """Save what was entered as 【保存】 does, and go on once all of it has been read back.
+
+        What the arm does not take stays entered, with the reason below it, and ``then`` is not
+        called.
+        """
+        self._save(then)
+
+    def focus_joint(self, joint: int) -> None:
+        """Bring the operator to the first value of a joint."""
+        for parameter, cell in self._cells.items():
+            if parameter.joint == joint:
+                cell.focus_widget.setFocus(Qt.FocusReason.OtherFocusReason)
+                return
+
+    # -- actions ------------------------------------------------------------------------------
+
+    def _on_read(self) -> None:
+        self._saving.forget()
+        self._settings.settle(self._cells)
+        self._refusal = self._settings.read(self._batches)
+        self._show_all()
+
+    def _on_edit(self) -> None:
+        self._saving.forget()
+        self._refusal = None
+        self._settings.settle(self._cells)
+        self._draft.begin()
+        self._show_all()
+        next(iter(self._cells.values())).focus_widget.setFocus(Qt.FocusReason.TabFocusReason)
+
+    def _on_cancel(self) -> None:
+        self.discard_changes()
+        self._buttons.edit.setFocus()
+
+    def _on_edited(self, cell: SettingCell) -> None:
+        self._refusal = None
+        self._draft.enter(self._controller.state, cell.parameter, cell.text, cell.value)
+        self._settings.settle([cell.parameter])
+        self._show_all()
+
+    def _on_save(self) -> None:
+        self._save()
+
+    def _save(self, then: Callable[[], object] | None = None) -> None:
+        """Save, after a question where it makes something dangerous; then go on."""
+        danger = self.danger_of_saving()
+        if danger:
+            confirm(
+                self,
+                self._controller,
+                title=self.title(),
+                text=danger,
+                action_label=self._buttons.save.text(),
+                on_confirmed=lambda: self._save_now(then),
+            )
+        else:
+            self._save_now(then)
+
+    def _save_now(self, then: Callable[[], object] | None) -> None:
+        self._then = then
+        self._refusal = self._saving.begin(self._controller.state)
+        if self._refusal is not None:
+            self._stay()
+        self._show_all()
+
+    def _go_on(self) -> None:
+        """Go where the operator wanted to, if the arm now holds all that was entered."""
+        then = self._then
+        if self._draft.changed:
+            self._stay()
+        elif then is not None:
+            self._then = None
+            # not from within a signal of what it may end
+            QTimer.singleShot(0, self, then)
+
+    def _stay(self) -> None:
+        """Have the operator see why nothing was left."""
+        if self._then is not None:
+            self._then = None
+            self.window().raise_()
+            self.window().activateWindow()
+
+    def _on_reset(self) -> None:
+        title, text = self.reset_question()
+        confirm(
+            self,
+            self._controller,
+            title=title,
+            text=text,
+            action_label=self._buttons.reset.text(),
+            on_confirmed=self._reset_now,
+        )
+
+    def _reset_now(self) -> None:
+        self._saving.forget()
+        self._refusal = self.reset_to_factory()
+        self._show_all()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Escape gives up what was entered."""
+        if event.key() == Qt.Key.Key_Escape and self._draft.editing:
+            self._buttons.cancel.click()
+        else:
+            super().keyPressEvent(event)
+
+    # -- what the arm says --------------------------------------------------------------------
+
+    def _on_settings_changed(self) -> None:
+        if self._saving.ended():
+            self._go_on()
+        if self.isVisible():
+            self._show_all()
+
+    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+        self._operating_state = operating_state
+        if operating_state.device is not None and operating_state.device != self._device:
+            # another arm: what was entered for the last one would be a trap
+            self._device = operating_state.device
+            self.discard_changes()
+        ready = operating_state.unreachable is None and operating_state.generation is not None
+        came_online, self._ready = ready and not self._ready, ready
+        if self.isVisible():
+            if came_online:
+                self._read_anew()
+            self._show_all()
+
+    def _read_anew(self) -> None:
+        if self._ready and not self._draft.changed:
+            self._settings.read(self._batches)
+
+    def _why_not_here(self) -> Refusal | None:
+        """Why nothing can be read or saved: no arm, or one that has no such parameters."""
+        return self._operating_state.unreachable or self._settings.why_not_kept(self._batches)
+
+    def _no_way(self) -> str:
+        """The same in words, or that the arm is still at the last request; empty: nothing."""
+        refusal = self._why_not_here()
+        if refusal is None and self._settings.busy:
+            refusal = Refusal("busy", {"what": "settings"})
+        return words.why_not(refusal)
+
+    # -- appearance ---------------------------------------------------------------------------
+
+    def _show_all(self) -> None:
+        for cell in self._cells.values():
+            self._show_cell(cell)
+        self._show_possible()
+        self._show_message()
+
+    def _show_cell(self, cell: SettingCell) -> None:
+        parameter, state = cell.parameter, self._controller.state
+        stands = self._settings.cell(parameter)
+        known = heard(state, parameter)
+        if self._draft.entry(parameter) is None:
+            cell.show_value(None if known is None else known.value)
+        cell.set_locked(locked=not self._draft.editing or self._saving.running)
+        cell.setEnabled(self._operating_state.unreachable is None or self._draft.editing)
+        look = self._draft.look(state, parameter, stands)
+        held = fmt.NOTHING if known is None else value_text(parameter.name, known.value)
+        cell.show_look(look, self._word(cell, look, known))
+        reason = self._draft.why_wrong(state, parameter) or stands.reason
+        said = look_explained(look, held) if reason is None else words.refusal(reason)
+        lines = (full_name(parameter), span_text(parameter.name), said)
+        cell.describe(full_name(parameter), "\n".join(line for line in lines if line))
+
+    def _word(self, cell: SettingCell, look: CellStatus, known: Reading[float] | None) -> str:
+        """What stands below a value."""
+        if look is not CellStatus.CHANGED:
+            return look_word(look) or self.remark(cell)
+        held = None if known is None else known.value
+        decimals = cell.parameter.kind.decimals
+        return self.tr("was {held}").format(held=fmt.number(held, decimals))
+
+    def remark(self, _cell: SettingCell) -> str:
+        """What stands below a value of which there is nothing else to say."""
+        return ""
+
+    def _show_possible(self) -> None:
+        """Enable what can be used now; say in the tooltips of the rest why not."""
+        editing, buttons = self._draft.editing, self._buttons
+        buttons.show_editing(editing=editing)
+        no_way = self._no_way()
+        unwanted = "" if self._draft.changed else self.tr("Nothing has been changed.")
+        first = self.tr("Save or cancel your changes first.") if editing else ""
+        answer = self.tr("The arm is being asked; wait for its answer.")
+        reset_title, _text = self.reset_question()
+        enable_or_explain(buttons.read, no_way, self.tr("Reads the values from the arm."))
+        not_now = words.why_not(self._controller.operating_state.occupied)
+        enable_or_explain(
+            buttons.reset, no_way or not_now or self.why_no_reset() or first, reset_title
+        )
+        change = self.tr("Lets you change the values; nothing is sent.")
+        enable_or_explain(buttons.edit, no_way, change)
+        give_up = self.tr("Shows what the arm holds again.")
+        enable_or_explain(
+            buttons.cancel, answer if self._saving.running else "", give_up, key="Esc"
+        )
+        send = self.tr("Sends what was changed, reads it back and compares.")
+        enable_or_explain(
+            buttons.save, no_way or unwanted or self.why_no_saving(), send, key=SAVE_KEY
+        )
+
+    def _show_message(self) -> None:
+        occupied = self._controller.operating_state.occupied if self._draft.editing else None
+        said = parameter_message.message(
+            refusal=self._refusal or self._why_not_here() or occupied,
+            draft=self._draft,
+            state=self._controller.state,
+            cell=self._settings.cell,
+            asked=self._saving.asked,
+            danger=self.danger(),
+        )
+        self._message.show_message(said.text, said.level)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._title.setText(self.title())
+        self._backup.setText(self.tr("Backup…"))
+        self._backup.setAccessibleName(self.tr("Backup…"))
+        self._backup.setToolTip(
+            self.tr("All parameters of the arm: save them to a file, compare, restore.")
+        )
+        self._buttons.retranslate_ui()
+        self._show_all()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Read what the arm holds now."""
+        self._read_anew()
+        super().showEvent(event)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """How the last saving ended was seen."""
+        super().hideEvent(event)
+        if not self._draft.changed:
+            self.discard_changes()

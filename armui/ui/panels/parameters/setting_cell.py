@@ -1,0 +1,123 @@
+"""One parameter of the arm in a panel: its value, and a line that says how it stands."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from armui.arm.parameters import Parameter
+from armui.control.parameters.setting_draft import CellStatus, shown_as
+from armui.ui.panels.parameters.cell_note import CellNote
+from armui.ui.widgets.figure_field import FigureField
+
+_GAP_PX: Final = 1
+_NARROWEST_PX: Final = 62
+
+
+def cell_name(parameter: Parameter) -> str:
+    """What the cell of a parameter is called in the window: ``max_angle_deg_2``."""
+    return f"{parameter.name}_{parameter.joint}" if parameter.joint else parameter.name
+
+
+class SettingCell(QWidget):
+    """What every kind of cell can do; the panel knows no more of them.
+
+    Args:
+        parameter: What it shows.
+
+    Signals:
+        edited: The operator entered something.
+    """
+
+    edited = Signal()
+
+    def __init__(self, parameter: Parameter, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.parameter = parameter
+        self.note = CellNote()
+        self.note.setObjectName(f"{cell_name(parameter)}_note")
+
+    @property
+    def text(self) -> str:
+        """What is entered."""
+        raise NotImplementedError
+
+    @property
+    def value(self) -> float | None:
+        """The figure that is entered, or ``None`` if it is none."""
+        raise NotImplementedError
+
+    @property
+    def focus_widget(self) -> QWidget:
+        """What the Tab key leads to."""
+        raise NotImplementedError
+
+    def show_value(self, value: float | None) -> None:
+        """Show what the arm holds; ``None``: it is not known."""
+        raise NotImplementedError
+
+    def set_locked(self, *, locked: bool) -> None:
+        """Let nothing be entered, or again."""
+        raise NotImplementedError
+
+    def describe(self, name: str, tip: str) -> None:
+        """Name it, and say in full how it stands."""
+        raise NotImplementedError
+
+    def show_look(self, look: CellStatus, text: str) -> None:
+        """Say how it stands."""
+        self.note.show_look(look, text)
+
+
+class FigureCell(SettingCell):
+    """A parameter as a field for its figure; named as the parameter, ``max_angle_deg_2``."""
+
+    def __init__(self, parameter: Parameter, unit: str = "", parent: QWidget | None = None) -> None:
+        super().__init__(parameter, parent)
+        self.field = FigureField(parameter.kind.decimals, unit)
+        self.field.setObjectName(cell_name(parameter))
+        self.field.setMinimumWidth(_NARROWEST_PX)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(_GAP_PX)
+        layout.addWidget(self.field)
+        layout.addWidget(self.note)
+        self.field.value_edited.connect(self.edited)
+
+    @property
+    def text(self) -> str:
+        """What stands in the field."""
+        return self.field.text()
+
+    @property
+    def value(self) -> float | None:
+        """The figure in it."""
+        return self.field.value
+
+    @property
+    def focus_widget(self) -> QWidget:
+        """The field."""
+        return self.field
+
+    def show_value(self, value: float | None) -> None:
+        """Show what the arm holds; the same figure typed otherwise is left as it is."""
+        shown = None if value is None else shown_as(self.parameter, value)
+        if shown is None or self.field.value != shown:
+            self.field.show_value(shown)
+
+    def set_locked(self, *, locked: bool) -> None:
+        """A locked field can still be read and copied from."""
+        self.field.setReadOnly(locked)
+
+    def describe(self, name: str, tip: str) -> None:
+        """Name it, and say in full how it stands."""
+        self.field.setAccessibleName(name)
+        self.field.setToolTip(tip)
+        self.note.setToolTip(tip)
+
+    def show_look(self, look: CellStatus, text: str) -> None:
+        """Say how it stands; what cannot be saved is marked in the field too."""
+        super().show_look(look, text)
+        self.field.show_attention(wanted=look is CellStatus.WRONG)

@@ -1,0 +1,1 @@
+"""示教: drag teaching, and the way out of it."""

@@ -1,0 +1,290 @@
+"""示教: drag teaching, the way out of it, and the motions the arm has planned (0x150)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Final, TypeVar
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+
+from armui.arm.state import ArmState
+from armui.control.devices.teaching_phase import TeachingPhase, phase_of
+from armui.control.operating_state import Level, Notice, OperatingState
+from armui.control.safety.recovery_steps import Action, Step
+from armui.protocol.codes import TeachingState, TrajectoryCommand
+from armui.ui import format as fmt
+from armui.ui import words
+from armui.ui.dialogs.confirm import confirm
+from armui.ui.freshness import is_stale
+from armui.ui.panels.panel import Panel
+from armui.ui.panels.teaching.teaching_exit_steps import TeachingExitSteps
+from armui.ui.widgets.card import scrolled
+from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.hold_button import HoldButton
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_Key = TypeVar("_Key")
+
+_TALLEST_CARD_PX: Final = 620
+_BUTTON_PX: Final = 36
+_COLUMNS: Final = 6
+
+_COMMANDS: Final = (
+    (TeachingState.START_RECORDING, TeachingState.STOP_RECORDING),
+    (TeachingState.RUN_RECORDING, TeachingState.MOVE_TO_START),
+    (TeachingState.PAUSE, TeachingState.CONTINUE, TeachingState.ABORT),
+)
+_PLANS: Final = (
+    (TrajectoryCommand.PAUSE, TrajectoryCommand.CONTINUE, TrajectoryCommand.ABORT),
+    (TrajectoryCommand.CLEAR_CURRENT, TrajectoryCommand.CLEAR_ALL),
+)
+_MOVES: Final = frozenset(
+    {TeachingState.RUN_RECORDING, TeachingState.MOVE_TO_START, TeachingState.CONTINUE}
+)
+
+
+class TeachingPanel(Panel):
+    """Offers the commands that make sense now; the others say why they do not.
+
+    Args:
+        controller: Whom to tell.
+    """
+
+    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+        super().__init__(controller, "teaching_message", parent)
+        self._unanswered: Notice | None = None
+        self._shown: tuple[object, ...] | None = None
+        self._state_label = QLabel()
+        self._state = QLabel()
+        self._state.setObjectName("teaching_state")
+        self._state.setWordWrap(True)
+        self._phase = QLabel()
+        self._phase.setObjectName("teaching_phase")
+        self._phase.setProperty("rank", "muted")
+        self._note = _label("muted")
+        self._teaching_exit_steps = TeachingExitSteps()
+        self._plan_label = QLabel()
+        self._plan_note = _label("muted")
+        self._buttons = {
+            command: self._make_button(f"teaching_{command.name.lower()}")
+            for row in _COMMANDS
+            for command in row
+        }
+        self._plan_buttons = {
+            command: self._make_button(f"plan_{command.name.lower()}")
+            for row in _PLANS
+            for command in row
+        }
+        # a motion that was held back is never set going by a slip
+        self._plan_buttons[TrajectoryCommand.CONTINUE] = HoldButton()
+        self._name(self._plan_buttons[TrajectoryCommand.CONTINUE], "plan_continue")
+        self._lay_out()
+        self._connect()
+        self.retranslate_ui()
+
+    @staticmethod
+    def _make_button(name: str) -> QPushButton:
+        button = QPushButton()
+        TeachingPanel._name(button, name)
+        return button
+
+    @staticmethod
+    def _name(button: QPushButton, name: str) -> None:
+        button.setObjectName(name)
+        button.setMinimumHeight(_BUTTON_PX)
+
+    # -- layout -------------------------------------------------------------------------------
+
+    def _lay_out(self) -> None:
+        card = QFrame()
+        column = QVBoxLayout(card)
+        column.setContentsMargins(16, 12, 16, 12)
+        column.setSpacing(8)
+        state = QGridLayout()
+        state.setHorizontalSpacing(10)
+        state.addWidget(self._state_label, 0, 0, Qt.AlignmentFlag.AlignTop)
+        state.addWidget(self._state, 0, 1)
+        state.addWidget(self._phase, 1, 1)
+        state.setColumnStretch(1, 1)
+        column.addLayout(state)
+        column.addLayout(_grid(_COMMANDS, self._buttons))
+        column.addWidget(self._note)
+        column.addWidget(self._teaching_exit_steps)
+        column.addSpacing(6)
+        column.addWidget(self._plan_label)
+        column.addLayout(_grid(_PLANS, self._plan_buttons))
+        column.addWidget(self._plan_note)
+        column.addStretch(1)
+
+        self._stack(scrolled(card, _TALLEST_CARD_PX))
+
+    def _connect(self) -> None:
+        for command, button in self._buttons.items():
+            button.clicked.connect(lambda _checked, which=command: self._on_command(which))
+        for plan, button in self._plan_buttons.items():
+            if isinstance(button, HoldButton):
+                button.held.connect(lambda which=plan: self._on_plan(which))
+            else:
+                button.clicked.connect(lambda _checked, which=plan: self._on_plan(which))
+        controller = self._controller
+        controller.state_changed.connect(self._on_state_changed)
+        controller.operating_state_changed.connect(self._on_situation_changed)
+        controller.step_changed.connect(self._on_step_changed)
+        controller.noticed.connect(self._on_noticed)
+
+    # -- actions ------------------------------------------------------------------------------
+
+    def _on_command(self, command: TeachingState) -> None:
+        if command is not TeachingState.START_RECORDING:
+            self._command(command)
+            return
+        confirm(
+            self.window(),
+            self._controller,
+            title=words.step_question(Action.LEAD_BY_HAND),
+            text=words.step_danger(Action.LEAD_BY_HAND),
+            action_label=words.teaching_command(command),
+            on_confirmed=lambda: self._command(command),
+        )
+
+    def _command(self, command: TeachingState) -> None:
+        self._unanswered = None
+        self._refusal = self._controller.teaching.command(command)
+        self._show_all()
+
+    def _on_plan(self, plan: TrajectoryCommand) -> None:
+        self._unanswered = None
+        self._refusal = self._controller.planned_motion.command(plan)
+        self._show_all()
+
+    # -- what comes from the arm --------------------------------------------------------------
+
+    def _on_state_changed(self, _state: ArmState) -> None:
+        self._show_new()
+
+    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+        self._operating_state = operating_state
+        self._refusal = None
+        self._show_new()
+
+    def _on_step_changed(self, _step: Step) -> None:
+        self._show_new()
+
+    def _on_noticed(self, notice: Notice) -> None:
+        if notice.code == "teaching_unanswered":
+            self._unanswered = notice
+            self._show_all()
+
+    def _show_new(self) -> None:
+        """Say what has changed; feedback comes thirty times a second and mostly says the same."""
+        if not self.isVisible():
+            return
+        shown = self._facts()
+        if shown != self._shown:
+            if self._shown is not None and shown[0] != self._shown[0]:
+                self._unanswered = None
+            self._shown = shown
+            self._show_all()
+
+    def _facts(self) -> tuple[object, ...]:
+        controller = self._controller
+        return (
+            self._phase_now(),
+            None if controller.state.status is None else controller.state.status.value,
+            self._operating_state,
+            controller.recovery.step,
+            controller.teaching.pending,
+        )
+
+    def _phase_now(self) -> TeachingPhase | None:
+        """What drag teaching does, or ``None``: nobody knows."""
+        state = self._controller.state
+        if state.status is None or is_stale(state.status, state, self._operating_state):
+            return None
+        return phase_of(state.status.value)
+
+    # -- appearance ---------------------------------------------------------------------------
+
+    def _show_all(self) -> None:
+        phase = self._phase_now()
+        heard = self._controller.state.status
+        known = heard is not None and phase is not None
+        self._state.setText(
+            words.teaching(heard.value.teaching) if heard and known else fmt.NOTHING
+        )
+        self._phase.setText(words.teaching_phase(phase) if phase is not None else fmt.NOTHING)
+        for command, button in self._buttons.items():
+            why_not = words.why_not(self._controller.teaching.why_not(command))
+            enable_or_explain(button, why_not, self._describe(command))
+        for plan, button in self._plan_buttons.items():
+            why_not = words.why_not(self._controller.planned_motion.why_not(plan))
+            enable_or_explain(button, why_not, self._plan_note.text())
+        self._teaching_exit_steps.show_step(phase, self._controller.recovery.step)
+        self._show_message()
+
+    def _describe(self, command: TeachingState) -> str:
+        if command is TeachingState.START_RECORDING:
+            return self.tr("The arm gives way to the hand and records where it is led.")
+        if command in _MOVES:
+            return self.tr("The arm moves: keep clear.")
+        return words.teaching(command)
+
+    def _show_message(self) -> None:
+        controller = self._controller
+        refusal = self._refusal or self._operating_state.unreachable
+        if refusal is not None:
+            self._say(refusal)
+        elif controller.teaching.pending is not None:
+            text = self.tr("Waiting for the arm: {command}")
+            command = words.teaching_command(controller.teaching.pending)
+            self._message.show_message(text.format(command=command))
+        elif self._unanswered is not None:
+            self._message.show_message(words.notice(self._unanswered), Level.FAULT)
+        elif self._operating_state.holds:
+            text = self.tr("A motion is held back: hold Continue, or give it up by Terminate.")
+            self._message.show_message(text, Level.WARNING)
+        else:
+            self._message.show_message("")
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._title.setText(self.tr("Drag teaching"))
+        self._state_label.setText(self.tr("Teaching state"))
+        self._note.setText(
+            self.tr("The teaching button on the arm works beside this panel, which follows it.")
+        )
+        self._plan_label.setText(self.tr("Planned trajectory"))
+        self._plan_note.setText(
+            self.tr("Works on motions under way. The arm does not report it: watch the arm.")
+        )
+        for command, button in self._buttons.items():
+            button.setText(words.teaching_command(command))
+            button.setAccessibleName(button.text())
+        for plan, button in self._plan_buttons.items():
+            button.setText(words.trajectory_command(plan))
+            button.setAccessibleName(button.text())
+        self._teaching_exit_steps.retranslate_ui()
+        self._show_all()
+
+
+def _label(rank: str) -> QLabel:
+    label = QLabel()
+    label.setProperty("rank", rank)
+    label.setWordWrap(True)
+    return label
+
+
+def _grid(rows: Sequence[Sequence[_Key]], buttons: Mapping[_Key, QPushButton]) -> QGridLayout:
+    """Two or three buttons a row, each row as wide as the others."""
+    grid = QGridLayout()
+    grid.setSpacing(8)
+    for number, row in enumerate(rows):
+        for column, command in enumerate(row):
+            span = _COLUMNS // len(row)
+            grid.addWidget(buttons[command], number, column * span, 1, span)
+    for column in range(_COLUMNS):
+        grid.setColumnStretch(column, 1)
+    return grid

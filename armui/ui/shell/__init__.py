@@ -1,0 +1,1 @@
+"""What surrounds the panels: top bar, menu, status bar, recovery line, 3D region."""

@@ -1,0 +1,77 @@
+"""What went wrong in the program itself, in one line, with a text to copy for its developers."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
+
+from armui.control.operating_state import Level
+from armui.system.failures import Failure
+from armui.ui.widgets.message_line import MessageLine
+
+
+class FailureLine(QWidget):
+    """Hidden until something goes wrong; shows the newest failure, and how often it happened."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("failure_line")
+        self._failure: Failure | None = None
+        self._message = MessageLine()
+        self._copy = QPushButton()
+        self._copy.setObjectName("failure_copy_button")
+        self._copy.clicked.connect(self._on_copy)
+        self._close = QPushButton()
+        self._close.setObjectName("failure_close_button")
+        self._close.clicked.connect(self.hide)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(8, 4, 8, 4)
+        layout.addWidget(self._message, 1)
+        layout.addWidget(self._copy)
+        layout.addWidget(self._close)
+        self.retranslate_ui()
+        self.hide()
+
+    def text(self) -> str:
+        """What it says now."""
+        return self._message.text()
+
+    def show_failure(self, failure: Failure) -> None:
+        """Tell of a failure; the same one again only counts."""
+        again = self._failure is not None and self._failure.error == failure.error
+        self._failure = failure
+        self._say()
+        if not again:
+            self.show()
+
+    def _on_copy(self) -> None:
+        if self._failure is not None:
+            QGuiApplication.clipboard().setText(self._failure.text)
+
+    def _say(self) -> None:
+        if self._failure is None:
+            return
+        text = self.tr(
+            "An error in the program ({error}). The emergency stop works; the motion that the "
+            "failed part drove has been ended. Copy the details for the developers."
+        ).format(error=self._failure.error)
+        if self._failure.count > 1:
+            text += " " + self.tr("It has happened {count} times.").format(
+                count=self._failure.count
+            )
+        self._message.show_message(text, Level.FAULT)
+
+    def retranslate_ui(self) -> None:
+        """Say everything again, in the language of now."""
+        self._copy.setText(self.tr("Copy details"))
+        self._close.setText(self.tr("Close"))
+        for button in (self._copy, self._close):
+            button.setAccessibleName(button.text())
+        self._say()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)

@@ -1,0 +1,228 @@
+"""The next step towards an arm that may be moved: one line, one button, above the panels."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt
+from PySide6.QtGui import QMouseEvent, QPaintEvent
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
+
+from armui.control.operating_state import Level, OperatingState
+from armui.control.safety.recovery_steps import Action, Step, StepKind
+from armui.ui import words
+from armui.ui.dialogs.confirm import confirm
+from armui.ui.theme import Colors, colors_of
+from armui.ui.widgets import icons, painting
+from armui.ui.widgets.hold_button import HoldButton
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_ICON_PX: Final = 20
+_BUTTON_PX: Final = 132
+_GAP_PX: Final = 10
+_MARGIN_PX: Final = 16
+_TOP_PX: Final = 6
+_PADDING_PX: Final = 5
+_TWO_LINES: Final = "急\n急"
+
+_CALM: Final = frozenset({StepKind.NO_DEVICE, StepKind.OPENING, StepKind.HANDSHAKE, StepKind.READY})
+"""Nothing is wrong: said in muted words without a ground, and without a button."""
+
+
+class StepButton(QPushButton):
+    """Takes a step; the second click of a double click is no answer to the step that follows."""
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """Do nothing."""
+        event.accept()
+
+
+class RecoveryLine(QWidget):
+    """Says the next step and takes it; dangerous steps ask first.
+
+    Its room is kept when there is nothing to do: nothing moves under the mouse when a fault comes
+    or goes.
+
+    Args:
+        controller: Who knows the step.
+        open_connection: Opens the window in which a CAN device is chosen.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        open_connection: Callable[[], None],
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName("recovery_line")
+        self._controller = controller
+        self._open_connection = open_connection
+        self._step = controller.recovery.step
+        self._pressed = self._step
+        self._icon = QLabel()
+        self._icon.setFixedWidth(_ICON_PX)
+        self._text = QLabel()
+        self._text.setObjectName("recovery_text")
+        self._text.setWordWrap(True)
+        self._text.setTextFormat(Qt.TextFormat.PlainText)
+        self._text.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
+        self._button = StepButton()
+        self._button.setObjectName("recovery_button")
+        self._button.setMinimumWidth(_BUTTON_PX)
+        self._hold_button = HoldButton()
+        self._hold_button.setObjectName("recovery_hold_button")
+        self._hold_button.setMinimumWidth(_BUTTON_PX)
+        self._other_button = StepButton()
+        self._other_button.setObjectName("recovery_other_button")
+        layout = QHBoxLayout(self)
+        side = _MARGIN_PX + _GAP_PX
+        layout.setContentsMargins(side, _TOP_PX + _PADDING_PX, side, _PADDING_PX)
+        layout.setSpacing(_GAP_PX)
+        layout.addWidget(self._icon)
+        layout.addWidget(self._text, 1)
+        layout.addWidget(self._other_button, 0, Qt.AlignmentFlag.AlignVCenter)
+        layout.addWidget(self._hold_button, 0, Qt.AlignmentFlag.AlignVCenter)
+        layout.addWidget(self._button, 0, Qt.AlignmentFlag.AlignVCenter)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        for button in (self._button, self._hold_button, self._other_button):
+            button.pressed.connect(self._on_pressed)
+        self._button.clicked.connect(self._on_clicked)
+        self._hold_button.held.connect(lambda: self._act(self._pressed.action))
+        self._other_button.clicked.connect(lambda: self._act(self._pressed.alternative))
+        controller.step_changed.connect(self._on_step_changed)
+        controller.operating_state_changed.connect(self._on_situation_changed)
+        self._show_step()
+
+    # -- behaviour ----------------------------------------------------------------------------
+
+    def _on_pressed(self) -> None:
+        """What the operator has read when the button goes down is what is agreed to."""
+        self._pressed = self._step
+
+    def _on_clicked(self) -> None:
+        step = self._pressed
+        if step.action is Action.CONNECT:
+            self._open_connection()
+        elif step.action is not None and step.dangerous:
+            confirm(
+                self.window(),
+                self._controller,
+                title=words.step_question(step.action),
+                text=words.step_danger(step.action),
+                action_label=words.step_action(step.action).rstrip("…"),
+                on_confirmed=lambda: self._controller.recovery.act(step),
+                hold=True,
+            )
+        else:
+            self._act(step.action)
+
+    def _act(self, action: Action | None) -> None:
+        if action is not None:
+            self._controller.recovery.act(self._pressed, action)
+
+    # -- appearance ---------------------------------------------------------------------------
+
+    def _on_step_changed(self, step: Step) -> None:
+        self._step = step
+        self._show_step()
+
+    def _on_situation_changed(self, _operating_state: OperatingState) -> None:
+        if self._button.isVisible() or self._hold_button.isVisible():
+            self._show_button()
+
+    def _show_step(self) -> None:
+        step = self._step
+        calm = step.kind in _CALM
+        text = words.step(step)
+        self._text.setText(text)
+        self._text.setProperty("rank", "muted" if calm else None)
+        self._text.style().unpolish(self._text)
+        self._text.style().polish(self._text)
+        self.setAccessibleName(text)
+        self._show_button()
+        self._draw_icon()
+        self.update()
+
+    def _show_button(self) -> None:
+        step = self._step
+        action = None if step.kind in _CALM else step.action
+        blocked = self._controller.recovery.why_not(step)
+        button = self._hold_button if step.held else self._button
+        policy = self._button.sizePolicy()
+        policy.setRetainSizeWhenHidden(not step.held)  # nothing moves when a button goes
+        self._button.setSizePolicy(policy)
+        self._button.setVisible(action is not None and not step.held)
+        self._hold_button.setVisible(action is not None and step.held)
+        button.setEnabled(not step.waiting and blocked is None)
+        button.setAccessibleName(self.tr("Next step"))
+        if action is not None:
+            label = self.tr("Waiting…") if step.waiting else words.step_action(action)
+            button.setText(label)
+            button.setAccessibleName(label)
+            use = words.step_danger(action) if step.dangerous else words.step(step)
+            use = use if blocked is None else words.refusal(blocked)
+            button.setToolTip(self.tr("Waiting for the arm") if step.waiting else use)
+        self._other_button.setVisible(step.alternative is not None)
+        self._hold_button.setAccessibleName(self.tr("Next step"))
+        self._other_button.setAccessibleName(self.tr("Another way"))
+        if step.held and action is not None:
+            self._hold_button.setAccessibleName(self._hold_button.text())
+        if step.alternative is not None:
+            label = words.step_action(step.alternative)
+            self._other_button.setText(label)
+            self._other_button.setAccessibleName(label)
+
+    def _draw_icon(self) -> None:
+        colors = colors_of(self)
+        ratio = self.devicePixelRatioF()
+        if self._step.kind in _CALM:
+            if self._step.kind is StepKind.READY:
+                self._icon.setPixmap(icons.pixmap("done", colors.ok, _ICON_PX, ratio))
+            else:
+                self._icon.clear()
+            return
+        _fill, ink = _paint_colors(colors, self._step.level)
+        name = "info" if self._step.level is Level.INFO else "warning"
+        self._icon.setPixmap(icons.pixmap(name, ink, _ICON_PX, ratio))
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language and the colours."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self._show_step()
+        elif event.type() == QEvent.Type.PaletteChange:
+            self._draw_icon()
+        super().changeEvent(event)
+
+    def sizeHint(self) -> QSize:
+        """Always room for two lines and the button."""
+        text = self.fontMetrics().size(0, _TWO_LINES).height()
+        height = max(text, self._button.sizeHint().height())
+        return QSize(400, height + 2 * _PADDING_PX + _TOP_PX)
+
+    def minimumSizeHint(self) -> QSize:
+        """Never lower than that."""
+        return QSize(0, self.sizeHint().height())
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw the ground, unless there is nothing to do."""
+        if self._step.kind in _CALM:
+            return
+        fill, _ink = _paint_colors(colors_of(self), self._step.level)
+        painter = painting.begin(self)
+        ground = QRectF(self.rect()).adjusted(_MARGIN_PX, _TOP_PX, -_MARGIN_PX, 0)
+        painting.panel(painter, ground, fill, fill)
+        painter.end()
+
+
+def _paint_colors(colors: Colors, level: Level) -> tuple[str, str]:
+    """Ground and sign."""
+    return {
+        Level.INFO: (colors.accent_pale, colors.accent),
+        Level.DONE: (colors.accent_pale, colors.ok),
+        Level.WARNING: (colors.warn_pale, colors.warn),
+        Level.FAULT: (colors.stop_pale, colors.stop),
+    }[level]

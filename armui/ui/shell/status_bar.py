@@ -1,0 +1,220 @@
+"""Region 11: on the left what happened last, on the right how the arm is (0x2A1)."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QColor, QShowEvent
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
+
+from armui.arm.limits import JOINTS
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState, Status
+from armui.control.operating_state import Level, Notice, OperatingState
+from armui.protocol.codes import ArmStatusCode, TeachingState
+from armui.ui import format as fmt
+from armui.ui import words
+from armui.ui.freshness import is_stale
+from armui.ui.theme import colors_of
+from armui.ui.widgets import icons
+from armui.ui.widgets.curve_menu import tell_quantities
+from armui.ui.widgets.elided_label import ElidedLabel
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_NO_FAULT: Final = frozenset(
+    {
+        ArmStatusCode.NORMAL,
+        ArmStatusCode.TEACHING_RECORDING,
+        ArmStatusCode.TEACHING_RUNNING,
+        ArmStatusCode.TEACHING_PAUSED,
+    }
+)
+_WARNINGS: Final = frozenset(
+    {
+        ArmStatusCode.NO_SOLUTION,
+        ArmStatusCode.SINGULARITY,
+        ArmStatusCode.TARGET_BEYOND_LIMIT,
+        ArmStatusCode.OVERSPEED_WHILE_TEACHING,
+    }
+)
+_ICON_PX: Final = 16
+_QUANTITIES: Final = {
+    "control": ("arm.control_mode",),
+    "arm": ("arm.arm_status",),
+    "mode": ("arm.move_mode", "own.move_mode", "other.move_mode"),
+    "teaching": ("arm.teaching",),
+    "reached": ("arm.not_reached",),
+    "joints": ("arm.no_communication", "arm.beyond_limit"),
+}
+
+
+class StatusBar(QWidget):
+    """The notice gives way when there is no room; what the arm says never does."""
+
+    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("status_bar")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self._controller = controller
+        self._notice: Notice | None = None
+        self._problem: tuple[datetime, Refusal] | None = None
+        self._shown: tuple[Status | None, bool] | None = None
+        self._notice_icon = QLabel()
+        self._notice_label = ElidedLabel()
+        self._notice_label.setObjectName("notice_label")
+        self._status_icon = QLabel()
+        self._labels = {
+            name: QLabel() for name in ("control", "arm", "mode", "teaching", "reached", "joints")
+        }
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(14, 6, 14, 6)
+        layout.setSpacing(8)
+        layout.addWidget(self._notice_icon)
+        layout.addWidget(self._notice_label, 1)
+        layout.addSpacing(16)
+        self._separators: dict[str, QLabel] = {}
+        for name, label in self._labels.items():
+            label.setObjectName(f"status_{name}")
+            tell_quantities(label, *_QUANTITIES[name])
+            label.setTextFormat(Qt.TextFormat.PlainText)
+            if name != "control":
+                separator = QLabel("│")
+                separator.setProperty("rank", "muted")
+                self._separators[name] = separator
+                layout.addWidget(separator)
+            if name == "arm":
+                layout.addWidget(self._status_icon)
+            layout.addWidget(label)
+        controller.noticed.connect(self._on_noticed)
+        controller.state_changed.connect(self._on_state_changed)
+        controller.operating_state_changed.connect(self._on_situation_changed)
+        self.retranslate_ui()
+
+    # -- notice -------------------------------------------------------------------------------
+
+    def _on_noticed(self, notice: Notice) -> None:
+        self._notice, self._problem = notice, None
+        self._show_notice()
+
+    def show_problem(self, reason: Refusal) -> None:
+        """Say what went wrong in the program itself."""
+        self._problem = (datetime.now().astimezone(), reason)
+        self._show_notice()
+
+    def _show_notice(self) -> None:
+        text, level = "", Level.INFO
+        if self._problem is not None:
+            at, reason = self._problem
+            text, level = f"{at:%H:%M:%S}  {words.refusal(reason)}", Level.WARNING
+        elif self._notice is not None:
+            text = f"{self._notice.at:%H:%M:%S}  {words.notice(self._notice)}"
+            level = self._notice.level
+        self._notice_label.show_text(text)
+        colors = colors_of(self)
+        color = {Level.WARNING: colors.warn, Level.FAULT: colors.stop}.get(level)
+        self._notice_icon.setVisible(color is not None)
+        if color is not None:
+            self._draw_warning(self._notice_icon, color)
+
+    # -- status -------------------------------------------------------------------------------
+
+    def _on_state_changed(self, state: ArmState) -> None:
+        if self.isVisible():
+            self._show_status(state)
+
+    def _on_situation_changed(self, _operating_state: OperatingState) -> None:
+        if self.isVisible():
+            self._show_status(self._controller.state)
+
+    def _show_status(self, state: ArmState) -> None:
+        heard = state.status
+        stale = is_stale(heard, state, self._controller.operating_state)
+        shown = (None if heard is None else heard.value, stale)
+        if shown != self._shown:
+            self._shown = shown
+            self._spell_out(*shown)
+
+    def _spell_out(self, status: Status | None, stale: bool) -> None:
+        """Put the codes into words; ``None`` is a status that has never been heard."""
+        if status is None:
+            texts = dict.fromkeys(("control", "arm", "mode", "reached"), fmt.NOTHING)
+        else:
+            texts = {
+                "control": words.control_mode_short(status.control_mode),
+                "arm": words.arm_status(status.arm_status),
+                "mode": words.move_mode(status.move_mode),
+                "reached": words.reached(status.reached),
+            }
+            if status.teaching != TeachingState.OFF:
+                texts["teaching"] = words.teaching(status.teaching)
+            if any(status.communication_fault) or any(status.limit_exceeded):
+                texts["joints"] = self._joint_faults(status)
+        texts["control"] = self.tr("Control: {mode}").format(mode=texts["control"])
+        texts["arm"] = self.tr("Status: {status}").format(status=texts["arm"])
+        self._labels["control"].setToolTip(
+            "" if status is None else words.control_mode(status.control_mode)
+        )
+        colors = colors_of(self)
+        ink = colors.muted if stale or status is None else colors.text
+        alarm = None if stale or status is None else self._alarm_color(status)
+        for name, label in self._labels.items():
+            label.setText(texts.get(name, ""))
+            label.setVisible(name in texts)
+            if name in self._separators:
+                self._separators[name].setVisible(name in texts)
+            loud = name == "joints" or (name == "arm" and alarm is not None)
+            colored = label.palette()
+            colored.setColor(label.foregroundRole(), QColor(alarm if loud and alarm else ink))
+            label.setPalette(colored)
+        self._status_icon.setVisible(alarm is not None)
+        if alarm is not None:
+            self._draw_warning(self._status_icon, alarm)
+
+    def _alarm_color(self, status: Status) -> str | None:
+        colors = colors_of(self)
+        if any(status.communication_fault):
+            return colors.stop
+        if status.arm_status in _WARNINGS:
+            return colors.warn
+        if status.arm_status not in _NO_FAULT:
+            return colors.stop
+        return colors.warn if any(status.limit_exceeded) else None
+
+    def _joint_faults(self, status: Status) -> str:
+        """The joints out of order, as short as they fit beside all the rest."""
+        parts = []
+        for text, flags in (
+            (self.tr("No communication: {joints}"), status.communication_fault),
+            (self.tr("Beyond limit: {joints}"), status.limit_exceeded),
+        ):
+            joints = [joint for joint, flag in zip(JOINTS, flags, strict=True) if flag]
+            if joints:
+                parts.append(text.format(joints=fmt.joints(joints)))
+        return "  ".join(parts)
+
+    def _draw_warning(self, label: QLabel, color: str) -> None:
+        label.setPixmap(icons.pixmap("warning", color, _ICON_PX, self.devicePixelRatioF()))
+
+    # -- appearance ---------------------------------------------------------------------------
+
+    def retranslate_ui(self) -> None:
+        """Say everything again, in the language and colours of now."""
+        self._shown = None
+        self._notice_label.setAccessibleName(self.tr("Last event"))
+        self._show_notice()
+        self._show_status(self._controller.state)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language and the colours."""
+        if event.type() in {QEvent.Type.LanguageChange, QEvent.Type.PaletteChange}:
+            self.retranslate_ui()
+        super().changeEvent(event)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with what went by while the bar was hidden."""
+        super().showEvent(event)
+        self._show_status(self._controller.state)

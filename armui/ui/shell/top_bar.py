@@ -1,0 +1,107 @@
+"""Regions 1, 3, 4 and 5: communication, speed, enable, halt and emergency stop."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtWidgets import QHBoxLayout, QWidget
+
+from armui.control.operating_state import OperatingState
+from armui.ui import words
+from armui.ui.dialogs.confirm import confirm
+from armui.ui.shell.communication_button import CommunicationButton
+from armui.ui.shell.enable_button import EnableButton
+from armui.ui.shell.speed_control import SpeedControl
+from armui.ui.widgets.halt_button import HaltButton
+from armui.ui.widgets.stop_button import StopButton
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+
+class TopBar(QWidget):
+    """What must be seen and reached whatever panel is open.
+
+    Args:
+        controller: Whom to tell.
+        open_connection: Opens the window in which a CAN device is chosen.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        open_connection: Callable[[], None],
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName("top_bar")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self._controller = controller
+        self._communication = CommunicationButton()
+        self._enable = EnableButton()
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(8, 6, 8, 6)
+        layout.setSpacing(12)
+        layout.addWidget(self._communication)
+        layout.addWidget(SpeedControl(controller), 1)
+        layout.addStretch(0)
+        layout.addWidget(self._enable)
+        layout.addWidget(HaltButton(controller))
+        layout.addWidget(StopButton(controller, ask_to_resume=self._ask_to_resume))
+        self._communication.clicked.connect(open_connection)
+        self._enable.clicked.connect(self._on_enable)
+        controller.operating_state_changed.connect(self._show_situation)
+        self._show_situation(controller.operating_state)
+
+    def _show_situation(self, operating_state: OperatingState) -> None:
+        self._communication.show_situation(operating_state)
+        self._enable.show_situation(operating_state)
+        self._describe_enable(operating_state)
+
+    def _describe_enable(self, operating_state: OperatingState) -> None:
+        off = self._enable.turns_off
+        blocked = operating_state.cannot_enable if off else operating_state.cannot_switch_on
+        self._enable.setEnabled(blocked is None)
+        if blocked is not None:
+            tip = words.refusal(blocked)
+        elif off:
+            tip = self.tr("Disables all six motors: the arm will drop, so hold it first.")
+        else:
+            tip = self.tr("Enables all six motors.")
+        self._enable.setToolTip(tip)
+
+    def _ask_to_resume(self) -> None:
+        confirm(
+            self.window(),
+            self._controller,
+            title=self.tr("Resume after the emergency stop"),
+            text=self.tr(
+                "Resuming cuts the power of the motors: the arm will drop. Hold the arm.\n"
+                "Afterwards the motors must be enabled again."
+            ),
+            action_label=self.tr("Resume"),
+            on_confirmed=self._controller.motors.resume,
+            hold=True,
+        )
+
+    def _on_enable(self) -> None:
+        if not self._enable.turns_off:
+            self._controller.motors.enable()
+            return
+        confirm(
+            self.window(),
+            self._controller,
+            title=self.tr("Disable the motors"),
+            text=self.tr("The arm will drop when its motors are disabled. Hold the arm."),
+            action_label=self.tr("Disable"),
+            on_confirmed=self._controller.motors.disable,
+            hold=True,
+        )
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self._describe_enable(self._controller.operating_state)
+        super().changeEvent(event)

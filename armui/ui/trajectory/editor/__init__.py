@@ -1,0 +1,1 @@
+"""The editor of one trajectory: its table of points, search, findings and drafts."""

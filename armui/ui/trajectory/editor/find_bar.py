@@ -1,0 +1,154 @@
+"""Find and replace: in the notes, or a figure of one column."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
+
+from armui.arm.refusal import Refusal
+from armui.trajectory.points import search
+from armui.trajectory.points.cells import figure
+from armui.trajectory.points.program import JOINT_NAMES, POSE_NAMES, Waypoint
+from armui.ui import words
+
+_NOTE: Final = "note"
+_FIELDS: Final = (_NOTE, *JOINT_NAMES, *POSE_NAMES, "speed", "dwell")
+
+
+class FindBar(QWidget):
+    """Asks for what to find and by what to replace it; its owner goes there and does it.
+
+    Signals:
+        next_wanted: +1 the next place, −1 the one before.
+        replace_wanted: Whether at all places, or at the current one.
+        closed: It was put away.
+    """
+
+    next_wanted = Signal(int)
+    replace_wanted = Signal(bool)
+    closed = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._field = QComboBox()
+        self._field.setObjectName("find_field")
+        for name in _FIELDS:
+            self._field.addItem(name, name)
+        self._wanted = QLineEdit()
+        self._wanted.setObjectName("find_text")
+        self._by = QLineEdit()
+        self._by.setObjectName("replace_text")
+        self._result = QLabel()
+        self._result.setObjectName("find_result")
+        self._result.setProperty("rank", "muted")
+        self._next, self._previous = QPushButton(), QPushButton()
+        self._replace, self._replace_all, self._close = QPushButton(), QPushButton(), QPushButton()
+        buttons = {
+            "find_next": self._next,
+            "find_previous": self._previous,
+            "replace_one": self._replace,
+            "replace_all": self._replace_all,
+            "find_close": self._close,
+        }
+        for name, button in buttons.items():
+            button.setObjectName(name)
+            button.setAutoDefault(False)
+        self._lay_out()
+        self._next.clicked.connect(lambda: self.next_wanted.emit(1))
+        self._previous.clicked.connect(lambda: self.next_wanted.emit(-1))
+        self._replace.clicked.connect(lambda: self.replace_wanted.emit(False))
+        self._replace_all.clicked.connect(lambda: self.replace_wanted.emit(True))
+        self._close.clicked.connect(self._put_away)
+        self._wanted.returnPressed.connect(lambda: self.next_wanted.emit(1))
+        self._by.returnPressed.connect(lambda: self.replace_wanted.emit(False))
+        self._wanted.textChanged.connect(self._result.clear)
+        self.retranslate_ui()
+
+    def _lay_out(self) -> None:
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(6)
+        for widget, stretch in (
+            (self._field, 0),
+            (self._wanted, 2),
+            (self._previous, 0),
+            (self._next, 0),
+            (self._by, 2),
+            (self._replace, 0),
+            (self._replace_all, 0),
+            (self._result, 1),
+            (self._close, 0),
+        ):
+            layout.addWidget(widget, stretch)
+
+    def open(self) -> None:
+        """Show it and wait for what to find."""
+        self.show()
+        self._wanted.setFocus()
+        self._wanted.selectAll()
+
+    def _put_away(self) -> None:
+        self.hide()
+        self.closed.emit()
+
+    # The search -------------------------------------------------------------------------------
+
+    def found(self, points: Sequence[Waypoint]) -> list[int] | Refusal:
+        """The rows that hold what is looked for, or why nothing can be looked for."""
+        field, text = str(self._field.currentData()), self._wanted.text()
+        if field == _NOTE:
+            return list(search.find_text(points, text, match_case=True)) if text else []
+        value = figure(field, text)
+        if isinstance(value, Refusal):
+            return value
+        return list(search.find_figure(points, search.FigureQuery(field, value)))
+
+    def replaced(self, point: Waypoint) -> Waypoint | Refusal:
+        """A point that holds it with the other text or figure in its place."""
+        field, by = str(self._field.currentData()), self._by.text()
+        if field == _NOTE:
+            return search.replace_text(point, self._wanted.text(), by)
+        value = figure(field, by)
+        return value if isinstance(value, Refusal) else (search.replace_figure(point, field, value))
+
+    def show_result(self, text: str) -> None:
+        """Say how many there are, or that there are none."""
+        self._result.setText(text)
+
+    def show_refusal(self, reason: Refusal) -> None:
+        """Say why nothing could be looked for or replaced."""
+        self._result.setText(words.refusal(reason))
+        self._result.setToolTip(words.refusal(reason))
+
+    # Words and keys ---------------------------------------------------------------------------
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._field.setItemText(0, self.tr("Note"))
+        self._field.setItemText(len(_FIELDS) - 2, self.tr("Speed"))
+        self._field.setItemText(len(_FIELDS) - 1, self.tr("Dwell"))
+        self._field.setAccessibleName(self.tr("Where to look"))
+        self._wanted.setPlaceholderText(self.tr("Find"))
+        self._by.setPlaceholderText(self.tr("Replace by"))
+        self._next.setText(self.tr("Next"))
+        self._previous.setText(self.tr("Previous"))
+        self._replace.setText(self.tr("Replace"))
+        self._replace_all.setText(self.tr("Replace all"))
+        self._close.setText(self.tr("Close"))
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Escape puts it away and nothing else."""
+        if event.key() == Qt.Key.Key_Escape:
+            self._put_away()
+        else:
+            super().keyPressEvent(event)

@@ -1,0 +1,147 @@
+"""What the check has found: a line for each, a click leads to its row."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QLabel,
+    QListWidget,
+    QListWidgetItem,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from armui.trajectory.planning.findings import Finding, Severity
+from armui.ui import words
+from armui.ui.theme import colors_of
+from armui.ui.trajectory.running.preflight import Preflight
+
+_TALLEST_PX = 170
+_MOST = 100
+"""More lines than an operator reads, or a window lays out at once, are counted instead."""
+
+
+class FindingsPane(QWidget):
+    """Shows a :class:`Preflight`; hidden while there is nothing to show.
+
+    Signals:
+        row_wanted: The row of the finding that was clicked.
+    """
+
+    row_wanted = Signal(int)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._checked: Preflight | None = None
+        self._accept: Callable[[], object] | None = None
+        self._title = QLabel()
+        self._title.setObjectName("findings_title")
+        self._list = QListWidget()
+        self._list.setObjectName("findings_list")
+        self._list.setWordWrap(True)
+        self._list.currentItemChanged.connect(self._on_current)
+        self._list.itemClicked.connect(self._on_current)
+        self.accept_button = QPushButton()
+        self.accept_button.setObjectName("accept_warnings")
+        self.accept_button.setAutoDefault(False)
+        self.accept_button.clicked.connect(self._on_accepted)
+        self._close_button = QPushButton()
+        self._close_button.setObjectName("findings_close")
+        self._close_button.setAutoDefault(False)
+        self._close_button.clicked.connect(self.clear)
+        head = QHBoxLayout()
+        head.addWidget(self._title, 1)
+        head.addWidget(self.accept_button)
+        head.addWidget(self._close_button)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(6)
+        layout.addLayout(head)
+        layout.addWidget(self._list)
+        self.clear()
+        self.retranslate_ui()
+
+    def show_check(self, checked: Preflight, accept: Callable[[], object] | None = None) -> None:
+        """Show what a check has found.
+
+        Args:
+            checked: How it ended.
+            accept: What is waiting for the operator to agree; with errors nothing can.
+        """
+        self._checked = checked
+        self._accept = accept if not checked.errors else None
+        self._fill()
+        self.show()
+
+    def clear(self) -> None:
+        """Put it away, and what was waiting with it."""
+        self._checked = self._accept = None
+        self._list.clear()
+        self.hide()
+
+    def _fill(self) -> None:
+        checked = self._checked
+        if checked is None:
+            return
+        self._list.clear()
+        warnings = len(checked.findings) - checked.errors
+        if checked.findings:
+            title = self.tr("Check: errors {errors}, warnings {warnings}").format(
+                errors=checked.errors, warnings=warnings
+            )
+        else:
+            title = self.tr("Check: nothing found.")
+        self._title.setText(title)
+        for finding in checked.findings[:_MOST]:
+            self._list.addItem(self._item(finding))
+        if len(checked.findings) > _MOST:
+            count = len(checked.findings) - _MOST
+            self._list.addItem(self.tr("{count} more").format(count=count))
+        lines = self._list.count() * self._list.sizeHintForRow(0) + 2 * self._list.frameWidth() + 4
+        self._list.setFixedHeight(max(0, min(_TALLEST_PX, lines)))
+        self._list.setVisible(bool(checked.findings))
+        self.accept_button.setVisible(self._accept is not None)
+        self.accept_button.setText(
+            self.tr("Accept the warnings and run") if checked.findings else self.tr("Run now")
+        )
+
+    def _item(self, finding: Finding) -> QListWidgetItem:
+        error = finding.severity is Severity.ERROR
+        text = words.finding(finding)
+        if finding.row is not None:
+            text = self.tr("Row {row}: {text}").format(row=finding.row + 1, text=text)
+        kind = self.tr("✕ Error") if error else self.tr("! Warning")
+        item = QListWidgetItem(f"{kind} · {text}")
+        item.setData(Qt.ItemDataRole.UserRole, finding.row)
+        colors = colors_of(self)
+        item.setForeground(QColor(colors.stop if error else colors.warn))
+        return item
+
+    def _on_current(self, item: QListWidgetItem | None, *_: object) -> None:
+        row = None if item is None else item.data(Qt.ItemDataRole.UserRole)
+        if row is not None:
+            self.row_wanted.emit(row)
+
+    def _on_accepted(self) -> None:
+        accept = self._accept
+        self.clear()
+        if accept is not None:
+            accept()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._close_button.setText(self.tr("Close"))
+        self._fill()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language and the colours."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        elif event.type() == QEvent.Type.PaletteChange:
+            self._fill()
+        super().changeEvent(event)

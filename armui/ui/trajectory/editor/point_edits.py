@@ -1,0 +1,219 @@
+"""What the menu of the table of points does: each edit of the chosen rows, as one step of undo."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QGuiApplication
+
+from armui.arm.refusal import Refusal
+from armui.protocol.codes import MoveMode
+from armui.trajectory.files.errors import TrajectoryFileError
+from armui.trajectory.planning.convert import comes_from, to_joints, to_move, to_pose
+from armui.trajectory.points import edits
+from armui.trajectory.points.clipboard import from_text, to_text
+from armui.trajectory.points.program import VALUE_COUNT, Waypoint
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.ui.trajectory.editor.document import Document
+    from armui.ui.trajectory.editor.points_table import PointsTable
+
+_ZERO: Final = (0.0,) * VALUE_COUNT
+
+Outcome = Refusal | TrajectoryFileError | None
+"""``None``: done."""
+
+
+class PointEdits(QObject):
+    """Edits a document where its table says.
+
+    Args:
+        controller: Knows where the arm is, and moves it.
+        document: What is edited.
+        table: Knows which rows are meant, and shows those that result.
+    """
+
+    def __init__(self, controller: ArmController, document: Document, table: PointsTable) -> None:
+        super().__init__(table)
+        self._controller = controller
+        self._document = document
+        self._table = table
+
+    # New points -------------------------------------------------------------------------------
+
+    def insert_before(self) -> Outcome:
+        """A copy of the first chosen point's place, above it."""
+        rows = self._table.rows()
+        return self._insert(rows[0] if rows else 0, [self._plain(rows[:1])])
+
+    def insert_after(self) -> Outcome:
+        """A copy of the last chosen point's place, below it."""
+        rows = self._table.rows()
+        return self._insert(self._below(), [self._plain(rows[-1:])])
+
+    def insert_measured(self) -> Outcome:
+        """Where the arm is now, below the chosen rows."""
+        point = self._measured(self._plain(self._table.rows()[-1:]))
+        return point if isinstance(point, Refusal) else self._insert(self._below(), [point])
+
+    def replace_by_measured(self) -> Outcome:
+        """Where the arm is now, in the chosen rows; speed, dwell and actions stay."""
+        return self._change(self._measured, self.tr("Replace by current pose"))
+
+    def duplicate(self) -> Outcome:
+        """Copies of the chosen rows, below them."""
+        rows = self._table.rows()
+        if not rows:
+            return _no_rows()
+        return self._insert(rows[-1] + 1, edits.chosen(self._document.points, rows))
+
+    def _insert(self, row: int, new: Sequence[Waypoint]) -> Outcome:
+        self._document.edit(edits.insert(self._document.points, row, new), self.tr("Insert"))
+        self._table.select_rows(row, len(new))
+        return None
+
+    def _below(self) -> int:
+        rows = self._table.rows()
+        return rows[-1] + 1 if rows else len(self._document.points)
+
+    def _plain(self, rows: Sequence[int]) -> Waypoint:
+        """The place of a row without what is done there; zeros where there is none."""
+        if not rows:
+            angles_deg = self._controller.state.angles_deg() or _ZERO
+            return Waypoint(MoveMode.MOVE_J, tuple(angles_deg))
+        point = self._document.points[rows[0]]
+        return replace(point, dwell_s=0.0, gripper=None, light=None, note="", comments=())
+
+    def _measured(self, point: Waypoint) -> Waypoint | Refusal:
+        """A point moved to where the arm is measured now."""
+        reason = self._controller.operating_state.unreachable
+        if reason is not None:
+            return reason
+        state = self._controller.state
+        values = state.angles_deg() if point.is_joint else state.end_pose()
+        if values is None:
+            return Refusal("joints_unknown")
+        return replace(point, target=tuple(values))
+
+    # Chosen rows ------------------------------------------------------------------------------
+
+    def delete(self) -> Outcome:
+        """Take the chosen rows away."""
+        return self._remove(self.tr("Delete"))
+
+    def _remove(self, label: str) -> Outcome:
+        rows = self._table.rows()
+        if not rows:
+            return _no_rows()
+        self._document.edit(edits.remove(self._document.points, rows), label)
+        self._table.select_row(min(rows[0], len(self._document.points) - 1))
+        return None
+
+    def move_up(self) -> Outcome:
+        """The chosen rows one place up."""
+        return self._shift(-1)
+
+    def move_down(self) -> Outcome:
+        """The chosen rows one place down."""
+        return self._shift(1)
+
+    def _shift(self, by: int) -> Outcome:
+        rows = self._table.rows()
+        if not rows:
+            return _no_rows()
+        points, first = edits.shift(self._document.points, rows, by)
+        if self._document.edit(points, self.tr("Move")):
+            self._table.select_rows(first, len(rows))
+        return None
+
+    def convert(self) -> Outcome:
+        """Joint angles become poses, poses become joint angles."""
+        model = self._controller.cartesian.kinematics()
+        points, measured_deg = self._document.points, self._measured_deg()
+        changed: dict[int, Waypoint] = {}
+        for row in self._table.rows():
+            near_deg, _ = comes_from(points, row, model, measured_deg)
+            point = points[row]
+            result = (
+                to_pose(point, model)
+                if point.is_joint
+                else to_joints(point, model, near_deg, self._controller.operating_state.limits)
+            )
+            if isinstance(result, Refusal):
+                return result
+            changed[row] = result
+        return self._put(changed, self.tr("Convert"))
+
+    def to_move(self, row: int, move: MoveMode) -> Waypoint | Refusal:
+        """The point of a row by another kind of motion."""
+        model = self._controller.cartesian.kinematics()
+        points = self._document.points
+        near_deg, before = comes_from(points, row, model, self._measured_deg())
+        return to_move(points[row], move, model, near_deg, before)
+
+    def _measured_deg(self) -> Sequence[float]:
+        return self._controller.state.angles_deg() or _ZERO
+
+    def _change(self, how: Callable[[Waypoint], Waypoint | Refusal], label: str) -> Outcome:
+        changed: dict[int, Waypoint] = {}
+        for row in self._table.rows():
+            point = how(self._document.points[row])
+            if isinstance(point, Refusal):
+                return point
+            changed[row] = point
+        return self._put(changed, label)
+
+    def _put(self, changed: dict[int, Waypoint], label: str) -> Outcome:
+        if not changed:
+            return _no_rows()
+        self._document.edit(edits.change(self._document.points, changed), label)
+        return None
+
+    # The clipboard ----------------------------------------------------------------------------
+
+    def copy(self) -> Outcome:
+        """The chosen rows to the clipboard, as a spreadsheet takes them."""
+        rows = self._table.rows()
+        if not rows:
+            return _no_rows()
+        QGuiApplication.clipboard().setText(to_text(edits.chosen(self._document.points, rows)))
+        return None
+
+    def cut(self) -> Outcome:
+        """The same, and take them away."""
+        return self.copy() or self._remove(self.tr("Cut"))
+
+    def paste(self) -> Outcome:
+        """The points of the clipboard, below the chosen rows."""
+        rows = self._table.rows()
+        like = self._document.points[rows[-1]].move if rows else MoveMode.MOVE_J
+        like = MoveMode.MOVE_L if like is MoveMode.MOVE_C else like
+        try:
+            new = from_text(QGuiApplication.clipboard().text(), like)
+        except TrajectoryFileError as error:
+            return error
+        return self._insert(self._below(), new)
+
+    # The arm ----------------------------------------------------------------------------------
+
+    def go_to(self) -> Outcome:
+        """Send the arm to the current point, at the speed set for motions, without its actions."""
+        row = self._table.current_row()
+        if row < 0:
+            return _no_rows()
+        point = self._document.points[row]
+        if point.is_joint:
+            return self._controller.motion.send_joints(point.target)
+        from armui.kinematics.poses import tool_pose  # noqa: PLC0415 - numpy and scipy, loaded when needed
+
+        cartesian = self._controller.cartesian
+        move = MoveMode.MOVE_L if point.move is MoveMode.MOVE_L else MoveMode.MOVE_P
+        return cartesian.move(tool_pose(point.target, cartesian.tool), move)
+
+
+def _no_rows() -> Refusal:
+    return Refusal("no_rows_chosen")

@@ -1,0 +1,314 @@
+"""The points of a trajectory as a table; fast with ten thousand of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any, Final
+
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QMimeData,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import QColor
+
+from armui.arm.refusal import Refusal
+from armui.protocol.codes import ALL_LAMPS, MoveMode
+from armui.trajectory.files.log_points import LETTERS
+from armui.trajectory.files.text import number
+from armui.trajectory.points import edits
+from armui.trajectory.points.cells import VALUES, PointColumn, editable, edited, text_of
+from armui.trajectory.points.edits import Change
+from armui.trajectory.points.program import (
+    RANGES,
+    GripperAction,
+    GripperOpening,
+    LightAction,
+    Waypoint,
+)
+from armui.ui import format as fmt
+from armui.ui.trajectory.editor.document import Document
+
+_Index = QModelIndex | QPersistentModelIndex
+
+ROWS_MIME: Final = "application/x-armui-rows"
+
+ToMove = Callable[[int, MoveMode], Waypoint | Refusal]
+"""The point of a row by another kind of motion."""
+
+_RIGHT: Final = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_LEFT: Final = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+_FIGURES: Final = frozenset({*VALUES, PointColumn.SPEED, PointColumn.DWELL})
+_COLUMNS: Final = tuple(PointColumn)
+
+_FIXED: Final = (
+    Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsDragEnabled
+)
+_EDITABLE: Final = _FIXED | Qt.ItemFlag.ItemIsEditable
+
+_SHOWN: Final = int(Qt.ItemDataRole.DisplayRole)
+_EXACT: Final = int(Qt.ItemDataRole.EditRole)
+_ALIGNED: Final = int(Qt.ItemDataRole.TextAlignmentRole)
+_EXPLAINED: Final = int(Qt.ItemDataRole.ToolTipRole)
+_READ_OUT: Final = int(Qt.ItemDataRole.AccessibleTextRole)
+_DECORATED: Final = int(Qt.ItemDataRole.DecorationRole)
+_ANSWERED: Final = frozenset({_SHOWN, _EXACT, _ALIGNED, _EXPLAINED, _READ_OUT, _DECORATED})
+"""Qt asks each cell it paints for ten things; most of them are nothing to this table."""
+
+
+class PointsModel(QAbstractTableModel):
+    """A row for each point, a column for each of :class:`PointColumn`.
+
+    Args:
+        document: Whose points.
+        to_move: Converts a point when its kind of motion is chosen anew.
+
+    Signals:
+        refused: An index and the :class:`Refusal` of what was entered there.
+        moved: The first row, and how many, after rows were dragged elsewhere.
+    """
+
+    refused = Signal(object, object)
+    moved = Signal(int, int)
+
+    def __init__(self, document: Document, to_move: ToMove, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._to_move = to_move
+        self._points = document.points
+        self._current = -1
+        self._faults: Mapping[int, bool] = {}
+        document.changed.connect(self._on_changed)
+
+    # What Qt asks -----------------------------------------------------------------------------
+
+    def rowCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008, N802 - Qt's signature
+        """How many points."""
+        return 0 if parent.isValid() else len(self._points)
+
+    def columnCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008, N802 - as above
+        """As many as there are columns."""
+        return 0 if parent.isValid() else len(PointColumn)
+
+    def point(self, row: int) -> Waypoint:
+        """The point of a row."""
+        return self._points[row]
+
+    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """What a cell shows; exact under ``EditRole``."""
+        if role not in _ANSWERED or not index.isValid():
+            return None
+        column = _COLUMNS[index.column()]
+        if role == _ALIGNED:
+            return _RIGHT if column in _FIGURES else _LEFT
+        point = self._points[index.row()]
+        if role == _DECORATED:
+            return _swatch(point.light) if column is PointColumn.LIGHT else None
+        if role == _EXACT:
+            return text_of(point, column)
+        return self._tip(point, column) if role == _EXPLAINED else self._shown(point, column)
+
+    def _shown(self, point: Waypoint, column: PointColumn) -> str:
+        if (
+            column is PointColumn.LIGHT
+            and point.light is not None
+            and point.light.lamp == ALL_LAMPS
+        ):
+            return self.tr("J{joint} all").format(joint=point.light.joint)
+        return shown(point, column)
+
+    def _tip(self, point: Waypoint, column: PointColumn) -> str:
+        if column in VALUES:
+            name = point.names[column - PointColumn.VALUE_1]
+            allowed = RANGES[name]
+            return f"{name}: {allowed.minimum:g} – {allowed.maximum:g} {allowed.unit}"
+        return text_of(point, column)
+
+    def headerData(  # noqa: N802 - Qt's name
+        self,
+        section: int,
+        orientation: Qt.Orientation,
+        role: int = Qt.ItemDataRole.DisplayRole,
+    ) -> Any:
+        """The titles of the columns; the row's number, and how it stands."""
+        if role != Qt.ItemDataRole.DisplayRole:
+            return None
+        if orientation == Qt.Orientation.Horizontal:
+            return self._titles()[section]
+        if section == self._current:
+            return f"▶ {section + 1}"
+        sign = {None: "", False: "! ", True: "✕ "}[self._faults.get(section)]
+        return f"{sign}{section + 1}"
+
+    def _titles(self) -> Sequence[str]:
+        return (
+            self.tr("Motion"),
+            *("J1 °\nX mm", "J2 °\nY mm", "J3 °\nZ mm"),
+            *("J4 °\nRX °", "J5 °\nRY °", "J6 °\nRZ °"),
+            self.tr("Middle pose"),
+            self.tr("Speed"),
+            self.tr("Dwell"),
+            self.tr("Gripper"),
+            self.tr("Light"),
+            self.tr("Note"),
+        )
+
+    def flags(self, index: _Index) -> Qt.ItemFlag:
+        """What can be done with a cell."""
+        if not index.isValid():
+            return Qt.ItemFlag.ItemIsDropEnabled
+        can_edit = editable(self._points[index.row()], _COLUMNS[index.column()])
+        return _EDITABLE if can_edit else _FIXED
+
+    def setData(  # noqa: N802 - Qt's name
+        self, index: _Index, value: Any, role: int = Qt.ItemDataRole.EditRole
+    ) -> bool:
+        """Take what was entered in a cell; what cannot be is told by :attr:`refused`."""
+        if role != Qt.ItemDataRole.EditRole or not index.isValid():
+            return False
+        row = index.row()
+        point = self._entered(row, PointColumn(index.column()), str(value))
+        if isinstance(point, Refusal):
+            self.refused.emit(index, point)
+            return False
+        if point != self._points[row]:
+            self._document.edit(edits.change(self._points, {row: point}), self.tr("Edit"))
+        return True
+
+    def why_not(self, index: _Index, text: str) -> Refusal | None:
+        """What speaks against a text in a cell, or ``None``."""
+        point = self._entered(index.row(), PointColumn(index.column()), text)
+        return point if isinstance(point, Refusal) else None
+
+    def _entered(self, row: int, column: PointColumn, text: str) -> Waypoint | Refusal:
+        if column is not PointColumn.MOVE:
+            return edited(self._points[row], column, text)
+        move = LETTERS.get(text[-1:])
+        if move is None:
+            return Refusal("point_move_unknown", {"value": text})
+        return self._to_move(row, move)
+
+    # Rows dragged elsewhere -------------------------------------------------------------------
+
+    def supportedDropActions(self) -> Qt.DropAction:  # noqa: N802 - Qt's name
+        """Rows are moved."""
+        return Qt.DropAction.MoveAction
+
+    def mimeTypes(self) -> list[str]:  # noqa: N802 - Qt's name
+        """Rows of this table."""
+        return [ROWS_MIME]
+
+    def mimeData(self, indexes: Iterable[_Index]) -> QMimeData:  # noqa: N802 - Qt's name
+        """The numbers of the rows that are dragged."""
+        rows = sorted({index.row() for index in indexes})
+        data = QMimeData()
+        data.setData(ROWS_MIME, ",".join(map(str, rows)).encode())
+        return data
+
+    def dropMimeData(  # noqa: N802 - Qt's name
+        self, data: QMimeData, _action: Qt.DropAction, row: int, _column: int, parent: _Index
+    ) -> bool:
+        """Put the dragged rows before the row they are let go above.
+
+        Returns:
+            ``False``: the view has no rows to take away.
+        """
+        text = bytes(data.data(ROWS_MIME).data()).decode()
+        rows = [int(word) for word in text.split(",") if word]
+        before = row if row >= 0 else parent.row() if parent.isValid() else len(self._points)
+        if rows and rows[-1] < len(self._points):
+            points, first = edits.move(self._points, rows, before)
+            if self._document.edit(points, self.tr("Move")):
+                self.moved.emit(first, len(rows))
+        return False
+
+    # What changes -----------------------------------------------------------------------------
+
+    def _on_changed(self, change: Change) -> None:
+        """Tell the view no more than has changed, so that it keeps its place and selection."""
+        points = self._document.points
+        same = min(len(change.removed), len(change.added))
+        self.show_faults({})
+        if same:
+            self._points = points[: change.first + same] + self._points[change.first + same :]
+            top, bottom = (
+                self.index(change.first, 0),
+                self.index(change.first + same - 1, PointColumn.NOTE),
+            )
+            self.dataChanged.emit(top, bottom)
+        first = change.first + same
+        if len(change.removed) > same:
+            self.beginRemoveRows(QModelIndex(), first, change.first + len(change.removed) - 1)
+            self._points = points
+            self.endRemoveRows()
+        elif len(change.added) > same:
+            self.beginInsertRows(QModelIndex(), first, change.first + len(change.added) - 1)
+            self._points = points
+            self.endInsertRows()
+
+    @property
+    def current(self) -> int:
+        """The row the arm is on its way to; −1: none."""
+        return self._current
+
+    def fault(self, row: int) -> bool | None:
+        """Whether an error was found in a row; ``False``: a warning, ``None``: nothing."""
+        return self._faults.get(row)
+
+    def show_current(self, row: int) -> None:
+        """Light up the row the arm is on its way to; −1: none."""
+        if row != self._current:
+            rows, self._current = (self._current, row), row
+            self._redraw(rows)
+
+    def show_faults(self, faults: Mapping[int, bool]) -> None:
+        """Mark rows the check has found something in: ``True`` an error, ``False`` a warning."""
+        if faults != self._faults:
+            rows, self._faults = {*self._faults, *faults}, faults
+            self._redraw(rows)
+
+    def _redraw(self, rows: Iterable[int]) -> None:
+        """Rows look otherwise; told as one stretch, since there may be ten thousand of them."""
+        there = [row for row in rows if 0 <= row < len(self._points)]
+        if there:
+            first, last = min(there), max(there)
+            self.dataChanged.emit(self.index(first, 0), self.index(last, len(PointColumn) - 1))
+            self.headerDataChanged.emit(Qt.Orientation.Vertical, first, last)
+
+    def retranslate(self) -> None:
+        """Titles in another language."""
+        self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(PointColumn) - 1)
+
+
+def shown(point: Waypoint, column: PointColumn) -> str:
+    """What a cell shows: figures with a fixed number of decimals; the title has their units."""
+    if column in VALUES:
+        return fmt.number(point.target[column - PointColumn.VALUE_1])
+    if column is PointColumn.MIDDLE:
+        return "  ".join(fmt.number(value, 1) for value in point.middle or ())
+    if column is PointColumn.SPEED:
+        return f"{point.speed_percent} %"
+    if column is PointColumn.DWELL:
+        return f"{text_of(point, column)} s" if point.dwell_s else fmt.NOTHING
+    if column is PointColumn.GRIPPER:
+        return _gripper(point.gripper)
+    if column is PointColumn.LIGHT:
+        return "" if point.light is None else f"J{point.light.joint} / {point.light.lamp}"
+    return " ".join(text_of(point, column).split())
+
+
+def _gripper(action: GripperAction | None) -> str:
+    if action is None:
+        return ""
+    if isinstance(action, GripperOpening):
+        return f"{number(action.opening_mm)} mm, {number(action.torque_nm)} N·m"
+    return f"{number(action.angle_deg)}°, {number(action.speed_rad_s)} rad/s"
+
+
+def _swatch(light: LightAction | None) -> QColor | None:
+    """The colour of the lamps, which the view draws beside the text."""
+    return None if light is None else QColor(light.red, light.green, light.blue)

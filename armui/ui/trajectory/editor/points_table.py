@@ -1,0 +1,166 @@
+"""The table of points as a widget: rows are chosen, edited in place and dragged."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from PySide6.QtCore import QItemSelection, QItemSelectionModel, QModelIndex, QRect, Qt, Signal
+from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QTableView, QWidget
+
+from armui.arm.refusal import Refusal
+from armui.trajectory.points.cells import VALUES, PointColumn
+from armui.ui import words
+from armui.ui.theme import colors_of
+from armui.ui.trajectory.editor.point_delegate import PointDelegate
+from armui.ui.trajectory.editor.points_model import PointsModel
+
+_ROW_PX: Final = 32
+_NOTE_PX: Final = 360
+_BAR_PX: Final = 3
+_WIDTHS_PX: Final = {
+    PointColumn.MOVE: 84,
+    **dict.fromkeys((PointColumn(place) for place in VALUES), 78),
+    PointColumn.MIDDLE: 104,
+    PointColumn.SPEED: 66,
+    PointColumn.DWELL: 62,
+    PointColumn.GRIPPER: 128,
+    PointColumn.LIGHT: 96,
+}
+
+
+class PointsTable(QTableView):
+    """Shows a :class:`PointsModel`.
+
+    Signals:
+        row_chosen: The row that is current now, −1 if none is.
+    """
+
+    row_chosen = Signal(int)
+
+    def __init__(self, model: PointsModel, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("points_table")
+        self.setModel(model)
+        self._model = model
+        delegate = PointDelegate(self)
+        self.setItemDelegate(delegate)
+        self._note = QLabel(self.viewport())
+        self._note.setObjectName("cell_problem")
+        self._note.setWordWrap(True)
+        self._note.setTextFormat(Qt.TextFormat.PlainText)
+        self._note.setProperty("problem", True)
+        self._note.hide()
+        self._set_up()
+        delegate.refused.connect(self.show_problem)
+        delegate.accepted.connect(self._note.hide)
+        model.refused.connect(self.show_problem)
+        model.moved.connect(self.select_rows)
+        model.dataChanged.connect(self._note.hide)
+        self.verticalScrollBar().valueChanged.connect(self._note.hide)
+        self.horizontalScrollBar().valueChanged.connect(self._note.hide)
+        self.selectionModel().currentRowChanged.connect(self._on_current)
+
+    def _set_up(self) -> None:
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        trigger = QAbstractItemView.EditTrigger
+        self.setEditTriggers(trigger.DoubleClicked | trigger.EditKeyPressed | trigger.AnyKeyPressed)
+        self.setDragEnabled(True)
+        self.setAcceptDrops(True)
+        self.setDragDropMode(QAbstractItemView.DragDropMode.InternalMove)
+        self.setDragDropOverwriteMode(False)
+        self.setDropIndicatorShown(True)
+        self.setWordWrap(False)
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+        down = self.verticalHeader()
+        down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        down.setDefaultSectionSize(_ROW_PX)
+        down.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        down.setMinimumWidth(self.fontMetrics().horizontalAdvance("▶ 00000"))
+        across = self.horizontalHeader()
+        across.setHighlightSections(False)
+        across.setStretchLastSection(True)
+        for column, width_px in _WIDTHS_PX.items():
+            self.setColumnWidth(column, width_px)
+
+    # Rows -------------------------------------------------------------------------------------
+
+    def rows(self) -> list[int]:
+        """The chosen rows, from top to bottom."""
+        return sorted({index.row() for index in self.selectionModel().selectedRows()})
+
+    def current_row(self) -> int:
+        """The row the operator is in; −1 in an empty table."""
+        return self.currentIndex().row()
+
+    def select_row(self, row: int) -> None:
+        """Choose one row and show it."""
+        if 0 <= row < self._model.rowCount():
+            self.select_rows(row, 1)
+
+    def select_rows(self, first: int, count: int) -> None:
+        """Choose rows that follow one another, and show the first of them."""
+        top = self._model.index(first, 0)
+        bottom = self._model.index(first + count - 1, len(PointColumn) - 1)
+        column = max(0, self.currentIndex().column())
+        flag = QItemSelectionModel.SelectionFlag
+        models = self.selectionModel()
+        models.setCurrentIndex(self._model.index(first, column), flag.NoUpdate)
+        models.select(QItemSelection(top, bottom), flag.ClearAndSelect | flag.Rows)
+        self.scrollTo(self._model.index(first, column))
+
+    def _on_current(self, current: QModelIndex, _previous: QModelIndex) -> None:
+        self.row_chosen.emit(current.row())
+
+    # Painting ---------------------------------------------------------------------------------
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """The cells, over the colours of their rows, under the marks of the current ones."""
+        colors = colors_of(self)
+        lit = self._model.current
+        painter = QPainter(self.viewport())
+        for row in self._rows_within(event.rect().top(), event.rect().bottom()):
+            fault = self._model.fault(row)
+            if row == lit:
+                painter.fillRect(self._band(row), QColor(colors.accent_pale))
+            elif fault is not None:
+                pale = colors.stop_pale if fault else colors.warn_pale
+                painter.fillRect(self._band(row), QColor(pale))
+        painter.end()
+        super().paintEvent(event)
+        painter.begin(self.viewport())
+        if lit >= 0:
+            bar = self._band(lit)
+            bar.setWidth(_BAR_PX)
+            painter.fillRect(bar, QColor(colors.accent))
+        if self.hasFocus() and self.currentIndex().isValid():
+            painter.setPen(QColor(colors.accent))
+            painter.drawRect(self.visualRect(self.currentIndex()).adjusted(0, 0, -1, -1))
+        painter.end()
+
+    def _rows_within(self, top_px: int, bottom_px: int) -> range:
+        first, last = self.rowAt(top_px), self.rowAt(bottom_px)
+        if first < 0:
+            return range(0)
+        return range(first, self._model.rowCount() if last < 0 else last + 1)
+
+    def _band(self, row: int) -> QRect:
+        """Where a row is seen, from edge to edge."""
+        top, height = self.rowViewportPosition(row), self.rowHeight(row)
+        return QRect(0, top, self.viewport().width(), height)
+
+    # What is wrong with a cell ----------------------------------------------------------------
+
+    def show_problem(self, index: QModelIndex, reason: Refusal) -> None:
+        """Say at a cell why what was entered there cannot be."""
+        self._note.setText(words.refusal(reason))
+        cell = self.visualRect(index)
+        self._note.setFixedWidth(min(_NOTE_PX, self.viewport().width()))
+        self._note.adjustSize()
+        x = max(0, min(cell.x(), self.viewport().width() - self._note.width()))
+        below = cell.bottom() + 2
+        fits = below + self._note.height() <= self.viewport().height()
+        self._note.move(x, below if fits else max(0, cell.top() - self._note.height() - 2))
+        self._note.show()
+        self._note.raise_()

@@ -1,0 +1,72 @@
+"""The button that opens the window of what was deleted recently."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QEvent
+from PySide6.QtWidgets import QPushButton, QWidget
+
+from armui.control.operating_state import Level
+from armui.ui.trajectory.library.bin_dialog import BinDialog
+from armui.ui.trajectory.library.library_actions import LibraryActions
+from armui.ui.trajectory.library.library_work import LibraryWork
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+
+class BinButton(QPushButton):
+    """Keeps what the window lists up to date while it is open.
+
+    Args:
+        controller: Whom the emergency stop in the window tells.
+        work: Asks the library what was deleted.
+        deeds: Brings back, and says what it did.
+        window: The window belongs to it.
+    """
+
+    def __init__(
+        self, controller: ArmController, work: LibraryWork, deeds: LibraryActions, window: QWidget
+    ) -> None:
+        super().__init__(window)
+        self._controller = controller
+        self._work = work
+        self._deeds = deeds
+        self._dialog: BinDialog | None = None
+        self.setObjectName("library_bin")
+        self.setAutoDefault(False)
+        self.clicked.connect(lambda _checked=False: self._open())
+        self.retranslate_ui()
+
+    def _open(self) -> None:
+        if self._dialog is None:
+            self._dialog = BinDialog(self._controller, self.window())
+            self._dialog.wanted.connect(self._deeds.bring_back)
+            self._deeds.said.connect(self._dialog.say)
+        self._dialog.say("")
+        self.refresh()
+        self._dialog.open()
+
+    def refresh(self) -> None:
+        """List what can be brought back now, if anybody looks."""
+        if self._dialog is None:
+            return
+        self._work.do(
+            self._work.library.recently_deleted, self._dialog.show_deleted, self._on_refused
+        )
+
+    def _on_refused(self, text: str) -> None:
+        if self._dialog is not None:
+            self._dialog.show_deleted(())
+            self._dialog.say(text, Level.FAULT)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.setText(self.tr("Recently deleted…"))
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)

@@ -1,0 +1,127 @@
+"""The window 最近删除: what was deleted from the library and can still be brought back."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QSize, Signal
+from PySide6.QtWidgets import QAbstractItemView, QLabel, QPushButton, QTableWidgetItem, QWidget
+
+from armui.control.operating_state import Level
+from armui.trajectory.library.bin import KEPT
+from armui.trajectory.library.store import Deleted
+from armui.ui.dialogs.base import ArmDialog
+from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.plain_table import plain_table
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_SIZE: Final = QSize(680, 460)
+_ROW_PX: Final = 34
+_DATE_PX: Final = 160
+
+
+class BinDialog(ArmDialog):
+    """Lists everything that was deleted, the last first; bringing back is done by others.
+
+    Args:
+        controller: Whom the emergency stop tells.
+        parent: The window it belongs to.
+
+    Signals:
+        wanted: Those to be brought back, as a list of :class:`Deleted`.
+    """
+
+    wanted = Signal(object)
+
+    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+        super().__init__(controller, parent)
+        self._deleted: Sequence[Deleted] = ()
+        self._text = QLabel()
+        self._text.setObjectName("bin_text")
+        self._text.setProperty("rank", "muted")
+        self._text.setWordWrap(True)
+        self._table = plain_table("bin_table", 3, wide=0)
+        self._table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        self._table.setWordWrap(False)
+        self._table.verticalHeader().setDefaultSectionSize(_ROW_PX)
+        for column in (1, 2):
+            self._table.setColumnWidth(column, _DATE_PX)
+        self._back = QPushButton()
+        self._back.setObjectName("bin_back")
+        self._back.setProperty("primary", True)
+        self._back.setDefault(True)
+        self._close = QPushButton()
+        self._close.setAutoDefault(False)
+        self._message = MessageLine()
+        self._message.setObjectName("bin_message")
+        self.body.addWidget(self._text)
+        self.body.addWidget(self._table, 1)
+        self.body.addWidget(self._message)
+        self.footer.addStretch(1)
+        self.footer.addWidget(self._close)
+        self.footer.addWidget(self._back)
+        self._table.itemSelectionChanged.connect(self._show_usable)
+        self._table.itemDoubleClicked.connect(lambda _item: self._back.click())
+        self._back.clicked.connect(lambda _checked=False: self.wanted.emit(self._chosen()))
+        self._close.clicked.connect(self.reject)
+        self.retranslate_ui()
+        self.resize(_SIZE)
+        self._table.setFocus()
+
+    def show_deleted(self, deleted: Sequence[Deleted]) -> None:
+        """List what can be brought back now."""
+        self._deleted = deleted
+        self._fill()
+
+    def say(self, text: str, level: Level = Level.INFO) -> None:
+        """Say what came of it."""
+        self._message.show_message(text, level)
+
+    def _fill(self) -> None:
+        self._table.clearContents()
+        self._table.setRowCount(len(self._deleted))
+        for row, one in enumerate(self._deleted):
+            # the star stands for unsaved changes, as in the list of the library
+            star = " *" if one.only_draft else ""
+            texts = (
+                f"{', '.join(one.names)}{star}",
+                f"{one.when.astimezone():%Y-%m-%d %H:%M}",
+                f"{(one.when + KEPT).astimezone():%Y-%m-%d}",
+            )
+            for column, text in enumerate(texts):
+                self._table.setItem(row, column, QTableWidgetItem(text))
+        if self._deleted:
+            self._table.selectRow(0)
+        self._show_usable()
+
+    def _chosen(self) -> list[Deleted]:
+        rows = sorted(index.row() for index in self._table.selectionModel().selectedRows())
+        return [self._deleted[row] for row in rows]
+
+    def _show_usable(self) -> None:
+        usable = bool(self._table.selectionModel().selectedRows())
+        self._back.setEnabled(usable)
+        self._back.setToolTip("" if usable else self.tr("Choose what to bring back"))
+        days = KEPT.days
+        if self._deleted:
+            text = self.tr(
+                "What is deleted can be brought back for {days} days. Where a name has been given "
+                "anew meanwhile, a number is added."
+            )
+        else:
+            text = self.tr("Nothing has been deleted in the last {days} days.")
+        self._text.setText(text.format(days=days))
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.tr("Recently deleted"))
+        self._table.setHorizontalHeaderLabels(
+            [self.tr("Name"), self.tr("Deleted"), self.tr("Kept until")]
+        )
+        self._table.setAccessibleName(self.tr("Recently deleted"))
+        self._back.setText(self.tr("Bring back"))
+        self._close.setText(self.tr("Close"))
+        self._show_usable()

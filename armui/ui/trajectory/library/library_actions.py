@@ -1,0 +1,167 @@
+"""What the operator does to the list of the library, and how it is undone."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from datetime import datetime
+
+from PySide6.QtCore import QObject, Signal
+
+from armui.control.operating_state import Level
+from armui.trajectory.library.history import Deletion, LibraryHistory, Renaming, Step
+from armui.trajectory.library.store import Deleted
+from armui.trajectory.points.program import Trajectory
+from armui.ui.trajectory.library.library_work import LibraryWork
+from armui.ui.trajectory.text import name_list
+
+
+class LibraryActions(QObject):
+    """Creates, copies, renames, deletes; the last of it can be undone, then the one before it.
+
+    Args:
+        work: Changes the library.
+        is_open: Whether the window of a trajectory is open: then it is left alone.
+        parent: Its owner.
+
+    Signals:
+        said: A text and its :class:`Level`.
+        changed: The library is another; with the names to be chosen.
+        undo_changed: What can be undone is another.
+    """
+
+    said = Signal(str, object)
+    changed = Signal(object)
+    undo_changed = Signal()
+
+    def __init__(self, work: LibraryWork, is_open: Callable[[str], bool], parent: QObject) -> None:
+        super().__init__(parent)
+        self._work = work
+        self._library = work.library
+        self._is_open = is_open
+        self._history = LibraryHistory(work.library)
+
+    @property
+    def last(self) -> Step | None:
+        """What would be undone next."""
+        return self._history.last
+
+    def create(self, then: Callable[[Trajectory], object]) -> None:
+        """Put an empty trajectory into the library, and hand it on."""
+        wish = self.tr("Trajectory")
+
+        def make() -> Trajectory:
+            name = self._library.free_name(wish)
+            trajectory = Trajectory(name, modified=datetime.now().astimezone())
+            self._library.save(trajectory)
+            self._history.note_made([name])
+            return trajectory
+
+        def made(trajectory: Trajectory) -> None:
+            self._done([trajectory.name])
+            then(trajectory)
+
+        self._work.do(make, made, self._on_refused)
+
+    def duplicate(self, name: str) -> None:
+        """Keep a trajectory once more, under a name of its own."""
+
+        def make() -> list[str]:
+            new = self._library.free_name(name)
+            self._library.duplicate(name, new)
+            self._history.note_made([new])
+            return [new]
+
+        self._work.do(make, self._done, self._on_refused)
+
+    def rename(self, name: str, new: str) -> None:
+        """Give a trajectory another name."""
+        if not self._refuse_open([name]):
+            self._work.do(
+                lambda: self._history.rename(name, new),
+                lambda _: self._done([new]),
+                self._on_refused,
+            )
+
+    def delete(self, names: Sequence[str]) -> None:
+        """Put trajectories where they can be brought back from."""
+        if not names or self._refuse_open(names):
+            return
+        self._work.do(lambda: self._history.delete(names), self._on_deleted, self._on_refused)
+
+    def _on_deleted(self, deleted: Deleted) -> None:
+        gone = deleted.names
+        text = self.tr("Deleted: {names}").format(names=name_list(gone)) if gone else ""
+        self._done([], text)
+
+    def note_made(self, names: Sequence[str]) -> None:
+        """Others have put these into the library: that can be undone, too."""
+        if names:
+            self._work.do(
+                lambda: self._history.note_made(names),
+                lambda _: self.undo_changed.emit(),
+                self._on_refused,
+            )
+
+    def undo(self) -> None:
+        """Undo what was done last."""
+        step = self._history.last
+        if step is None or self._refuse_open(step.touched):
+            return
+        self._work.do(
+            self._history.undo,
+            lambda back: self._done(back, self._undone(step, back)),
+            self._on_refused,
+        )
+
+    def bring_back(self, deleted: Sequence[Deleted]) -> None:
+        """Bring back some of what was deleted recently."""
+        self._work.do(
+            lambda: self._history.bring_back(deleted),
+            lambda back: self._done(back, self._brought_back(back)),
+            self._on_refused,
+        )
+
+    def _refuse_open(self, names: Sequence[str]) -> bool:
+        """Whether one of these is open; then that is said."""
+        name = next(filter(self._is_open, names), None)
+        if name is None:
+            return False
+        text = self.tr("“{name}” is open. Close its window first.").format(name=name)
+        self.said.emit(text, Level.WARNING)
+        return True
+
+    def _on_refused(self, text: str) -> None:
+        # it may be refused because the library is another than the operator sees
+        self.changed.emit(None)
+        self.undo_changed.emit()
+        self.said.emit(text, Level.FAULT)
+
+    def _done(self, names: Sequence[str], text: str = "") -> None:
+        self.changed.emit(names)
+        self.undo_changed.emit()
+        self.said.emit(text, Level.DONE)
+
+    # Words ------------------------------------------------------------------------------------
+
+    def _undone(self, step: Step, back: Sequence[str]) -> str:
+        if isinstance(step, Deletion):
+            return self._brought_back(back)
+        if isinstance(step, Renaming):
+            return self.tr("“{new}” is called “{old}” again.").format(new=step.new, old=step.old)
+        return self.tr("Deleted: {names}").format(names=name_list(step.names))
+
+    def _brought_back(self, names: Sequence[str]) -> str:
+        return self.tr("Brought back: {names}").format(names=name_list(names))
+
+    def undo_text(self) -> str:
+        """What undoing would do now; "" if there is nothing to undo."""
+        step = self._history.last
+        if step is None:
+            return ""
+        if isinstance(step, Deletion):
+            text = self.tr("Undo: bring back {names}")
+        elif isinstance(step, Renaming):
+            text = self.tr("Undo: call it {names} again")
+        else:
+            text = self.tr("Undo: delete {names}")
+        return text.format(names=name_list(step.names))

@@ -1,0 +1,176 @@
+"""The buttons and the search above the list of the library, and the keys that press them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import partial
+from typing import Final
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QAction, QKeyEvent, QKeySequence, QShortcut
+from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QMenu, QPushButton, QTableView, QWidget
+
+from armui.trajectory.files import SUFFIXES
+from armui.trajectory.library.store import IndexEntry
+
+_BUTTONS: Final[Mapping[str, tuple[object, str]]] = {
+    "import": (QT_TRANSLATE_NOOP("LibraryBar", "Import files"), "Ctrl+O"),
+    "create": (QT_TRANSLATE_NOOP("LibraryBar", "Create"), "Ctrl+N"),
+    "record": (QT_TRANSLATE_NOOP("LibraryBar", "Record"), "Ctrl+R"),
+    "delete": (QT_TRANSLATE_NOOP("LibraryBar", "Delete"), "Del"),
+    "duplicate": (QT_TRANSLATE_NOOP("LibraryBar", "Duplicate"), "Ctrl+D"),
+    "rename": (QT_TRANSLATE_NOOP("LibraryBar", "Rename"), "F2"),
+    "export": (QT_TRANSLATE_NOOP("LibraryBar", "Export files"), ""),
+}
+_OF_TABLE: Final = ("delete", "rename", "duplicate")
+"""Their keys count in the list alone: in the search they edit its text."""
+_OF_CHOSEN: Final = ("delete", "export", "duplicate", "rename")
+_SEARCH_PX: Final = 120
+
+
+class LibraryBar(QWidget):
+    """Tells what the operator wants; knows nothing of how it is done.
+
+    Signals:
+        wanted: The name of a button that was pressed, or of its key.
+        export_wanted: A format, by the end of a file's name.
+        open_wanted: Enter was pressed in the list.
+    """
+
+    wanted = Signal(str)
+    export_wanted = Signal(str)
+    open_wanted = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._buttons = {name: QPushButton() for name in _BUTTONS}
+        self._export_menu = QMenu(self)
+        self.search = QLineEdit()
+        self.search.setObjectName("library_search")
+        self.search.setClearButtonEnabled(True)
+        self.search.setMinimumWidth(_SEARCH_PX)
+        self.search.setAcceptDrops(False)  # files are for the window, not for the search
+        self.search.installEventFilter(self)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(6)
+        for name, button in self._buttons.items():
+            button.setObjectName(f"library_{name}")
+            button.setAutoDefault(False)
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the list
+            if name != "export":
+                button.clicked.connect(partial(self._on_clicked, name))
+            layout.addWidget(button)
+        for suffix in SUFFIXES:
+            action = self._export_menu.addAction(suffix)
+            action.triggered.connect(partial(self._on_export, suffix))
+        self._buttons["export"].setMenu(self._export_menu)
+        layout.addStretch(1)
+        layout.addWidget(self.search, 2)
+        self._row = layout
+        self.show_chosen(())
+
+    def add_button(self, button: QPushButton) -> None:
+        """Take one more button, that does its work by itself."""
+        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self._row.insertWidget(len(self._buttons), button)
+
+    def listen(self, window: QWidget, table: QTableView) -> None:
+        """Have keys press the buttons.
+
+        Args:
+            window: Most of them count everywhere in it.
+            table: Those of what is chosen count in it alone, as does Enter.
+        """
+        for name, (_text, keys) in _BUTTONS.items():
+            if keys:
+                owner = table if name in _OF_TABLE else window
+                _key(owner, keys, owner is table).triggered.connect(self._buttons[name].click)
+        for keys in ("Return", "Enter"):
+            _key(table, keys, True).triggered.connect(self.open_wanted)
+        find = QShortcut(QKeySequence(QKeySequence.StandardKey.Find), window)
+        find.activated.connect(self._on_find)
+        self._table = table
+
+    def show_chosen(self, entries: Sequence[IndexEntry]) -> None:
+        """Enable what can be done with the chosen entries; the others say what is missing."""
+        unsaved = any(entry.kind == "draft" for entry in entries)
+        usable = {
+            "delete": bool(entries),
+            "export": bool(entries) and not unsaved,
+            "duplicate": len(entries) == 1 and not unsaved,
+            "rename": len(entries) == 1,
+        }
+        for name, can_be in usable.items():
+            self._buttons[name].setEnabled(can_be)
+        self._count, self._unsaved = len(entries), unsaved
+        self._show_tips()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """In the search, Escape clears it before it closes the window; Down leads to the list."""
+        if watched is self.search and isinstance(event, QKeyEvent):
+            pressed = event.type() == QEvent.Type.KeyPress
+            if pressed and event.key() == Qt.Key.Key_Escape and self.search.text():
+                self.search.clear()
+                return True
+            if pressed and event.key() in {Qt.Key.Key_Down, Qt.Key.Key_Return, Qt.Key.Key_Enter}:
+                self._to_list()
+                return True
+        return super().eventFilter(watched, event)
+
+    def _on_clicked(self, name: str, _checked: bool = False) -> None:
+        self.wanted.emit(name)
+
+    def _on_export(self, suffix: str, _checked: bool = False) -> None:
+        self.export_wanted.emit(suffix)
+
+    def _to_list(self) -> None:
+        """From the search to what it has found."""
+        self._table.setFocus()
+        if not self._count and self._table.model().rowCount():
+            self._table.selectRow(0)
+
+    def _on_find(self) -> None:
+        self.search.setFocus()
+        self.search.selectAll()
+
+    # Words ------------------------------------------------------------------------------------
+
+    def retranslate(self) -> None:
+        """Put every word into the operator's language."""
+        for name, button in self._buttons.items():
+            button.setText(_text(name))
+        self.search.setPlaceholderText(self.tr("Search"))
+        self.search.setAccessibleName(self.tr("Search"))
+        keys = QKeySequence(QKeySequence.StandardKey.Find)
+        shown = keys.toString(QKeySequence.SequenceFormat.NativeText)
+        self.search.setToolTip(f"{self.tr('Search in names and notes')} ({shown})")
+        self._show_tips()
+
+    def _show_tips(self) -> None:
+        for name, button in self._buttons.items():
+            keys = QKeySequence(_BUTTONS[name][1])
+            shown = keys.toString(QKeySequence.SequenceFormat.NativeText)
+            tip = f"{_text(name)} ({shown})" if shown else ""
+            button.setToolTip(tip if button.isEnabled() else self._missing())
+
+    def _missing(self) -> str:
+        if self._unsaved:
+            return self.tr("Not saved yet. Open it and save it first")
+        if self._count > 1:
+            return self.tr("Choose one trajectory alone")
+        return self.tr("Choose a trajectory in the list first")
+
+
+def _key(owner: QWidget, keys: str, alone: bool) -> QAction:
+    """An action that a key triggers, in a widget alone or in its whole window."""
+    action = QAction(owner)
+    action.setShortcut(QKeySequence(keys))
+    if alone:
+        action.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
+    owner.addAction(action)
+    return action
+
+
+def _text(name: str) -> str:
+    return QCoreApplication.translate("LibraryBar", str(_BUTTONS[name][0]))

@@ -1,0 +1,236 @@
+"""The list of the library as a table: name, points, length in time, last change, check mark."""
+
+from __future__ import annotations
+
+import enum
+import re
+from collections.abc import Sequence
+from typing import Any, Final
+
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    QSortFilterProxyModel,
+    Qt,
+    Signal,
+)
+
+from armui.trajectory.library.store import IndexEntry
+from armui.ui import format as fmt
+from armui.ui import words
+from armui.ui.trajectory.text import duration
+
+_Index = QModelIndex | QPersistentModelIndex
+
+ENTRY_ROLE: Final = Qt.ItemDataRole.UserRole
+"""The :class:`IndexEntry` of a row."""
+
+_DIGITS: Final = re.compile(r"([0-9]{1,18})")
+_URGENCY: Final = ("damaged", "errors", "draft", "warnings", None, "ok")
+"""In the order of the column of check marks."""
+
+_RIGHT: Final = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+
+
+class LibraryColumn(enum.IntEnum):
+    """From left to right."""
+
+    NAME = 0
+    POINTS = 1
+    LENGTH = 2
+    MODIFIED = 3
+    CHECK = 4
+    NOTE = 5
+
+
+class LibraryModel(QAbstractTableModel):
+    """Shows the entries it is given; a name typed anew is handed on.
+
+    Signals:
+        rename_wanted: The name of a trajectory and its new one.
+    """
+
+    rename_wanted = Signal(str, str)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._entries: Sequence[IndexEntry] = ()
+        self._drafts: frozenset[str] = frozenset()
+        self._sort_keys: dict[tuple[int, int], tuple[Any, ...]] = {}
+
+    def is_unsaved(self, name: str) -> bool:
+        """Whether nothing is known of a trajectory but changes that are not saved."""
+        return any(entry.name == name and entry.kind == "draft" for entry in self._entries)
+
+    def show(self, entries: Sequence[IndexEntry], drafts: Sequence[str]) -> bool:
+        """Show other entries; ``drafts`` are those with changes that are not saved.
+
+        Returns:
+            Whether they are others: what stands there already is left alone.
+        """
+        wanted = tuple(entries), frozenset(drafts)
+        if wanted == (self._entries, self._drafts):
+            return False
+        self.beginResetModel()
+        self._entries, self._drafts = wanted
+        self._sort_keys.clear()
+        self.endResetModel()
+        return True
+
+    def sort_key(self, row: int, column: int) -> tuple[Any, ...]:
+        """What a cell is sorted by, among those of its column."""
+        if (row, column) not in self._sort_keys:
+            self._sort_keys[row, column] = _sort_key(self._entries[row], LibraryColumn(column))
+        return self._sort_keys[row, column]
+
+    def rowCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008, N802 - Qt's signature
+        """How many there are."""
+        return 0 if parent.isValid() else len(self._entries)
+
+    def columnCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008, N802 - as above
+        """As many as there are columns."""
+        return 0 if parent.isValid() else len(LibraryColumn)
+
+    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """What a cell shows."""
+        if not index.isValid():
+            return None
+        entry, column = self._entries[index.row()], LibraryColumn(index.column())
+        if role in {Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole}:
+            return self._text(entry, column)
+        if role == Qt.ItemDataRole.EditRole:
+            return entry.name
+        if role == ENTRY_ROLE:
+            return entry
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return self._tip(entry)
+        if role == Qt.ItemDataRole.TextAlignmentRole and column in {
+            LibraryColumn.POINTS,
+            LibraryColumn.LENGTH,
+        }:
+            return _RIGHT
+        return None
+
+    def _text(self, entry: IndexEntry, column: LibraryColumn) -> str:
+        if column is LibraryColumn.NAME:
+            return f"{entry.name} *" if entry.name in self._drafts else entry.name
+        if column is LibraryColumn.POINTS:
+            if entry.damage is not None:
+                return fmt.NOTHING
+            count = entry.count
+            is_recording = entry.kind == "recording"
+            return self.tr("{count} samples").format(count=count) if is_recording else str(count)
+        if column is LibraryColumn.LENGTH:
+            return duration(entry.length_s)
+        if column is LibraryColumn.MODIFIED:
+            return f"{entry.modified.astimezone():%Y-%m-%d %H:%M}"
+        return self._check(entry) if column is LibraryColumn.CHECK else " ".join(entry.note.split())
+
+    def _tip(self, entry: IndexEntry) -> str:
+        if entry.damage is not None:
+            return words.file_error(entry.damage)
+        if entry.kind == "draft":
+            return self.tr(
+                "Unsaved changes of a trajectory that was never saved, or whose file is gone. Open "
+                "it to save it, or delete it."
+            )
+        return entry.note
+
+    def _check(self, entry: IndexEntry) -> str:
+        """A sign and a word: a state is never told by one of them alone."""
+        words_of = {
+            "ok": self.tr("✓ checked"),
+            "warnings": self.tr("! warnings"),
+            "errors": self.tr("✕ errors"),
+        }
+        if entry.damage is not None:
+            return self.tr("✕ damaged")
+        if entry.kind == "draft":
+            return self.tr("! not saved")
+        return fmt.NOTHING if entry.check is None else words_of[entry.check]
+
+    def headerData(  # noqa: N802 - Qt's name
+        self,
+        section: int,
+        orientation: Qt.Orientation,
+        role: int = Qt.ItemDataRole.DisplayRole,
+    ) -> Any:
+        """The titles of the columns."""
+        if role != Qt.ItemDataRole.DisplayRole or orientation != Qt.Orientation.Horizontal:
+            return None
+        return (
+            self.tr("Name"),
+            self.tr("Points"),
+            self.tr("Length"),
+            self.tr("Last change"),
+            self.tr("Check"),
+            self.tr("Note"),
+        )[section]
+
+    def flags(self, index: _Index) -> Qt.ItemFlag:
+        """Names can be edited."""
+        flags = super().flags(index)
+        named = index.isValid() and index.column() == LibraryColumn.NAME
+        return flags | Qt.ItemFlag.ItemIsEditable if named else flags
+
+    def setData(  # noqa: N802 - Qt's name
+        self, index: _Index, value: Any, role: int = Qt.ItemDataRole.EditRole
+    ) -> bool:
+        """Hand on another name."""
+        if role != Qt.ItemDataRole.EditRole or not index.isValid():
+            return False
+        name, new = self._entries[index.row()].name, str(value).strip()
+        if new != name:
+            self.rename_wanted.emit(name, new)
+        return True
+
+    def retranslate(self) -> None:
+        """Everything in another language."""
+        self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(LibraryColumn) - 1)
+        if self._entries:
+            last = self.index(len(self._entries) - 1, len(LibraryColumn) - 1)
+            self.dataChanged.emit(self.index(0, 0), last)
+
+
+class LibraryFilter(QSortFilterProxyModel):
+    """Only those whose name or note holds a text, in the order of a column."""
+
+    def __init__(self, source: LibraryModel, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._entries = source
+        self.setSourceModel(source)
+        self.setFilterCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
+
+    def filterAcceptsRow(self, row: int, parent: _Index) -> bool:  # noqa: N802 - Qt's name
+        """Whether the text is in the name or the note."""
+        entry: IndexEntry = self.sourceModel().index(row, 0, parent).data(ENTRY_ROLE)
+        wanted = self.filterRegularExpression()
+        return any(wanted.match(text).hasMatch() for text in (entry.name, entry.note))
+
+    def lessThan(self, left: _Index, right: _Index) -> bool:  # noqa: N802 - Qt's name
+        """By the figures of a column; what is equal there, by name."""
+        key = self._entries.sort_key
+        return key(left.row(), left.column()) < key(right.row(), right.column())
+
+
+def _sort_key(entry: IndexEntry, column: LibraryColumn) -> tuple[Any, ...]:
+    """Comparable within a column; what is equal there goes by its name."""
+    name = _natural(entry.name)
+    if column is LibraryColumn.POINTS:
+        return entry.count, name
+    if column is LibraryColumn.LENGTH:
+        return -1.0 if entry.length_s is None else entry.length_s, name
+    if column is LibraryColumn.MODIFIED:
+        return entry.modified.timestamp(), name
+    if column is LibraryColumn.CHECK:
+        state = "draft" if entry.kind == "draft" else entry.check
+        return _URGENCY.index("damaged" if entry.damage is not None else state), name
+    return (entry.note.casefold(), name) if column is LibraryColumn.NOTE else (name, entry.name)
+
+
+def _natural(name: str) -> list[tuple[int, str]]:
+    """A name so that 9 comes before 10; case counts nothing."""
+    parts = _DIGITS.split(name.casefold())
+    return [(int(part) if place % 2 else -1, part) for place, part in enumerate(parts)]

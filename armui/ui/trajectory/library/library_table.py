@@ -1,0 +1,90 @@
+"""The list of the library as a widget."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from typing import Final
+
+from PySide6.QtCore import QItemSelectionModel, QModelIndex, Qt
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
+
+from armui.trajectory.library.store import IndexEntry
+from armui.ui.trajectory.library.library_model import ENTRY_ROLE, LibraryColumn, LibraryFilter
+
+_ROW_PX: Final = 34
+_WIDTHS_PX: Final = {
+    LibraryColumn.POINTS: 110,
+    LibraryColumn.LENGTH: 90,
+    LibraryColumn.MODIFIED: 150,
+    LibraryColumn.CHECK: 120,
+    LibraryColumn.NOTE: 200,
+}
+
+
+class LibraryTable(QTableView):
+    """Rows are chosen, sorted by a click on a title, and renamed in place.
+
+    Args:
+        shown: The entries, as they are filtered.
+    """
+
+    def __init__(self, shown: LibraryFilter, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("library_table")
+        self.setModel(shown)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSortingEnabled(True)
+        self.sortByColumn(LibraryColumn.NAME, Qt.SortOrder.AscendingOrder)
+        self.setShowGrid(False)
+        self.setAlternatingRowColors(True)
+        self.setWordWrap(False)
+        self.setTabKeyNavigation(False)
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(_ROW_PX)
+        across = self.horizontalHeader()
+        across.setHighlightSections(False)
+        across.setSectionResizeMode(LibraryColumn.NAME, QHeaderView.ResizeMode.Stretch)
+        for column, width_px in _WIDTHS_PX.items():
+            self.setColumnWidth(column, width_px)
+
+    def chosen(self) -> list[IndexEntry]:
+        """The chosen entries, from top to bottom."""
+        rows = self.selectionModel().selectedRows()
+        return [index.data(ENTRY_ROLE) for index in sorted(rows, key=QModelIndex.row)]
+
+    def choose(self, names: Collection[str], *, show: bool = True) -> None:
+        """Choose the entries of these names and no others, and show the last of them.
+
+        Args:
+            names: Which; those that are not listed are left out.
+            show: Whether the list is moved for that.
+        """
+        flag = QItemSelectionModel.SelectionFlag
+        self.clearSelection()
+        for row in range(self.model().rowCount()):
+            index = self.model().index(row, 0)
+            if index.data(ENTRY_ROLE).name in names:
+                self.selectionModel().select(index, flag.Select | flag.Rows)
+                self.selectionModel().setCurrentIndex(index, flag.NoUpdate)
+                if show:
+                    self.scrollTo(index)
+
+    def names(self) -> list[str]:
+        """Of all that are listed, from top to bottom."""
+        model = self.model()
+        return [model.index(row, 0).data(ENTRY_ROLE).name for row in range(model.rowCount())]
+
+    @property
+    def is_editing(self) -> bool:
+        """Whether a name is being typed."""
+        return self.state() == QAbstractItemView.State.EditingState
+
+    def edit_name(self) -> None:
+        """Open the field for another name in the chosen row."""
+        rows = self.selectionModel().selectedRows(LibraryColumn.NAME)
+        if rows:
+            self.setFocus()
+            self.setCurrentIndex(rows[0])
+            self.edit(rows[0])

@@ -1,0 +1,84 @@
+"""What needs the library's files, done beside the GUI thread; what comes of it arrives in it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+from PySide6.QtCore import QObject
+from shiboken6 import isValid
+
+from armui.arm.refusal import Refusal
+from armui.trajectory.files import TrajectoryFileError
+from armui.trajectory.library.store import Library, LibraryError
+from armui.ui import words
+from armui.ui.background import Job
+
+if TYPE_CHECKING:
+    from armui.ui.background import Background
+
+Result = TypeVar("Result")
+
+
+@dataclass(frozen=True, slots=True)
+class _Done(Generic[Result]):
+    value: Result | None = None
+    error: LibraryError | TrajectoryFileError | None = None
+
+
+class LibraryWork(QObject):
+    """One action on the library after another, in the order in which they were asked for.
+
+    A disk may be slow, or a network folder away: no window waits for it.
+
+    Args:
+        library: What the actions are about; only actions touch it.
+        background: Where they are done.
+        owner: The window they are done for: when it is gone, nothing is told.
+    """
+
+    def __init__(self, library: Library, background: Background, owner: QObject) -> None:
+        super().__init__(owner)
+        self.library = library
+        self._background = background
+
+    def do(
+        self,
+        action: Callable[[], Result],
+        then: Callable[[Result], object] = lambda _result: None,
+        refused: Callable[[str], object] = lambda _text: None,
+    ) -> None:
+        """Do something with the library.
+
+        Args:
+            action: What; it runs in another thread, so it touches no window.
+            then: Gets what comes of it.
+            refused: Gets why it was not done, in the operator's language.
+        """
+        self._background.begin_here(Job(partial(self._tell, then, refused)), _attempt, action)
+
+    def _tell(
+        self,
+        then: Callable[[Any], object],
+        refused: Callable[[str], object],
+        done: _Done[Any] | Refusal,
+    ) -> None:
+        if not isValid(self):
+            return
+        if isinstance(done, Refusal):
+            refused(words.refusal(done))
+        elif isinstance(done.error, LibraryError):
+            refused(words.refusal(done.error.refusal))
+        elif done.error is not None:
+            refused(words.file_error(done.error))
+        else:
+            then(done.value)
+
+
+def _attempt(action: Callable[[], Result]) -> _Done[Result]:
+    try:
+        return _Done(action())
+    except (LibraryError, TrajectoryFileError) as error:
+        return _Done(error=error)

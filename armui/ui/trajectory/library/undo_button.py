@@ -1,0 +1,50 @@
+"""The button that undoes what was last done to the library, and says what that is."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtWidgets import QPushButton, QWidget
+
+from armui.ui.trajectory.library.library_actions import LibraryActions
+
+_WIDEST_PX: Final = 210
+_SIDES_PX: Final = 40
+
+
+class UndoButton(QPushButton):
+    """There while something can be undone; Ctrl+Z in its window presses it.
+
+    Args:
+        deeds: Undoes.
+        window: Where the key counts.
+    """
+
+    def __init__(self, deeds: LibraryActions, window: QWidget) -> None:
+        super().__init__(window)
+        self._deeds = deeds
+        self.setObjectName("library_undo")
+        self.setAutoDefault(False)
+        self._keys = QShortcut(QKeySequence(QKeySequence.StandardKey.Undo), window)
+        self._keys.activated.connect(deeds.undo)
+        self.clicked.connect(lambda _checked=False: deeds.undo())
+        deeds.undo_changed.connect(self.show_step)
+        self.show_step()
+
+    def show_step(self) -> None:
+        """Say what would be undone now."""
+        text = self._deeds.undo_text()
+        room_px = _WIDEST_PX - _SIDES_PX
+        self.setText(self.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, room_px))
+        keys = self._keys.key().toString(QKeySequence.SequenceFormat.NativeText)
+        self.setToolTip(f"{text} ({keys})")
+        self.setAccessibleName(text)
+        self.setVisible(bool(text))
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.show_step()
+        super().changeEvent(event)

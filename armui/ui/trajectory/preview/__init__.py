@@ -1,0 +1,1 @@
+"""The preview of a planned path with its time slider."""

@@ -1,0 +1,88 @@
+"""Between a planned path, the 3D view and the bar with the time slider."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Final, Protocol
+
+from PySide6.QtCore import QObject, Signal
+
+from armui.viewport.path_picture import NOTHING, PathPicture, Preview
+
+if TYPE_CHECKING:
+    from armui.trajectory.planning.planned_path import PlannedPath
+    from armui.ui.trajectory.preview.preview_bar import PreviewBar
+
+
+_MOST_PLACES: Final = 30_000
+"""Of the line: 200,000 cost a picture drawn in software 50 ms, and look the same."""
+
+
+class ShowsPreviews(Protocol):
+    """What is needed of the 3D view."""
+
+    def set_preview(self, preview: Preview) -> None: ...  # noqa: D102 - as in ArmView
+
+
+class PathPreview(QObject):
+    """Shows one path at a time. It knows no arm: nothing it does can move one.
+
+    Args:
+        view: Shows the path and the ghost.
+        bar: Moves the ghost.
+
+    Signals:
+        closed: The operator has closed the preview.
+    """
+
+    closed = Signal()
+
+    def __init__(self, view: ShowsPreviews, bar: PreviewBar, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._view = view
+        self._bar = bar
+        self._path: PlannedPath | None = None
+        self._ends: dict[int, int] = {}
+        self._shown = NOTHING
+        bar.time_changed.connect(self._on_time)
+        bar.closed.connect(self._on_closed)
+
+    def show(self, path: PlannedPath | None, bad_rows: frozenset[int] = frozenset()) -> None:
+        """Show a path; ``None`` takes the preview away."""
+        self._path = path
+        self._ends = {} if path is None else path.ends()
+        if path is None or path.duration_s <= 0.0:
+            self._bar.shut()
+            self._set(NOTHING)
+            return
+        outline = path.outline(_MOST_PLACES)
+        picture = PathPicture(
+            path.places_mm[outline],
+            path.speeds_mm_s[outline],
+            path.places_mm[list(self._ends.values())],
+            tuple(self._ends),
+            bad_rows,
+        )
+        self._shown = Preview(picture, self._shown.selected_row, tuple(path.at(0.0)))
+        self._bar.open(path.duration_s)
+        self._set(self._shown)
+
+    def select_row(self, row: int | None) -> None:
+        """Let the mark of a row stand out, and bring the ghost there."""
+        if self._path is None:
+            return
+        self._set(replace(self._shown, selected_row=row))
+        if row in self._ends:
+            self._bar.go_to(float(self._path.times_s[self._ends[row]]))
+
+    def _on_time(self, time_s: float) -> None:
+        if self._path is not None:
+            self._set(replace(self._shown, ghost_deg=tuple(self._path.at(time_s))))
+
+    def _on_closed(self) -> None:
+        self.show(None)
+        self.closed.emit()
+
+    def _set(self, preview: Preview) -> None:
+        self._shown = preview
+        self._view.set_preview(preview)

@@ -1,0 +1,65 @@
+"""Brings together the library's windows, the 3D view and the bar of the preview."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from armui.trajectory.planning.findings import Severity
+
+if TYPE_CHECKING:
+    from armui.ui.trajectory.editor.editor_window import EditorWindow
+    from armui.ui.trajectory.library.library_window import LibraryWindow
+    from armui.ui.trajectory.preview.path_preview import PathPreview
+    from armui.ui.trajectory.running.preflight import Preflight
+
+
+class PreviewLink(QObject):
+    """What was checked last is previewed; a mark leads to its row, and a row to its mark.
+
+    Args:
+        library: Where trajectories are checked and opened.
+        preview: Shows one path.
+    """
+
+    def __init__(self, library: LibraryWindow, preview: PathPreview) -> None:
+        super().__init__(library)
+        self._preview = preview
+        self._editor: EditorWindow | None = None
+        library.preview_wanted.connect(partial(self._show, None))
+        library.editor_opened.connect(self._follow)
+        preview.closed.connect(self._forget)
+
+    def on_mark_picked(self, row: int) -> None:
+        """A point was clicked in 3D: show its row."""
+        if self._editor is not None:
+            self._editor.select_row(row)
+
+    def _follow(self, editor: EditorWindow) -> None:
+        editor.preview_wanted.connect(partial(self._show, editor))
+        editor.selected_row_changed.connect(partial(self._on_row, editor))
+        editor.left.connect(partial(self._on_left, editor))
+
+    def _show(self, editor: EditorWindow | None, checked: Preflight | None) -> None:
+        if checked is None:
+            self._on_left(editor)
+            return
+        self._editor = editor
+        errors = (each for each in checked.findings if each.severity is Severity.ERROR)
+        bad_rows = frozenset(each.row for each in errors if each.row is not None)
+        self._preview.show(checked.path, bad_rows)
+
+    def _on_row(self, editor: EditorWindow, row: int) -> None:
+        if editor is self._editor:
+            self._preview.select_row(row if row >= 0 else None)
+
+    def _on_left(self, editor: EditorWindow | None) -> None:
+        """What was previewed is no longer so, or no longer open."""
+        if editor is self._editor:
+            self._preview.show(None)
+            self._forget()
+
+    def _forget(self) -> None:
+        self._editor = None

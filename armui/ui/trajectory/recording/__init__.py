@@ -1,0 +1,1 @@
+"""录制: the window that records, trims and keeps."""

@@ -1,0 +1,1 @@
+"""Checks, starts and follows runs and replays."""

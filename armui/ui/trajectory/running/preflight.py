@@ -1,0 +1,146 @@
+"""Has what is to be run checked in the background, for the arm that is connected."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QElapsedTimer
+
+from armui.arm.refusal import Refusal
+from armui.control.parameters.arm_model import arm_model, start_deg
+from armui.trajectory.planning.findings import Finding, Severity
+from armui.trajectory.planning.preflight import CheckOutcome, CheckRequest, preflight, warm_up
+from armui.ui.background import Job
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.trajectory.files import Content
+    from armui.trajectory.library.store import Check
+    from armui.trajectory.planning.planned_path import PlannedPath
+    from armui.ui.background import Background
+    from armui.ui.trajectory.running.run_options import RunOptions
+
+_SAME_PLACE_DEG: Final = 0.5
+"""An arm at rest is heard to tremble by some hundredths."""
+
+
+@dataclass(frozen=True, slots=True)
+class Preflight:
+    """A check that has ended.
+
+    Attributes:
+        order: What was checked.
+        outcome: How it ended.
+        took_s: How long the operator has waited for it.
+    """
+
+    order: CheckRequest
+    outcome: CheckOutcome
+    took_s: float = 0.0
+
+    @property
+    def content(self) -> Content:
+        """What was checked."""
+        return self.order.content
+
+    @property
+    def path(self) -> PlannedPath:
+        """Where the arm would go."""
+        return self.outcome.path
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """What was found, errors first, then by row."""
+        return self.outcome.findings
+
+    @property
+    def errors(self) -> int:
+        """How many findings forbid it to be run."""
+        return sum(finding.severity is Severity.ERROR for finding in self.findings)
+
+    @property
+    def mark(self) -> Check:
+        """The check mark it gives."""
+        return "errors" if self.errors else "warnings" if self.findings else "ok"
+
+    def why_outdated(self, controller: ArmController) -> Refusal | None:
+        """Why it says nothing of a run that begins now, or ``None``: it does."""
+        pairs = zip(self.order.start_deg, start_deg(controller), strict=True)
+        moved_deg = max(abs(there - here) for there, here in pairs)
+        if moved_deg > _SAME_PLACE_DEG:
+            return Refusal("moved_since_check", {"value": f"{moved_deg:.1f}"})
+        if self.order.arm.limits != controller.operating_state.limits:
+            return Refusal("limits_changed_since_check")
+        return None
+
+
+@dataclass(slots=True, eq=False)
+class CheckJob:
+    """A check that somebody waits for.
+
+    Attributes:
+        order: What is checked.
+        job: The work.
+    """
+
+    order: CheckRequest
+    job: Job[CheckOutcome]
+
+    def drop(self) -> None:
+        """Nobody waits for it any more."""
+        self.job.wanted = False
+
+
+class Checks:
+    """Has checks done one after another, out of the window's way.
+
+    Args:
+        controller: Knows the arm.
+        background: Where they are done.
+    """
+
+    def __init__(self, controller: ArmController, background: Background) -> None:
+        self._controller = controller
+        self._background = background
+
+    def get_ready(self) -> None:
+        """Begin to load what checks need: one will be asked for soon."""
+        self._background.warm_up(warm_up)
+
+    def prepare(
+        self,
+        content: Content,
+        options: RunOptions,
+        then: Callable[[Preflight | Refusal], object],
+    ) -> CheckJob:
+        """A check of something that shall be run from where the arm is now.
+
+        Args:
+            content: What shall be run.
+            options: How.
+            then: Gets the :class:`Preflight`, or why there is none.
+        """
+        order = CheckRequest(
+            content,
+            arm_model(self._controller),
+            start_deg(self._controller),
+            options.speed_factor,
+            options.first,
+            options.cycles != 1,
+        )
+        clock = QElapsedTimer()
+        clock.start()
+
+        def take(outcome: CheckOutcome | Refusal) -> None:
+            if isinstance(outcome, Refusal):
+                then(outcome)
+            else:
+                then(Preflight(order, outcome, clock.elapsed() / 1e3))
+
+        return CheckJob(order, Job(take))
+
+    def begin(self, check: CheckJob) -> None:
+        """Begin a check; what it was prepared for is called in this thread."""
+        self._background.begin(check.job, preflight, check.order)

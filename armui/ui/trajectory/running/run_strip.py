@@ -1,0 +1,393 @@
+"""发送 and what follows: how often and how fast, how far it has come, pause, go on, end."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QSpinBox,
+    QVBoxLayout,
+    QWidget,
+)
+
+from armui.arm.refusal import Refusal
+from armui.control.operating_state import StopState
+from armui.control.run.progress import ENDLESS, Progress, RunPhase
+from armui.trajectory.files import Content
+from armui.ui import words
+from armui.ui.trajectory.running.preflight import CheckJob, Checks, Preflight
+from armui.ui.trajectory.running.run_options import RunOptions
+from armui.ui.trajectory.running.runner import Runner, can_go_on, can_pause, ended_early
+from armui.ui.trajectory.text import duration
+from armui.ui.widgets.hold_button import HoldButton
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.control.operating_state import OperatingState
+
+_ONCE, _TIMES, _LOOP = range(3)
+_MOST_LAPS: Final = 9999
+_FASTEST_PERCENT: Final = 200
+_SPIN_PX: Final = 34
+_STEPS: Final = 1000
+"""Of the progress bar."""
+_SURPRISING_S: Final = 2.0
+"""Nobody expects the arm to move so long after the button was pressed."""
+
+
+class RunStrip(QWidget):
+    """Runs what its window gives it.
+
+    Args:
+        controller: Runs it.
+        checks: Checks it before.
+        content: Hands on what would be run now, once it is read; ``None`` if there is nothing,
+            which it says itself.
+
+    Signals:
+        checked: A :class:`Preflight` and, if the operator has to agree to the run, what begins it;
+            else ``None``.
+        refused: A :class:`Refusal`.
+        progressed: A :class:`Progress`.
+    """
+
+    checked = Signal(object, object)
+    refused = Signal(object)
+    progressed = Signal(object)
+
+    def __init__(
+        self,
+        controller: ArmController,
+        checks: Checks,
+        content: Callable[[Callable[[Content | None], object]], object],
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._controller = controller
+        self._checks = checks
+        self._content = content
+        self._job: CheckJob | None = None
+        self._reading: object | None = None
+        self._recording = False
+        self._about_to_run = False
+        self._runner = Runner(controller, self)
+        self._again: RunOptions | None = None
+        self._make_widgets()
+        self._lay_out()
+        self._send.clicked.connect(self._on_send)
+        self._pause.clicked.connect(self._on_pause)
+        self._continue.held.connect(self._on_pause)
+        self._stop.clicked.connect(self._on_stop)
+        self._resume.clicked.connect(self._on_resume)
+        self._laps.currentIndexChanged.connect(self._show_usable)
+        self._runner.progressed.connect(self._on_progress)
+        controller.operating_state_changed.connect(self._on_situation)
+        self.retranslate_ui()
+
+    def _make_widgets(self) -> None:
+        self._send, self._pause, self._stop, self._resume = (QPushButton() for _ in range(4))
+        # a motion that was held back is never set going by a slip
+        self._continue = HoldButton()
+        self._continue.hide()
+        for name, button in (
+            ("run_send", self._send),
+            ("run_pause", self._pause),
+            ("run_continue", self._continue),
+            ("run_stop", self._stop),
+            ("run_resume", self._resume),
+        ):
+            button.setObjectName(name)
+            button.setAutoDefault(False)
+        self._send.setProperty("primary", True)
+        self._laps = QComboBox()
+        self._laps.setObjectName("run_laps")
+        self._laps.addItems(["", "", ""])
+        self._times = _spin("run_times", 1, _MOST_LAPS, 3)
+        self._speed = _spin("run_speed", 1, _FASTEST_PERCENT, 100)
+        self._speed.setSuffix(" %")
+        self._first = _spin("run_first", 1, 1, 1)
+        self._speed_label, self._first_label = QLabel(), QLabel()
+        self._steps = QCheckBox()
+        self._steps.setObjectName("run_steps")
+        self._bar = QProgressBar()
+        self._bar.setObjectName("run_bar")
+        self._bar.setRange(0, _STEPS)
+        self._bar.setTextVisible(False)
+        self._text = QLabel()
+        self._text.setObjectName("run_text")
+
+    def _lay_out(self) -> None:
+        options = QHBoxLayout()
+        options.setSpacing(8)
+        for widget in (
+            *(self._laps, self._times, self._speed_label, self._speed),
+            *(self._first_label, self._first, self._steps),
+        ):
+            options.addWidget(widget)
+        options.addStretch(1)
+        for button in (self._resume, self._send, self._pause, self._continue, self._stop):
+            options.addWidget(button)
+        state = QHBoxLayout()
+        state.setSpacing(12)
+        state.addWidget(self._bar, 1)
+        state.addWidget(self._text)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(8)
+        layout.addLayout(options)
+        layout.addLayout(state)
+
+    # What the operator wants ------------------------------------------------------------------
+
+    def show_content(self, count: int, *, recording: bool = False) -> None:
+        """Fit the choices to what would be run: how many points it has, or that it has none."""
+        self._recording = recording
+        self._first.setMaximum(max(1, count))
+        for widget in (self._first, self._first_label, self._steps):
+            widget.setVisible(not recording)
+        self._show_usable()
+
+    def begin_with(self, row: int) -> None:
+        """Let the next run begin with a row."""
+        self._first.setValue(row + 1)
+
+    def check(self) -> None:
+        """Check what would be run; :attr:`checked` tells how it ended."""
+        self._check(self._options(), lambda checked: self.checked.emit(checked, None))
+
+    def drop_check(self, but: str = "") -> None:
+        """What is being checked is so no more, or not wanted: nothing comes of it, no run either.
+
+        Args:
+            but: The name of what may go on being checked.
+        """
+        reading = self._reading is not None and not but
+        if reading or (self._job is not None and self._job.order.content.name != but):
+            if self._job is not None:
+                self._job.drop()
+            self._job = self._reading = None
+            self._about_to_run = False
+            self._show_progress(self._runner.progress)
+
+    def _check(self, options: RunOptions, then: Callable[[Preflight], object]) -> None:
+        self.drop_check()
+        reading = self._reading = object()
+        self._content(partial(self._on_content, reading, options, then))
+        self._show_progress(self._runner.progress)
+
+    def _on_content(
+        self,
+        reading: object,
+        options: RunOptions,
+        then: Callable[[Preflight], object],
+        content: Content | None,
+    ) -> None:
+        """What shall be checked was read; unless it is not wanted any more, check it."""
+        if reading is not self._reading:
+            return
+        self._reading = None
+        if content is None:
+            self._about_to_run = False
+            self._show_progress(self._runner.progress)
+            return
+        self._job = self._checks.prepare(content, options, partial(self._on_checked, then))
+        self._checks.begin(self._job)
+        self._show_progress(self._runner.progress)
+
+    @property
+    def _checking(self) -> bool:
+        """Whether something is being read or checked."""
+        return self._job is not None or self._reading is not None
+
+    def _on_checked(
+        self, then: Callable[[Preflight], object], checked: Preflight | Refusal
+    ) -> None:
+        self._job = None
+        self._about_to_run = False
+        self._show_progress(self._runner.progress)
+        if isinstance(checked, Refusal):
+            self.refused.emit(checked)
+        else:
+            then(checked)
+
+    def _options(self) -> RunOptions:
+        recording = self._recording
+        cycles = {_ONCE: 1, _TIMES: self._times.value(), _LOOP: ENDLESS}
+        return RunOptions(
+            cycles[self._laps.currentIndex()],
+            self._speed.value() / 100.0,
+            0 if recording else self._first.value() - 1,
+            not recording and self._steps.isChecked(),
+        )
+
+    def _on_send(self) -> None:
+        self._run(self._options())
+
+    def _on_resume(self) -> None:
+        """Take a run up where it ended, for as many laps as are left."""
+        if self._again is not None:
+            self._run(self._again)
+
+    def _run(self, options: RunOptions) -> None:
+        refusal = self._controller.operating_state.cannot_run
+        if refusal is not None:
+            self.refused.emit(refusal)
+            return
+        self._check(options, partial(self._run_checked, options))
+        self._about_to_run = self._checking
+
+    def _run_checked(self, options: RunOptions, checked: Preflight) -> None:
+        if checked.errors:
+            self.checked.emit(checked, None)
+            self.refused.emit(Refusal("findings_against", {"count": checked.errors}))
+        elif checked.findings or checked.took_s > _SURPRISING_S:
+            self.checked.emit(checked, lambda: self._start(checked, options))
+        else:
+            self.checked.emit(checked, None)
+            self._start(checked, options)
+
+    def _start(self, checked: Preflight, options: RunOptions) -> None:
+        refusal = checked.why_outdated(self._controller)
+        if refusal is None:
+            self._again = options
+            refusal = self._runner.start(checked, options)
+        if refusal is not None:
+            self.refused.emit(refusal)
+
+    def _on_stop(self) -> None:
+        self.drop_check()
+        self._runner.stop()
+
+    def _on_pause(self) -> None:
+        go_on = can_go_on(self._runner.progress)
+        refusal = self._runner.go_on() if go_on else self._runner.pause()
+        if refusal is not None:
+            self.refused.emit(refusal)
+
+    # How far it has come ----------------------------------------------------------------------
+
+    def _on_progress(self, progress: Progress) -> None:
+        if ended_early(progress) and self._again is not None:
+            left = ENDLESS if progress.cycles == ENDLESS else progress.cycles - progress.cycle + 1
+            self._again = replace(self._again, first=progress.index, cycles=left)
+        if self.isVisible():
+            self._show_progress(progress)
+        self.progressed.emit(progress)
+
+    def _show_progress(self, progress: Progress) -> None:
+        self._bar.setValue(round(progress.done * _STEPS))
+        self._text.setText(self._describe(progress))
+        self._show_usable()
+
+    def _describe(self, progress: Progress) -> str:
+        if self._checking:
+            return self.tr("Checking…")
+        if progress.phase is RunPhase.IDLE:
+            return ""
+        row = self.tr("{name}: point {row} of {count}").format(
+            name=progress.name, row=progress.index + 1, count=progress.count
+        )
+        parts = [row]
+        if progress.cycles != 1:
+            total = "∞" if progress.cycles == ENDLESS else progress.cycles
+            parts.append(self.tr("lap {lap} of {laps}").format(cycle=progress.cycle, cycles=total))
+        if progress.remaining_s is not None and self._runner.running:
+            left = duration(progress.remaining_s)
+            parts.append(self.tr("{time} left").format(time=left))
+        parts.append(self._phase_word(progress.phase))
+        return " · ".join(parts)
+
+    def _phase_word(self, phase: RunPhase) -> str:
+        return {
+            RunPhase.IDLE: "",
+            RunPhase.MOVING: self.tr("moving"),
+            RunPhase.DWELLING: self.tr("dwelling"),
+            RunPhase.WAITING: self.tr("waits for the next step"),
+            RunPhase.PAUSED: self.tr("paused"),
+            RunPhase.STOPPING: self.tr("coming to rest"),
+            RunPhase.DONE: self.tr("done"),
+            RunPhase.STOPPED: self.tr("ended"),
+            RunPhase.FAILED: self.tr("ended by a fault"),
+        }[phase]
+
+    def _on_situation(self, operating_state: OperatingState) -> None:
+        if self._about_to_run and operating_state.stop is not StopState.RUNNING:
+            self.drop_check()  # the stop was meant for what was about to begin, too
+        if self.isVisible():
+            self._show_usable()
+
+    def _show_usable(self, *_: object) -> None:
+        progress, running = self._runner.progress, self._runner.running
+        reason = self._controller.operating_state.cannot_run
+        self._times.setVisible(self._laps.currentIndex() == _TIMES)
+        checking = self._checking
+        self._send.setEnabled(not running and not checking and reason is None)
+        self._send.setToolTip("" if reason is None else words.refusal(reason))
+        paused = progress.phase is RunPhase.PAUSED
+        self._pause.setVisible(not paused)
+        self._pause.setEnabled(can_pause(progress) or can_go_on(progress))
+        self._continue.setVisible(paused)
+        self._continue.setText(self.tr("Continue"))
+        self._stop.setEnabled(running or checking)
+        again = not (running or checking) and self._again is not None and ended_early(progress)
+        self._resume.setVisible(again)
+        self._resume.setEnabled(again and reason is None)
+        self._resume.setToolTip("" if reason is None else words.refusal(reason))
+        self._resume.setText(self.tr("Go on from row {row}").format(row=progress.index + 1))
+        if progress.phase is RunPhase.WAITING:
+            self._pause.setText(self.tr("Next step"))
+        else:
+            self._pause.setText(self.tr("Pause"))
+
+    # Words ------------------------------------------------------------------------------------
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._send.setText(self.tr("Send"))
+        self._stop.setText(self.tr("End run"))
+        for place, text in enumerate((self.tr("Once"), self.tr("Times"), self.tr("In a loop"))):
+            self._laps.setItemText(place, text)
+        self._laps.setAccessibleName(self.tr("How often"))
+        self._times.setAccessibleName(self.tr("How often"))
+        self._speed_label.setText(self.tr("Speed"))
+        self._speed.setToolTip(self.tr("Of each point's own speed"))
+        self._first_label.setText(self.tr("From row"))
+        self._steps.setText(self.tr("Step by step"))
+        self._show_progress(self._runner.progress)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with what went by while the window was hidden."""
+        self._show_progress(self._runner.progress)
+        super().showEvent(event)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Nothing begins from a window that was closed."""
+        self.drop_check()
+        super().hideEvent(event)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)
+
+
+def _spin(name: str, least: int, most: int, value: int) -> QSpinBox:
+    spin = QSpinBox()
+    spin.setObjectName(name)
+    spin.setRange(least, most)
+    spin.setValue(value)
+    spin.setAlignment(Qt.AlignmentFlag.AlignCenter)
+    spin.setFixedHeight(_SPIN_PX)
+    return spin

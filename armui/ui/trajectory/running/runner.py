@@ -1,0 +1,98 @@
+"""Starts trajectories and recordings, and follows whichever of them moves the arm."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from armui.arm.refusal import Refusal
+from armui.control.run.progress import OVER, Progress, Run, RunPhase
+from armui.control.run.replay import Replay
+from armui.trajectory.samples.recording import Recording
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.control.run.player import Player
+    from armui.control.run.replayer import Replayer
+    from armui.ui.trajectory.running.preflight import Preflight
+    from armui.ui.trajectory.running.run_options import RunOptions
+
+
+class Runner(QObject):
+    """One way to the two parts of the controller that run something.
+
+    Args:
+        controller: Its player runs points, its replayer recordings.
+
+    Signals:
+        progressed: A :class:`Progress` of the one that was started last.
+    """
+
+    progressed = Signal(object)
+
+    def __init__(self, controller: ArmController, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._controller = controller
+        controller.player.progressed.connect(self.progressed)
+        controller.replayer.progressed.connect(self.progressed)
+
+    @property
+    def running(self) -> bool:
+        """Whether something moves the arm, or will."""
+        return self._controller.player.running or self._controller.replayer.running
+
+    @property
+    def progress(self) -> Progress:
+        """How far it has come; of what ran last where nothing runs."""
+        replayer = self._controller.replayer
+        return replayer.progress if replayer.running else self._controller.player.progress
+
+    def start(self, checked: Preflight, options: RunOptions) -> Refusal | None:
+        """Run what was checked: ``None`` if the arm is on its way, or why not."""
+        content = checked.content
+        if isinstance(content, Recording):
+            replay = Replay(content, options.speed_factor, options.cycles, checked.outcome.profile)
+            return self._controller.replayer.start(replay)
+        return self._controller.player.start(
+            Run(
+                content.name,
+                content.points,
+                checked.outcome.expected_s,
+                options.cycles,
+                options.first,
+                options.speed_factor,
+                options.step_by_step,
+            )
+        )
+
+    def pause(self) -> Refusal | None:
+        """Have the arm hold where it is."""
+        return self._active().pause()
+
+    def go_on(self) -> Refusal | None:
+        """End a pause, or take the next step."""
+        return self._active().go_on()
+
+    def stop(self) -> None:
+        """End the run; the arm stays powered."""
+        self._active().stop()
+
+    def _active(self) -> Player | Replayer:
+        replayer = self._controller.replayer
+        return replayer if replayer.running else self._controller.player
+
+
+def can_pause(progress: Progress) -> bool:
+    """Whether there is a motion, or a dwell, to hold."""
+    return progress.phase in {RunPhase.MOVING, RunPhase.DWELLING}
+
+
+def can_go_on(progress: Progress) -> bool:
+    """Whether the run waits for the operator."""
+    return progress.phase in {RunPhase.PAUSED, RunPhase.WAITING}
+
+
+def ended_early(progress: Progress) -> bool:
+    """Whether a run of points ended before its end, so that it can be taken up again."""
+    return progress.phase in OVER - {RunPhase.IDLE, RunPhase.DONE} and progress.count > 0

@@ -1,0 +1,1 @@
+"""Import of unknown tables: dialect, columns and units."""

@@ -1,0 +1,147 @@
+"""What one column of an unknown table is, and in which unit: said above its figures."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtWidgets import QComboBox, QVBoxLayout, QWidget
+
+from armui.trajectory.columns import UNITS, Guess, Quantity, TableColumn
+from armui.ui import words
+from armui.ui.widgets.elided_label import ElidedLabel
+
+_MARGIN_PX: Final = 3
+_SURE: Final = 1.0
+"""The confidence of a guess whose title says quantity and unit."""
+
+
+class ColumnPicker(QWidget):
+    """The title of a column, its quantity and its unit.
+
+    Args:
+        number: Of the column, from 1; messages name it.
+        title: In the file; "" where it has none.
+        guess: What it begins with.
+
+    Signals:
+        quantity_chosen: The operator chose another quantity.
+        unit_chosen: The operator chose another unit.
+    """
+
+    quantity_chosen = Signal()
+    unit_chosen = Signal()
+
+    def __init__(self, number: int, title: str, guess: Guess) -> None:
+        super().__init__()
+        self._number = number
+        self._title_text = title
+        self._guessed = guess.column is not None and guess.confidence < _SURE
+        self._title = ElidedLabel()
+        self._quantity = _Choice(f"column_quantity_{number}")
+        for quantity in (None, *Quantity):
+            self._quantity.addItem("", quantity)
+        self._unit = _Choice(f"column_unit_{number}")
+        self._origin = ElidedLabel()
+        self._origin.setObjectName(f"column_origin_{number}")
+        self._origin.setProperty("rank", "warning")
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(_MARGIN_PX, 0, _MARGIN_PX, 0)
+        layout.setSpacing(4)
+        for widget in (self._title, self._quantity, self._unit, self._origin):
+            layout.addWidget(widget)
+        if guess.column is not None:
+            self._quantity.setCurrentIndex(1 + list(Quantity).index(guess.column.quantity))
+        self._fill_units()
+        if guess.column is not None:
+            self.show_unit(guess.column.unit)
+        self._quantity.activated.connect(self._on_quantity)
+        self._unit.activated.connect(self._on_unit)
+        self.retranslate_ui()
+
+    @property
+    def column(self) -> TableColumn | None:
+        """What it holds; ``None`` if it is left out."""
+        quantity = self._quantity.currentData()
+        if quantity is None:
+            return None
+        return TableColumn(Quantity(quantity), self._unit.currentText())
+
+    def show_column(self, column: TableColumn | None) -> None:
+        """Show what the operator has said before."""
+        place = 0 if column is None else 1 + list(Quantity).index(column.quantity)
+        self._quantity.setCurrentIndex(place)
+        self._fill_units()
+        if column is not None:
+            self.show_unit(column.unit)
+        self.show_certain()
+
+    def show_unit(self, unit: str) -> None:
+        """Show another unit, if its quantity can have it."""
+        place = self._unit.findText(unit)
+        if place >= 0:
+            self._unit.setCurrentIndex(place)
+
+    def show_certain(self) -> None:
+        """What it says comes from the operator now."""
+        self._guessed = False
+        self._show_origin()
+
+    def _fill_units(self) -> None:
+        quantity = self._quantity.currentData()
+        units = () if quantity is None else tuple(UNITS[Quantity(quantity)])
+        before = self._unit.currentText()
+        self._unit.clear()
+        self._unit.addItems(units)
+        self._unit.setEnabled(len(units) > 1)
+        self.show_unit(before)
+
+    def _on_quantity(self) -> None:
+        self._fill_units()
+        self.show_certain()
+        self.quantity_chosen.emit()
+
+    def _on_unit(self) -> None:
+        self.show_certain()
+        self.unit_chosen.emit()
+
+    def _show_origin(self) -> None:
+        self._origin.show_text(self.tr("Guessed: check it") if self._guessed else "")
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        column = self.tr("Column {number}").format(number=self._number)
+        titled = f"{self._number}. {self._title_text}"
+        self._title.show_text(titled if self._title_text else column)
+        short = {
+            Quantity.WAIT: self.tr("Wait"),
+            Quantity.GRIPPER: self.tr("Gripper"),
+        }
+        self._quantity.setItemText(0, self.tr("Ignored"))
+        for place, quantity in enumerate(Quantity, start=1):
+            full = words.point_figure(quantity.value)
+            self._quantity.setItemText(place, short.get(quantity, full))
+            self._quantity.setItemData(place, full, Qt.ItemDataRole.ToolTipRole)
+        self._quantity.setAccessibleName(self.tr("{column}: quantity").format(column=column))
+        self._unit.setAccessibleName(self.tr("{column}: unit").format(column=column))
+        self._show_origin()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)
+
+
+class _Choice(QComboBox):
+    """Not turned by a wheel that was meant to move the table."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Leave it to what is behind."""
+        event.ignore()

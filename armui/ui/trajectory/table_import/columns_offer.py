@@ -1,0 +1,103 @@
+"""The button «Import by columns…»: there when a file is none of ours but holds a table."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QEvent, Signal
+from PySide6.QtWidgets import QPushButton, QWidget
+
+from armui.trajectory import columns
+from armui.ui.trajectory.library.library_work import LibraryWork
+from armui.ui.trajectory.table_import.columns_dialog import ColumnsDialog
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+
+class ColumnsOffer(QPushButton):
+    """Opens the dialog for one file after the other.
+
+    Args:
+        controller: Whom the emergency stop in the dialog tells.
+        work: Reads the files; its library takes what is imported.
+        window: The dialog belongs to it.
+
+    Signals:
+        imported: The name of what was taken over.
+        refused: Why a file cannot be opened any more, as a text.
+    """
+
+    imported = Signal(str)
+    refused = Signal(str)
+
+    def __init__(self, controller: ArmController, work: LibraryWork, window: QWidget) -> None:
+        super().__init__(window)
+        self._controller = controller
+        self._work = work
+        self._opening = False
+        self._window = window
+        self._paths: list[Path] = []
+        self._dialog: ColumnsDialog | None = None
+        self.setObjectName("library_by_columns")
+        self.setAutoDefault(False)
+        self.hide()
+        self.clicked.connect(self._open)
+        self.retranslate_ui()
+
+    @property
+    def paths(self) -> Sequence[Path]:
+        """The files that are offered, the next one first."""
+        return tuple(self._paths)
+
+    def enable_or_explain(self, paths: Sequence[Path]) -> None:
+        """Offer some files and no others."""
+        self._paths = list(paths)
+        self.setVisible(bool(paths))
+        self.retranslate_ui()
+
+    def _open(self) -> None:
+        if self._dialog is not None:
+            self._dialog.open()
+            return
+        if self._opening:
+            return
+        path = self._paths[0]
+        self._opening = True
+        self._work.do(lambda: columns.open_table(path), partial(self._show, path), self._on_refused)
+
+    def _on_refused(self, text: str) -> None:
+        self._opening = False
+        left = self._paths[1:]
+        self.refused.emit(text)
+        self.enable_or_explain(left)
+
+    def _show(self, path: Path, table: columns.TableFile) -> None:
+        self._opening = False
+        self._dialog = ColumnsDialog(self._controller, self._work.library, table, self._window)
+        self._dialog.imported.connect(partial(self._on_imported, path))
+        self._dialog.finished.connect(self._on_closed)
+        self._dialog.open()
+
+    def _on_imported(self, path: Path, name: str) -> None:
+        self._paths = [other for other in self._paths if other != path]
+        self.imported.emit(name)
+
+    def _on_closed(self) -> None:
+        if self._dialog is not None:
+            self._dialog.deleteLater()
+            self._dialog = None
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.setText(self.tr("Import by columns…"))
+        self.setToolTip("\n".join(path.name for path in self._paths))
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)

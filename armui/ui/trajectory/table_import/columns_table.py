@@ -1,0 +1,227 @@
+"""The first rows of an unknown table, and above each column what it is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, Final
+
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt, Signal
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QFrame,
+    QHBoxLayout,
+    QHeaderView,
+    QScrollArea,
+    QTableView,
+    QVBoxLayout,
+    QWidget,
+)
+
+from armui.trajectory.columns import Quantity, Sheet, TableColumn
+from armui.trajectory.columns.model import JOINTS, POSE
+from armui.ui.theme import colors_of
+from armui.ui.trajectory.table_import.column_picker import ColumnPicker
+
+_Index = QModelIndex | QPersistentModelIndex
+
+_COLUMN_PX: Final = 124
+_ROW_PX: Final = 26
+_ROWS: Final = 10
+_MOST_COLUMNS: Final = 60
+"""Beside those that a title names."""
+_LONGEST_CELL: Final = 200
+_KIN: Final = (JOINTS, POSE[:3], POSE[3:])
+"""What is in one unit throughout a file."""
+_RIGHT: Final = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+
+
+class ColumnsTable(QScrollArea):
+    """Column by column; angles of all joints, and lengths of a pose, keep to one unit.
+
+    Args:
+        sheet: How the table is built, with its first rows and what they seem to hold.
+        said: What the operator has said of its columns before, by their places.
+
+    Signals:
+        changed: The operator chose another quantity or unit.
+    """
+
+    changed = Signal()
+
+    def __init__(
+        self,
+        sheet: Sheet,
+        said: Mapping[int, TableColumn | None] | None = None,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._width = sheet.width
+        self._places = _shown(sheet)
+        self._pickers: list[ColumnPicker] = []
+        self._said = dict(said or {})
+        titles = sheet.header or ("",) * sheet.width
+        for place in self._places:
+            picker = ColumnPicker(place + 1, titles[place], sheet.guesses[place])
+            picker.setFixedWidth(_COLUMN_PX)
+            if place in self._said:
+                picker.show_column(self._said[place])
+            picker.quantity_chosen.connect(lambda picker=picker: self._on_quantity(picker))
+            picker.unit_chosen.connect(lambda picker=picker: self._on_unit(picker))
+            self._pickers.append(picker)
+        self._model = _Preview(sheet.preview[:_ROWS], self._places, self._is_used, self._muted)
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        above = QHBoxLayout()
+        above.setSpacing(0)
+        above.setContentsMargins(0, 0, 0, 0)
+        for picker in self._pickers:
+            above.addWidget(picker)
+        above.addStretch(1)
+        inner = QWidget()
+        layout = QVBoxLayout(inner)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addLayout(above)
+        layout.addWidget(_rows_of(self._model))
+        layout.addStretch(1)
+        self.setWidget(inner)
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+
+    @property
+    def columns(self) -> tuple[TableColumn | None, ...]:
+        """What each column is, as the operator says it; one that is not shown is left out."""
+        columns: list[TableColumn | None] = [None] * self._width
+        for place, picker in zip(self._places, self._pickers, strict=True):
+            columns[place] = picker.column
+        return tuple(columns)
+
+    @property
+    def said(self) -> Mapping[int, TableColumn | None]:
+        """What the operator has said himself, by the place of the column."""
+        return self._said
+
+    @property
+    def hidden_count(self) -> int:
+        """How many columns are not shown, because nobody could look through them."""
+        return self._width - len(self._places)
+
+    def _on_quantity(self, chosen: ColumnPicker) -> None:
+        """A further joint is in the unit of the others."""
+        for other in self._kin_of(chosen):
+            column = other.column
+            if column is not None:
+                chosen.show_unit(column.unit)
+        self._note([chosen])
+
+    def _on_unit(self, chosen: ColumnPicker) -> None:
+        column = chosen.column
+        kin = self._kin_of(chosen)
+        for other in kin:
+            if column is not None:
+                other.show_unit(column.unit)
+                other.show_certain()
+        self._note([chosen, *kin])
+
+    def _kin_of(self, chosen: ColumnPicker) -> list[ColumnPicker]:
+        """The other columns that are in the same unit."""
+        group = _kin(chosen.column)
+        return [
+            picker
+            for picker in self._pickers
+            if picker is not chosen and picker.column is not None and _kin(picker.column) & group
+        ]
+
+    def _note(self, pickers: Sequence[ColumnPicker]) -> None:
+        """These say what the operator wants."""
+        for picker in pickers:
+            self._said[self._places[self._pickers.index(picker)]] = picker.column
+        self._model.repaint()
+        self.changed.emit()
+
+    def _is_used(self, column: int) -> bool:
+        return self._pickers[column].column is not None
+
+    def _muted(self) -> QColor:
+        return QColor(colors_of(self).faint)
+
+
+class _Preview(QAbstractTableModel):
+    """Cells as they stand in the file; columns that are ignored turn pale."""
+
+    def __init__(
+        self,
+        rows: Sequence[Sequence[str]],
+        places: Sequence[int],
+        is_used: Callable[[int], bool],
+        pale: Callable[[], QColor],
+    ) -> None:
+        super().__init__()
+        self._rows = rows
+        self._places = places
+        self._is_used = is_used
+        self._pale = pale
+
+    def rowCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008, N802 - Qt's signature
+        """As many as are shown."""
+        return 0 if parent.isValid() else len(self._rows)
+
+    def columnCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008, N802 - as above
+        """As many as are shown."""
+        return 0 if parent.isValid() else len(self._places)
+
+    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """A cell; nothing where a row is too short."""
+        if not index.isValid():
+            return None
+        row, column = self._rows[index.row()], index.column()
+        if role in {Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.ToolTipRole}:
+            place = self._places[column]
+            return row[place].strip()[:_LONGEST_CELL] if place < len(row) else ""
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return _RIGHT
+        if role == Qt.ItemDataRole.ForegroundRole and not self._is_used(column):
+            return self._pale()
+        return None
+
+    def repaint(self) -> None:
+        """Other columns are ignored now."""
+        last = self.index(len(self._rows) - 1, len(self._places) - 1)
+        self.dataChanged.emit(self.index(0, 0), last)
+
+
+def _shown(sheet: Sheet) -> list[int]:
+    """The places of the columns that are shown: the first ones, and all that hold something."""
+    guessed = {place for place, guess in enumerate(sheet.guesses) if guess.column is not None}
+    return sorted(guessed.union(range(min(sheet.width, _MOST_COLUMNS))))
+
+
+def _rows_of(model: _Preview) -> QTableView:
+    """A table as large as what it shows: it is moved together with the choices above it."""
+    table = QTableView()
+    table.setObjectName("columns_preview")
+    model.setParent(table)
+    table.setModel(model)
+    table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
+    table.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    table.setShowGrid(False)
+    table.setAlternatingRowColors(True)
+    table.setWordWrap(False)
+    table.horizontalHeader().hide()
+    table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+    table.horizontalHeader().setDefaultSectionSize(_COLUMN_PX)
+    table.verticalHeader().hide()
+    table.verticalHeader().setDefaultSectionSize(_ROW_PX)
+    table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    table.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    frame_px = 2 * table.frameWidth()
+    table.setFixedSize(
+        model.columnCount() * _COLUMN_PX + frame_px, model.rowCount() * _ROW_PX + frame_px
+    )
+    return table
+
+
+def _kin(column: TableColumn | None) -> frozenset[Quantity]:
+    quantity = None if column is None else column.quantity
+    return frozenset(next((kin for kin in _KIN if quantity in kin), ()))

@@ -1,0 +1,140 @@
+"""How an unknown table is built: what was guessed, for the operator to correct."""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSpinBox, QWidget
+
+from armui.trajectory.columns import LABELS, Dialect, Encoding, TableFile
+from armui.trajectory.columns.model import DECIMALS, DELIMITERS, SPACES
+
+_FIELD_PX: Final = 34
+_MOST_LINES: Final = 9_999_999
+
+
+class BuildBar(QWidget):
+    """Encoding, delimiter, decimal sign and the line of the first figures.
+
+    Signals:
+        changed: The operator says one of them; the others may be guessed anew.
+    """
+
+    changed = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._encoding = _choice("build_encoding", tuple(Encoding))
+        self._delimiter = _choice("build_delimiter", DELIMITERS)
+        self._decimal = _choice("build_decimal", DECIMALS)
+        self._line = _Line()
+        self._line.setObjectName("build_line")
+        self._line.setKeyboardTracking(False)
+        self._line.setFixedHeight(_FIELD_PX)
+        self._line.setMinimumWidth(90)
+        self._line.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._fields = (self._encoding, self._delimiter, self._decimal, self._line)
+        self._labels = tuple(QLabel() for _ in self._fields)
+        self._said: set[QWidget] = set()
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(8)
+        for label, field in zip(self._labels, self._fields, strict=True):
+            label.setBuddy(field)
+            layout.addWidget(label)
+            layout.addWidget(field)
+            layout.addSpacing(8)
+        layout.addStretch(1)
+        for box in (self._encoding, self._delimiter, self._decimal):
+            box.activated.connect(lambda _place, box=box: self._on_said(box))
+        self._line.valueChanged.connect(lambda _line: self._on_said(self._line))
+        self.retranslate_ui()
+
+    @property
+    def encoding(self) -> Encoding | None:
+        """As the operator says it; ``None`` where it is left to be guessed."""
+        said: Encoding | None = self._value(self._encoding)
+        return said
+
+    @property
+    def build(self) -> Dialect:
+        """The same of the rest."""
+        line = self._line.value() if self._line in self._said else None
+        return Dialect(self._value(self._delimiter), self._value(self._decimal), line)
+
+    def show_table(self, table: TableFile) -> None:
+        """Show how a file was read."""
+        sheet = table.sheet
+        shown = (table.encoding, sheet.delimiter, sheet.decimal)
+        for box, value in zip((self._encoding, self._delimiter, self._decimal), shown, strict=True):
+            box.setCurrentIndex(box.findData(value))
+        with QSignalBlocker(self._line):
+            self._line.setRange(1, min(_MOST_LINES, max(1, sheet.lines)))
+            self._line.setValue(sheet.first_line)
+
+    def _value(self, box: QComboBox) -> Any:
+        return box.currentData() if box in self._said else None
+
+    def _on_said(self, field: QWidget) -> None:
+        """What is another text, or parted otherwise, may have its figures elsewhere."""
+        self._said.add(field)
+        if field is self._encoding:
+            self._said.discard(self._line)
+        self.changed.emit()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        texts = (
+            self.tr("Encoding"),
+            self.tr("Delimiter"),
+            self.tr("Decimal sign"),
+            self.tr("Figures from line"),
+        )
+        for label, field, text in zip(self._labels, self._fields, texts, strict=True):
+            label.setText(text)
+            field.setAccessibleName(text)
+        self._line.setToolTip(
+            self.tr("The line above it holds the titles, if it has as many cells as there are")
+        )
+        names: dict[Any, str] = {
+            ",": self.tr("comma ,"),
+            ";": self.tr("semicolon ;"),
+            "\t": self.tr("tab"),
+            "|": self.tr("vertical bar |"),
+            SPACES: self.tr("blanks"),
+        }
+        _name(self._delimiter, names)
+        _name(self._decimal, {".": self.tr("point ."), ",": self.tr("comma ,")})
+        _name(self._encoding, dict(LABELS))
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)
+
+
+class _Line(QSpinBox):
+    """Enter takes the figure over, and does not import by it at once."""
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Keep Enter from the button that is pressed by it."""
+        super().keyPressEvent(event)
+        if event.key() in {Qt.Key.Key_Return, Qt.Key.Key_Enter}:
+            event.accept()
+
+
+def _choice(name: str, values: tuple[Any, ...]) -> QComboBox:
+    box = QComboBox()
+    box.setObjectName(name)
+    for value in values:
+        box.addItem("", value)
+    box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+    return box
+
+
+def _name(box: QComboBox, names: dict[Any, str]) -> None:
+    for place in range(box.count()):
+        box.setItemText(place, names[box.itemData(place)])

@@ -1,0 +1,207 @@
+"""The whole program on the bench, in the hands of an operator who clicks and reads."""
+
+from concurrent.futures import Executor, Future
+from pathlib import Path
+
+from PySide6.QtCore import QEventLoop, QPoint, Qt, QTimer
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QDialog, QTableView, QWidget
+
+from armui.app import Program
+from armui.protocol.generation import Generation
+from armui.settings import SettingsStore
+from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.connect import ConnectDialog
+from armui.ui.widgets.hold_button import HoldButton
+from armui.viewport.client import PictureClient
+from tests.arm_rig import TIMEOUT_MS, ArmRig
+
+
+class AtOnce(Executor):
+    """Does everything while it is being asked: nothing to wait for."""
+
+    def submit(self, fn, /, *args, **kwargs):
+        done = Future()
+        try:
+            done.set_result(fn(*args, **kwargs))
+        except Exception as error:  # noqa: BLE001 - whatever it is, it is in the answer
+            done.set_exception(error)
+        return done
+
+
+class Slow(Executor):
+    """Does nothing before it is told to: work may take any time, and fail."""
+
+    def __init__(self):
+        self.waiting = []
+
+    def submit(self, fn, /, *args, **kwargs):
+        future = Future()
+        self.waiting.append((future, fn, args, kwargs))
+        return future
+
+    def work(self):
+        """Do everything that was asked for."""
+        while self.waiting:
+            future, fn, args, kwargs = self.waiting.pop(0)
+            future.set_result(fn(*args, **kwargs))
+
+    def break_down(self, text):
+        """Fail at everything that was asked for."""
+        while self.waiting:
+            self.waiting.pop(0)[0].set_exception(RuntimeError(text))
+
+
+class AppDriver(ArmRig):
+    """A bench with the main window on it.
+
+    Args:
+        app: Qt's application.
+        channel: Of the virtual bus, this desk's alone.
+        settings: The file of the operator's settings; the library lies beside it.
+        generation: Of the simulated arm's protocol.
+        workers: Who does what takes long; whoever asks does it by default.
+        files: Who does what waits for a disk; whoever asks does it by default.
+        draws: Whether the 3D view is seen: drawing it costs more than most tests.
+        pictures: Has the 3D picture drawn; several desks one after another may share one.
+
+    Attributes:
+        program: The program, wired as it is for the operator.
+        window: Its main window, shown.
+        library_folder: Where its trajectories are kept.
+        workers: As given.
+    """
+
+    def __init__(
+        self,
+        app: QApplication,
+        channel: str,
+        settings: Path,
+        generation: Generation,
+        workers: Executor | None = None,
+        *,
+        files: Executor | None = None,
+        draws: bool = False,
+        pictures: PictureClient | None = None,
+    ) -> None:
+        super().__init__(channel, generation)
+        self.store = SettingsStore(settings, for_this_run={"language": "en"})
+        self.library_folder = settings.parent / "trajectories"
+        self.workers = workers or AtOnce()
+        self.program = Program(
+            app,
+            self.store,
+            self.controller,
+            self.workers,
+            self.library_folder,
+            files=files or AtOnce(),
+            pictures=pictures,
+        )
+        self.window = self.program.window
+        self.window.resize(1280, 800)
+        self.program.view.setVisible(draws)
+        self.window.show()
+
+    def find(self, name: str) -> QWidget:
+        """A widget of the main window by its object name."""
+        found = [
+            widget
+            for widget in self.window.findChildren(QWidget, name)
+            if widget.window() is self.window
+        ]
+        assert len(found) == 1, f"{name}: {found}"
+        return found[0]
+
+    def click(self, name_or_widget: str | QWidget) -> None:
+        """Press and release the left button over the middle of a widget."""
+        widget = self.find(name_or_widget) if isinstance(name_or_widget, str) else name_or_widget
+        QTest.mouseClick(widget, Qt.MouseButton.LeftButton, pos=_middle(widget))
+
+    def press(self, widget: QWidget) -> None:
+        """Press the left button over a widget and keep it down."""
+        QTest.mousePress(widget, Qt.MouseButton.LeftButton, pos=_middle(widget))
+
+    def type_into(self, name: str, text: str) -> None:
+        """Replace what stands in a field and leave it with Enter."""
+        field = self.find(name)
+        field.setFocus()
+        field.selectAll()
+        QTest.keyClicks(field, text)
+        QTest.keyClick(field, Qt.Key.Key_Return)
+
+    def read(self, name: str) -> str:
+        """The text a widget shows."""
+        return self.find(name).text()
+
+    def dialog(self, kind: type[QDialog]) -> QDialog:
+        """The one dialog of a kind that is open."""
+        found = [
+            widget
+            for widget in QApplication.topLevelWidgets()
+            if isinstance(widget, kind) and widget.isVisible()
+        ]
+        assert len(found) == 1, f"{kind.__name__}: {found}"
+        return found[0]
+
+    def connect_by_hand(self) -> None:
+        """Open 连接机械臂, choose the arm in the list, connect, close the window."""
+        self.click("communication_button")
+        dialog = self.dialog(ConnectDialog)
+        table = dialog.findChild(QTableView)
+        self.wait(lambda: table.model().rowCount() > 0)
+        table.selectRow(0)
+        self.click(dialog.connect_button)
+        self.run_until(lambda: "limits_read" in self.codes())
+        self.run_until(lambda: None not in self.controller.operating_state.enabled)
+        dialog.close()
+
+    def confirm(self) -> None:
+        """Press, or hold, the button of the open question that does the deed."""
+        button = self.dialog(ConfirmDialog).action_button
+        if isinstance(button, HoldButton):
+            self.hold()
+        else:
+            self.click(button)
+
+    def hold(self, share: float = 1.0) -> None:
+        """Hold the button of the open question; its time passes at once, or a share of it."""
+        self.hold_button(self.dialog(ConfirmDialog).action_button, share)
+
+    def hold_button(self, button: QWidget | str, share: float = 1.0) -> None:
+        """Hold a button; its time passes at once, or a share of it."""
+        button = self.find(button) if isinstance(button, str) else button
+        self.press(button)
+        button.progress.setCurrentTime(round(share * button.progress.duration()))
+        if share < 1.0:
+            QTest.mouseRelease(button, Qt.MouseButton.LeftButton, pos=_middle(button))
+
+    def enable_by_hand(self) -> None:
+        """Press 使能 and wait for the arm's word."""
+        self.click("enable_button")
+        self.run_until(lambda: self.controller.operating_state.cannot_move is None)
+
+    def wait(self, condition) -> None:
+        """Let Qt and the threads work until something is so."""
+        loop = QEventLoop()
+        timer = QTimer(interval=1)
+        timer.timeout.connect(lambda: condition() and loop.quit())
+        deadline = QTimer(interval=TIMEOUT_MS, singleShot=True)
+        deadline.timeout.connect(loop.quit)
+        timer.start()
+        deadline.start()
+        loop.exec()
+        assert condition(), "it never came"
+
+    def close(self) -> None:
+        """End the program as it ends for the operator, then the bench."""
+        for widget in QApplication.topLevelWidgets():
+            if isinstance(widget, QDialog):
+                widget.close()
+        self.store.change(language="en")  # the next test reads English
+        self.program.shutdown()
+        self.window.deleteLater()
+        super().close()
+
+
+def _middle(widget: QWidget) -> QPoint:
+    return widget.rect().center()

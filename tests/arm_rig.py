@@ -1,0 +1,192 @@
+"""A simulated arm and the real controller on a virtual bus, with time in the test's hand.
+
+The firmware's clock is the only clock: the bus thread and the controller read it, so half a
+second of silence takes no half second, and nothing ever sleeps.
+"""
+
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Protocol
+
+import can
+from can.interfaces.virtual import VirtualBus
+from PySide6.QtCore import QCoreApplication, QDeadlineTimer
+
+from armui.arm.device import Device
+from armui.control.arm_controller import ArmController
+from armui.control.operating_state import LinkState
+from armui.protocol.codec import Codec, Message
+from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
+from armui.sim.firmware import Firmware
+from armui.sim.node import Node
+from tests.arm_rig_bus import ArmBus, HostBus
+
+STEP_S = 0.02
+TIMEOUT_MS = 5000
+_POLL_S = 0.0005
+_REST_S = 0.1
+
+
+class Company(Protocol):
+    """Somebody else on the bus."""
+
+    def step(self, dt_s: float) -> None:
+        """Let time pass."""
+
+
+class ArmRig:
+    """What a test holds in its hands.
+
+    Attributes:
+        firmware: The simulated arm.
+        controller: The program's own controller, connected to it on request.
+        notices: Every notice so far.
+        channel: Of the virtual bus: whoever else is on it opens the same.
+        powered: Whether the arm's time passes; see `Firmware.switch_off` for its supply.
+        company: Whoever else is on the bus and lives by this clock; its time passes first.
+    """
+
+    def __init__(self, channel: str, generation: Generation = Generation.TWO) -> None:
+        self.channel = channel
+        self.time_s = 1000.0
+        self.firmware = Firmware(generation)
+        self._ear = VirtualBus(channel)
+        self._arm_bus = ArmBus(channel, deaf=[self._ear])
+        self.node = Node(self.firmware, self._arm_bus)
+        self.powered = True
+        self.company: list[Company] = []
+        self.broken: Exception | None = None
+        self._host_bus: HostBus | None = None
+        self._codec = Codec(generation)
+        self.device = Device("virtual", channel, None, simulated=True, generation=int(generation))
+        self.controller = ArmController(
+            self._open, [self.device], find=list, clock=lambda: self.time_s
+        )
+        self.notices: list = []
+        self.controller.noticed.connect(self.notices.append)
+
+    @contextmanager
+    def _open(self, device: Device) -> Iterator[can.BusABC]:
+        if self.broken is not None:
+            raise self.broken
+        with HostBus(device.channel) as bus:
+            self._listen_closely(bus)
+            yield bus
+
+    def _listen_closely(self, bus: HostBus) -> None:
+        """The program has opened its bus."""
+        self._host_bus = bus
+
+    def unplug(self, error: Exception) -> None:
+        """The adapter is gone: using it, and opening it again, fails."""
+        self.broken = error
+
+        def broken(*_args, **_kwargs):
+            raise error
+
+        self._host_bus.recv = broken
+
+    def plug_in(self) -> None:
+        """The adapter is back."""
+        self.broken = None
+
+    def connect(self) -> None:
+        """Connect as an operator would, and wait until the arm has been asked everything."""
+        self.controller.connect_device(self.device)
+        self.run_until(lambda: "limits_read" in self.codes())
+        self.run_until(lambda: None not in self.controller.operating_state.enabled)
+
+    def step(self, dt_s: float = STEP_S) -> None:
+        """Let time pass on both sides until each has heard what the other said."""
+        self._settle()
+        self.time_s += dt_s
+        for each in self.company:
+            each.step(dt_s)
+        if self.powered:
+            self.node.poll(dt_s)
+        self._settle()
+        self.controller.tick()
+        self._settle()
+
+    def _settle(self) -> None:
+        """Until nothing is on its way any more, in either direction."""
+        deadline = QDeadlineTimer(TIMEOUT_MS)
+        at_rest = False
+        while not at_rest:
+            # asked each time: what happens meanwhile may close the device
+            if self._adrift:
+                return
+            at_rest = self._bus_rests() and self.controller._connection.idle
+            QCoreApplication.processEvents()
+            # what was heard may have been answered at once
+            at_rest = at_rest and self.controller._connection.idle
+            assert not deadline.hasExpired(), "the bus thread does not come to rest"
+
+    def _bus_rests(self) -> bool:
+        """Give the bus thread the time to take in and send what there is; whether it has."""
+        bus = self._host_bus
+        if bus is None or not bus.is_open:
+            time.sleep(_POLL_S)  # it is being opened
+            return False
+        return bus.rest(_REST_S)
+
+    @property
+    def _adrift(self) -> bool:
+        """Whether there is no bus on which anything could be on its way."""
+        lost = self.controller.operating_state.link in {LinkState.NO_DEVICE, LinkState.LOST}
+        return lost or self.broken is not None
+
+    def run(self, seconds: float) -> None:
+        """Let so much time pass."""
+        for _ in range(round(seconds / STEP_S)):
+            self.step()
+
+    def run_until(self, condition: Callable[[], bool], seconds: float = 20.0) -> None:
+        """Let time pass until something is so; fails after ``seconds`` of the arm's time."""
+        for _ in range(round(seconds / STEP_S)):
+            if condition():
+                return
+            self.step()
+        raise AssertionError(f"not within {seconds} s of simulated time: {self.codes()}")
+
+    def ready(self) -> None:
+        """Connect and enable: the arm may move."""
+        self.connect()
+        assert self.controller.motors.enable() is None
+        self.run_until(lambda: self.controller.operating_state.cannot_move is None)
+
+    def codes(self) -> list[str]:
+        """The codes of all notices so far."""
+        return [notice.code for notice in self.notices]
+
+    def heard(self) -> list[Frame]:
+        """The commands that went over the bus since the last call; the arm's own are not heard."""
+        frames = []
+        while (message := self._ear.recv(0)) is not None:
+            decoded = self._codec.decode(Frame(message.arbitration_id, bytes(message.data)))
+            if isinstance(decoded, Message) and decoded.name in _COMMANDS:
+                frames.append(Frame(message.arbitration_id, bytes(message.data)))
+        return frames
+
+    def close(self) -> None:
+        """End every thread and bus."""
+        self.controller.shutdown()
+        self._arm_bus.shutdown()
+        self._ear.shutdown()
+        # ruckig complains of planners that live until Python ends
+        del self.firmware, self.node
+
+
+_COMMANDS = {
+    "MotionCommand",
+    "ModeControl",
+    "JointTarget12",
+    "JointTarget34",
+    "JointTarget56",
+    "MotorEnable",
+    "JointSetting",
+    "LightControl",
+    "GripperCommand",
+}
