@@ -106,7 +106,7 @@ def test_so_many_times(app_driver):
     operator.child("run_times", QSpinBox).setValue(2)
     operator.send()
     operator.until(lambda: operator.progress.cycle == 2)
-    assert "lap 2 of 2" in operator.text("run_text")
+    assert "cycle 2 of 2" in operator.text("run_text")
     operator.until_over()
     assert (operator.visits(OUT), operator.visits(UP)) == (2, 2)
 

@@ -36,7 +36,7 @@ class Activity:
 
 @dataclass(frozen=True, slots=True)
 class AssessmentInputs:
-    """What the program knows beside the arm's own words; see :class:`OperatingState` for the fields.
+    """What the program knows beside the arm's own words; fields as in :class:`OperatingState`.
 
     Attributes:
         authority: Who moves the arm.

@@ -1,8 +1,8 @@
 """The kinematics for many poses at once: what a check of ten thousand points needs.
 
-The same geometry as `armui.kinematics.kinematics`, written for arrays. There py-opw-kinematics gives the
-ways of the arm, some 50 µs a pose; joints 1–3 are two bars in a plane that joint 1 turns, which
-numpy solves in a fraction of a microsecond.
+The same geometry as `armui.kinematics.kinematics`, written for arrays. There py-opw-kinematics
+gives the ways of the arm, some 50 µs a pose; joints 1–3 are two bars in a plane that joint 1
+turns, which numpy solves in a fraction of a microsecond.
 """
 
 from __future__ import annotations

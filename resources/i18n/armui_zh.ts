@@ -1743,8 +1743,8 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>关闭</translation>
     </message>
     <message>
-        <source>✓ As “{name}”: the name “{wished}” was taken</source>
-        <translation>✓ 已导入为“{name}”：名称“{wished}”已被占用</translation>
+        <source>✓ As “{name}”: the name “{requested}” was taken</source>
+        <translation>✓ 已导入为“{name}”：名称“{requested}”已被占用</translation>
     </message>
     <message>
         <source>✓ As “{name}”</source>
@@ -2076,6 +2076,41 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>LibraryActions</name>
+    <message>
+        <source>Trajectory</source>
+        <translation>轨迹</translation>
+    </message>
+    <message>
+        <source>Deleted: {names}</source>
+        <translation>已删除：{names}</translation>
+    </message>
+    <message>
+        <source>“{name}” is open. Close its window first.</source>
+        <translation>“{name}”正打开着，请先关闭其窗口。</translation>
+    </message>
+    <message>
+        <source>“{new}” is called “{old}” again.</source>
+        <translation>“{new}”已改回原名“{old}”。</translation>
+    </message>
+    <message>
+        <source>Brought back: {names}</source>
+        <translation>已恢复：{names}</translation>
+    </message>
+    <message>
+        <source>Undo: bring back {names}</source>
+        <translation>撤销：恢复 {names}</translation>
+    </message>
+    <message>
+        <source>Undo: call it {names} again</source>
+        <translation>撤销：改回原名 {names}</translation>
+    </message>
+    <message>
+        <source>Undo: delete {names}</source>
+        <translation>撤销：删除 {names}</translation>
+    </message>
+</context>
+<context>
     <name>LibraryBar</name>
     <message>
         <source>Import files</source>
@@ -2138,41 +2173,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Another program has this library open, too ({names}). What it saves appears in this list. Do not edit the same trajectory in both.</source>
         <translation>另一个程序也打开了此轨迹库（{names}）。它保存的内容会出现在此列表中。请勿在两个程序中编辑同一条轨迹。</translation>
-    </message>
-</context>
-<context>
-    <name>LibraryActions</name>
-    <message>
-        <source>Trajectory</source>
-        <translation>轨迹</translation>
-    </message>
-    <message>
-        <source>Deleted: {names}</source>
-        <translation>已删除：{names}</translation>
-    </message>
-    <message>
-        <source>“{name}” is open. Close its window first.</source>
-        <translation>“{name}”正打开着，请先关闭其窗口。</translation>
-    </message>
-    <message>
-        <source>“{new}” is called “{old}” again.</source>
-        <translation>“{new}”已改回原名“{old}”。</translation>
-    </message>
-    <message>
-        <source>Brought back: {names}</source>
-        <translation>已恢复：{names}</translation>
-    </message>
-    <message>
-        <source>Undo: bring back {names}</source>
-        <translation>撤销：恢复 {names}</translation>
-    </message>
-    <message>
-        <source>Undo: call it {names} again</source>
-        <translation>撤销：改回原名 {names}</translation>
-    </message>
-    <message>
-        <source>Undo: delete {names}</source>
-        <translation>撤销：删除 {names}</translation>
     </message>
 </context>
 <context>
@@ -4944,8 +4944,8 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>{name}：第 {row}/{count} 点</translation>
     </message>
     <message>
-        <source>lap {lap} of {laps}</source>
-        <translation>第 {lap}/{laps} 次</translation>
+        <source>cycle {cycle} of {cycles}</source>
+        <translation>第 {cycle}/{cycles} 次</translation>
     </message>
     <message>
         <source>{time} left</source>
@@ -5383,6 +5383,29 @@ Lead it near its rest pose, then stop recording.</source>
     </message>
 </context>
 <context>
+    <name>TeachingExitSteps</name>
+    <message>
+        <source>End what is under way; lead every joint near its zero by hand.</source>
+        <translation>结束当前动作，用手将各关节拖动到零位附近。</translation>
+    </message>
+    <message>
+        <source>Hold the arm. Emergency stop: the motors go limp, the arm sinks.</source>
+        <translation>请扶住机械臂。急停：电机失去保持力，机械臂会下沉。</translation>
+    </message>
+    <message>
+        <source>Resume: the arm will drop, keep holding it.</source>
+        <translation>恢复：机械臂会下落，请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>Enable the motors.</source>
+        <translation>使能电机。</translation>
+    </message>
+    <message>
+        <source>To leave drag teaching, take the steps in the line at the top:</source>
+        <translation>退出示教模式，请按顶部提示逐步操作：</translation>
+    </message>
+</context>
+<context>
     <name>TeachingPanel</name>
     <message>
         <source>The arm gives way to the hand and records where it is led.</source>
@@ -5601,29 +5624,6 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Language, theme, jog step, 3D model</source>
         <translation>语言、主题、点动步长、3D 模型</translation>
-    </message>
-</context>
-<context>
-    <name>TeachingExitSteps</name>
-    <message>
-        <source>End what is under way; lead every joint near its zero by hand.</source>
-        <translation>结束当前动作，用手将各关节拖动到零位附近。</translation>
-    </message>
-    <message>
-        <source>Hold the arm. Emergency stop: the motors go limp, the arm sinks.</source>
-        <translation>请扶住机械臂。急停：电机失去保持力，机械臂会下沉。</translation>
-    </message>
-    <message>
-        <source>Resume: the arm will drop, keep holding it.</source>
-        <translation>恢复：机械臂会下落，请扶住机械臂。</translation>
-    </message>
-    <message>
-        <source>Enable the motors.</source>
-        <translation>使能电机。</translation>
-    </message>
-    <message>
-        <source>To leave drag teaching, take the steps in the line at the top:</source>
-        <translation>退出示教模式，请按顶部提示逐步操作：</translation>
     </message>
 </context>
 </TS>

@@ -11,7 +11,7 @@ from armui.arm.refusal import Refusal
 from armui.trajectory.points.program import Waypoint
 
 ENDLESS = 0
-"""As a number of laps: until the operator ends it."""
+"""As a number of cycles: until the operator ends it."""
 
 
 class RunPhase(enum.Enum):
@@ -46,7 +46,7 @@ class Run:
         points: All of them.
         expected_s: How long each takes, dwell included, from the one before.
         cycles: How often; :data:`ENDLESS` until it is ended.
-        first: The index of the point to begin with, in the first lap.
+        first: The index of the point to begin with, in the first cycle.
         speed_factor: On each point's own speed.
         step_by_step: Whether to wait for the operator after each point.
     """
@@ -72,9 +72,9 @@ class Progress:
         phase: What it is doing.
         name: The trajectory's.
         index: The point under way, from 0; the one it ended at when it is over.
-        count: How many points a lap has.
-        lap, laps: Which lap, from 1, of how many; 0 endless.
-        done: Share of the lap that is done, 0–1.
+        count: How many points a cycle has.
+        cycle, cycles: Which cycle, from 1, of how many; 0 endless.
+        done: Share of the cycle that is done, 0–1.
         remaining_s: Of the whole run as planned; ``None`` if it has no end.
         reason: Why it failed.
     """
@@ -106,7 +106,7 @@ class RunSchedule:
 
     @property
     def lap_s(self) -> float:
-        """How long a lap takes."""
+        """How long a cycle takes."""
         return self._ends_s[-1] if self._ends_s else 0.0
 
     def time_limit_s(self, index: int) -> float:
@@ -114,7 +114,7 @@ class RunSchedule:
         return 5.0 + 3.0 * self._lengths_s[index]
 
     def in_lap_s(self, index: int, elapsed_s: float) -> float:
-        """How far a lap is, so long after a point was sent."""
+        """How far a cycle is, so long after a point was sent."""
         length_s = self._lengths_s[index]
         return self._ends_s[index] - length_s + min(elapsed_s, length_s)
 

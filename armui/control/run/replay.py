@@ -43,7 +43,7 @@ class Replay:
 
     @property
     def duration_s(self) -> float:
-        """How long a lap takes, without the approach."""
+        """How long a cycle takes, without the approach."""
         return self.recording.duration_s / self.factor
 
     @property
@@ -66,7 +66,7 @@ class Replay:
         return SampleCursor(self.recording)
 
     def joints_deg_at(self, at_s: float) -> tuple[float, ...]:
-        """Where the joints shall be, so long after the first sample of a lap."""
+        """Where the joints shall be, so long after the first sample of a cycle."""
         return self._cursor.joints_deg_at(at_s * self.factor)
 
     def gripper_mm_at(self, at_s: float) -> float | None:

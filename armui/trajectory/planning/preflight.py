@@ -35,7 +35,7 @@ class CheckRequest:
         start_deg: From where.
         speed_factor: On the speed of each point, or on the recorded one.
         first: The index of the point to begin with: it is come to from elsewhere.
-        again: Whether the first point, or sample, is come to from the last, in another lap.
+        again: Whether the first point, or sample, is come to from the last, in another cycle.
     """
 
     content: Content
@@ -93,7 +93,7 @@ def preflight(order: CheckRequest) -> CheckOutcome:
 
 
 def _way_back(recording: Recording, arm: ArmModel) -> list[Finding]:
-    """What the check finds of the way from the last sample back to the first, for another lap."""
+    """What the check finds of the way from the last sample back to the first, for another cycle."""
     first_deg = tuple(recording.joints_deg[0].tolist())
     point = Waypoint(MoveMode.MOVE_J, first_deg, speed_percent=APPROACH_PERCENT)
     way = Trajectory(recording.name, points=(point,))

@@ -36,7 +36,7 @@ class Stops:
     Attributes:
         joints_deg: (n, 6) targets of MOVE J, and of the start; NaN for poses.
         goals: (n, 4, 4) transforms of the flange.
-        solutions_deg: (n, 8, 6) ways to hold the flange there, see `armui.kinematics.batch.solutions`.
+        solutions_deg: (n, 8, 6) ways to hold the flange, see `armui.kinematics.batch.solutions`.
         within: (n, 8) whether each is within the joints' limits.
         stretched: (n,) whether the wrist may be stretched there.
     """

@@ -87,7 +87,7 @@ class ImportReport(ArmDialog):
         if result.problem:
             return f"✕ {result.problem}"
         if result.name != result.requested:
-            text = self.tr("✓ As “{name}”: the name “{wished}” was taken")
+            text = self.tr("✓ As “{name}”: the name “{requested}” was taken")
             return text.format(name=result.name, requested=result.requested)
         return self.tr("✓ As “{name}”").format(name=result.name)
 

@@ -235,7 +235,7 @@ class RunStrip(QWidget):
         self._run(self._options())
 
     def _on_resume(self) -> None:
-        """Take a run up where it ended, for as many laps as are left."""
+        """Take a run up where it ended, for as many cycles as are left."""
         if self._again is not None:
             self._run(self._again)
 
@@ -301,7 +301,8 @@ class RunStrip(QWidget):
         parts = [row]
         if progress.cycles != 1:
             total = "∞" if progress.cycles == ENDLESS else progress.cycles
-            parts.append(self.tr("lap {lap} of {laps}").format(cycle=progress.cycle, cycles=total))
+            text = self.tr("cycle {cycle} of {cycles}")
+            parts.append(text.format(cycle=progress.cycle, cycles=total))
         if progress.remaining_s is not None and self._runner.running:
             left = duration(progress.remaining_s)
             parts.append(self.tr("{time} left").format(time=left))

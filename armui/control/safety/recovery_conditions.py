@@ -1,0 +1,212 @@
+"""The conditions of recovery: what a rule looks at, and when it applies. Pure."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Final
+
+from armui.arm.limits import JOINTS
+from armui.arm.state import ArmState, DriverSlow, Status
+from armui.control.devices.teaching_phase import (
+    NEAR_REST_DEG,
+    TeachingPhase,
+    farthest_from_rest,
+    phase_of,
+)
+from armui.control.motion.motion_command import Hold
+from armui.control.operating_state import LinkState, OperatingState, StopState
+from armui.control.safety import interlocks
+from armui.control.safety.recovery_steps import Params
+from armui.protocol.codes import ArmStatusCode, ControlMode
+
+_NONE: Final[Params] = {}
+
+
+@dataclass(frozen=True, slots=True)
+class RecoveryView:
+    """What the rules look at: only what is heard of late counts."""
+
+    state: ArmState
+    operating_state: OperatingState
+    status: Status | None
+    drivers: tuple[DriverSlow | None, ...]
+
+    @property
+    def code(self) -> int | None:
+        """The status code, if it is heard."""
+        return None if self.status is None else self.status.arm_status
+
+    @property
+    def phase(self) -> TeachingPhase:
+        """The phase of drag teaching."""
+        return TeachingPhase.OFF if self.status is None else phase_of(self.status)
+
+    @property
+    def in_drag_mode(self) -> bool:
+        """Whether the arm may be led by hand."""
+        return self.status is not None and self.status.control_mode == ControlMode.TEACHING
+
+    @property
+    def enabled(self) -> bool:
+        """Whether all six motors are on."""
+        return all(self.operating_state.enabled)
+
+
+Applies = Callable[[RecoveryView], Params | None]
+"""The figures of a rule's sentence if the rule applies, else ``None``."""
+
+
+def when(condition: Callable[[RecoveryView], bool]) -> Applies:
+    """Applies while a condition holds; its sentence has no figures."""
+    return lambda view: _NONE if condition(view) else None
+
+
+def link_is(link: LinkState) -> Applies:
+    """Applies while the link is in one state."""
+    return when(lambda view: view.operating_state.link is link)
+
+
+def has_code(code: ArmStatusCode) -> Applies:
+    """Applies while the arm reports one status code (0x2A1 byte 1)."""
+    return when(lambda view: view.code == code)
+
+
+def in_phase(phase: TeachingPhase) -> Applies:
+    """Applies in one phase of drag teaching."""
+    return when(lambda view: view.phase is phase)
+
+
+def joints_flagged(
+    flagged: Callable[[RecoveryView], list[bool]], code: ArmStatusCode | None = None
+) -> Applies:
+    """Some joints are flagged, or the arm's status says so without naming one."""
+
+    def applies(view: RecoveryView) -> Params | None:
+        numbers = [joint for joint, flag in zip(JOINTS, flagged(view), strict=True) if flag]
+        if numbers:
+            return {"joints": interlocks.joint_list(numbers), "numbers": tuple(numbers)}
+        return _NONE if code is not None and view.code == code else None
+
+    return applies
+
+
+def drivers(fault: Callable[[DriverSlow], bool | None]) -> Callable[[RecoveryView], list[bool]]:
+    """Which joints' drivers report a fault (0x261–0x266)."""
+    return lambda view: [each is not None and bool(fault(each)) for each in view.drivers]
+
+
+def status_flags(
+    flags: Callable[[Status], tuple[bool, ...]],
+) -> Callable[[RecoveryView], list[bool]]:
+    """Which joints the status flags (0x2A1 bytes 6–7)."""
+    return lambda view: [False] * len(JOINTS) if view.status is None else list(flags(view.status))
+
+
+_AWAY: Final = frozenset({LinkState.NO_DEVICE, LinkState.OPENING, LinkState.LOST})
+"""No device is open: nothing can be sent."""
+
+
+def stop_waits(view: RecoveryView) -> bool:
+    """A stop was asked for and no device is there to send it."""
+    operating_state = view.operating_state
+    return operating_state.link in _AWAY and operating_state.stop is StopState.REQUESTED
+
+
+def stop_lapsed_away(view: RecoveryView) -> bool:
+    """A stop has lapsed, and no device is there."""
+    return view.operating_state.stop_lapsed and view.operating_state.link in _AWAY
+
+
+def is_teaching_input(view: RecoveryView) -> bool:
+    """The arm is a teaching input: it obeys nothing but its linkage."""
+    status = view.status
+    told = status is not None and status.control_mode == ControlMode.LINKED_TEACHING_INPUT
+    return view.operating_state.teaching_input or told
+
+
+def working(view: RecoveryView) -> Params | None:
+    """The program is busy with the arm."""
+    busy = view.operating_state.busy
+    return None if busy is None else {"what": busy.value}
+
+
+def unknown_status(view: RecoveryView) -> Params | None:
+    """The arm reports a status code that the protocol does not list."""
+    known = view.code in frozenset(ArmStatusCode)
+    return None if known or view.code is None else {"status": view.code}
+
+
+def other_control(view: RecoveryView) -> Params | None:
+    """The arm is in a control mode that takes no motions."""
+    mode = None if view.status is None else view.status.control_mode
+    if mode is None or mode in interlocks.MOVABLE_MODES or mode == ControlMode.TEACHING:
+        return None
+    return {"mode": mode}
+
+
+def not_heard(view: RecoveryView) -> bool:
+    """Whether something is silent that a motion counts on."""
+    silent = view.operating_state.cannot_send_motion
+    return view.status is None or (silent is not None and silent.code == "feedback_silent")
+
+
+def other_mode(view: RecoveryView) -> Params | None:
+    """Another host has put the joints into MIT, CPV or high-follow."""
+    other = view.operating_state.other_host
+    if other is None or other.reason.code != "other_mode":
+        return None
+    return {"other_mode": other.reason.params["other_mode"]}
+
+
+def other_host_is(code: str) -> Applies:
+    """Another host moves the arm, for one reason."""
+
+    def applies(view: RecoveryView) -> Params | None:
+        other = view.operating_state.other_host
+        if other is None or other.reason.code != code:
+            return None
+        since = f"{other.since:%H:%M:%S}"
+        return {"frames": other.frames, "since": since, "rate": other.rate_hz}
+
+    return applies
+
+
+def held_back(hold: Hold) -> Applies:
+    """A motion is held back, and not by a run, which has a pause of its own."""
+
+    def applies(view: RecoveryView) -> Params | None:
+        operating_state = view.operating_state
+        if hold not in operating_state.holds or operating_state.running:
+            return None
+        return {"target": operating_state.held_target_deg}
+
+    return applies
+
+
+def near_rest(view: RecoveryView) -> bool:
+    """Led by hand, and near the rest pose."""
+    farthest = farthest_from_rest(view.state)
+    return view.in_drag_mode and farthest is not None and abs(farthest[1]) <= NEAR_REST_DEG
+
+
+def far_from_rest(condition: Callable[[RecoveryView], bool]) -> Applies:
+    """Led by hand, away from the rest pose, and a condition holds."""
+
+    def applies(view: RecoveryView) -> Params | None:
+        farthest = farthest_from_rest(view.state)
+        if farthest is None or not view.in_drag_mode or not condition(view):
+            return None
+        joint, angle_deg = farthest
+        return {"joint": joint, "angle": angle_deg, "near": f"{NEAR_REST_DEG:g}"}
+
+    return applies
+
+
+def motors_mixed(view: RecoveryView) -> list[bool]:
+    """Which motors are off while others are on."""
+    enabled = view.operating_state.enabled
+    return [on is False and any(enabled) for on in enabled]
+
+
+overspeed = has_code(ArmStatusCode.OVERSPEED_WHILE_TEACHING)
