@@ -32,6 +32,7 @@ from armui.ui.shell.leaving import end_motion_then, end_single_motion_then
 from armui.ui.shell.library_button import LibraryButton
 from armui.ui.shell.operation_area import OperationArea
 from armui.ui.shell.panel_menu import PanelMaker
+from armui.ui.shell.plots_button import PlotsButton
 from armui.ui.shell.recovery_line import RecoveryLine
 from armui.ui.shell.side_menu import SideMenu
 from armui.ui.shell.status_bar import StatusBar
@@ -42,7 +43,6 @@ from armui.ui.theme import DARK, colors_of
 from armui.ui.trajectory.preview.path_preview import PathPreview
 from armui.ui.trajectory.preview.preview_bar import PreviewBar
 from armui.ui.widgets.curve_menu import offer_curves
-from armui.ui.widgets.plots_button import PlotsButton
 from armui.viewport import palette as scene_palette
 
 if TYPE_CHECKING:

@@ -857,6 +857,20 @@
     </message>
 </context>
 <context>
+    <name>CursorTable</name>
+    <message>
+        <source>Quantity</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CurveMenu</name>
+    <message>
+        <source>Show as curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Device</name>
     <message>
         <source>Simulated arm, gen. {generation}</source>
@@ -900,6 +914,13 @@
     <message>
         <source>Connection lost</source>
         <translation>连接断开</translation>
+    </message>
+</context>
+<context>
+    <name>DropStrip</name>
+    <message>
+        <source>Drag a quantity into a plot, or here for a plot of its own</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3416,6 +3437,170 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
 </context>
 <context>
+    <name>PlotBar</name>
+    <message>
+        <source>Did it follow?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What got hot?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why did it stop?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where was the tool?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is the bus well?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Own arrangement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots that answer a question</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How long a time is shown; the mouse wheel changes it, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo zoom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a frame in a plot to zoom in. Back to what was shown before: Ctrl+Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two upright lines to be dragged; the table below tells the values at them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished">保存</translation>
+    </message>
+    <message>
+        <source>Values as CSV…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture as PNG…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture as SVG…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy values at the cursors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PlotExport</name>
+    <message>
+        <source>Save the plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not saved. {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PlotWindow</name>
+    <message>
+        <source>The arrangement of the plots could not be kept: {text}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Into a plot of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit the height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo zoom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove plot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are {count} plots already: remove one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A plot takes {count} curves, so that they can be told apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PlotsButton</name>
+    <message>
+        <source>Curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was heard and commanded in the last half hour. The right button on any figure shows it here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>PointEdits</name>
     <message>
         <source>Replace by current pose</source>
@@ -3635,6 +3820,280 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>Close preview</source>
         <translation>关闭预览</translation>
+    </message>
+</context>
+<context>
+    <name>Quantity</name>
+    <message>
+        <source>angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End RX</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End RY</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End RZ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed percentage</source>
+        <translation type="unfinished">速度百分比</translation>
+    </message>
+    <message>
+        <source>Trajectory point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joints beyond limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joints without communication</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Control mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm status</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teaching state</source>
+        <translation type="unfinished">示教状态</translation>
+    </message>
+    <message>
+        <source>Target not reached</source>
+        <translation type="unfinished">未达指定点</translation>
+    </message>
+    <message>
+        <source>Gripper opening</source>
+        <translation type="unfinished">夹爪开口</translation>
+    </message>
+    <message>
+        <source>Gripper torque</source>
+        <translation type="unfinished">夹爪扭矩</translation>
+    </message>
+    <message>
+        <source>Gripper angle</source>
+        <translation type="unfinished">夹爪角度</translation>
+    </message>
+    <message>
+        <source>Gripper speed</source>
+        <translation type="unfinished">夹爪速度</translation>
+    </message>
+    <message>
+        <source>Gripper faults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gripper enabled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motor speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motor current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motor position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>supply voltage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>driver temperature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motor temperature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>supply current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>driver faults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>enabled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part in linear speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part in angular speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part in linear acceleration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part in angular acceleration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MIT position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MIT speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MIT torque</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MIT kp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MIT kd</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames on the bus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bus load, without stuff bits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name}, our command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name}, other host&apos;s command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>our command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>other host&apos;s command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation type="unfinished">测量</translation>
+    </message>
+    <message>
+        <source>Commanded by this program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commanded by other hosts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>voltage too low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motor too hot</source>
+        <translation type="unfinished">电机过温</translation>
+    </message>
+    <message>
+        <source>overcurrent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>driver too hot</source>
+        <translation type="unfinished">驱动器过温</translation>
+    </message>
+    <message>
+        <source>sensor fault</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>driver error</source>
+        <translation type="unfinished">驱动器错误</translation>
+    </message>
+    <message>
+        <source>collision protection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stall protection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>QuantityList</name>
+    <message>
+        <source>Search</source>
+        <translation type="unfinished">搜索</translation>
+    </message>
+    <message>
+        <source>Quantities</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag into a plot, or double-click to add to the chosen one</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
