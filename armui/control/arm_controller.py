@@ -75,7 +75,6 @@ class ArmController(QObject):
         simulated: Arms made of software, listed with the devices found.
         find: The search for devices.
         clock: Monotonic time in seconds.
-        telemetry: Keeps what is heard and commanded; one of its own by default.
 
     Attributes:
         motion: Moves the joints.
@@ -120,19 +119,17 @@ class ArmController(QObject):
         find: Callable[[], list[Device]] | None = None,
         clock: Callable[[], float] = steady_s,
         parent: QObject | None = None,
-        *,
-        telemetry: Telemetry | None = None,
     ) -> None:
         super().__init__(parent)
         self._clock = clock
-        self._telemetry = telemetry
         self._finder = DeviceFinder(simulated, find, self)
         self._finder.found.connect(self.devices_found)
         self._finder.searching_changed.connect(self.searching_changed)
-        self._connection = Connection(opener, clock, self, tap=lambda: self.telemetry)
+        self._connection = Connection(opener, clock, self)
         self._connection.changed.connect(self._on_connection)
         self._connection.arm_came.connect(self._on_arm_came)
-        self._stop = Stopping(self._connection, self._notice, clock, self._halt_parts)
+        halt_parts = lambda: self._parts.halt()  # noqa: E731, PLW0108 - they are made further down
+        self._stop = Stopping(self._connection, self._notice, clock, halt_parts)
         authority = self._authority = Authority()
         self._watch = AuthorityWatch(authority, self._connection, self._notice, self._end_too_fast)
         context = self._context = Context(
@@ -187,13 +184,10 @@ class ArmController(QObject):
         )
         self._parts = Parts(parts, self._notice, lambda module: end_motion_of(self, [module]))
         self._link_watch = LinkWatch(self._connection, self._notice)
-        self._was_stopped = False
-        self._lets_finish = False
+        self._was_stopped = self._lets_finish = False
         self._state = ArmState()
         self._operating_state = OperatingState(speed_percent=self.motion.speed_percent)
-        self._timer = QTimer(self)
-        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
-        self._timer.setInterval(_TICK_MS)
+        self._timer = QTimer(self, interval=_TICK_MS, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self.tick)
 
     @property
@@ -202,19 +196,14 @@ class ArmController(QObject):
         return self._state
 
     @property
+    def telemetry(self) -> Telemetry:
+        """What was heard and commanded, over time."""
+        return self._connection.telemetry
+
+    @property
     def operating_state(self) -> OperatingState:
         """What the operator can do now."""
         return self._operating_state
-
-    @property
-    def telemetry(self) -> Telemetry:
-        """What was heard and commanded, over time."""
-        if self._telemetry is None:
-            # numpy and cantools are loaded with the first device: the window starts without them
-            from armui.telemetry.store import Telemetry  # noqa: PLC0415
-
-            self._telemetry = Telemetry(self._clock)
-        return self._telemetry
 
     # Devices ----------------------------------------------------------------------------------
 
@@ -378,9 +367,6 @@ class ArmController(QObject):
         self.player.stop()
         self.replayer.stop()
         self.jogging.stop()
-
-    def _halt_parts(self) -> None:
-        self._parts.halt()
 
     def _end_all_motion(self) -> None:
         """No part goes on with what a halt has ended, and no target comes back."""

@@ -151,7 +151,7 @@ class MainWindow(QMainWindow):
         self._menu.chosen.connect(self._on_entry_chosen)
         self._joint_status_button.clicked.connect(self.open_joint_status_dialog)
         self._library_button.clicked.connect(self.open_library_window)
-        self._plots_button.clicked.connect(self.open_plot_window)
+        self._plots_button.clicked.connect(lambda: self.show_as_curves(()))
         self._view_region.help_wanted.connect(self.open_help_dialog)
         self._view_region.reset_wanted.connect(self._view.reset_view)
         self._view_region.settings_wanted.connect(self.open_settings_dialog)
@@ -268,25 +268,15 @@ class MainWindow(QMainWindow):
 
         self._open("library", make)
 
-    def open_plot_window(self) -> None:
-        """Show the window 曲线."""
-
-        def make() -> QDialog:
-            from armui.ui.watch.plot_window import PlotWindow  # noqa: PLC0415 - pyqtgraph, numpy
-
-            background = Background(self._workers, self._files, self)
-            call = self._files.call if isinstance(self._files, FileThread) else None
-            settings = self._preferences.path
-            return PlotWindow(self._controller, background, settings, self, call)
-
-        self._open("plots", make)
-
     def show_as_curves(self, keys: Sequence[str]) -> None:
         """Show quantities in the window 曲线, by their keys (`armui.telemetry.quantities`)."""
-        from armui.ui.watch.plot_window import PlotWindow  # noqa: PLC0415 - as above
+        from armui.ui.watch.plot_window import PlotWindow  # noqa: PLC0415 - pyqtgraph, numpy
 
-        self.open_plot_window()
-        window = self._dialogs["plots"]
+        def make() -> QDialog:
+            background = Background(self._workers, self._files, self)
+            return PlotWindow(self._controller, background, self._preferences.path, self)
+
+        window = self._open("plots", make)
         if isinstance(window, PlotWindow):
             window.add_curves(keys)
 
@@ -320,11 +310,12 @@ class MainWindow(QMainWindow):
         """Say what stood in the program's way, in the status bar."""
         self._status_bar.show_problem(reason)
 
-    def _open(self, name: str, make: Callable[[], QDialog]) -> None:
+    def _open(self, name: str, make: Callable[[], QDialog]) -> QDialog:
         """Show a dialog, made at the first time."""
         if name not in self._dialogs:
             self._dialogs[name] = make()
         self._dialogs[name].open()
+        return self._dialogs[name]
 
     # -- window -------------------------------------------------------------------------------
 

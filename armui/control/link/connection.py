@@ -22,10 +22,10 @@ from armui.protocol.generation import Generation
 
 if TYPE_CHECKING:
     from armui.bus.samples import SampleRing
-    from armui.bus.tap import Tap
     from armui.bus.worker import BusWorker, Opener
     from armui.control.link.handshake import Handshake
     from armui.protocol.codec import Codec
+    from armui.telemetry.store import Telemetry
 
 
 _CLOSE_MS: Final = 100
@@ -37,11 +37,6 @@ _OPEN_CODES: Final = {BusState.LOST: "reconnected", BusState.BLOCKED: "bus_unblo
 
 class Connection(QObject):
     """The way to an arm.
-
-    Args:
-        opener: Opens a device.
-        clock: Monotonic time in seconds.
-        tap: Who else is told of every frame; asked for when a device is opened.
 
     Signals:
         changed: A :class:`BusReport` and the code of the notice it is worth.
@@ -55,16 +50,10 @@ class Connection(QObject):
     arm_came = Signal()
 
     def __init__(
-        self,
-        opener: Opener,
-        clock: Callable[[], float],
-        parent: QObject | None = None,
-        *,
-        tap: Callable[[], Tap] | None = None,
+        self, opener: Opener, clock: Callable[[], float], parent: QObject | None = None
     ) -> None:
         super().__init__(parent)
-        self._make_tap = tap
-        self._tap: Tap | None = None
+        self._telemetry: Telemetry | None = None
         self._opener = opener
         self._clock = clock
         self._worker: BusWorker | None = None
@@ -80,6 +69,16 @@ class Connection(QObject):
         self.handshake: Handshake | None = None
         self._codec: Codec | None = None
         self.offsets = OffsetFollower()
+
+    @property
+    def telemetry(self) -> Telemetry:
+        """What was heard and commanded, over time, from the first device on."""
+        if self._telemetry is None:
+            # numpy and cantools are loaded with the first device: the window starts without them
+            from armui.telemetry.store import Telemetry  # noqa: PLC0415
+
+            self._telemetry = Telemetry(self._clock)
+        return self._telemetry
 
     @property
     def codec(self) -> Codec:
@@ -138,7 +137,6 @@ class Connection(QObject):
 
         self.device = device
         self.problem = None
-        self._tap = None if self._make_tap is None else self._make_tap()
         self._codec = Codec(Generation.TWO)
         self.offsets = OffsetFollower()
         self._bus_state = BusState.OPENING
@@ -151,7 +149,7 @@ class Connection(QObject):
             self._clock,
             listen_only=device.listen_only,
             number=self._worker_number,
-            tap=self._tap,
+            tap=self.telemetry,
         )
         self._tell_generation()
         self._worker.reported.connect(self._on_report)
@@ -256,8 +254,7 @@ class Connection(QObject):
         return self.newest
 
     def _tell_generation(self) -> None:
-        if self._tap is not None:
-            self._tap.know_generation(self.generation)
+        self.telemetry.know_generation(self.generation)
 
     def _understood(self, state: ArmState) -> ArmState:
         """What can be told of the arm as long as it is not known which protocol it speaks."""

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from datetime import datetime, timedelta
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QGuiApplication, QImage
@@ -28,12 +28,7 @@ if TYPE_CHECKING:
     from armui.ui.background import Background
     from armui.ui.watch.plot_board import PlotBoard
 
-Call = Callable[..., Any]
 _FILTERS: Final = {"csv": "CSV (*.csv)", "png": "PNG (*.png)", "svg": "SVG (*.svg)"}
-
-
-def _call_here(function: Callable[..., Any], *args: Any) -> Any:
-    return function(*args)
 
 
 class PlotExport(QObject):
@@ -44,7 +39,6 @@ class PlotExport(QObject):
         board: What is shown.
         background: Where it is drawn and written.
         window: Whom the file chooser belongs to.
-        call: Calls what computes for long; from the thread that writes files.
 
     Signals:
         said: What has become of it, and its :class:`Level`.
@@ -58,7 +52,6 @@ class PlotExport(QObject):
         board: PlotBoard,
         background: Background,
         window: QWidget,
-        call: Call = _call_here,
     ) -> None:
         super().__init__(window)
         self._controller = controller
@@ -66,7 +59,6 @@ class PlotExport(QObject):
         self._board = board
         self._background = background
         self._window = window
-        self._call = call
 
     def save(self, kind: str) -> None:
         """Let the operator say where to, and write it there; ``kind`` is csv, png or svg."""
@@ -123,12 +115,12 @@ class PlotExport(QObject):
         edge = self._edge(edge_s, now_s)
         keys = dict.fromkeys(key for plot in self._board.plot_layout.plots for key in plot)
         titles = [(key, _title(key)) for key in keys]
-        telemetry, call = self._telemetry, self._call
+        telemetry, call = self._telemetry, self._background.call
         span = (edge_s + shown.begin_s, edge_s + shown.end_s)
 
         def work() -> int:
             table = value_table.columns(telemetry, titles, *span)
-            return int(call(value_table.write_csv, path, table, edge_s, edge))
+            return call(value_table.write_csv, path, table, edge_s, edge)
 
         return work
 

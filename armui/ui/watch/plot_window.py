@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QPoint, QSize, Qt, QTimer, Signal
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QVBoxLayout, QWidget
@@ -27,7 +27,6 @@ if TYPE_CHECKING:
 
     from armui.control.arm_controller import ArmController
     from armui.ui.background import Background
-    from armui.ui.watch.plot_export import Call
 
 _SIZE: Final = QSize(1180, 760)
 _KEEP_AFTER_MS: Final = 1000
@@ -41,7 +40,6 @@ class PlotWindow(ArmDialog):
         background: Where files are read and written.
         settings: The file of the operator's settings: the plots are kept beside it.
         parent: The main window.
-        call: Calls what computes for long; from the thread that writes files.
 
     Attributes:
         board: The plots.
@@ -55,7 +53,6 @@ class PlotWindow(ArmDialog):
         background: Background,
         settings: Path,
         parent: QWidget | None = None,
-        call: Call | None = None,
     ) -> None:
         super().__init__(controller, parent)
         self.setObjectName("plot_window")
@@ -71,8 +68,7 @@ class PlotWindow(ArmDialog):
         self._message = MessageLine()
         self._message.setObjectName("plot_message")
         self._message.hide()
-        how: dict[str, Any] = {} if call is None else {"call": call}
-        self.export = PlotExport(controller, self.board, background, self, **how)
+        self.export = PlotExport(controller, self.board, background, self)
         self._keep_timer = QTimer(self, singleShot=True, interval=_KEEP_AFTER_MS)
         self._lay_out()
         self._connect()
