@@ -128,8 +128,7 @@ class ArmController(QObject):
         self._connection = Connection(opener, clock, self)
         self._connection.changed.connect(self._on_connection)
         self._connection.arm_came.connect(self._on_arm_came)
-        halt_parts = lambda: self._parts.halt()  # noqa: E731, PLW0108 - they are made further down
-        self._stop = Stopping(self._connection, self._notice, clock, halt_parts)
+        self._stop = Stopping(self._connection, self._notice, clock, lambda: self._parts.halt())  # noqa: PLW0108
         authority = self._authority = Authority()
         self._watch = AuthorityWatch(authority, self._connection, self._notice, self._end_too_fast)
         context = self._context = Context(
