@@ -41,10 +41,10 @@ def by_hand(written, exponent, begin, end):
     lows, highs = {}, {}
     for at_s, value, _code in written:
         number = math.floor(at_s / width_s)
-        value = float(np.float32(value))
+        kept = float(np.float32(value))
         if begin <= number < end:
-            lows[number] = np.fmin(lows.get(number, math.nan), value)
-            highs[number] = np.fmax(highs.get(number, math.nan), value)
+            lows[number] = np.fmin(lows.get(number, math.nan), kept)
+            highs[number] = np.fmax(highs.get(number, math.nan), kept)
     empty = [math.nan] * (end - begin)
     low, high = list(empty), list(empty)
     for number, value in lows.items():

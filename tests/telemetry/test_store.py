@@ -5,7 +5,7 @@ import math
 import pytest
 
 from armui.arm.limits import JOINTS
-from armui.protocol.codec import Codec, InvalidFrame, OddityKind, Message
+from armui.protocol.codec import Codec, InvalidFrame, Message, OddityKind
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.telemetry.quantities import QUANTITIES, RECORDS, Source
@@ -13,7 +13,7 @@ from armui.telemetry.store import Telemetry
 from tests.telemetry.motions import Clock, angle, feed, telemetry_at
 
 FEEDBACK_MB = 136
-"""Of an arm, as README says; without 0x481–0x486, which are sent only while they are switched on."""
+"""Of an arm; without 0x481–0x486, which are sent only while they are switched on."""
 MOST_MB = 384
 """Whatever is heard: every command of this program and of others at full rate beside it."""
 

@@ -92,11 +92,11 @@ class TimeViewBox(pg.ViewBox):  # type: ignore[misc]
 
     def _draw_frame(self, ev: Any) -> None:
         corners = QRectF(QPointF(ev.buttonDownPos()), QPointF(ev.pos())).normalized()
-        corners = corners.intersected(self.rect())
         flat = corners.height() < _FLAT_PX
         if flat:
             corners.setTop(self.rect().top())
             corners.setBottom(self.rect().bottom())
+        corners = corners.intersected(self.rect())
         self._frame.setRect(corners)
         self._frame.setVisible(not ev.isFinish())
         if ev.isFinish():

@@ -6,17 +6,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QMimeData, QPoint, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QDrag, QFontMetricsF, QPainter
+from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter
 from PySide6.QtWidgets import QApplication, QSizePolicy, QWidget
 
 from armui.ui.theme import colors_of, scaled_font
+from armui.ui.watch.carrying import carry_away
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QMouseEvent, QPaintEvent, QResizeEvent
-
-MIME: Final = "application/x-armui-quantities"
-"""Keys of quantities, one a line; a plot they are taken from stands behind a tab."""
 
 _SWATCH_PX: Final = 14.0
 _GAP_PX: Final = 6.0
@@ -42,25 +40,6 @@ class Entry:
     color: str
     value: str = ""
     stale: bool = False
-
-
-def mime_of(keys: Sequence[str], plot: int | None = None) -> QMimeData:
-    """Quantities on their way into a plot."""
-    data = QMimeData()
-    text = "\n".join(keys) if plot is None else "\n".join(f"{key}\t{plot}" for key in keys)
-    data.setData(MIME, text.encode())
-    return data
-
-
-def from_mime(data: QMimeData) -> tuple[list[str], int | None]:
-    """Which quantities come, and from which plot; none of what is anything else."""
-    if not data.hasFormat(MIME):
-        return [], None
-    lines = bytes(data.data(MIME).data()).decode("utf-8", "replace").splitlines()
-    parts = [line.partition("\t") for line in lines]
-    plots = {plot for _key, _tab, plot in parts}
-    plot = next(iter(plots)) if len(plots) == 1 else ""
-    return [key for key, _tab, _plot in parts], int(plot) if plot.isdecimal() else None
 
 
 class Legend(QWidget):
@@ -177,9 +156,12 @@ class Legend(QWidget):
         painter.end()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """A drag may begin."""
-        if event.button() == Qt.MouseButton.LeftButton:
-            self._pressed = event.position().toPoint()
+        """A drag may begin; between the entries the press is the plot's."""
+        place = event.position().toPoint()
+        if event.button() == Qt.MouseButton.LeftButton and self.key_at(place) is not None:
+            self._pressed = place
+        else:
+            event.ignore()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Take a quantity to another plot."""
@@ -190,9 +172,7 @@ class Legend(QWidget):
         far = (now - pressed).manhattanLength() >= QApplication.startDragDistance()
         if key is not None and far:
             self._pressed = None
-            drag = QDrag(self)
-            drag.setMimeData(mime_of([key], self._plot))
-            drag.exec(Qt.DropAction.MoveAction)
+            carry_away(self, [key], self._plot)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """A click without a drag chooses."""

@@ -12,12 +12,13 @@ from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 from armui.arm.state import is_fresh
 from armui.telemetry.quantities import QUANTITIES
 from armui.ui.theme import DARK, colors_of
+from armui.ui.watch.carrying import from_mime
 from armui.ui.watch.curve_cache import CurveCache
 from armui.ui.watch.curves_item import DrawnCurve, polygon
 from armui.ui.watch.figure import FigurePlot
 from armui.ui.watch.graph import Graph
 from armui.ui.watch.heights import AutoHeight, together
-from armui.ui.watch.legend import Entry, Legend, from_mime
+from armui.ui.watch.legend import Entry, Legend
 from armui.ui.widgets import painting
 from armui.ui.words import quantities as names
 

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QMimeData, QModelIndex, QSortFilterProxyModel, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QModelIndex, QSortFilterProxyModel, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QStandardItem, QStandardItemModel
 from PySide6.QtWidgets import QAbstractItemView, QLineEdit, QTreeView, QVBoxLayout, QWidget
 
 from armui.telemetry.quantities import QUANTITIES, Source
 from armui.ui.theme import colors_of
-from armui.ui.watch.legend import mime_of
+from armui.ui.watch.carrying import carry_away
 from armui.ui.words import quantities as names
 
 if TYPE_CHECKING:
@@ -25,15 +25,16 @@ _LOOK_MS: Final = 1000
 _WIDTH_PX: Final = 250
 
 
-class _Model(QStandardItemModel):
-    """What is dragged are the keys."""
+class _Tree(QTreeView):
+    """What is dragged from it are keys."""
 
-    def mimeData(self, indexes: Sequence[QModelIndex]) -> QMimeData:  # noqa: N802 - the name Qt calls
-        """The keys of what is dragged, each once."""
+    def startDrag(self, _actions: Qt.DropAction) -> None:  # noqa: N802 - the name Qt calls
+        """Carry away what is chosen, each once."""
         keys: list[str] = []
-        for index in indexes:
+        for index in self.selectedIndexes():
             keys += index.data(KEYS_ROLE) or ()
-        return mime_of(list(dict.fromkeys(keys)))
+        if keys:
+            carry_away(self, list(dict.fromkeys(keys)))
 
 
 class QuantityList(QWidget):
@@ -56,13 +57,13 @@ class QuantityList(QWidget):
         self.search = QLineEdit()
         self.search.setObjectName("quantity_search")
         self.search.setClearButtonEnabled(True)
-        self._model = _Model(self)
+        self._model = QStandardItemModel(self)
         self._shown = QSortFilterProxyModel(self)
         self._shown.setSourceModel(self._model)
         self._shown.setRecursiveFilteringEnabled(True)
         self._shown.setAutoAcceptChildRows(True)
         self._shown.setFilterCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
-        self.tree = QTreeView()
+        self.tree = _Tree()
         self.tree.setObjectName("quantity_tree")
         self.tree.setModel(self._shown)
         self.tree.setHeaderHidden(True)

@@ -94,13 +94,13 @@ class TimeFrame:
         heights: Range | None = None,
     ) -> None:
         """Show a part of the time, and of one plot a part of its height; it stands still then."""
-        begin_s, end_s = min(begin_s, end_s), max(begin_s, end_s)
+        begin_s, end_s = min(begin_s, end_s), min(max(begin_s, end_s), 0.0)
         if end_s - begin_s < _SHORTEST_S:
             return
         ranges = dict(self._shown.ranges)
         if heights is not None and heights[0] < heights[1]:
             ranges[plot] = heights
-        self._go(Shown(self.edge_s(now_s), begin_s, min(end_s, 0.0), ranges))
+        self._go(Shown(self.edge_s(now_s), begin_s, end_s, ranges))
 
     def zoom_height(self, plot: int, heights: Range | None) -> None:
         """Show a part of one plot's height; ``None``: all of it."""
