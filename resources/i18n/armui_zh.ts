@@ -860,14 +860,14 @@
     <name>CursorTable</name>
     <message>
         <source>Quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>量</translation>
     </message>
 </context>
 <context>
     <name>CurveMenu</name>
     <message>
         <source>Show as curve</source>
-        <translation type="unfinished"></translation>
+        <translation>显示为曲线</translation>
     </message>
 </context>
 <context>
@@ -920,7 +920,7 @@
     <name>DropStrip</name>
     <message>
         <source>Drag a quantity into a plot, or here for a plot of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>将量拖入图中，或拖到此处新建一张图</translation>
     </message>
 </context>
 <context>
@@ -3440,63 +3440,63 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <name>PlotBar</name>
     <message>
         <source>Did it follow?</source>
-        <translation type="unfinished"></translation>
+        <translation>跟上了吗？</translation>
     </message>
     <message>
         <source>What got hot?</source>
-        <translation type="unfinished"></translation>
+        <translation>哪里发热了？</translation>
     </message>
     <message>
         <source>Why did it stop?</source>
-        <translation type="unfinished"></translation>
+        <translation>为什么停了？</translation>
     </message>
     <message>
         <source>Where was the tool?</source>
-        <translation type="unfinished"></translation>
+        <translation>末端在哪里？</translation>
     </message>
     <message>
         <source>Is the bus well?</source>
-        <translation type="unfinished"></translation>
+        <translation>总线正常吗？</translation>
     </message>
     <message>
         <source>Own arrangement</source>
-        <translation type="unfinished"></translation>
+        <translation>自定义布局</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>暂停</translation>
     </message>
     <message>
         <source>Go on</source>
-        <translation type="unfinished"></translation>
+        <translation>继续</translation>
     </message>
     <message>
         <source>Plots that answer a question</source>
-        <translation type="unfinished"></translation>
+        <translation>回答一个问题的一组图</translation>
     </message>
     <message>
         <source>How long a time is shown; the mouse wheel changes it, too</source>
-        <translation type="unfinished"></translation>
+        <translation>显示的时间长度；也可用鼠标滚轮改变</translation>
     </message>
     <message>
         <source>Time shown</source>
-        <translation type="unfinished"></translation>
+        <translation>显示时长</translation>
     </message>
     <message>
         <source>Undo zoom</source>
-        <translation type="unfinished"></translation>
+        <translation>撤销缩放</translation>
     </message>
     <message>
         <source>Drag a frame in a plot to zoom in. Back to what was shown before: Ctrl+Z</source>
-        <translation type="unfinished"></translation>
+        <translation>在图中拖出方框即可放大。返回之前的显示：Ctrl+Z</translation>
     </message>
     <message>
         <source>Cursors</source>
-        <translation type="unfinished"></translation>
+        <translation>游标</translation>
     </message>
     <message>
         <source>Two upright lines to be dragged; the table below tells the values at them</source>
-        <translation type="unfinished"></translation>
+        <translation>两条可拖动的竖线；下方表格显示该处的数值</translation>
     </message>
     <message>
         <source>Save</source>
@@ -3504,100 +3504,100 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
     <message>
         <source>Values as CSV…</source>
-        <translation type="unfinished"></translation>
+        <translation>数值存为 CSV…</translation>
     </message>
     <message>
         <source>Picture as PNG…</source>
-        <translation type="unfinished"></translation>
+        <translation>图片存为 PNG…</translation>
     </message>
     <message>
         <source>Picture as SVG…</source>
-        <translation type="unfinished"></translation>
+        <translation>图片存为 SVG…</translation>
     </message>
     <message>
         <source>Copy picture</source>
-        <translation type="unfinished"></translation>
+        <translation>复制图片</translation>
     </message>
     <message>
         <source>Copy values at the cursors</source>
-        <translation type="unfinished"></translation>
+        <translation>复制游标处的数值</translation>
     </message>
     <message>
         <source>{count} min</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} 分钟</translation>
     </message>
     <message>
         <source>{count} s</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} 秒</translation>
     </message>
 </context>
 <context>
     <name>PlotExport</name>
     <message>
         <source>Save the plots</source>
-        <translation type="unfinished"></translation>
+        <translation>保存曲线</translation>
     </message>
     <message>
         <source>Copied</source>
-        <translation type="unfinished"></translation>
+        <translation>已复制</translation>
     </message>
     <message>
         <source>Not saved. {reason}</source>
-        <translation type="unfinished"></translation>
+        <translation>未保存。{reason}</translation>
     </message>
     <message>
         <source>Saved: {path}</source>
-        <translation type="unfinished"></translation>
+        <translation>已保存：{path}</translation>
     </message>
 </context>
 <context>
     <name>PlotWindow</name>
     <message>
         <source>The arrangement of the plots could not be kept: {text}</source>
-        <translation type="unfinished"></translation>
+        <translation>无法保存曲线布局：{text}</translation>
     </message>
     <message>
         <source>Remove curve</source>
-        <translation type="unfinished"></translation>
+        <translation>移除曲线</translation>
     </message>
     <message>
         <source>Into a plot of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>移到单独的图</translation>
     </message>
     <message>
         <source>Fit the height</source>
-        <translation type="unfinished"></translation>
+        <translation>适应高度</translation>
     </message>
     <message>
         <source>Undo zoom</source>
-        <translation type="unfinished"></translation>
+        <translation>撤销缩放</translation>
     </message>
     <message>
         <source>Remove plot</source>
-        <translation type="unfinished"></translation>
+        <translation>移除此图</translation>
     </message>
     <message>
         <source>There are {count} plots already: remove one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>已有 {count} 张图：请先移除一张。</translation>
     </message>
     <message>
         <source>A plot takes {count} curves, so that they can be told apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>为便于区分，一张图最多 {count} 条曲线。</translation>
     </message>
     <message>
         <source>Curves</source>
-        <translation type="unfinished"></translation>
+        <translation>曲线</translation>
     </message>
 </context>
 <context>
     <name>PlotsButton</name>
     <message>
         <source>Curves</source>
-        <translation type="unfinished"></translation>
+        <translation>曲线</translation>
     </message>
     <message>
         <source>What was heard and commanded in the last half hour. The right button on any figure shows it here.</source>
-        <translation type="unfinished"></translation>
+        <translation>最近半小时的反馈与指令。在任意数值上按右键即可在此显示。</translation>
     </message>
 </context>
 <context>
@@ -3826,31 +3826,31 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <name>Quantity</name>
     <message>
         <source>angle</source>
-        <translation type="unfinished"></translation>
+        <translation>角度</translation>
     </message>
     <message>
         <source>End X</source>
-        <translation type="unfinished"></translation>
+        <translation>末端 X</translation>
     </message>
     <message>
         <source>End Y</source>
-        <translation type="unfinished"></translation>
+        <translation>末端 Y</translation>
     </message>
     <message>
         <source>End Z</source>
-        <translation type="unfinished"></translation>
+        <translation>末端 Z</translation>
     </message>
     <message>
         <source>End RX</source>
-        <translation type="unfinished"></translation>
+        <translation>末端 RX</translation>
     </message>
     <message>
         <source>End RY</source>
-        <translation type="unfinished"></translation>
+        <translation>末端 RY</translation>
     </message>
     <message>
         <source>End RZ</source>
-        <translation type="unfinished"></translation>
+        <translation>末端 RZ</translation>
     </message>
     <message>
         <source>Speed percentage</source>
@@ -3858,27 +3858,27 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
     <message>
         <source>Trajectory point</source>
-        <translation type="unfinished"></translation>
+        <translation>轨迹点</translation>
     </message>
     <message>
         <source>Joints beyond limit</source>
-        <translation type="unfinished"></translation>
+        <translation>超限关节</translation>
     </message>
     <message>
         <source>Joints without communication</source>
-        <translation type="unfinished"></translation>
+        <translation>通信异常关节</translation>
     </message>
     <message>
         <source>Control mode</source>
-        <translation type="unfinished"></translation>
+        <translation>控制模式</translation>
     </message>
     <message>
         <source>Arm status</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂状态</translation>
     </message>
     <message>
         <source>Move mode</source>
-        <translation type="unfinished"></translation>
+        <translation>运动模式</translation>
     </message>
     <message>
         <source>Teaching state</source>
@@ -3906,119 +3906,119 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
     <message>
         <source>Gripper faults</source>
-        <translation type="unfinished"></translation>
+        <translation>夹爪故障</translation>
     </message>
     <message>
         <source>Gripper enabled</source>
-        <translation type="unfinished"></translation>
+        <translation>夹爪使能</translation>
     </message>
     <message>
         <source>motor speed</source>
-        <translation type="unfinished"></translation>
+        <translation>电机转速</translation>
     </message>
     <message>
         <source>motor current</source>
-        <translation type="unfinished"></translation>
+        <translation>电机电流</translation>
     </message>
     <message>
         <source>motor position</source>
-        <translation type="unfinished"></translation>
+        <translation>电机位置</translation>
     </message>
     <message>
         <source>supply voltage</source>
-        <translation type="unfinished"></translation>
+        <translation>电源电压</translation>
     </message>
     <message>
         <source>driver temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>驱动器温度</translation>
     </message>
     <message>
         <source>motor temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>电机温度</translation>
     </message>
     <message>
         <source>supply current</source>
-        <translation type="unfinished"></translation>
+        <translation>母线电流</translation>
     </message>
     <message>
         <source>driver faults</source>
-        <translation type="unfinished"></translation>
+        <translation>驱动器故障</translation>
     </message>
     <message>
         <source>enabled</source>
-        <translation type="unfinished"></translation>
+        <translation>使能</translation>
     </message>
     <message>
         <source>part in linear speed</source>
-        <translation type="unfinished"></translation>
+        <translation>末端线速度分量</translation>
     </message>
     <message>
         <source>part in angular speed</source>
-        <translation type="unfinished"></translation>
+        <translation>末端角速度分量</translation>
     </message>
     <message>
         <source>part in linear acceleration</source>
-        <translation type="unfinished"></translation>
+        <translation>末端线加速度分量</translation>
     </message>
     <message>
         <source>part in angular acceleration</source>
-        <translation type="unfinished"></translation>
+        <translation>末端角加速度分量</translation>
     </message>
     <message>
         <source>MIT position</source>
-        <translation type="unfinished"></translation>
+        <translation>MIT 位置</translation>
     </message>
     <message>
         <source>MIT speed</source>
-        <translation type="unfinished"></translation>
+        <translation>MIT 速度</translation>
     </message>
     <message>
         <source>MIT torque</source>
-        <translation type="unfinished"></translation>
+        <translation>MIT 扭矩</translation>
     </message>
     <message>
         <source>MIT kp</source>
-        <translation type="unfinished"></translation>
+        <translation>MIT kp</translation>
     </message>
     <message>
         <source>MIT kd</source>
-        <translation type="unfinished"></translation>
+        <translation>MIT kd</translation>
     </message>
     <message>
         <source>Frames on the bus</source>
-        <translation type="unfinished"></translation>
+        <translation>总线帧数</translation>
     </message>
     <message>
         <source>Bus load, without stuff bits</source>
-        <translation type="unfinished"></translation>
+        <translation>总线负载（不含填充位）</translation>
     </message>
     <message>
         <source>Error frames</source>
-        <translation type="unfinished"></translation>
+        <translation>错误帧</translation>
     </message>
     <message>
         <source>{name}, our command</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}（本程序指令）</translation>
     </message>
     <message>
         <source>{name}, other host&apos;s command</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}（其他主机指令）</translation>
     </message>
     <message>
         <source>measured</source>
-        <translation type="unfinished"></translation>
+        <translation>实测</translation>
     </message>
     <message>
         <source>our command</source>
-        <translation type="unfinished"></translation>
+        <translation>本程序指令</translation>
     </message>
     <message>
         <source>other host&apos;s command</source>
-        <translation type="unfinished"></translation>
+        <translation>其他主机指令</translation>
     </message>
     <message>
         <source>bus</source>
-        <translation type="unfinished"></translation>
+        <translation>总线</translation>
     </message>
     <message>
         <source>Measured</source>
@@ -4026,19 +4026,19 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
     <message>
         <source>Commanded by this program</source>
-        <translation type="unfinished"></translation>
+        <translation>本程序的指令</translation>
     </message>
     <message>
         <source>Commanded by other hosts</source>
-        <translation type="unfinished"></translation>
+        <translation>其他主机的指令</translation>
     </message>
     <message>
         <source>Bus</source>
-        <translation type="unfinished"></translation>
+        <translation>总线</translation>
     </message>
     <message>
         <source>voltage too low</source>
-        <translation type="unfinished"></translation>
+        <translation>电压过低</translation>
     </message>
     <message>
         <source>motor too hot</source>
@@ -4046,7 +4046,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
     <message>
         <source>overcurrent</source>
-        <translation type="unfinished"></translation>
+        <translation>过流</translation>
     </message>
     <message>
         <source>driver too hot</source>
@@ -4054,7 +4054,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
     <message>
         <source>sensor fault</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器异常</translation>
     </message>
     <message>
         <source>driver error</source>
@@ -4062,23 +4062,23 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
     <message>
         <source>collision protection</source>
-        <translation type="unfinished"></translation>
+        <translation>碰撞保护</translation>
     </message>
     <message>
         <source>stall protection</source>
-        <translation type="unfinished"></translation>
+        <translation>堵转保护</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>是</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>否</translation>
     </message>
 </context>
 <context>
@@ -4089,11 +4089,11 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
     <message>
         <source>Quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>可绘制的量</translation>
     </message>
     <message>
         <source>Drag into a plot, or double-click to add to the chosen one</source>
-        <translation type="unfinished"></translation>
+        <translation>拖入图中，或双击加入选中的图</translation>
     </message>
 </context>
 <context>
