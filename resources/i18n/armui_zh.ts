@@ -3500,7 +3500,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished">保存</translation>
+        <translation>保存</translation>
     </message>
     <message>
         <source>Values as CSV…</source>
@@ -3854,7 +3854,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
     <message>
         <source>Speed percentage</source>
-        <translation type="unfinished">速度百分比</translation>
+        <translation>速度百分比</translation>
     </message>
     <message>
         <source>Trajectory point</source>
@@ -3882,27 +3882,27 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
     <message>
         <source>Teaching state</source>
-        <translation type="unfinished">示教状态</translation>
+        <translation>示教状态</translation>
     </message>
     <message>
         <source>Target not reached</source>
-        <translation type="unfinished">未达指定点</translation>
+        <translation>未达指定点</translation>
     </message>
     <message>
         <source>Gripper opening</source>
-        <translation type="unfinished">夹爪开口</translation>
+        <translation>夹爪开口</translation>
     </message>
     <message>
         <source>Gripper torque</source>
-        <translation type="unfinished">夹爪扭矩</translation>
+        <translation>夹爪扭矩</translation>
     </message>
     <message>
         <source>Gripper angle</source>
-        <translation type="unfinished">夹爪角度</translation>
+        <translation>夹爪角度</translation>
     </message>
     <message>
         <source>Gripper speed</source>
-        <translation type="unfinished">夹爪速度</translation>
+        <translation>夹爪速度</translation>
     </message>
     <message>
         <source>Gripper faults</source>
@@ -4006,7 +4006,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
     <message>
         <source>measured</source>
-        <translation>实测</translation>
+        <translation>测量</translation>
     </message>
     <message>
         <source>our command</source>
@@ -4022,7 +4022,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
     <message>
         <source>Measured</source>
-        <translation type="unfinished">测量</translation>
+        <translation>测量</translation>
     </message>
     <message>
         <source>Commanded by this program</source>
@@ -4042,7 +4042,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
     <message>
         <source>motor too hot</source>
-        <translation type="unfinished">电机过温</translation>
+        <translation>电机过温</translation>
     </message>
     <message>
         <source>overcurrent</source>
@@ -4050,7 +4050,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
     <message>
         <source>driver too hot</source>
-        <translation type="unfinished">驱动器过温</translation>
+        <translation>驱动器过温</translation>
     </message>
     <message>
         <source>sensor fault</source>
@@ -4058,7 +4058,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
     <message>
         <source>driver error</source>
-        <translation type="unfinished">驱动器错误</translation>
+        <translation>驱动器错误</translation>
     </message>
     <message>
         <source>collision protection</source>
@@ -4085,7 +4085,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <name>QuantityList</name>
     <message>
         <source>Search</source>
-        <translation type="unfinished">搜索</translation>
+        <translation>搜索</translation>
     </message>
     <message>
         <source>Quantities</source>
