@@ -69,8 +69,7 @@ class PlotExport(QObject):
             title=self.tr("Save the plots"),
             name_filter=_FILTERS[kind],
             on_chosen=partial(self.write, kind),
-            start=Path.home(),
-            new_file=f"armui-{now:%Y%m%d-%H%M%S}.{kind}",
+            new_file=str(Path.home() / f"armui-{now:%Y%m%d-%H%M%S}.{kind}"),
         )
 
     def write(self, kind: str, path: Path) -> None:
