@@ -860,7 +860,7 @@
     <name>CursorTable</name>
     <message>
         <source>Quantity</source>
-        <translation>量</translation>
+        <translation>物理量</translation>
     </message>
 </context>
 <context>

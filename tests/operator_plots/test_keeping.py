@@ -11,8 +11,8 @@ from PySide6.QtWidgets import QApplication
 from armui.protocol.generation import Generation
 from armui.settings import SettingsStore
 from armui.ui.dialogs.files import FileDialog
-from armui.ui.watch.figure import ticks
 from armui.ui.watch.plot_layout import SETS
+from armui.ui.watch.round_figures import ticks
 from tests.app_driver import AppDriver
 from tests.operator_plots.actions import Plots
 
@@ -132,6 +132,6 @@ def test_whatever_the_file_holds_the_window_opens(app_driver, tmp_path, text):
 
 
 def test_round_figures():
-    assert ticks(0.0, 10.0) == [0.0, 5.0, 10.0]
-    assert ticks(-0.3, 0.2) == pytest.approx([-0.2, 0.0, 0.2])
-    assert ticks(3.0, 3.0) == []
+    assert ticks(0.0, 10.0, 4) == [0.0, 5.0, 10.0]
+    assert ticks(-0.3, 0.2, 4) == pytest.approx([-0.2, 0.0, 0.2])
+    assert ticks(3.0, 3.0, 4) == []

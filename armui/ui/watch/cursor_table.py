@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from datetime import datetime, timedelta
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, Qt
@@ -12,6 +11,7 @@ from armui.arm.state import is_fresh
 from armui.telemetry.quantities import QUANTITIES
 from armui.ui import format as fmt
 from armui.ui.watch.curves_item import CURSOR_NAMES
+from armui.ui.watch.wall_clock import clock_time
 from armui.ui.widgets.plain_table import plain_table
 from armui.ui.words import quantities as names
 
@@ -21,12 +21,6 @@ if TYPE_CHECKING:
     from armui.ui.watch.plot_board import PlotBoard
 
 _HEIGHT_PX: Final = 168
-
-
-def clock_time(at_s: float, now_s: float) -> str:
-    """A monotonic time as the clock on the wall had it."""
-    at = datetime.now().astimezone() - timedelta(seconds=now_s - at_s)
-    return f"{at:%H:%M:%S}.{at.microsecond // 1000:03d}"
 
 
 class CursorTable(QWidget):

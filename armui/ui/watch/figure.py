@@ -13,6 +13,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QPen, 
 from PySide6.QtSvg import QSvgGenerator
 
 from armui.ui.theme import LIGHT
+from armui.ui.watch.round_figures import ticks
 from armui.ui.watch.time_axis import tick_step_s, time_label
 
 if TYPE_CHECKING:
@@ -132,18 +133,6 @@ def write(path: Path, figure: Figure, kind: str) -> None:
         raise
 
 
-def ticks(low: float, high: float, most: int = _TICKS) -> list[float]:
-    """Round figures between two others, no more than so many."""
-    span = high - low
-    if not (math.isfinite(span) and span > 0.0):
-        return []
-    decade = 10.0 ** math.floor(math.log10(span / most))
-    step = next(decade * each for each in (1, 2, 5, 10) if decade * each * most >= span)
-    first = math.ceil(low / step - 1e-9)
-    last = math.floor(high / step + 1e-9)
-    return [number * step for number in range(first, last + 1)]
-
-
 def _draw(painter: QPainter, figure: Figure) -> None:
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setFont(figure.font)
@@ -182,7 +171,7 @@ def _draw_names(painter: QPainter, plot: FigurePlot, top: float, line_px: float)
 def _draw_plot(painter: QPainter, figure: Figure, plot: FigurePlot, place: QRectF) -> None:
     low, high = plot.heights
     metrics = QFontMetricsF(painter.font())
-    for figure_at in ticks(low, high):
+    for figure_at in ticks(low, high, _TICKS):
         y = place.bottom() - place.height() * _share(figure_at, low, high)
         painter.setPen(QPen(QColor(LIGHT.sunken), 1.0))
         painter.drawLine(QLineF(place.left(), y, place.right(), y))

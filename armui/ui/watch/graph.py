@@ -11,7 +11,7 @@ from PySide6.QtGui import QColor, QPen
 from PySide6.QtWidgets import QGraphicsGridLayout, QGraphicsRectItem, QWidget
 
 from armui.ui.watch.curves_item import CurvesItem
-from armui.ui.watch.time_axis import TimeAxis
+from armui.ui.watch.time_axis import FigureAxis, TimeAxis
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -20,13 +20,12 @@ if TYPE_CHECKING:
 
 AXIS_PX: Final = 64
 """Room for the figures on the left: the same in every plot, so that their times stand in line."""
-TIME_AXIS_PX: Final = 24
+_TIMES_PX: Final = 5
 
 _GRAB_PX: Final = 6.0
 _FLAT_PX: Final = 12.0
 """A frame drawn lower than this means the time alone."""
 _WHEEL_STEP: Final = 1.25
-_FEW_CODES: Final = 6.0
 
 
 class TimeViewBox(pg.ViewBox):  # type: ignore[misc]
@@ -152,15 +151,14 @@ class Graph(pg.GraphicsView):  # type: ignore[misc]
         self.box = TimeViewBox()
         self.curves = CurvesItem()
         self.box.addItem(self.curves, ignoreBounds=True)
-        self._figures = pg.AxisItem("left", maxTickLength=-4)
+        self._figures = FigureAxis()
         self._times = TimeAxis()
         self._figures.linkToView(self.box)
         self._times.linkToView(self.box)
         self._figures.setWidth(AXIS_PX)
-        self._figures.enableAutoSIPrefix(False)
-        self._times.setHeight(TIME_AXIS_PX)
+        self._times.setHeight(_TIMES_PX)
         layout = QGraphicsGridLayout()
-        layout.setContentsMargins(0, 2, 10, 2)
+        layout.setContentsMargins(0, 7, 10, 2)
         layout.setSpacing(0)
         layout.addItem(self._figures, 0, 0)
         layout.addItem(self.box, 0, 1)
@@ -187,11 +185,6 @@ class Graph(pg.GraphicsView):  # type: ignore[misc]
         self._draw_grid()
         self.box.set_frame_color(colors.accent)
 
-    def show_time_axis(self, *, wanted: bool) -> None:
-        """Whether the times stand below it."""
-        self._times.setStyle(showValues=wanted)
-        self._times.setHeight(TIME_AXIS_PX if wanted else 4)
-
     def show_range(
         self, begin_s: float, end_s: float, low: float, high: float, *, codes: bool = False
     ) -> None:
@@ -200,8 +193,7 @@ class Graph(pg.GraphicsView):  # type: ignore[misc]
         if wanted == self._range or not all(map(math.isfinite, wanted)):
             return
         self._range = wanted
-        few = codes and high - low < _FEW_CODES
-        self._figures.setTickSpacing(levels=[(1.0, 0.0)] if few else None)
+        self._figures.whole = codes
         self.box.setRange(xRange=(begin_s, end_s), yRange=(low, high), padding=0.0)
         self.curves.set_bounds(QRectF(begin_s, low, end_s - begin_s, high - low))
         self._draw_grid()

@@ -59,6 +59,7 @@ class Legend(QWidget):
         self._plot = plot
         self._entries: tuple[Entry, ...] = ()
         self._title = ""
+        self._value_px: dict[str, float] = {}
         self._places: list[QRectF] = []
         self._pressed: QPoint | None = None
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -79,7 +80,19 @@ class Legend(QWidget):
         if (wanted, title) == (self._entries, self._title):
             return
         names = [(each.key, each.name) for each in wanted]
-        moved = title != self._title or names != [(each.key, each.name) for each in self._entries]
+        metrics = QFontMetricsF(self.font())
+        grown = False
+        for entry in wanted:
+            value_px = metrics.horizontalAdvance(entry.value)
+            if value_px > self._value_px.get(entry.key, metrics.horizontalAdvance(_WIDEST)):
+                # grows, and never shrinks: words change, and figures stand still
+                self._value_px[entry.key] = value_px
+                grown = True
+        moved = (
+            grown
+            or title != self._title
+            or names != [(each.key, each.name) for each in self._entries]
+        )
         self._entries, self._title = wanted, title
         if moved:
             self._arrange()
@@ -109,7 +122,7 @@ class Legend(QWidget):
         self._places = []
         for entry in self._entries:
             width = _SWATCH_PX + 2 * _GAP_PX + metrics.horizontalAdvance(entry.name)
-            width += metrics.horizontalAdvance(_WIDEST)
+            width += self._value_px.get(entry.key, metrics.horizontalAdvance(_WIDEST))
             if left > begin and left + width > self.width():
                 left, top = begin, top + line_px
             self._places.append(QRectF(left, top, min(width, float(self.width())), line_px))

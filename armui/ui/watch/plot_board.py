@@ -14,6 +14,8 @@ from armui.ui.watch.drop_strip import DropStrip
 from armui.ui.watch.plot_layout import PlotLayout
 from armui.ui.watch.plot_pane import PlotPane
 from armui.ui.watch.time_frame import TimeFrame
+from armui.ui.watch.time_strip import TimeStrip
+from armui.ui.watch.wall_clock import clock_time
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QHideEvent, QResizeEvent, QShowEvent
@@ -41,6 +43,7 @@ class PlotBoard(QWidget):
         frame: Which time is shown.
         panes: The plots.
         cursors_s: Monotonic times of the cursors; ``None``: not shown.
+        times: The times, below the plots.
 
     Signals:
         plots_changed: Other curves, or in other plots.
@@ -72,6 +75,7 @@ class PlotBoard(QWidget):
         self._stack = QVBoxLayout(self._column)
         self._stack.setContentsMargins(0, 0, 0, 0)
         self._stack.setSpacing(4)
+        self.times = TimeStrip()
         self._strip = DropStrip()
         self._strip.dropped.connect(lambda keys, plot: self.take(keys, plot, None))
         area = QScrollArea()
@@ -84,6 +88,7 @@ class PlotBoard(QWidget):
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(4)
         whole.addWidget(area, 1)
+        whole.addWidget(self.times)
         whole.addWidget(self._strip)
         self._timer = QTimer(self)
         self._timer.setInterval(PICTURE_MS)
@@ -167,8 +172,6 @@ class PlotBoard(QWidget):
             self.panes.append(pane)
             self._stack.insertWidget(place, pane, 1)
             QTimer.singleShot(0, self, self._build_next)
-        for place, pane in enumerate(self.panes):
-            pane.show_time_axis(wanted=place == len(self.plot_layout.plots) - 1)
         self._choose(self.chosen)
         self.draw_soon()
 
@@ -334,6 +337,8 @@ class PlotBoard(QWidget):
         shown, edge_s = self.frame.shown, self.frame.edge_s(now_s)
         pane.advance(shown, edge_s, now_s, shown.ranges.get(self.panes.index(pane)))
         pane.show_cursors(self.cursors_s, edge_s)
+        zero = "" if self.frame.live else clock_time(edge_s, now_s).partition(".")[0]
+        self.times.show_times((shown.begin_s, shown.end_s), pane.ends_px(self.times), zero)
 
     def _seen(self) -> list[PlotPane]:
         return [pane for pane in self.panes if not pane.visibleRegion().isEmpty()]

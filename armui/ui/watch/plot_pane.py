@@ -47,7 +47,7 @@ _DARK_CURVES: Final = (
 )
 """Red is none of them: it means stop or fault."""
 
-LEAST_PX: Final = 100
+LEAST_PX: Final = 90
 
 
 class PlotPane(QWidget):
@@ -197,9 +197,11 @@ class PlotPane(QWidget):
         self.graph.box.cursors = [None if each is None else each - edge_s for each in at_s]
         self.graph.curves.show_cursors(at_s, colors_of(self).text)
 
-    def show_time_axis(self, *, wanted: bool) -> None:
-        """Whether the times stand below."""
-        self.graph.show_time_axis(wanted=wanted)
+    def ends_px(self, of: QWidget) -> tuple[float, float]:
+        """Where the time begins and ends, in another widget."""
+        left = self.graph.mapFromScene(self.graph.box.sceneBoundingRect().topLeft())
+        begin = of.mapFromGlobal(self.graph.mapToGlobal(left)).x()
+        return float(begin), float(begin + self.graph.width_px)
 
     # Qt's events ------------------------------------------------------------------------------
 

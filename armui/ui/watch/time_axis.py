@@ -1,4 +1,4 @@
-"""The axis of time: seconds, or minutes and seconds, before the right end's moment."""
+"""The axes of a plot: times in steps of a clock, and round figures."""
 
 from __future__ import annotations
 
@@ -6,11 +6,14 @@ from typing import Final
 
 import pyqtgraph as pg
 
+from armui.ui.watch.round_figures import round_step
+
 _STEPS_S: Final = (
     *(0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5),
     *(1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 60.0, 120.0, 300.0, 600.0),
 )
 _TICK_PX: Final = 90.0
+_FIGURE_PX: Final = 19.0
 _MINUTES_FROM_S: Final = 10.0
 
 
@@ -32,10 +35,10 @@ def time_label(time_s: float, step_s: float) -> str:
 
 
 class TimeAxis(pg.AxisItem):  # type: ignore[misc]
-    """Labels in steps of a clock."""
+    """Ticks in steps of a clock; their labels stand below all plots."""
 
     def __init__(self) -> None:
-        super().__init__("bottom", maxTickLength=-4)
+        super().__init__("bottom", maxTickLength=-4, showValues=False)
         self.enableAutoSIPrefix(False)
 
     def tickSpacing(self, *span_and_length: float) -> list[tuple[float, float]]:  # noqa: N802
@@ -43,6 +46,21 @@ class TimeAxis(pg.AxisItem):  # type: ignore[misc]
         first_s, last_s, length_px = span_and_length
         return [(tick_step_s(last_s - first_s, length_px), 0.0)]
 
-    def tickStrings(self, values: list[float], scale: float, spacing: float) -> list[str]:  # noqa: ARG002, N802
-        """Their labels."""
-        return [time_label(value, spacing) for value in values]
+
+class FigureAxis(pg.AxisItem):  # type: ignore[misc]
+    """Round figures, with room between them.
+
+    Attributes:
+        whole: There are none between the whole ones: codes.
+    """
+
+    def __init__(self) -> None:
+        super().__init__("left", maxTickLength=-4)
+        self.enableAutoSIPrefix(False)
+        self.whole = False
+
+    def tickSpacing(self, *span_and_length: float) -> list[tuple[float, float]]:  # noqa: N802
+        """One kind of tick: of the smallest and the largest figure, and the length in pixels."""
+        low, high, length_px = span_and_length
+        step = round_step(low, high, max(1, round(length_px / _FIGURE_PX)))
+        return [(max(step, 1.0) if self.whole else step or 1.0, 0.0)]
