@@ -153,7 +153,7 @@ def spread(name: str, values_ms: list[float]) -> str:
     )
 
 
-def memory_mb(pid: int) -> float:
+def memory_mb(pid: int | str) -> float:
     """What a process takes, shared memory in equal shares (Linux)."""
     for line in Path(f"/proc/{pid}/smaps_rollup").read_text().splitlines():
         if line.startswith("Pss:"):

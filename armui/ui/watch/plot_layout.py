@@ -22,6 +22,10 @@ def _each_joint(*kinds: str) -> tuple[str, ...]:
     return tuple(f"arm.{kind}.{joint}" for kind in kinds for joint in JOINTS)
 
 
+_STATUS: Final = (
+    *("arm_status", "control_mode", "not_reached", "no_communication", "beyond_limit"),
+)
+
 SETS: Final[Mapping[str, Plots]] = {
     "follow": tuple(
         tuple(f"{source}.joint_angle.{joint}" for source in ("arm", "own", "other"))
@@ -34,8 +38,8 @@ SETS: Final[Mapping[str, Plots]] = {
         _each_joint("voltage"),
     ),
     "stop": (
-        ("arm.arm_status", "arm.control_mode", "arm.not_reached"),
-        ("arm.no_communication", "arm.beyond_limit", *_each_joint("driver_faults")),
+        tuple(f"arm.{kind}" for kind in _STATUS),
+        _each_joint("driver_faults"),
         _each_joint("motor_current"),
         _each_joint("motor_speed"),
         _each_joint("voltage"),

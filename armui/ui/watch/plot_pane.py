@@ -47,7 +47,8 @@ _DARK_CURVES: Final = (
 )
 """Red is none of them: it means stop or fault."""
 
-LEAST_PX: Final = 90
+LEAST_PX: Final = 60
+"""Of the curves; the legend takes as many lines as it needs."""
 
 
 class PlotPane(QWidget):
@@ -88,8 +89,8 @@ class PlotPane(QWidget):
         self.heights: Range = (0.0, 1.0)
         self.legend = Legend(place)
         self.graph = Graph()
+        self.graph.setMinimumHeight(LEAST_PX)
         self.setAcceptDrops(True)
-        self.setMinimumHeight(LEAST_PX)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(8, 4, 4, 2)
