@@ -24,9 +24,11 @@ if TYPE_CHECKING:
     from armui.ui.watch.time_frame import Range
 
 PICTURE_MS: Final = 80
-"""Twelve pictures a second."""
-_VALUES_EVERY: Final = 3
-"""So many pictures for one look at the figures beside the names."""
+"""Twelve pictures a second, fewer of a long time."""
+_STEP_PX: Final = 2.0
+_SLOWEST_MS: Final = 500
+_VALUES_EVERY_S: Final = 0.25
+"""So often for a look at the figures beside the names."""
 CURSORS: Final = 2
 _AT_ONCE_S: Final = 0.008
 """So long plots are drawn before whatever else waits in the thread: a press, for one."""
@@ -67,7 +69,7 @@ class PlotBoard(QWidget):
         self.panes: list[PlotPane] = []
         self.cursors_s: list[float | None] = [None] * CURSORS
         self._chosen = 0
-        self._pictures = 0
+        self._valued_s = 0.0
         self._dirty = True
         self._waiting: list[PlotPane] = []
         self._column = QWidget()
@@ -302,17 +304,26 @@ class PlotBoard(QWidget):
     def draw_soon(self) -> None:
         """Something is to be seen that was not drawn yet."""
         self._dirty = True
+        if self._timer.isActive() and self._timer.interval() > PICTURE_MS:
+            self._timer.start(PICTURE_MS)
+
+    def _period_ms(self) -> int:
+        """Until the curves have moved by two pixels: more pictures would show nothing new."""
+        width_px = self.panes[0].graph.width_px if self.panes else 1
+        period_ms = round(1e3 * _STEP_PX * self.frame.shown.span_s / width_px)
+        return min(max(period_ms, PICTURE_MS), _SLOWEST_MS)
 
     def _on_tick(self) -> None:
         if self.window().isMinimized():
             return
         now_s = self.now_s()
-        self._pictures += 1
         if self.frame.live or self._dirty:
             self._dirty = False
             self._waiting = self._seen()
             self._draw_some()
-        if self._pictures % _VALUES_EVERY == 0:
+        self._timer.setInterval(self._period_ms())
+        if now_s - self._valued_s >= _VALUES_EVERY_S or now_s < self._valued_s:
+            self._valued_s = now_s
             for pane in self._seen():
                 pane.show_values(now_s)
 
