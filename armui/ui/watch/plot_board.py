@@ -10,6 +10,9 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QEvent, QPoint, Qt, QTimer, Signal
 from PySide6.QtWidgets import QFrame, QScrollArea, QVBoxLayout, QWidget
 
+from armui.telemetry.quantities import QUANTITIES
+from armui.ui.watch.curve_book import CurveBook
+from armui.ui.watch.curves_item import polygon
 from armui.ui.watch.drop_strip import DropStrip
 from armui.ui.watch.plot_layout import PlotLayout
 from armui.ui.watch.plot_pane import PlotPane
@@ -67,6 +70,8 @@ class PlotBoard(QWidget):
         self.plot_layout = PlotLayout()
         self.frame = TimeFrame()
         self.panes: list[PlotPane] = []
+        self._book = CurveBook(telemetry, polygon)
+        self._picture_s = 0.0
         self.cursors_s: list[float | None] = [None] * CURSORS
         self._chosen = 0
         self._valued_s = 0.0
@@ -160,6 +165,7 @@ class PlotBoard(QWidget):
             pane.hide()
             pane.deleteLater()
         del self.panes[same:]
+        self._book.show(QUANTITIES[key] for plot in plots for key in plot)
         self._build_next()
 
     @property
@@ -178,7 +184,7 @@ class PlotBoard(QWidget):
         self.draw_soon()
 
     def _new_pane(self, place: int, keys: tuple[str, ...]) -> PlotPane:
-        pane = PlotPane(self._telemetry, place, keys)
+        pane = PlotPane(self._telemetry, self._book, place, keys)
         box = pane.graph.box
         pane.dropped.connect(lambda what, source: self.take(what, source, place))
         pane.menu_wanted.connect(partial(self.menu_wanted.emit, place))
@@ -319,7 +325,8 @@ class PlotBoard(QWidget):
         now_s = self.now_s()
         if self.frame.live or self._dirty:
             self._dirty = False
-            self._waiting = self._seen()
+            self._waiting, self._picture_s = self._seen(), now_s
+            self._book.begin_picture()
             self._draw_some()
         self._timer.setInterval(self._period_ms())
         if now_s - self._valued_s >= _VALUES_EVERY_S or now_s < self._valued_s:
@@ -330,17 +337,17 @@ class PlotBoard(QWidget):
     def _draw_some(self) -> None:
         """Draw plots for a few milliseconds; others may have the thread before the next ones."""
         began_s = time.perf_counter()
-        now_s = self.now_s()
         while self._waiting:
             pane = self._waiting.pop(0)
             if pane in self.panes:
-                self._draw_pane(pane, now_s)
+                self._draw_pane(pane, self._picture_s)
             if self._waiting and time.perf_counter() - began_s > _AT_ONCE_S:
                 QTimer.singleShot(0, self, self._draw_some)
                 return
 
     def draw(self, now_s: float) -> None:
         """Draw the plots that are in sight, all at once."""
+        self._book.begin_picture()
         for pane in self._seen():
             self._draw_pane(pane, now_s)
 

@@ -13,8 +13,8 @@ from armui.arm.state import is_fresh
 from armui.telemetry.quantities import QUANTITIES
 from armui.ui.theme import DARK, colors_of
 from armui.ui.watch.carrying import from_mime
-from armui.ui.watch.curve_cache import CurveCache
-from armui.ui.watch.curves_item import DrawnCurve, polygon
+from armui.ui.watch.curve_book import CurveBook
+from armui.ui.watch.curves_item import DrawnCurve
 from armui.ui.watch.figure import FigurePlot
 from armui.ui.watch.graph import Graph
 from armui.ui.watch.heights import AutoHeight, together
@@ -56,6 +56,7 @@ class PlotPane(QWidget):
 
     Args:
         telemetry: Where they are kept.
+        book: Has the lines of its curves.
         place: Which of the plots it is.
         keys: Of the quantities.
 
@@ -73,6 +74,7 @@ class PlotPane(QWidget):
     def __init__(
         self,
         telemetry: Telemetry,
+        book: CurveBook[QPolygonF],
         place: int,
         keys: Sequence[str],
         parent: QWidget | None = None,
@@ -81,10 +83,9 @@ class PlotPane(QWidget):
         self.setObjectName(f"plot_{place}")
         self._telemetry = telemetry
         self.quantities: tuple[Quantity, ...] = tuple(QUANTITIES[key] for key in keys)
-        self._caches = self._make_caches()
+        self._book = book
         self._height = AutoHeight(self.unit)
         self._shown: Shown | None = None
-        self._pictures = place
         self._chosen = False
         self.heights: Range = (0.0, 1.0)
         self.legend = Legend(place)
@@ -101,18 +102,6 @@ class PlotPane(QWidget):
         self.legend.chosen.connect(lambda _key: self.pressed.emit())
         self._take_colors()
         self.show_values(telemetry.now_s())
-
-    def _make_caches(self) -> list[CurveCache[QPolygonF]]:
-        """One for each series and kind: they share its times."""
-        fields: dict[tuple[str, bool], list[str]] = {}
-        for each in self.quantities:
-            series = self._telemetry.series[each.series]
-            same = fields.setdefault((each.series, each.field in series.shape.codes), [])
-            same.append(each.field)
-        return [
-            CurveCache(self._telemetry.series[series], names, polygon)
-            for (series, _codes), names in fields.items()
-        ]
 
     @property
     def unit(self) -> str:
@@ -140,22 +129,13 @@ class PlotPane(QWidget):
             heights: What of the figures is shown; ``None``: all of them.
         """
         begin_s, end_s = edge_s + shown.begin_s, min(edge_s + shown.end_s, now_s)
-        drawn: dict[tuple[str, str], list[QPolygonF]] = {}
-        extents = []
-        self._pictures += 1
-        for place, cache in enumerate(self._caches, self._pictures):
-            turn = place % 2 == 0
-            cache.update(begin_s, max(end_s, begin_s), self.graph.width_px, turn=turn)
-            extents += cache.extents
-            name = cache.series.shape.name
-            drawn.update(
-                ((name, field), pieces)
-                for field, pieces in zip(cache.fields, cache.drawn, strict=True)
+        colors, curves, extents = self.curve_colors, [], []
+        for each in self.quantities:
+            pieces, extent = self._book.curve(
+                each, begin_s, max(end_s, begin_s), self.graph.width_px
             )
-        colors = self.curve_colors
-        curves = [
-            DrawnCurve(colors[each.key], drawn[each.series, each.field]) for each in self.quantities
-        ]
+            curves.append(DrawnCurve(colors[each.key], pieces))
+            extents.append(extent)
         codes = all(not each.unit for each in self.quantities)
         self.heights = heights or self._height.fit(together(extents), codes=codes)
         self.graph.show_range(shown.begin_s, shown.end_s, *self.heights, codes=codes)
@@ -164,20 +144,16 @@ class PlotPane(QWidget):
     def as_figure(self, shown: Shown, edge_s: float, now_s: float) -> FigurePlot:
         """The same for a picture on paper."""
         begin_s, end_s = edge_s + shown.begin_s, min(edge_s + shown.end_s, now_s)
-        lines: dict[tuple[str, str], list[Line]] = {}
-        for cache in self._caches:
-            copied = CurveCache(cache.series, cache.fields, lambda times, figures: (times, figures))
-            copied.update(begin_s, max(end_s, begin_s), self.graph.width_px)
-            name = cache.series.shape.name
-            lines.update(
-                ((name, field), pieces)
-                for field, pieces in zip(copied.fields, copied.drawn, strict=True)
-            )
+        book: CurveBook[Line] = CurveBook(self._telemetry, lambda times, figures: (times, figures))
+        book.show(self.quantities)
+        curves = [
+            book.curve(each, begin_s, max(end_s, begin_s), self.graph.width_px)[0]
+            for each in self.quantities
+        ]
         colored = [
             (entry.name, _LIGHT_CURVES[place % len(_LIGHT_CURVES)])
             for place, entry in enumerate(self.legend.entries)
         ]
-        curves = [lines[each.series, each.field] for each in self.quantities]
         return FigurePlot(colored, curves, self.heights, self.legend.title)
 
     def show_values(self, now_s: float) -> None:
