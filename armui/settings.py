@@ -10,9 +10,7 @@ from __future__ import annotations
 
 import contextlib
 import errno
-import hashlib
 import json
-import math
 import stat
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, fields, replace
@@ -20,11 +18,13 @@ from pathlib import Path
 from typing import Any, Final, Literal, TypedDict, Unpack, get_args
 
 import platformdirs
-from filelock import FileLock, Timeout
 
+from armui.arm.json_fields import finite
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.system import paths
 from armui.system.atomic import write_whole
+from armui.system.error_text import error_text
 
 Language = Literal["zh", "en"]
 ThemeName = Literal["light", "dark", "system"]
@@ -99,7 +99,7 @@ def check(name: str, value: object) -> Refusal | None:
     }
     if allowed.get(name, False):
         return None
-    return Refusal("setting_bad", {"field": name, "value": _shown(value)})
+    return Refusal(RefusalCode.SETTING_BAD, {"field": name, "value": _shown(value)})
 
 
 def _shown(value: object) -> str:
@@ -123,19 +123,12 @@ def _is_path(value: object) -> bool:
 
 
 def _check_jog_step(value: object) -> Refusal | None:
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        return Refusal("jog_step_not_a_number", {"value": _shown(value)})
-    if isinstance(value, float) and not math.isfinite(value):
-        return Refusal("jog_step_not_a_number", {"value": str(value)})
-    if not JOG_STEP_MIN_DEG <= value <= JOG_STEP_MAX_DEG:
-        try:
-            figure: float | str = float(value)
-        except OverflowError:
-            figure = _shown(value)
-        return Refusal(
-            "jog_step_out_of_range",
-            {"value": figure, "minimum": JOG_STEP_MIN_DEG, "maximum": JOG_STEP_MAX_DEG},
-        )
+    figure = finite(value)
+    if figure is None:
+        return Refusal(RefusalCode.JOG_STEP_NOT_A_NUMBER, {"value": _shown(value)})
+    if not JOG_STEP_MIN_DEG <= figure <= JOG_STEP_MAX_DEG:
+        bounds = {"minimum": JOG_STEP_MIN_DEG, "maximum": JOG_STEP_MAX_DEG}
+        return Refusal(RefusalCode.JOG_STEP_OUT_OF_RANGE, {"value": figure, **bounds})
     return None
 
 
@@ -145,10 +138,11 @@ def _check_tool(value: object) -> Refusal | None:
     if len(figures) != len(_TOOL_LONGEST):
         figures = [value] * len(_TOOL_LONGEST)
     for figure, longest in zip(figures, _TOOL_LONGEST, strict=True):
-        good = isinstance(figure, int | float) and not isinstance(figure, bool)
-        if not good or not abs(figure) <= longest:
+        size = finite(figure)
+        if size is None or abs(size) > longest:
             return Refusal(
-                "tool_not_possible", {"value": _shown(figure), "maximum": round(TOOL_LONGEST_MM)}
+                RefusalCode.TOOL_NOT_POSSIBLE,
+                {"value": _shown(figure), "maximum": round(TOOL_LONGEST_MM)},
             )
     return None
 
@@ -216,18 +210,20 @@ class SettingsStore:
 
     def _save(self, choices: Choices) -> Refusal | None:
         """Write what was chosen; what another program has written meanwhile stays."""
+        from filelock import FileLock, Timeout  # noqa: PLC0415 - faster start
+
         params = {"path": str(self._path)}
         try:
             with FileLock(_lock_path(self._path), timeout=_LOCK_S):
                 in_file = _entries(self._path)
                 kept = asdict(self._kept)
                 entries = kept | in_file | {name: kept[name] for name in choices}
-                write_whole(self._path, json.dumps(entries, indent=2) + "\n")
+                self._path.parent.mkdir(parents=True, exist_ok=True)
+                write_whole(self._path, f"{json.dumps(entries, indent=2)}\n".encode())
         except Timeout:
-            return Refusal("settings_in_use", params)
+            return Refusal(RefusalCode.SETTINGS_IN_USE, params)
         except (OSError, ValueError, RecursionError) as error:
-            text = getattr(error, "strerror", None) or str(error)
-            return Refusal("settings_not_saved", params | {"text": text})
+            return Refusal(RefusalCode.SETTINGS_NOT_SAVED, params | {"text": error_text(error)})
         return None
 
 
@@ -239,6 +235,8 @@ def _lock_path(path: Path) -> Path:
     """
     folder = paths.runtime()
     folder.mkdir(parents=True, exist_ok=True)
+    import hashlib  # noqa: PLC0415 - brings OpenSSL, faster start
+
     name = hashlib.sha256(str(path.absolute()).encode("utf-8", "surrogatepass")).hexdigest()[:16]
     return folder / f"settings-{name}.lock"
 
@@ -274,8 +272,8 @@ def _read(path: Path) -> tuple[Settings, tuple[Refusal, ...]]:
     except FileNotFoundError:
         return Settings(), ()
     except OSError as error:
-        params = {"path": str(path), "text": error.strerror or str(error)}
-        return Settings(), (Refusal("settings_unreadable", params),)
+        params = {"path": str(path), "text": error_text(error)}
+        return Settings(), (Refusal(RefusalCode.SETTINGS_UNREADABLE, params),)
     except (ValueError, RecursionError):
         return Settings(), (_put_aside(path),)
     if not isinstance(entries, dict):
@@ -295,7 +293,7 @@ def _from_entries(entries: Mapping[str, Any]) -> tuple[Settings, tuple[Refusal, 
             good[field.name] = tuple(value) if isinstance(value, list) else value
         else:
             params = {"field": field.name, "value": _shown(value)}
-            problems.append(Refusal("setting_bad", params))
+            problems.append(Refusal(RefusalCode.SETTING_BAD, params))
     return Settings(**good), tuple(problems)
 
 
@@ -305,6 +303,6 @@ def _put_aside(path: Path) -> Refusal:
     try:
         path.replace(kept)
     except OSError as error:
-        params = {"path": str(path), "text": error.strerror or str(error)}
-        return Refusal("settings_unreadable", params)
-    return Refusal("settings_broken", {"kept": str(kept)})
+        params = {"path": str(path), "text": error_text(error)}
+        return Refusal(RefusalCode.SETTINGS_UNREADABLE, params)
+    return Refusal(RefusalCode.SETTINGS_BROKEN, {"kept": str(kept)})

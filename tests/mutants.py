@@ -47,7 +47,7 @@ TESTS: dict[str, tuple[str, ...]] = {
     ),
     "armui/control/safety/overspeed.py": ("tests/control/test_authority*",),
     "armui/control/safety/hearing.py": ("tests/control/test_authority*",),
-    "armui/control/safety/rest.py": ("tests/control/test_authority*",),
+    "armui/control/safety/standstill.py": ("tests/control/test_authority*",),
     "armui/control/safety/interlocks.py": ("tests/control/test_gates.py", "tests/safety/test_s*"),
     "armui/control/assessment.py": ("tests/control/test_gates.py", "tests/safety/test_s*"),
     "armui/control/link/offsets.py": ("tests/safety/test_s04*", "tests/control/test_linkage.py"),

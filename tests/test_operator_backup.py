@@ -10,6 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QLineEdit
 
+from armui.arm.parameters import all_batches
 from armui.control.operating_state import LinkState
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
@@ -18,6 +19,7 @@ from armui.ui.dialogs.backup_model import FILED, HELD, NAME, STATE
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.widgets.message_line import MessageLine
 from tests.faulty_arm import HardOfHearing
+from tests.generations import ONE_IS_ENOUGH
 
 SETTINGS_IDS = {0x474, 0x475, 0x479, 0x47A, 0x47D}
 
@@ -29,7 +31,7 @@ def frame(arbitration_id, payload):
 @pytest.fixture
 def arm(any_desk):
     """Connected, 参数备份 open and the arm read."""
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.ear = HardOfHearing(any_desk.firmware)
     any_desk.click("menu_end_limits")
     settled(any_desk)
@@ -108,10 +110,16 @@ def sent(app_driver):
     return [each for each in app_driver.ear.heard if each.arbitration_id in SETTINGS_IDS]
 
 
+def kept_by(app_driver):
+    """How many parameters an arm of the generation keeps."""
+    teaching = generation(app_driver) is Generation.TWO
+    return sum(len(batch.parameters()) for batch in all_batches(teaching=teaching))
+
+
 def test_everything_is_read_when_it_opens(arm):
     table = rows(arm)
     second = generation(arm) is Generation.TWO
-    assert len(table) == (37 if second else 34)
+    assert len(table) == kept_by(arm)
     assert table["J2 Max. angle"] == ("—", "180.0°", "only in the arm")
     assert table["J6 Collision level"] == ("—", "1", "only in the arm")
     assert ("Teaching friction" in table) is second
@@ -123,7 +131,7 @@ def test_a_file_holds_everything_with_units_and_where_it_is_from(arm, tmp_path):
     save(arm, tmp_path / "mine.json")
     entries = json.loads((tmp_path / "mine.json").read_text(encoding="utf-8"))
     second = generation(arm) is Generation.TWO
-    assert f"Saved {37 if second else 34} parameters to" in said(arm)
+    assert f"Saved {kept_by(arm)} parameters to" in said(arm)
     assert entries["arm"]["generation"] == int(generation(arm))
     assert entries["arm"]["firmware"] == ("S-V1.8-5" if second else None)
     assert entries["program"].startswith("armui ")
@@ -208,6 +216,7 @@ def test_what_the_arm_does_not_take_is_told_row_by_row(arm, tmp_path):
         (lambda text: text.replace('"version": 1', '"version": 99'), "format version 99"),
     ],
 )
+@ONE_IS_ENOUGH
 def test_a_file_that_is_wrong_is_refused_and_changes_nothing(arm, tmp_path, spoil, words):
     good, bad = tmp_path / "good.json", tmp_path / "bad.json"
     save(arm, good)
@@ -242,6 +251,7 @@ def test_a_file_of_the_other_generation_is_warned_about_and_of_use(arm, tmp_path
     assert ticks(arm) == (["Gripper stroke limit"] if second else [])
 
 
+@ONE_IS_ENOUGH
 def test_another_firmware_is_warned_about(arm, tmp_path):
     path = tmp_path / "mine.json"
     save(arm, path)
@@ -252,6 +262,7 @@ def test_another_firmware_is_warned_about(arm, tmp_path):
     assert "The file is from firmware S-V1.5-2" in said(arm)
 
 
+@ONE_IS_ENOUGH
 def test_reading_can_be_stopped(arm):
     arm.ear.deaf_to = {0x472, 0x477}
     arm.click(arm.box.read_button)
@@ -270,7 +281,7 @@ def test_reading_can_be_stopped(arm):
 
 
 def test_what_could_not_be_read_is_not_in_the_file_and_that_is_said(any_desk, tmp_path):
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.ear = HardOfHearing(any_desk.firmware)
     any_desk.ear.mute_on = {0x47B}
     any_desk.click("menu_end_limits")
@@ -282,6 +293,7 @@ def test_what_could_not_be_read_is_not_in_the_file_and_that_is_said(any_desk, tm
     assert "6 could not be read from the arm and are not in the file." in said(any_desk)
 
 
+@ONE_IS_ENOUGH
 def test_a_link_lost_half_way_through_reading(arm):
     arm.ear.deaf_to = {0x472}
     arm.click(arm.box.read_button)
@@ -294,6 +306,7 @@ def test_a_link_lost_half_way_through_reading(arm):
     assert not arm.box.restore_button.isEnabled()
 
 
+@ONE_IS_ENOUGH
 def test_a_folder_that_cannot_be_written_to_is_named(arm, tmp_path, monkeypatch):
     def disk_full(_file):
         raise OSError(errno.ENOSPC, "No space left on device")

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.settings import Settings, SettingsStore, check, default_path
 
 
@@ -150,7 +152,7 @@ def test_a_jog_step_out_of_range_names_value_and_limits(step_deg: float) -> None
     refusal = check("jog_step_deg", step_deg)
 
     assert refusal is not None
-    assert refusal.code == "jog_step_out_of_range"
+    assert refusal.code == RefusalCode.JOG_STEP_OUT_OF_RANGE
     assert refusal.params == {"value": step_deg, "minimum": 0.001, "maximum": 30.0}
 
 
@@ -159,7 +161,7 @@ def test_a_jog_step_that_is_no_number(step_deg: object) -> None:
     refusal = check("jog_step_deg", step_deg)
 
     assert refusal is not None
-    assert refusal.code == "jog_step_not_a_number"
+    assert refusal.code == RefusalCode.JOG_STEP_NOT_A_NUMBER
 
 
 def test_a_refused_change_changes_nothing(path: Path) -> None:
@@ -170,7 +172,7 @@ def test_a_refused_change_changes_nothing(path: Path) -> None:
     refusal = store.change(theme="dark", jog_step_deg=99.0)
 
     assert refusal is not None
-    assert refusal.code == "jog_step_out_of_range"
+    assert refusal.code == RefusalCode.JOG_STEP_OUT_OF_RANGE
     assert store.settings == Settings()
     assert heard == []
     assert not path.exists()
@@ -186,7 +188,7 @@ def test_settings_that_cannot_be_saved_hold_for_this_run(tmp_path: Path) -> None
     problem = store.change(theme="dark")
 
     assert problem is not None
-    assert problem.code == "settings_not_saved"
+    assert problem.code == RefusalCode.SETTINGS_NOT_SAVED
     assert problem.params["path"] == str(in_the_way / "settings.json")
     assert store.settings.theme == "dark"
     assert heard == [store.settings]
@@ -233,12 +235,12 @@ def test_a_tool_is_kept_and_read_back(path: Path) -> None:
         ("tool", "tool"),
     ],
 )
-def test_a_tool_that_cannot_be_is_refused(path: Path, tool: object, named: str) -> None:
+def test_a_tool_that_cannot_be_is_refused(path: Path, tool: Any, named: str) -> None:
     store = SettingsStore(path)
 
     refusal = store.change(tool=tool)
 
     assert refusal is not None
-    assert refusal.code == "tool_not_possible"
+    assert refusal.code == RefusalCode.TOOL_NOT_POSSIBLE
     assert refusal.params["value"] == named
     assert store.settings.tool == (0.0,) * 6

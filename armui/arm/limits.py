@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 
 JOINTS: Final = range(1, 7)
 """The numbers of the six joints, the lowest first."""
@@ -65,11 +66,11 @@ def plausible(limits: JointLimits) -> bool:
 def check_joint(joint: int, angle_deg: float, limits: JointLimits) -> Refusal | None:
     """Whether a joint may be sent to an angle: None, or the reason against it."""
     if not math.isfinite(angle_deg):
-        return Refusal("joint_not_a_number", {"joint": joint, "value": angle_deg})
+        return Refusal(RefusalCode.JOINT_NOT_A_NUMBER, {"joint": joint, "value": angle_deg})
     half_step = ANGLE_STEP_DEG / 2
     if not limits.min_deg - half_step <= angle_deg <= limits.max_deg + half_step:
         return Refusal(
-            "joint_out_of_limits",
+            RefusalCode.JOINT_OUT_OF_LIMITS,
             {
                 "joint": joint,
                 "value": angle_deg,

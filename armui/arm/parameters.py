@@ -15,6 +15,7 @@ from typing import Any, Final, NamedTuple
 
 from armui.arm.limits import JOINTS, plausible
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
 
 
@@ -257,16 +258,16 @@ def check_value(parameter: Parameter, value: float) -> Refusal | None:
         return not_a_number(parameter, str(value))
     figures = _figures(parameter, value)
     if not kind.minimum <= value <= kind.maximum:
-        return Refusal("setting_out_of_range", figures)
+        return Refusal(RefusalCode.SETTING_OUT_OF_RANGE, figures)
     if kind.choices and value not in kind.choices:
         choices = ", ".join(f"{choice:g}" for choice in kind.choices)
-        return Refusal("setting_no_choice", figures | {"choices": choices})
+        return Refusal(RefusalCode.SETTING_NO_CHOICE, figures | {"choices": choices})
     return None
 
 
 def not_a_number(parameter: Parameter, text: str) -> Refusal:
     """The reason against what was typed for a parameter and is no number."""
-    return Refusal("setting_not_a_number", _figures(parameter, text))
+    return Refusal(RefusalCode.SETTING_NOT_A_NUMBER, _figures(parameter, text))
 
 
 def _figures(parameter: Parameter, value: float | str) -> dict[str, float | int | str]:

@@ -5,17 +5,19 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from armui.arm.refusal_codes import RefusalCode
+
 
 @dataclass(frozen=True, slots=True)
 class Refusal:
     """A reason against an action.
 
     Attributes:
-        code: What it is, one of the keys the user interface has a sentence for.
+        code: What it is; the user interface has a sentence for each.
         params: The figures the sentence names, in the units the sentence shows.
     """
 
-    code: str
+    code: RefusalCode
     params: Mapping[str, float | int | str] = field(default_factory=dict)
 
     def __str__(self) -> str:

@@ -13,6 +13,8 @@ import can
 
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.system.error_text import error_text
 
 _SEARCH_S: Final = 5.0
 
@@ -89,34 +91,41 @@ def explain(device: Device, error: BaseException) -> Refusal:
             return Refusal(code, params)
         if isinstance(cause, can.CanInterfaceNotImplementedError | ImportError):
             package = _PACKAGES.get(device.interface, device.interface)
-            return Refusal("bus_backend_missing", {**params, "package": package})
-    text = str(error) or type(error).__name__
+            return Refusal(RefusalCode.BUS_BACKEND_MISSING, {**params, "package": package})
+    text = error_text(error)
     lowered = text.lower()
     for words, code in _CODE_OF_WORDS:
         if any(word in lowered for word in words):
             return Refusal(code, {**params, "text": text})
-    code = "bus_bad_argument" if isinstance(error, ValueError | TypeError) else "bus_failed"
+    code = (
+        RefusalCode.BUS_BAD_ARGUMENT
+        if isinstance(error, ValueError | TypeError)
+        else RefusalCode.BUS_FAILED
+    )
     return Refusal(code, {**params, "text": text})
 
 
 _CODE_OF_ERRNO: Final = {
-    errno.ENODEV: "bus_gone",
-    errno.ENXIO: "bus_gone",
-    errno.ENOENT: "bus_gone",
-    errno.EBUSY: "bus_busy",
-    errno.EADDRINUSE: "bus_busy",
-    errno.ENETDOWN: "bus_down",
-    errno.EAFNOSUPPORT: "bus_driver_missing",
-    errno.EACCES: "bus_permission",
-    errno.EPERM: "bus_permission",
+    errno.ENODEV: RefusalCode.BUS_GONE,
+    errno.ENXIO: RefusalCode.BUS_GONE,
+    errno.ENOENT: RefusalCode.BUS_GONE,
+    errno.EBUSY: RefusalCode.BUS_BUSY,
+    errno.EADDRINUSE: RefusalCode.BUS_BUSY,
+    errno.ENETDOWN: RefusalCode.BUS_DOWN,
+    errno.EAFNOSUPPORT: RefusalCode.BUS_DRIVER_MISSING,
+    errno.EACCES: RefusalCode.BUS_PERMISSION,
+    errno.EPERM: RefusalCode.BUS_PERMISSION,
 }
 
 _CODE_OF_WORDS: Final = (
-    (("library not found", "driver", "dll", "is not defined"), "bus_driver_missing"),
-    (("no such device", "could not find", "not found", "no device", "disconnected"), "bus_gone"),
-    (("busy", "in use", "already open"), "bus_busy"),
-    (("permission", "access is denied", "access denied"), "bus_permission"),
-    (("network is down",), "bus_down"),
+    (("library not found", "driver", "dll", "is not defined"), RefusalCode.BUS_DRIVER_MISSING),
+    (
+        ("no such device", "could not find", "not found", "no device", "disconnected"),
+        RefusalCode.BUS_GONE,
+    ),
+    ((RefusalCode.BUSY, "in use", "already open"), RefusalCode.BUS_BUSY),
+    (("permission", "access is denied", "access denied"), RefusalCode.BUS_PERMISSION),
+    (("network is down",), RefusalCode.BUS_DOWN),
 )
 """For back-ends that put the reason into words only; the last entry of the first line is what
 python-can's back-ends stumble over when the maker's library is not there."""

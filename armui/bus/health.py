@@ -6,6 +6,7 @@ from typing import Final
 
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 
 HEARD_S: Final = 0.5
 """Frames heard not longer ago than this: the receiving side works."""
@@ -57,8 +58,10 @@ class BusHealth:
             "channel": str(device.channel),
         }
         if self._bus_off:
-            return Refusal("bus_off", params)
+            return Refusal(RefusalCode.BUS_OFF, params)
         if not blocked:
             return None
         heard = self._heard_s is not None and now_s - self._heard_s < HEARD_S
-        return Refusal("bus_send_blocked" if heard else "bus_unacknowledged", params)
+        return Refusal(
+            RefusalCode.BUS_SEND_BLOCKED if heard else RefusalCode.BUS_UNACKNOWLEDGED, params
+        )

@@ -14,10 +14,10 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.bus.link import BusReport
-from armui.control.assessment import assess
-from armui.control.assessment_inputs import assessment_inputs
+from armui.control.assessment_inputs import Assessor
 from armui.control.authority import Authority
 from armui.control.authority_watch import AuthorityWatch
 from armui.control.context import Context, ControllerPart
@@ -29,7 +29,7 @@ from armui.control.devices.linkage import LinkageControl
 from armui.control.devices.motors import Motors
 from armui.control.devices.teaching import TeachingControl
 from armui.control.devices.zeroing import Zeroing
-from armui.control.events import CODES
+from armui.control.events import LEVELS, EventCode, Notice
 from armui.control.link.connection import Connection
 from armui.control.link.device_finder import DeviceFinder
 from armui.control.link.dropped_frames import DroppedFrames
@@ -39,7 +39,7 @@ from armui.control.motion.jogging import Jogging
 from armui.control.motion.joint_motion import Motion
 from armui.control.motion.motion_command import End
 from armui.control.motion.planned_motion import PlannedMotion
-from armui.control.operating_state import Busy, Notice, OperatingState
+from armui.control.operating_state import Busy, OperatingState
 from armui.control.parameters.arm_settings import ArmSettings
 from armui.control.part_failure import end_motion_of
 from armui.control.parts import Parts
@@ -131,8 +131,17 @@ class ArmController(QObject):
         self._stop = Stopping(self._connection, self._notice, clock, lambda: self._parts.halt())  # noqa: PLW0108
         authority = self._authority = Authority()
         self._watch = AuthorityWatch(authority, self._connection, self._notice, self._end_too_fast)
+        self._assessor = Assessor(self, self._connection, self._stop, self._watch, clock)
+        self._refresh = self._assessor.refresh
         context = self._context = Context(
-            self._connection, self._notice, clock, lambda: self._state, self._refresh, authority
+            self._connection,
+            self._notice,
+            clock,
+            lambda: self._state,
+            self._assessor.read,
+            self._assessor.refresh,
+            self._assessor.observe,
+            authority,
         )
         self.motion = Motion(context)
         self.cartesian = Cartesian(context, self.motion)
@@ -179,13 +188,16 @@ class ArmController(QObject):
             self.teaching,
             self.planned_motion,
             DroppedFrames(context),
-            self.recovery,  # the last: it looks at what the others are doing
         )
-        self._parts = Parts(parts, self._notice, lambda module: end_motion_of(self, [module]))
+        self._parts = Parts(
+            parts,
+            self._notice,
+            lambda module: end_motion_of(self, [module]),
+            last=self.recovery,
+        )
         self._link_watch = LinkWatch(self._connection, self._notice)
         self._was_stopped = self._lets_finish = False
         self._state = ArmState()
-        self._operating_state = OperatingState(speed_percent=self.motion.speed_percent)
         self._timer = QTimer(self, interval=_TICK_MS, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self.tick)
 
@@ -202,7 +214,7 @@ class ArmController(QObject):
     @property
     def operating_state(self) -> OperatingState:
         """What the operator can do now."""
-        return self._operating_state
+        return self._assessor.read()
 
     # Devices ----------------------------------------------------------------------------------
 
@@ -236,14 +248,14 @@ class ArmController(QObject):
         device = self._connection.device
         if device is None:
             return
-        self._end_run_because(Refusal("run_left"))
+        self._end_run_because(Refusal(RefusalCode.RUN_LEFT))
         if self._authority.holds:
             cut_short(self._context)
         self._forget_arm()
         self._connection.close()
         self._timer.stop()
         self._state = ArmState()
-        self._notice("disconnected", device=device)
+        self._notice(EventCode.DISCONNECTED, device=device)
         self.state_changed.emit(self._state)
         self._refresh()
         self.recovery.advance()
@@ -284,8 +296,8 @@ class ArmController(QObject):
         """Whether a stop that another host undoes is sent again by itself."""
         self._stop.stop_again = on
 
-    def _notice(self, code: str, **params: object) -> None:
-        self.noticed.emit(Notice(datetime.now().astimezone(), CODES[code], code, params))
+    def _notice(self, code: EventCode, **params: object) -> None:
+        self.noticed.emit(Notice(datetime.now().astimezone(), LEVELS[code], code, params))
 
     def tick(self) -> None:
         """Take in what was heard and move on what is under way; the controller's timer calls it."""
@@ -297,9 +309,11 @@ class ArmController(QObject):
         finally:
             self._follow_stop(now_s)  # a stop is repeated whatever else fails
         self._watch.advance(now_s)
+        self._assessor.assess()
         self._parts.advance()
         self._link_watch.follow_handshake(heard)
-        self._refresh()
+        self._assessor.assess()  # once more, with what the parts have begun and ended
+        self._parts.advance_last()
         if heard is not before:
             self.state_changed.emit(heard)
 
@@ -324,10 +338,10 @@ class ArmController(QObject):
         self.jogging.stop()
         cut_short(self._context)
 
-    def _on_connection(self, report: BusReport, code: str) -> None:
-        if code == "link_lost":
+    def _on_connection(self, report: BusReport, code: EventCode) -> None:
+        if code == EventCode.LINK_LOST:
             self._parts.forget()
-        elif code == "connect_failed":
+        elif code == EventCode.CONNECT_FAILED:
             self._timer.stop()
             self._forget_arm()
         self._notice(code, device=report.device, reason=report.problem)
@@ -380,20 +394,3 @@ class ArmController(QObject):
         """The angles are counted anew: no place that was asked for before means the same."""
         self._authority.end(End.ZERO_CHANGED)
         self.player.drop()
-
-    def _refresh(self) -> OperatingState:
-        now_s = self._clock()
-        self._watch.observe(now_s)
-        around = assessment_inputs(
-            self,
-            self._connection,
-            self._stop,
-            authority=self._authority,
-            other_host=self._watch.report(),
-            now_s=now_s,
-        )
-        operating_state = assess(self._state, around, now_s)
-        if operating_state != self._operating_state:
-            self._operating_state = operating_state
-            self.operating_state_changed.emit(operating_state)
-        return self._operating_state

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from armui.arm.device import Device
 from armui.arm.limits import FACTORY_LIMITS, plausible
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Six, is_fresh
 from armui.control.authority import Authority
 from armui.control.link.offsets import OffsetFollower
@@ -68,8 +69,10 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
     )
     cannot_run = _first(
         lambda: no_command,
-        lambda: None if around.offsets.certain else Refusal("control_offset_unknown"),
-        lambda: Refusal("busy", {"what": activity.altering}) if activity.altering else None,
+        lambda: None if around.offsets.certain else Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN),
+        lambda: (
+            Refusal(RefusalCode.BUSY, {"what": activity.altering}) if activity.altering else None
+        ),
         authority.why_silent,
         authority.other.why_not,
         lambda: interlocks.why_not_enabled(enabled),
@@ -92,8 +95,8 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         busy=around.busy,
         cannot_move=_first(
             lambda: cannot_run,
-            lambda: Refusal("run_under_way") if activity.running else held,
-            lambda: Refusal("speed_zero") if around.speed_percent == 0 else None,
+            lambda: Refusal(RefusalCode.RUN_UNDER_WAY) if activity.running else held,
+            lambda: Refusal(RefusalCode.SPEED_ZERO) if around.speed_percent == 0 else None,
         ),
         cannot_run=cannot_run,
         running=activity.running,

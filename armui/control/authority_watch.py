@@ -7,6 +7,7 @@ from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
+from armui.control.events import EventCode
 from armui.control.motion.motion_command import Observation
 from armui.control.operating_state import LinkState, OtherHostReport
 from armui.protocol.addressing import OFFSETS
@@ -29,6 +30,9 @@ class AuthorityWatch:
         connection: The way to the arm.
         tell: Takes the notices.
         end_motion: Ends our motion with a reason.
+
+    Attributes:
+        authority: What it feeds.
     """
 
     def __init__(
@@ -38,7 +42,7 @@ class AuthorityWatch:
         tell: Tell,
         end_motion: Callable[[Refusal], None],
     ) -> None:
-        self._authority = authority
+        self.authority = authority
         self._connection = connection
         self._tell = tell
         self._end_motion = end_motion
@@ -53,7 +57,7 @@ class AuthorityWatch:
         if connection.device is None:
             return
         offsets = connection.offsets
-        self._authority.observe(
+        self.authority.observe(
             Observation(
                 state=connection.newest,
                 traffic=connection.traffic,
@@ -63,28 +67,28 @@ class AuthorityWatch:
                 waiting=not connection.idle,
             )
         )
-        if self._authority.number != self._voided:
-            self._voided = self._authority.number
+        if self.authority.number != self._voided:
+            self._voided = self.authority.number
             connection.void(self._voided)
 
     def advance(self, now_s: float) -> None:
         """Tell who else moves the arm, and end a motion of ours that is too fast."""
         self.observe(now_s)
-        authority = self._authority
+        authority = self.authority
         other = authority.other
         named = other.since_s is not None and now_s - other.since_s >= _NAMED_AFTER_S
         commanded = other.commands and (named or self._was_commanded)
         if commanded is not self._was_commanded:
             self._was_commanded = commanded
-            code = "leader_arm_moves" if other.is_leader else "other_host_moves"
-            self._tell(code if commanded else "other_host_gone", frames=other.frames)
+            code = EventCode.LEADER_ARM_MOVES if other.is_leader else EventCode.OTHER_HOST_MOVES
+            self._tell(code if commanded else EventCode.OTHER_HOST_GONE, frames=other.frames)
         if authority.cancel_unheeded and not self._was_unheeded:
-            self._tell("cancel_unheeded")
+            self._tell(EventCode.CANCEL_UNHEEDED)
         self._was_unheeded = authority.cancel_unheeded
         if authority.overspeed is not None:
             reason = authority.overspeed
             self._end_motion(reason)
-            self._tell("motion_too_fast", reason=reason)
+            self._tell(EventCode.MOTION_TOO_FAST, reason=reason)
 
     def take_over(self, now_s: float) -> Refusal | None:
         """Take the arm from another host that pauses: ``None``, or why not.
@@ -92,14 +96,14 @@ class AuthorityWatch:
         Its last motion goes on until a motion of ours replaces it.
         """
         self.observe(now_s)
-        refusal = self._authority.other.take_over()
+        refusal = self.authority.other.take_over()
         if refusal is None:
-            self._tell("taken_over")
+            self._tell(EventCode.TAKEN_OVER)
         return refusal
 
     def report(self) -> OtherHostReport | None:
         """Who else moves the arm, for the operator."""
-        other = self._authority.other
+        other = self.authority.other
         reason = other.why_not()
         if reason is None:
             self._began = None

@@ -7,8 +7,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.authority import Authority
+from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand
 from armui.control.motion.speed import speed_frames
 from armui.control.operating_state import OperatingState
@@ -16,7 +18,7 @@ from armui.protocol.codes import ControlMode
 
 if TYPE_CHECKING:
     from armui.control.link.connection import Connection
-    from armui.kinematics.kinematics import Matrix
+    from armui.kinematics.poses import Matrix
     from armui.protocol.codes import MoveMode
     from armui.protocol.frame import Frame
 
@@ -24,7 +26,7 @@ if TYPE_CHECKING:
 class Tell(Protocol):
     """Tells the operator something: the code of a notice and its figures."""
 
-    def __call__(self, code: str, **params: object) -> None: ...  # noqa: D102 - said above
+    def __call__(self, code: EventCode, **params: object) -> None: ...  # noqa: D102 - said above
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +38,12 @@ class Context:
         tell: Takes the notices.
         clock: Monotonic time in seconds.
         state: The arm as last heard.
-        operating_state: What the operator can do now, computed anew.
+        operating_state: What the operator can do, as of the last look: the controller's tick looks,
+            and :attr:`refresh`.
+        refresh: Looks at the arm and at other hosts anew, tells the windows if the operator can do
+            something else now, and answers with the operating state. Each command of the operator
+            begins with it, and ends with it where it has changed that state itself.
+        observe: Lets the authority know what is heard by now, and nothing more.
         authority: Who moves the arm, and what our own command is.
     """
 
@@ -45,16 +52,22 @@ class Context:
     clock: Callable[[], float]
     state: Callable[[], ArmState]
     operating_state: Callable[[], OperatingState]
+    refresh: Callable[[], OperatingState]
+    observe: Callable[[], None]
     authority: Authority
 
     def refuse(self, refusal: Refusal) -> Refusal:
         """Tell the operator why something was not done; returns the reason."""
-        self.tell("refused", reason=refusal)
+        self.tell(EventCode.REFUSED, reason=refusal)
         return refusal
 
     def why_no_motion(self) -> Refusal | None:
-        """The reason against a motion frame of ours by who moves the arm now, or ``None``."""
-        self.operating_state()
+        """The reason against a motion frame of ours by who moves the arm now, or ``None``.
+
+        The gate that every motion frame passes: it judges by what is heard at this very moment,
+        not by the controller's last tick.
+        """
+        self.observe()
         return self.authority.why_not()
 
     def send_motion(
@@ -97,7 +110,7 @@ class Context:
         self.connection.void(command.number)
         if not self.connection.send([*lead, *frames], keep_s, command.number):
             self.authority.end(End.NOT_SENT)
-            return Refusal("link_lost")
+            return Refusal(RefusalCode.LINK_LOST)
         return command
 
     def send_on(
@@ -121,9 +134,9 @@ class Context:
             return refusal
         further = self.authority.extend(command, joints_deg, self.clock())
         if further is None:
-            return Refusal("command_over")
+            return Refusal(RefusalCode.COMMAND_OVER)
         if not self.connection.send(frames, keep_s, further.number):
-            return Refusal("link_lost")
+            return Refusal(RefusalCode.LINK_LOST)
         return further
 
     def lead_frames(self, speed_percent: int) -> list[Frame]:

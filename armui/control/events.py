@@ -1,268 +1,279 @@
-"""Every notice and refusal the program can give, with its figures.
+"""Every event the program tells the operator of, with its level.
 
-The user interface has a sentence for each; a test compares the two.
+The user interface has a sentence for each; a comment names the figures it shows.
 """
 
 from __future__ import annotations
 
+import enum
 from collections.abc import Mapping
+from dataclasses import dataclass, field
+from datetime import datetime
+from enum import StrEnum, unique
 from typing import Final
 
-from armui.control.operating_state import Level
 
-CODES: Final[Mapping[str, Level]] = {
-    "sent_joints": Level.INFO,  # j1 … j6
-    "jogged": Level.INFO,  # joint, target
-    "went_home": Level.INFO,
-    "jogging_joint": Level.INFO,  # joint, sign
-    "jogging_tool": Level.INFO,  # axis, sign
-    "jog_ended": Level.WARNING,  # reason
-    "sent_pose": Level.INFO,  # x … rz
-    "sent_line": Level.INFO,  # x … rz
-    "sent_arc": Level.INFO,
-    "stepped_tool": Level.INFO,  # axis, step with its unit
-    "sent_speed": Level.INFO,  # percent
-    "speed_waits": Level.WARNING,  # percent
-    "other_host_moves": Level.WARNING,  # frames
-    "leader_arm_moves": Level.WARNING,  # frames
-    "other_host_gone": Level.INFO,  # frames
-    "taken_over": Level.DONE,
-    "cancel_unheeded": Level.FAULT,
-    "motion_too_fast": Level.FAULT,  # reason
-    "frames_dropped": Level.WARNING,  # count, total
-    "sent_lamp": Level.INFO,  # joint, lamp, color
-    "sent_lamps": Level.INFO,  # joint, color
-    "stop_sent": Level.WARNING,
-    "stop_not_sent": Level.FAULT,
-    "stop_reaches_other": Level.WARNING,  # feedback
-    "stop_lapsed": Level.FAULT,
-    "stop_withdrawn": Level.WARNING,
-    "stop_abandoned": Level.FAULT,  # device
-    "stop_undone": Level.FAULT,
-    "halt_sent": Level.INFO,
-    "halt_not_out": Level.FAULT,
-    "halt_at_rest": Level.DONE,
-    "stop_confirmed": Level.WARNING,
-    "stop_unconfirmed": Level.FAULT,
-    "resume_sent": Level.INFO,
-    "resumed": Level.DONE,
-    "resume_failed": Level.FAULT,
-    "enable_sent": Level.INFO,
-    "enabled": Level.DONE,
-    "enable_failed": Level.FAULT,  # joints
-    "enable_sent_joint": Level.INFO,  # joint
-    "enabled_joint": Level.DONE,  # joint
-    "disable_sent": Level.INFO,
-    "disable_sent_joint": Level.INFO,  # joint
-    "disabled_joint": Level.DONE,  # joint
-    "disabled": Level.DONE,
-    "disable_failed": Level.FAULT,  # joints
-    "clear_error_sent": Level.INFO,  # joint
-    "clear_error_answered": Level.DONE,  # joint
-    "clear_error_unanswered": Level.FAULT,  # joint
-    "load_sent": Level.INFO,  # load
-    "load_answered": Level.DONE,  # load
-    "load_failed": Level.FAULT,  # reason
-    "end_feedback_sent": Level.INFO,
-    "end_feedback_on": Level.DONE,
-    "end_feedback_off": Level.DONE,
-    "end_feedback_failed": Level.FAULT,  # reason
-    "linkage_sent": Level.INFO,
-    "linkage_answered": Level.INFO,
-    "linkage_answered_input": Level.INFO,
-    "linkage_failed": Level.FAULT,  # reason
-    "linkage_in_use": Level.DONE,  # feedback, control
-    "linkage_found": Level.WARNING,  # feedback
-    "gripper_sent": Level.INFO,  # value, unit
-    "gripper_there": Level.DONE,  # value, unit
-    "gripper_grips": Level.DONE,  # value, unit, torque
-    "gripper_not_there": Level.FAULT,  # value, unit, target
-    "gripper_act_sent": Level.INFO,  # act
-    "gripper_act_done": Level.DONE,  # act
-    "gripper_act_failed": Level.FAULT,  # act
-    "zero_sent": Level.INFO,
-    "zero_sent_joint": Level.INFO,  # joint
-    "zero_set": Level.DONE,
-    "zero_set_joint": Level.DONE,  # joint
-    "zero_failed": Level.FAULT,  # reason
-    "settings_sent": Level.INFO,  # count
-    "settings_saved": Level.DONE,  # count
-    "settings_refused": Level.FAULT,  # count, total, reason
-    "settings_reset_sent": Level.INFO,
-    "settings_reset": Level.DONE,
-    "run_started": Level.INFO,  # name
-    "run_paused": Level.INFO,  # row
-    "run_continued": Level.INFO,  # row
-    "run_done": Level.DONE,  # name
-    "run_ended": Level.INFO,  # row
-    "run_failed": Level.FAULT,  # row, reason
-    "teaching_sent": Level.INFO,  # command
-    "teaching_done": Level.DONE,  # command
-    "teaching_unanswered": Level.FAULT,  # command
-    "plan_sent": Level.INFO,  # plan
-    "standby_sent": Level.INFO,
-    "motion_output_sent": Level.INFO,
-    "step_in_vain": Level.FAULT,
-    "replay_paused": Level.INFO,
-    "replay_continued": Level.INFO,
-    "replay_ended": Level.INFO,  # name
-    "replay_failed": Level.FAULT,  # reason
-    "recording_started": Level.INFO,
-    "recording_ended": Level.DONE,  # count, seconds
-    "connected": Level.INFO,  # device
-    "connect_failed": Level.FAULT,  # device, reason
-    "disconnected": Level.INFO,  # device
-    "link_lost": Level.FAULT,  # device, reason
-    "reconnected": Level.DONE,  # device
-    "bus_blocked": Level.FAULT,  # device, reason
-    "bus_unblocked": Level.DONE,  # device
-    "online": Level.DONE,
-    "offline": Level.WARNING,
-    "generation": Level.INFO,  # generation, firmware
-    "limits_read": Level.INFO,
-    "limits_missing": Level.WARNING,  # joints
-    "limits_corrupt": Level.WARNING,  # joint
-    "part_failed": Level.FAULT,  # part
-    "settings_shared": Level.WARNING,  # path, count
-    "channel_shared": Level.WARNING,  # device, count
-    "refused": Level.WARNING,  # reason
+class Level(enum.Enum):
+    """How much a notice matters."""
+
+    INFO = enum.auto()
+    DONE = enum.auto()
+    WARNING = enum.auto()
+    FAULT = enum.auto()
+
+
+@unique
+class EventCode(StrEnum):
+    """Something that happened; see :class:`Notice`."""
+
+    SENT_JOINTS = "sent_joints"  # j1 … j6
+    JOGGED = "jogged"  # joint, target
+    WENT_HOME = "went_home"
+    JOGGING_JOINT = "jogging_joint"  # joint, sign
+    JOGGING_TOOL = "jogging_tool"  # axis, sign
+    JOG_ENDED = "jog_ended"  # reason
+    SENT_POSE = "sent_pose"  # x … rz
+    SENT_LINE = "sent_line"  # x … rz
+    SENT_ARC = "sent_arc"
+    STEPPED_TOOL = "stepped_tool"  # axis, step with its unit
+    SENT_SPEED = "sent_speed"  # percent
+    SPEED_WAITS = "speed_waits"  # percent
+    OTHER_HOST_MOVES = "other_host_moves"  # frames
+    LEADER_ARM_MOVES = "leader_arm_moves"  # frames
+    OTHER_HOST_GONE = "other_host_gone"  # frames
+    TAKEN_OVER = "taken_over"
+    CANCEL_UNHEEDED = "cancel_unheeded"
+    MOTION_TOO_FAST = "motion_too_fast"  # reason
+    FRAMES_DROPPED = "frames_dropped"  # count, total
+    SENT_LAMP = "sent_lamp"  # joint, lamp, color
+    SENT_LAMPS = "sent_lamps"  # joint, color
+    STOP_SENT = "stop_sent"
+    STOP_NOT_SENT = "stop_not_sent"
+    STOP_REACHES_OTHER = "stop_reaches_other"  # feedback
+    STOP_LAPSED = "stop_lapsed"
+    STOP_WITHDRAWN = "stop_withdrawn"
+    STOP_ABANDONED = "stop_abandoned"  # device
+    STOP_UNDONE = "stop_undone"
+    HALT_SENT = "halt_sent"
+    HALT_NOT_OUT = "halt_not_out"
+    HALT_AT_REST = "halt_at_rest"
+    STOP_CONFIRMED = "stop_confirmed"
+    STOP_UNCONFIRMED = "stop_unconfirmed"
+    RESUME_SENT = "resume_sent"
+    RESUMED = "resumed"
+    RESUME_FAILED = "resume_failed"
+    ENABLE_SENT = "enable_sent"
+    ENABLED = "enabled"
+    ENABLE_FAILED = "enable_failed"  # joints
+    ENABLE_SENT_JOINT = "enable_sent_joint"  # joint
+    ENABLED_JOINT = "enabled_joint"  # joint
+    DISABLE_SENT = "disable_sent"
+    DISABLE_SENT_JOINT = "disable_sent_joint"  # joint
+    DISABLED_JOINT = "disabled_joint"  # joint
+    DISABLED = "disabled"
+    DISABLE_FAILED = "disable_failed"  # joints
+    CLEAR_ERROR_SENT = "clear_error_sent"  # joint
+    CLEAR_ERROR_ANSWERED = "clear_error_answered"  # joint
+    CLEAR_ERROR_UNANSWERED = "clear_error_unanswered"  # joint
+    LOAD_SENT = "load_sent"  # load
+    LOAD_ANSWERED = "load_answered"  # load
+    LOAD_FAILED = "load_failed"  # reason
+    END_FEEDBACK_SENT = "end_feedback_sent"
+    END_FEEDBACK_ON = "end_feedback_on"
+    END_FEEDBACK_OFF = "end_feedback_off"
+    END_FEEDBACK_FAILED = "end_feedback_failed"  # reason
+    LINKAGE_SENT = "linkage_sent"
+    LINKAGE_ANSWERED = "linkage_answered"
+    LINKAGE_ANSWERED_INPUT = "linkage_answered_input"
+    LINKAGE_FAILED = "linkage_failed"  # reason
+    LINKAGE_IN_USE = "linkage_in_use"  # feedback, control
+    LINKAGE_FOUND = "linkage_found"  # feedback
+    GRIPPER_SENT = "gripper_sent"  # value, unit
+    GRIPPER_THERE = "gripper_there"  # value, unit
+    GRIPPER_GRIPS = "gripper_grips"  # value, unit, torque
+    GRIPPER_NOT_THERE = "gripper_not_there"  # value, unit, target
+    GRIPPER_ACT_SENT = "gripper_act_sent"  # act
+    GRIPPER_ACT_DONE = "gripper_act_done"  # act
+    GRIPPER_ACT_FAILED = "gripper_act_failed"  # act
+    ZERO_SENT = "zero_sent"
+    ZERO_SENT_JOINT = "zero_sent_joint"  # joint
+    ZERO_SET = "zero_set"
+    ZERO_SET_JOINT = "zero_set_joint"  # joint
+    ZERO_FAILED = "zero_failed"  # reason
+    SETTINGS_SENT = "settings_sent"  # count
+    SETTINGS_SAVED = "settings_saved"  # count
+    SETTINGS_REFUSED = "settings_refused"  # count, total, reason
+    SETTINGS_RESET_SENT = "settings_reset_sent"
+    SETTINGS_RESET = "settings_reset"
+    RUN_STARTED = "run_started"  # name
+    RUN_PAUSED = "run_paused"  # row
+    RUN_CONTINUED = "run_continued"  # row
+    RUN_DONE = "run_done"  # name
+    RUN_ENDED = "run_ended"  # row
+    RUN_FAILED = "run_failed"  # row, reason
+    TEACHING_SENT = "teaching_sent"  # command
+    TEACHING_DONE = "teaching_done"  # command
+    TEACHING_UNANSWERED = "teaching_unanswered"  # command
+    PLAN_SENT = "plan_sent"  # plan
+    STANDBY_SENT = "standby_sent"
+    MOTION_OUTPUT_SENT = "motion_output_sent"
+    STEP_IN_VAIN = "step_in_vain"
+    REPLAY_PAUSED = "replay_paused"
+    REPLAY_CONTINUED = "replay_continued"
+    REPLAY_ENDED = "replay_ended"  # name
+    REPLAY_FAILED = "replay_failed"  # reason
+    RECORDING_STARTED = "recording_started"
+    RECORDING_ENDED = "recording_ended"  # count, seconds
+    CONNECTED = "connected"  # device
+    CONNECT_FAILED = "connect_failed"  # device, reason
+    DISCONNECTED = "disconnected"  # device
+    LINK_LOST = "link_lost"  # device, reason
+    RECONNECTED = "reconnected"  # device
+    BUS_BLOCKED = "bus_blocked"  # device, reason
+    BUS_UNBLOCKED = "bus_unblocked"  # device
+    ONLINE = "online"
+    OFFLINE = "offline"
+    GENERATION = "generation"  # generation, firmware
+    LIMITS_READ = "limits_read"
+    LIMITS_MISSING = "limits_missing"  # joints
+    LIMITS_CORRUPT = "limits_corrupt"  # joint
+    PART_FAILED = "part_failed"  # part
+    SETTINGS_SHARED = "settings_shared"  # path, count
+    CHANNEL_SHARED = "channel_shared"  # device, count
+    REFUSED = "refused"  # reason
+
+
+LEVELS: Final[Mapping[EventCode, Level]] = {
+    EventCode.SENT_JOINTS: Level.INFO,
+    EventCode.JOGGED: Level.INFO,
+    EventCode.WENT_HOME: Level.INFO,
+    EventCode.JOGGING_JOINT: Level.INFO,
+    EventCode.JOGGING_TOOL: Level.INFO,
+    EventCode.JOG_ENDED: Level.WARNING,
+    EventCode.SENT_POSE: Level.INFO,
+    EventCode.SENT_LINE: Level.INFO,
+    EventCode.SENT_ARC: Level.INFO,
+    EventCode.STEPPED_TOOL: Level.INFO,
+    EventCode.SENT_SPEED: Level.INFO,
+    EventCode.SPEED_WAITS: Level.WARNING,
+    EventCode.OTHER_HOST_MOVES: Level.WARNING,
+    EventCode.LEADER_ARM_MOVES: Level.WARNING,
+    EventCode.OTHER_HOST_GONE: Level.INFO,
+    EventCode.TAKEN_OVER: Level.DONE,
+    EventCode.CANCEL_UNHEEDED: Level.FAULT,
+    EventCode.MOTION_TOO_FAST: Level.FAULT,
+    EventCode.FRAMES_DROPPED: Level.WARNING,
+    EventCode.SENT_LAMP: Level.INFO,
+    EventCode.SENT_LAMPS: Level.INFO,
+    EventCode.STOP_SENT: Level.WARNING,
+    EventCode.STOP_NOT_SENT: Level.FAULT,
+    EventCode.STOP_REACHES_OTHER: Level.WARNING,
+    EventCode.STOP_LAPSED: Level.FAULT,
+    EventCode.STOP_WITHDRAWN: Level.WARNING,
+    EventCode.STOP_ABANDONED: Level.FAULT,
+    EventCode.STOP_UNDONE: Level.FAULT,
+    EventCode.HALT_SENT: Level.INFO,
+    EventCode.HALT_NOT_OUT: Level.FAULT,
+    EventCode.HALT_AT_REST: Level.DONE,
+    EventCode.STOP_CONFIRMED: Level.WARNING,
+    EventCode.STOP_UNCONFIRMED: Level.FAULT,
+    EventCode.RESUME_SENT: Level.INFO,
+    EventCode.RESUMED: Level.DONE,
+    EventCode.RESUME_FAILED: Level.FAULT,
+    EventCode.ENABLE_SENT: Level.INFO,
+    EventCode.ENABLED: Level.DONE,
+    EventCode.ENABLE_FAILED: Level.FAULT,
+    EventCode.ENABLE_SENT_JOINT: Level.INFO,
+    EventCode.ENABLED_JOINT: Level.DONE,
+    EventCode.DISABLE_SENT: Level.INFO,
+    EventCode.DISABLE_SENT_JOINT: Level.INFO,
+    EventCode.DISABLED_JOINT: Level.DONE,
+    EventCode.DISABLED: Level.DONE,
+    EventCode.DISABLE_FAILED: Level.FAULT,
+    EventCode.CLEAR_ERROR_SENT: Level.INFO,
+    EventCode.CLEAR_ERROR_ANSWERED: Level.DONE,
+    EventCode.CLEAR_ERROR_UNANSWERED: Level.FAULT,
+    EventCode.LOAD_SENT: Level.INFO,
+    EventCode.LOAD_ANSWERED: Level.DONE,
+    EventCode.LOAD_FAILED: Level.FAULT,
+    EventCode.END_FEEDBACK_SENT: Level.INFO,
+    EventCode.END_FEEDBACK_ON: Level.DONE,
+    EventCode.END_FEEDBACK_OFF: Level.DONE,
+    EventCode.END_FEEDBACK_FAILED: Level.FAULT,
+    EventCode.LINKAGE_SENT: Level.INFO,
+    EventCode.LINKAGE_ANSWERED: Level.INFO,
+    EventCode.LINKAGE_ANSWERED_INPUT: Level.INFO,
+    EventCode.LINKAGE_FAILED: Level.FAULT,
+    EventCode.LINKAGE_IN_USE: Level.DONE,
+    EventCode.LINKAGE_FOUND: Level.WARNING,
+    EventCode.GRIPPER_SENT: Level.INFO,
+    EventCode.GRIPPER_THERE: Level.DONE,
+    EventCode.GRIPPER_GRIPS: Level.DONE,
+    EventCode.GRIPPER_NOT_THERE: Level.FAULT,
+    EventCode.GRIPPER_ACT_SENT: Level.INFO,
+    EventCode.GRIPPER_ACT_DONE: Level.DONE,
+    EventCode.GRIPPER_ACT_FAILED: Level.FAULT,
+    EventCode.ZERO_SENT: Level.INFO,
+    EventCode.ZERO_SENT_JOINT: Level.INFO,
+    EventCode.ZERO_SET: Level.DONE,
+    EventCode.ZERO_SET_JOINT: Level.DONE,
+    EventCode.ZERO_FAILED: Level.FAULT,
+    EventCode.SETTINGS_SENT: Level.INFO,
+    EventCode.SETTINGS_SAVED: Level.DONE,
+    EventCode.SETTINGS_REFUSED: Level.FAULT,
+    EventCode.SETTINGS_RESET_SENT: Level.INFO,
+    EventCode.SETTINGS_RESET: Level.DONE,
+    EventCode.RUN_STARTED: Level.INFO,
+    EventCode.RUN_PAUSED: Level.INFO,
+    EventCode.RUN_CONTINUED: Level.INFO,
+    EventCode.RUN_DONE: Level.DONE,
+    EventCode.RUN_ENDED: Level.INFO,
+    EventCode.RUN_FAILED: Level.FAULT,
+    EventCode.TEACHING_SENT: Level.INFO,
+    EventCode.TEACHING_DONE: Level.DONE,
+    EventCode.TEACHING_UNANSWERED: Level.FAULT,
+    EventCode.PLAN_SENT: Level.INFO,
+    EventCode.STANDBY_SENT: Level.INFO,
+    EventCode.MOTION_OUTPUT_SENT: Level.INFO,
+    EventCode.STEP_IN_VAIN: Level.FAULT,
+    EventCode.REPLAY_PAUSED: Level.INFO,
+    EventCode.REPLAY_CONTINUED: Level.INFO,
+    EventCode.REPLAY_ENDED: Level.INFO,
+    EventCode.REPLAY_FAILED: Level.FAULT,
+    EventCode.RECORDING_STARTED: Level.INFO,
+    EventCode.RECORDING_ENDED: Level.DONE,
+    EventCode.CONNECTED: Level.INFO,
+    EventCode.CONNECT_FAILED: Level.FAULT,
+    EventCode.DISCONNECTED: Level.INFO,
+    EventCode.LINK_LOST: Level.FAULT,
+    EventCode.RECONNECTED: Level.DONE,
+    EventCode.BUS_BLOCKED: Level.FAULT,
+    EventCode.BUS_UNBLOCKED: Level.DONE,
+    EventCode.ONLINE: Level.DONE,
+    EventCode.OFFLINE: Level.WARNING,
+    EventCode.GENERATION: Level.INFO,
+    EventCode.LIMITS_READ: Level.INFO,
+    EventCode.LIMITS_MISSING: Level.WARNING,
+    EventCode.LIMITS_CORRUPT: Level.WARNING,
+    EventCode.PART_FAILED: Level.FAULT,
+    EventCode.SETTINGS_SHARED: Level.WARNING,
+    EventCode.CHANNEL_SHARED: Level.WARNING,
+    EventCode.REFUSED: Level.WARNING,
 }
-"""Notice code to its level."""
+"""How much each matters."""
 
-REFUSALS: Final = frozenset(
-    {
-        "not_connected",
-        "offline",
-        "link_lost",
-        "stopped",
-        "stop_requested",
-        "halt_listen_only",
-        "listen_only",
-        "not_stopped",
-        "busy",  # what
-        "step_gone",
-        "step_in_vain",
-        "teaching_off",
-        "teaching_idle",
-        "teaching_recording",
-        "teaching_replaying",
-        "teaching_paused",
-        "not_moving",
-        "not_enabled",  # joints
-        "enabled_unknown",
-        "speed_zero",
-        "speed_out_of_range",  # value
-        "joint_out_of_limits",  # joint, value, minimum, maximum
-        "joint_not_a_number",  # joint, value
-        "still_moving",
-        "jog_at_limit",  # joint, limit
-        "jog_out_of_reach",
-        "jog_singular",  # joint
-        "jog_not_following",
-        "jog_no_feedback",
-        "jog_held_up",  # value
-        "pose_unknown",
-        "target_refused",  # status
-        "pose_not_a_number",  # axis, value
-        "pose_out_of_reach",  # missing
-        "pose_beyond_limits",  # joint, value, minimum, maximum
-        "path_out_of_reach",  # gone
-        "path_beyond_limits",  # joint, value, minimum, maximum, gone
-        "path_singular",  # joint, gone
-        "arc_not_at_start",  # distance, turned
-        "arc_is_none",
-        "arc_incomplete",  # point
-        "model_differs",
-        "light_out_of_range",  # light, value, minimum, maximum
-        "light_not_a_number",  # light, value, minimum, maximum
-        "joints_unknown",
-        "generation_unknown",
-        "no_rows_chosen",
-        "findings_against",  # count
-        "work_failed",  # text
-        "moved_since_check",  # value
-        "limits_changed_since_check",
-        "not_running",
-        "not_paused",
-        "run_empty",  # name
-        "run_no_such_row",  # row, maximum
-        "run_stopped",
-        "run_under_way",
-        "run_disabled",
-        "run_let_go",
-        "run_left",
-        "run_sets_lamps",
-        "jog_under_way",
-        "plan_paused",
-        "held_at_zero",
-        "nothing_held",
-        "feedback_silent",  # frames, seconds
-        "other_host",  # frames
-        "leader_arm",  # frames
-        "other_mode",  # other_mode
-        "other_host_streams",  # frames
-        "nobody_else",
-        "command_over",
-        "too_fast",  # joint, value, maximum
-        "run_too_slow",  # seconds
-        "run_elsewhere",  # away
-        "run_not_ended",
-        "replay_too_fast",  # joint, value, maximum, percent
-        "replay_lagging",  # joint, away
-        "replay_gap",  # seconds
-        "gripper_other_generation",  # row
-        "setting_out_of_range",  # parameter, joint, value, minimum, maximum
-        "setting_not_a_number",  # parameter, joint, value, minimum, maximum
-        "setting_no_choice",  # parameter, joint, value, choices
-        "setting_not_kept",  # generation
-        "setting_unknown",  # parameter, joint
-        "setting_corrupt",  # parameter, joint
-        "limits_crossed",  # joint, minimum, maximum
-        "setting_unanswered",
-        "setting_not_read_back",
-        "setting_not_taken",  # parameter, joint, value, held
-        "load_not_chosen",
-        "load_while_moving",
-        "end_feedback_goes_on",
-        "control_offset_unknown",
-        "offset_not_possible",  # offset, value
-        "linkage_while_moving",
-        "gripper_silent",
-        "gripper_no_zero",
-        "gripper_out_of_range",  # gripper, value, minimum, maximum, unit
-        "gripper_not_a_number",  # gripper, value, minimum, maximum, unit
-        "backup_no_json",  # line, column
-        "backup_foreign",
-        "backup_version",  # version, known
-        "backup_field_missing",  # field
-        "backup_field_bad",  # field, value
-        "backup_twice",  # field, parameter
-        "backup_empty",
-        "backup_unreadable",  # path, text
-        "backup_not_written",  # path, text
-        "backup_nothing_read",
-        "speed_unknown",  # joints
-        "joints_moving",  # joints
-        "zero_not_set",  # joints
-        "zero_not_taken",  # joints
-        "zero_moved",  # joints
-        "order_too_late",
-        "arm_changed",
-        "part_failed",
-        "ended_by_stop",
-        "other_control",  # mode
-        "arm_fault",  # status
-        "bus_gone",  # device, interface
-        "bus_busy",
-        "bus_down",
-        "bus_permission",
-        "bus_off",  # + channel
-        "bus_unacknowledged",
-        "bus_send_blocked",
-        "bus_backend_missing",  # + package
-        "bus_driver_missing",
-        "bus_bad_argument",  # + text
-        "bus_failed",  # + text
-    }
-)
-"""Every reason against an action; bus reasons all name device and interface."""
+
+@dataclass(frozen=True, slots=True)
+class Notice:
+    """Something that happened, as data; the user interface has the sentence for it.
+
+    Attributes:
+        at: Local time.
+        code: What happened.
+        params: The figures of the sentence.
+    """
+
+    at: datetime
+    level: Level
+    code: EventCode
+    params: Mapping[str, object] = field(default_factory=dict)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import datetime
 
 from armui.arm.device import Device
 from armui.arm.limits import FACTORY_LIMITS, JointLimits
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import Six
 from armui.control.motion.motion_command import Hold, Mover
 from armui.protocol.addressing import Addressing
@@ -37,12 +37,12 @@ def why_unreachable(link: LinkState, device: Device | None = None) -> Refusal | 
         device: What is open; ``None`` where something may be done to an arm that is listened to.
     """
     if device is not None and device.listen_only and link is LinkState.ONLINE:
-        return Refusal("listen_only")
+        return Refusal(RefusalCode.LISTEN_ONLY)
     if link is LinkState.LOST:
-        return Refusal("link_lost")
+        return Refusal(RefusalCode.LINK_LOST)
     if link is LinkState.OFFLINE:
-        return Refusal("offline")
-    return None if link is LinkState.ONLINE else Refusal("not_connected")
+        return Refusal(RefusalCode.OFFLINE)
+    return None if link is LinkState.ONLINE else Refusal(RefusalCode.NOT_CONNECTED)
 
 
 class StopState(enum.Enum):
@@ -125,9 +125,11 @@ class OperatingState:
     stop_lapsed: bool = False
     enabled: Six[bool | None] = (None, None, None, None, None, None)
     busy: Busy | None = None
-    cannot_move: Refusal | None = field(default_factory=lambda: Refusal("not_connected"))
-    cannot_run: Refusal | None = field(default_factory=lambda: Refusal("not_connected"))
-    cannot_enable: Refusal | None = field(default_factory=lambda: Refusal("not_connected"))
+    cannot_move: Refusal | None = field(default_factory=lambda: Refusal(RefusalCode.NOT_CONNECTED))
+    cannot_run: Refusal | None = field(default_factory=lambda: Refusal(RefusalCode.NOT_CONNECTED))
+    cannot_enable: Refusal | None = field(
+        default_factory=lambda: Refusal(RefusalCode.NOT_CONNECTED)
+    )
     limits: tuple[JointLimits, ...] = FACTORY_LIMITS
     limits_read: Six[bool] = (False, False, False, False, False, False)
     speed_percent: int = 0
@@ -166,13 +168,13 @@ class OperatingState:
         the arm stands still then, and goes on.
         """
         if self.running:
-            return Refusal("run_under_way")
+            return Refusal(RefusalCode.RUN_UNDER_WAY)
         if self.jogging:
-            return Refusal("jog_under_way")
+            return Refusal(RefusalCode.JOG_UNDER_WAY)
         if Hold.PAUSE in self.holds:
-            return Refusal("plan_paused")
+            return Refusal(RefusalCode.PLAN_PAUSED)
         if self.holds:
-            return Refusal("held_at_zero")
+            return Refusal(RefusalCode.HELD_AT_ZERO)
         if self.other_host is None or self.teaching_input:
             return None  # a teaching input sends commands itself
         return self.other_host.reason
@@ -181,35 +183,10 @@ class OperatingState:
     def cannot_set_lamps(self) -> Refusal | None:
         """Why no lamp may be set, or ``None``: lamps move nothing, but a run may speak by them."""
         if self.unreachable is None and self.run_sets_lamps:
-            return Refusal("run_sets_lamps")
+            return Refusal(RefusalCode.RUN_SETS_LAMPS)
         return self.unreachable
 
     @property
     def cannot_switch_on(self) -> Refusal | None:
         """Why motors must not be enabled, or ``None``: they may. To disable is always possible."""
         return self.cannot_enable or self.occupied
-
-
-class Level(enum.Enum):
-    """How much a notice matters."""
-
-    INFO = enum.auto()
-    DONE = enum.auto()
-    WARNING = enum.auto()
-    FAULT = enum.auto()
-
-
-@dataclass(frozen=True, slots=True)
-class Notice:
-    """Something that happened, as data; the user interface has the sentence for it.
-
-    Attributes:
-        at: Local time.
-        code: One of :data:`armui.control.events.CODES`.
-        params: The figures of the sentence.
-    """
-
-    at: datetime
-    level: Level
-    code: str
-    params: Mapping[str, object] = field(default_factory=dict)

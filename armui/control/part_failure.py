@@ -7,6 +7,7 @@ from collections.abc import Callable, Collection
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.codes import TrajectoryCommand
 
 if TYPE_CHECKING:
@@ -64,7 +65,7 @@ def end_motion_of(controller: ArmController, modules: Collection[str]) -> None:
     """
     failed = set(modules)
     streams = (controller.jogging.active, controller.player.running, controller.replayer.running)
-    reason = Refusal("part_failed")
+    reason = Refusal(RefusalCode.PART_FAILED)
     if failed & _JOGS and controller.jogging.active:
         _have(controller, controller.jogging.stop)
     if failed & _RUNS and controller.player.running:

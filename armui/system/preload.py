@@ -22,7 +22,7 @@ _PACKAGES: Final = (
     ),
 )
 _OTHERS: Final = (
-    *("scipy.spatial.transform", "concurrent.futures.process", "multiprocessing"),
+    *("filelock", "scipy.spatial.transform", "concurrent.futures.process", "multiprocessing"),
     *("PySide6.QtOpenGLWidgets", "PySide6.QtSvg", "PySide6.QtTest"),
 )
 _QT: Final = ("PySide6.QtCore", "PySide6.QtGui", "PySide6.QtWidgets")

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Generic, TypeVar
 from PySide6.QtCore import QObject, Signal
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.system.error_text import error_text
 from armui.system.helper_process import FileThread
 
 if TYPE_CHECKING:
@@ -80,4 +82,4 @@ class Background(QObject):
         if error is None:
             job.then(done.result())
         else:
-            job.then(Refusal("work_failed", {"text": str(error) or type(error).__name__}))
+            job.then(Refusal(RefusalCode.WORK_FAILED, {"text": error_text(error)}))

@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
 from armui.arm.refusal import Refusal
-from armui.viewport.errors import PROCESS_ENDED, PROCESS_HUNG
+from armui.arm.refusal_codes import RefusalCode
 from armui.viewport.frame_memory import SLOTS, FrameMemory
 from armui.viewport.messages import (
     BYTES_PER_PIXEL,
@@ -147,7 +147,9 @@ class Conversation:
             try:
                 memory = FrameMemory.create(self._image_bytes)
             except OSError as error:
-                raise ProcessLostError(Refusal(PROCESS_ENDED, {"text": str(error)})) from error
+                raise ProcessLostError(
+                    Refusal(RefusalCode.PICTURE_PROCESS_ENDED, {"text": str(error)})
+                ) from error
         path = state.preview.path
         is_new_path = path is not None and path is not self._path
         message = Draw(
@@ -185,14 +187,14 @@ class Conversation:
         while True:
             message = self._child.receive(LIMITS[self.phase].silent_s)
             if message is None:
-                raise ProcessLostError(Refusal(PROCESS_HUNG))
+                raise ProcessLostError(Refusal(RefusalCode.PICTURE_PROCESS_HUNG))
             if isinstance(message, kind):
                 return message
             if isinstance(message, PictureBusy):
                 if message.phase is not self.phase:
                     self.phase, since_s = message.phase, time.monotonic()
                 if is_stuck(message, time.monotonic() - since_s):
-                    raise ProcessLostError(Refusal(PROCESS_HUNG))
+                    raise ProcessLostError(Refusal(RefusalCode.PICTURE_PROCESS_HUNG))
             elif isinstance(message, RobotRead):
                 self._keep(message.content)
             elif isinstance(message, Failed):

@@ -14,7 +14,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
-from armui.viewport.errors import DRAWING_STOPPED, NO_OPENGL, PROCESS_ENDED, PROCESS_HUNG
+from armui.arm.refusal_codes import RefusalCode
 from armui.viewport.mailbox import Mailbox
 from armui.viewport.messages import LoadFailed, PicturePhase
 from armui.viewport.news import Lost, Wanted
@@ -96,12 +96,14 @@ class ProcessLink:
                 reason = self._draw_in_one_process()
             except Exception as error:  # noqa: BLE001 - the view must learn of it, and try again
                 _LOG.exception("The link to the 3D view's process failed")
-                reason = Refusal(DRAWING_STOPPED, {"text": f"{type(error).__name__}: {error}"})
+                reason = Refusal(
+                    RefusalCode.DRAWING_STOPPED, {"text": f"{type(error).__name__}: {error}"}
+                )
             if self._mailbox.is_closed:
                 return
             _LOG.warning("The 3D view's process is lost: %s", reason or "a robot was put aside")
             comes_back = reason is None or (
-                reason.code != NO_OPENGL and self._restarts.lost(time.monotonic())
+                reason.code != RefusalCode.NO_OPENGL and self._restarts.lost(time.monotonic())
             )
             if reason is not None:
                 self._tell(Lost(reason, comes_back))
@@ -118,7 +120,7 @@ class ProcessLink:
         try:
             child = ChildProcess(self._entry, self._mailbox.interrupt)
         except OSError as error:
-            return Refusal(PROCESS_ENDED, {"text": str(error)})
+            return Refusal(RefusalCode.PICTURE_PROCESS_ENDED, {"text": str(error)})
         with self._lock:
             self._child = child
             if self._mailbox.is_closed:  # while the process was started
@@ -142,7 +144,7 @@ class ProcessLink:
             how = child.end()
             conversation.close()
         self._asked_serial = conversation.asked_serial
-        reason = reason or Refusal(PROCESS_ENDED, {"text": how})
+        reason = reason or Refusal(RefusalCode.PICTURE_PROCESS_ENDED, {"text": how})
         return None if self._blames_robot(conversation, reason) else reason
 
     def _draw_one(self, conversation: Conversation) -> None:
@@ -176,9 +178,13 @@ class ProcessLink:
         ):
             return False
         self._put_aside = suspect
-        hung = reason.code == PROCESS_HUNG
+        hung = reason.code == RefusalCode.PICTURE_PROCESS_HUNG
         params: dict[str, float | int | str] = {"path": str(suspect.path)}
         if not hung:
             params["text"] = str(reason.params.get("text", ""))
-        self._tell(LoadFailed(Refusal("urdf_hangs_view" if hung else "urdf_ends_view", params)))
+        self._tell(
+            LoadFailed(
+                Refusal(RefusalCode.URDF_HANGS_VIEW if hung else RefusalCode.URDF_ENDS_VIEW, params)
+            )
+        )
         return True

@@ -5384,6 +5384,10 @@ Lead it near its rest pose, then stop recording.</source>
         <source>Robot description: loading {path} does not come to an end. It is put aside; choose another one.</source>
         <translation>机器人描述：{path} 一直加载不完。该文件已停用，请另选一个。</translation>
     </message>
+    <message>
+        <source>Jogging ended: held for {seconds} s without a movement of the mouse or another key. Let go and press again; move the mouse a little while you hold it for long.</source>
+        <translation>点动已结束：按住 {seconds} 秒期间鼠标未移动，也没有按其他键。请松开后重新按下；需要长时间按住时，请稍微移动鼠标。</translation>
+    </message>
 </context>
 <context>
     <name>ReportButton</name>

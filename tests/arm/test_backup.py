@@ -13,6 +13,7 @@ from armui.arm.comparison import ComparisonVerdict, compare
 from armui.arm.limits import JointLimits
 from armui.arm.parameters import Parameter, all_batches
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
 
 EVERY = [each for batch in all_batches(teaching=True) for each in batch.parameters()]
@@ -84,7 +85,7 @@ def test_a_truncated_file_is_never_taken(data):
     )
 )
 def test_foreign_json_is_refused_in_words(value):
-    assert from_text(json.dumps(value)).code == "backup_foreign"
+    assert from_text(json.dumps(value)).code == RefusalCode.BACKUP_FOREIGN
 
 
 JSON_LIKE = (
@@ -174,8 +175,8 @@ def test_what_is_wrong_is_named_with_its_place(old, new, code, params):
 
 def test_an_empty_list_and_a_pit_of_brackets():
     entries = json.loads(TEXT) | {"parameters": []}
-    assert from_text(json.dumps(entries)).code == "backup_empty"
-    assert from_text("[" * 100_000).code in {"backup_foreign", "backup_no_json"}
+    assert from_text(json.dumps(entries)).code == RefusalCode.BACKUP_EMPTY
+    assert from_text("[" * 100_000).code in {RefusalCode.BACKUP_FOREIGN, RefusalCode.BACKUP_NO_JSON}
 
 
 # Comparison ---------------------------------------------------------------------------------------
@@ -203,4 +204,4 @@ def test_every_way_in_which_file_and_arm_can_compare():
 def test_what_the_arm_could_not_be_sent_is_not_restorable():
     rows = compare({MAX_J1: 6553.5, LINEAR: 0.5}, STATE, [MAX_J1, LINEAR], lambda *_: False)
     assert [row.restorable for row in rows] == [False, True]
-    assert rows[0].against.code == "setting_out_of_range"
+    assert rows[0].against.code == RefusalCode.SETTING_OUT_OF_RANGE

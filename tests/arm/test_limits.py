@@ -3,6 +3,7 @@ import math
 import pytest
 
 from armui.arm.limits import FACTORY_LIMITS, check_joint, check_joints
+from armui.arm.refusal_codes import RefusalCode
 
 
 def test_the_factory_limits_are_those_of_the_facts():
@@ -20,7 +21,7 @@ def test_an_angle_within_the_limits_is_not_refused(angle_deg):
 def test_an_angle_beyond_the_limits_is_refused_with_its_figures(angle_deg):
     refusal = check_joint(1, angle_deg, FACTORY_LIMITS[0])
     assert refusal is not None
-    assert refusal.code == "joint_out_of_limits"
+    assert refusal.code == RefusalCode.JOINT_OUT_OF_LIMITS
     assert refusal.params == {"joint": 1, "value": angle_deg, "minimum": -150, "maximum": 150}
 
 
@@ -28,7 +29,7 @@ def test_an_angle_beyond_the_limits_is_refused_with_its_figures(angle_deg):
 def test_what_is_no_angle_is_refused(angle_deg):
     refusal = check_joint(4, angle_deg, FACTORY_LIMITS[3])
     assert refusal is not None
-    assert refusal.code == "joint_not_a_number"
+    assert refusal.code == RefusalCode.JOINT_NOT_A_NUMBER
 
 
 def test_of_six_angles_the_first_bad_one_is_named():

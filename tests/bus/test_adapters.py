@@ -5,7 +5,7 @@ import can
 import pytest
 
 from armui.arm.device import Device
-from armui.bus import adapters
+from armui.arm.refusal_codes import RefusalCode
 from armui.bus.adapters import explain, find_devices, open_bus
 
 CAN0 = Device("socketcan", "can0", None)
@@ -41,7 +41,7 @@ def test_what_goes_wrong_with_a_device_is_told_apart(error, code):
 def test_the_reason_is_found_behind_the_exception_a_backend_wraps_it_in():
     wrapper = can.CanInitializationError("could not open")
     wrapper.__cause__ = OSError(errno.EBUSY, "busy")
-    assert explain(CAN0, wrapper).code == "bus_busy"
+    assert explain(CAN0, wrapper).code == RefusalCode.BUS_BUSY
 
 
 def test_a_missing_backend_names_the_package_to_install():
@@ -62,7 +62,7 @@ def test_the_search_is_quiet_and_survives_a_backend_that_fails(monkeypatch, capf
             return [{"interface": "gs_usb", "channel": "candle", "bus": 1, "address": 4}]
         return []
 
-    monkeypatch.setattr(adapters.can, "detect_available_configs", detect)
+    monkeypatch.setattr("can.detect_available_configs", detect)
     found = find_devices()
     assert [(device.interface, device.channel, device.bitrate) for device in found] == [
         ("gs_usb", "candle", 1_000_000),
@@ -82,7 +82,10 @@ def test_a_device_that_is_not_there_cannot_be_opened():
     device = Device("slcan", "/dev/does-not-exist")
     with pytest.raises((can.CanError, OSError)) as failure:
         open_bus(device)
-    assert explain(device, failure.value).code in {"bus_gone", "bus_backend_missing"}
+    assert explain(device, failure.value).code in {
+        RefusalCode.BUS_GONE,
+        RefusalCode.BUS_BACKEND_MISSING,
+    }
 
 
 def test_the_kernel_keeps_as_few_frames_as_it_can(monkeypatch):

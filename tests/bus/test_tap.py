@@ -59,7 +59,12 @@ def rig(qtbot, request):
         def __init__(self):
             self.ear = Ear()
             self.arm = can.Bus(interface="virtual", channel=request.node.nodeid)
-            self.reports = []
+            self.reports: list[BusState] = []
+            self.wait = qtbot.waitUntil
+            device = Device("virtual", request.node.nodeid, 500_000)
+            codec = Codec(Generation.TWO)
+            self.worker = BusWorker(device, self.open, codec, tap=self.ear)
+            self.worker.reported.connect(lambda report: self.reports.append(report.state))
 
         @contextmanager
         def open(self, device):
@@ -67,10 +72,6 @@ def rig(qtbot, request):
                 yield bus
 
     rig = Rig()
-    device = Device("virtual", request.node.nodeid, 500_000)
-    rig.worker = BusWorker(device, rig.open, Codec(Generation.TWO), tap=rig.ear)
-    rig.worker.reported.connect(lambda report: rig.reports.append(report.state))
-    rig.wait = qtbot.waitUntil
     rig.worker.start()
     rig.wait(lambda: BusState.OPEN in rig.reports)
     yield rig

@@ -7,10 +7,12 @@ import can
 import pytest
 
 from armui.arm.device import Device
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState, StopState
 from armui.protocol.codes import ControlMode
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from tests.moments import now
 
 STOP = Frame(0x150, bytes.fromhex("01 00 00 00 00 00 00 00"))
 RESUME = Frame(0x150, bytes.fromhex("02 00 00 00 00 00 00 00"))
@@ -24,9 +26,9 @@ def angles(rig):
 
 def test_without_a_device_everything_is_refused_and_says_so(rig):
     assert rig.controller.operating_state.link is LinkState.NO_DEVICE
-    assert rig.controller.motion.jog(1, 1.0).code == "not_connected"
-    assert rig.controller.motors.enable().code == "not_connected"
-    assert rig.controller.motion.send_joints([0] * 6).code == "not_connected"
+    assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.NOT_CONNECTED
+    assert rig.controller.motors.enable().code == RefusalCode.NOT_CONNECTED
+    assert rig.controller.motion.send_joints([0] * 6).code == RefusalCode.NOT_CONNECTED
     rig.controller.emergency_stop()
     assert rig.codes()[-1] == "stop_not_sent"
 
@@ -54,14 +56,14 @@ def test_enable_and_disable_are_over_when_the_drivers_say_so(any_bench):
     rig.connect()
     assert rig.controller.operating_state.enabled == (False,) * 6
     assert rig.controller.motors.enable() is None
-    assert rig.controller.motion.jog(1, 1.0).code == "busy"
+    assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.BUSY
     rig.run_until(lambda: "enabled" in rig.codes())
     assert rig.controller.operating_state.enabled == (True,) * 6
     assert rig.heard()[0] == ENABLE
     assert rig.controller.motors.disable() is None
     rig.run_until(lambda: "disabled" in rig.codes())
     assert rig.heard()[0] == DISABLE
-    assert rig.controller.motion.jog(1, 1.0).code == "not_enabled"
+    assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.NOT_ENABLED
 
 
 def test_six_angles_are_sent_as_the_protocol_says_and_reached(any_bench):
@@ -136,7 +138,9 @@ def test_angles_beyond_the_limits_are_refused_and_nothing_is_sent(rig):
     rig.heard()
     refusal = rig.controller.motion.send_joints([0, 0, 0, 0, 70.001, 0])
     assert refusal.params == {"joint": 5, "value": 70.001, "minimum": -70, "maximum": 70}
-    assert rig.controller.motion.send_joints([float("nan")] * 6).code == "joint_not_a_number"
+    assert (
+        rig.controller.motion.send_joints([float("nan")] * 6).code == RefusalCode.JOINT_NOT_A_NUMBER
+    )
     rig.step()
     assert rig.heard() == []
 
@@ -160,14 +164,14 @@ def test_the_speed_goes_to_the_arm_in_the_mode_it_is_in(rig):
 @pytest.mark.parametrize("percent", [-1, 100.5, 255])
 def test_an_impossible_speed_is_refused(rig, percent):
     rig.connect()
-    assert rig.controller.motion.set_speed_percent(percent).code == "speed_out_of_range"
+    assert rig.controller.motion.set_speed_percent(percent).code == RefusalCode.SPEED_OUT_OF_RANGE
     assert rig.controller.operating_state.speed_percent == 30
 
 
 def test_at_zero_percent_a_motion_is_refused(rig):
     rig.ready()
     rig.controller.motion.set_speed_percent(0)
-    assert rig.controller.motion.go_home().code == "speed_zero"
+    assert rig.controller.motion.go_home().code == RefusalCode.SPEED_ZERO
 
 
 def test_stop_resume_enable_and_on(any_bench):
@@ -177,20 +181,20 @@ def test_stop_resume_enable_and_on(any_bench):
     rig.run(0.5)
     rig.heard()
     rig.controller.emergency_stop()
-    assert rig.controller.operating_state.stop is StopState.REQUESTED
+    assert now(rig.controller.operating_state.stop) is StopState.REQUESTED
     assert rig.heard() == [STOP]  # on the bus before emergency_stop() came back
     rig.run_until(lambda: rig.controller.operating_state.stop is StopState.STOPPED)
     assert rig.firmware.stopped
     assert rig.codes()[-1] == "stop_confirmed"
-    assert rig.controller.motion.jog(1, 1.0).code == "stopped"
-    assert rig.controller.motors.enable().code == "stopped"
+    assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.STOPPED
+    assert rig.controller.motors.enable().code == RefusalCode.STOPPED
 
     assert rig.controller.motors.resume() is None
     rig.run_until(lambda: rig.controller.operating_state.stop is StopState.RUNNING)
     assert rig.heard()[0] == RESUME
     assert not rig.firmware.stopped
     rig.run(0.3)  # the slow driver feedback has to come round
-    assert rig.controller.motion.jog(1, 1.0).code == "not_enabled"
+    assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.NOT_ENABLED
 
     before = angles(rig)
     assert rig.controller.motors.enable() is None
@@ -227,18 +231,18 @@ def test_a_stop_is_repeated_until_the_arm_confirms_it(rig):
 
 def test_resume_is_refused_unless_the_arm_is_stopped(rig):
     rig.ready()
-    assert rig.controller.motors.resume().code == "not_stopped"
+    assert rig.controller.motors.resume().code == RefusalCode.NOT_STOPPED
 
 
 def test_a_silent_arm_is_offline_after_half_a_second_and_moves_no_more(rig):
     rig.ready()
     rig.powered = False
     rig.run(0.44)
-    assert rig.controller.operating_state.link is LinkState.ONLINE
+    assert now(rig.controller.operating_state.link) is LinkState.ONLINE
     rig.run(0.12)
-    assert rig.controller.operating_state.link is LinkState.OFFLINE
+    assert now(rig.controller.operating_state.link) is LinkState.OFFLINE
     assert rig.controller.operating_state.enabled == (None,) * 6
-    assert rig.controller.motion.jog(1, 1.0).code == "offline"
+    assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.OFFLINE
     rig.powered = True
     rig.run_until(lambda: rig.controller.operating_state.link is LinkState.ONLINE)
     assert rig.codes().count("online") == 2
@@ -251,7 +255,7 @@ def test_a_stopped_arm_that_falls_silent_can_be_stopped_again_not_resumed(rig):
     rig.powered = False
     rig.run(0.6)
     assert rig.controller.operating_state.stop is StopState.RUNNING
-    assert rig.controller.motors.resume().code == "not_stopped"
+    assert rig.controller.motors.resume().code == RefusalCode.NOT_STOPPED
     rig.heard()
     rig.controller.emergency_stop()
     assert rig.heard() == [STOP]
@@ -275,7 +279,7 @@ def test_an_unplugged_device_is_told_and_taken_up_again(rig, qtbot):
     qtbot.waitUntil(lambda: "link_lost" in rig.codes())
     operating_state = rig.controller.operating_state
     assert (operating_state.link, operating_state.link_problem.code) == (LinkState.LOST, "bus_gone")
-    assert rig.controller.motion.jog(1, 1.0).code == "link_lost"
+    assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.LINK_LOST
     rig.plug_in()
     qtbot.waitUntil(lambda: "reconnected" in rig.codes())
     rig.run_until(lambda: rig.controller.operating_state.cannot_move is None)

@@ -8,10 +8,13 @@ import pytest
 
 from armui.arm.limits import JointLimits
 from armui.arm.other_hosts import OtherHosts
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, DriverSlow, Reading, Status
 from armui.control.authority import Authority
 from armui.control.motion.motion_command import CommandKind, End, Hold, Mover, Observation
 from armui.protocol.codes import ArmStatusCode, ControlMode, MoveMode
+from tests.moments import now
+from tests.ui.arm_states import heard_six
 
 START_S = 100.0
 HERE = (0.0, 10.0, -10.0, 0.0, 0.0, 0.0)
@@ -51,7 +54,7 @@ class Arm:
         self.offsets = (0,)
         self.authority = Authority()
         self._status = Reading(self.status, self.now_s)
-        self._joints = tuple(Reading(each, self.now_s) for each in HERE)
+        self._joints = heard_six(HERE, self.now_s)
         self.wait(0.5)
 
     def look(self) -> None:
@@ -60,7 +63,7 @@ class Arm:
         if "status" not in self.silent:
             self._status = Reading(self.status, now_s)
         if "joints" not in self.silent:
-            self._joints = tuple(Reading(each, now_s) for each in self.joints_deg)
+            self._joints = heard_six(self.joints_deg, now_s)
         driver = Reading(replace(DRIVER, enabled=self.enabled), now_s)
         limits = None if self.limits is None else Reading(self.limits, now_s)
         state = ArmState(
@@ -115,10 +118,10 @@ def test_at_rest_with_nobody_a_step_starts_where_the_arm_is(arm):
 def test_a_command_is_ours_under_way_and_when_it_has_arrived(arm):
     arm.send()
     arm.wait(0.1)
-    assert arm.authority.mover is Mover.OURS
+    assert now(arm.authority.mover) is Mover.OURS
     assert arm.authority.joint_base_deg() == THERE
     arm.arrive()
-    assert arm.authority.mover is Mover.NOBODY
+    assert now(arm.authority.mover) is Mover.NOBODY
     assert arm.authority.joint_base_deg() == THERE
 
 
@@ -241,7 +244,7 @@ def test_another_host_is_remembered_over_a_new_connection(arm):
     arm.authority.end(End.FORGOTTEN)
     arm.hosts = OtherHosts()
     arm.wait(0.5)
-    assert arm.authority.why_not().code == "other_host"
+    assert arm.authority.why_not().code == RefusalCode.OTHER_HOST
     arm.wait(1.6)
     assert arm.authority.why_not() is None
 
@@ -287,12 +290,12 @@ def test_frames_of_a_command_that_is_over_are_outdated(arm):
 def test_another_host_counts_for_two_seconds_and_until_the_arm_rests(arm):
     arm.other()
     arm.wait(1.9)
-    assert arm.authority.why_not().code == "other_host"
+    assert arm.authority.why_not().code == RefusalCode.OTHER_HOST
     assert arm.authority.mover is Mover.OTHER_HOST
     for k in range(20):
         arm.joints_deg = (1.0 * k, *HERE[1:])
         arm.wait(0.02)
-    assert arm.authority.why_not().code == "other_host"
+    assert arm.authority.why_not().code == RefusalCode.OTHER_HOST
     arm.wait(0.4)
     assert arm.authority.why_not() is None
 
@@ -313,7 +316,7 @@ def test_after_a_take_over_its_next_frame_counts_again(arm):
     arm.wait(0.1)
     arm.other()
     arm.wait(0.1)
-    assert arm.authority.why_not().code == "other_host"
+    assert arm.authority.why_not().code == RefusalCode.OTHER_HOST
 
 
 @pytest.mark.parametrize(("offsets", "counts"), [((0,), False), ((0, 0x10, 0x20), True)])
@@ -335,7 +338,7 @@ def test_zero_percent_holds_back_what_is_under_way_and_nothing_else(arm):
     arm.wait(0.1)
     arm.authority.told_percent(0)
     assert arm.authority.holds == {Hold.SPEED_ZERO}
-    assert arm.authority.why_not().code == "held_at_zero"
+    assert arm.authority.why_not().code == RefusalCode.HELD_AT_ZERO
     assert arm.authority.mover is Mover.OURS
 
 

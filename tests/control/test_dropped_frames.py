@@ -1,10 +1,11 @@
 """Frames lost before the program could read them are told, and not too often."""
 
+from armui.control.events import EventCode
 from armui.control.link.dropped_frames import DroppedFrames
 
 
 def told(rig):
-    return [notice.params for notice in rig.notices if notice.code == "frames_dropped"]
+    return [notice.params for notice in rig.notices if notice.code == EventCode.FRAMES_DROPPED]
 
 
 def test_they_are_told_at_once_and_then_every_ten_seconds(rig):

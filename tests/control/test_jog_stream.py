@@ -3,12 +3,14 @@
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from armui.arm.limits import JointLimits
+from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, JointLimits
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import Reading
-from armui.control.motion.jog_pace import FACTORY_ACCELERATION_DEG_S2, REST_S, accelerations, pace
+from armui.control.motion.jog_pace import REST_S, accelerations, pace
 from armui.control.motion.jog_path import JointJog, JointJogPath
 from armui.control.motion.jog_stream import JogStream
 from armui.sim.mechanics.powered_joints import JointMotion
+from tests.examples import examples
 
 BASE_DEG = (0.0, 90.0, -90.0, 0.0, 0.0, 0.0)
 
@@ -20,7 +22,7 @@ class Arm:
         self.motion = JointMotion(BASE_DEG)
         self.limits = limits
         self.accelerations = (acceleration,) * 6
-        self.seen = [BASE_DEG] * (age + 1)
+        self.seen: list[tuple[float, ...]] = [BASE_DEG] * (age + 1)
 
     @property
     def measured_deg(self):
@@ -43,7 +45,7 @@ class Arm:
         raise AssertionError("it never rests")
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(
     ticks_ms=st.lists(st.integers(4, 40), min_size=1, max_size=60),
     percent=st.integers(1, 100),
@@ -77,7 +79,7 @@ def test_the_setpoint_waits_for_an_arm_that_stands():
     reasons = [stream.advance(BASE_DEG, 0.01, now) for _ in range(70)]
     assert 0.9 * now.leads_deg[0] < stream.setpoint_deg[0] <= now.leads_deg[0]
     assert reasons[:40] == [None] * 40
-    assert reasons[-1].code == "jog_not_following"
+    assert reasons[-1].code == RefusalCode.JOG_NOT_FOLLOWING
 
 
 def test_a_joint_that_sags_under_load_is_not_pulled_back():

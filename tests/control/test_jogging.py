@@ -5,11 +5,12 @@ import math
 import pytest
 
 from armui.arm.limits import FACTORY_LIMITS
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.motion.jog_pace import REST_S, pace
 from armui.control.motion.jog_path import JointJog, ToolJog
+from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.axes import AXES, JogFrame
-from armui.kinematics.kinematics import Kinematics, matrix_to_pose
-from armui.kinematics.poses import shifted, tool_matrix
+from armui.kinematics.poses import matrix_to_pose, shifted, tool_matrix
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from tests.control.jogger import (
@@ -148,7 +149,7 @@ def test_a_joint_stops_at_its_limit_and_says_so(any_bench):
     assert angles(rig)[0] == 150.0
     told = rig.notices[-1]
     assert told.code == "jog_ended"
-    assert told.params["reason"].code == "jog_at_limit"
+    assert told.params["reason"].code == RefusalCode.JOG_AT_LIMIT
     assert dict(told.params["reason"].params) == {"joint": 1, "limit": 150.0}
     jogging.start(JointJog(1, 1))
     hold(rig, 0.1)
@@ -187,7 +188,7 @@ def test_at_a_singular_pose_the_tool_does_not_go_sideways(rig):
     rig.controller.jogging.start(ToolJog(1, 1, JogFrame.BASE))
     hold(rig, 0.3)
     told = rig.notices[-1]
-    assert told.params["reason"].code == "jog_singular"
+    assert told.params["reason"].code == RefusalCode.JOG_SINGULAR
     assert angles(rig) == pytest.approx(before, abs=0.2)
 
 
@@ -312,9 +313,9 @@ def test_an_arm_in_motion_is_not_jogged(rig):
 
 
 def test_without_an_arm_it_is_refused(rig):
-    assert rig.controller.jogging.start(JointJog(1, 1)).code == "not_connected"
+    assert rig.controller.jogging.start(JointJog(1, 1)).code == RefusalCode.NOT_CONNECTED
     rig.connect()
-    assert rig.controller.jogging.start(JointJog(1, 1)).code == "not_enabled"
+    assert rig.controller.jogging.start(JointJog(1, 1)).code == RefusalCode.NOT_ENABLED
     assert not rig.controller.jogging.active
 
 

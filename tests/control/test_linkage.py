@@ -3,6 +3,7 @@
 import can
 import pytest
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.link.offsets import OffsetFollower
 from armui.control.operating_state import LinkState
 from armui.protocol.addressing import Addressing
@@ -82,7 +83,7 @@ def test_until_standby_it_is_not_sure(any_bench):
     arm.ear = HardOfHearing(arm.firmware)
     arm.controller.linkage.set(OUTPUT, control_offset=0x20)
     arm.run(0.5)
-    assert arm.controller.operating_state.cannot_move.code == "control_offset_unknown"
+    assert arm.controller.operating_state.cannot_move.code == RefusalCode.CONTROL_OFFSET_UNKNOWN
     assert used(arm) == Addressing()
 
 
@@ -105,7 +106,7 @@ def test_an_arm_left_with_offsets_is_found(any_bench):
     arm.run_until(lambda: "limits_read" in arm.codes())
     assert arm.controller.motors.enable() is None
     arm.run_until(lambda: all(arm.controller.operating_state.enabled))
-    assert arm.controller.operating_state.cannot_move.code == "control_offset_unknown"
+    assert arm.controller.operating_state.cannot_move.code == RefusalCode.CONTROL_OFFSET_UNKNOWN
     arm.controller.emergency_stop()
     arm.run_until(lambda: "stop_confirmed" in arm.codes(), seconds=0.5)
 
@@ -128,7 +129,7 @@ def test_no_answer(arm):
     arm.run_until(lambda: "linkage_failed" in arm.codes())
     assert used(arm) == Addressing()
     failed = next(each for each in arm.notices if each.code == "linkage_failed")
-    assert failed.params["reason"].code == "setting_unanswered"
+    assert failed.params["reason"].code == RefusalCode.SETTING_UNANSWERED
 
 
 def test_an_answer_that_got_lost_does_not_lose_the_arm(arm):
@@ -149,12 +150,12 @@ def test_another_arm_on_the_bus_is_not_mixed_in(arm, request):
 
 def test_refused(any_bench):
     linkage = any_bench.controller.linkage
-    assert linkage.release().code == "not_connected"
+    assert linkage.release().code == RefusalCode.NOT_CONNECTED
     any_bench.ready()
-    assert linkage.set(OUTPUT, feedback_offset=0x30).code == "offset_not_possible"
+    assert linkage.set(OUTPUT, feedback_offset=0x30).code == RefusalCode.OFFSET_NOT_POSSIBLE
     any_bench.controller.motion.send_joints((20.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     any_bench.run_until(lambda: any_bench.controller.operating_state.moving)
-    assert linkage.release().code == "linkage_while_moving"
+    assert linkage.release().code == RefusalCode.LINKAGE_WHILE_MOVING
 
 
 def test_what_is_the_same_is_no_wish():

@@ -5,8 +5,9 @@ from dataclasses import replace
 import can
 import pytest
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.run.progress import ENDLESS, Run, RunPhase
-from armui.kinematics.kinematics import Kinematics
+from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import Generation
 from armui.sim.faults import schedule as faults
@@ -203,7 +204,7 @@ def test_gripper_and_lamps_act_on_arrival(ready):
     other = GripperAngle(10.0) if generation is Generation.TWO else GripperOpening(30.0)
     player = ready.controller.player
     refusal = player.start(run_of(to(OUT, gripper=other)))
-    assert refusal.code == "gripper_other_generation"
+    assert refusal.code == RefusalCode.GRIPPER_OTHER_GENERATION
     player.start(run_of(to(OUT, gripper=gripper, light=LightAction(2, 255, 0, 0), dwell_s=3.0)))
     ready.run_until(over(ready))
     assert ready.firmware.settings.lights[2][:4] == (255, 255, 0, 0)
@@ -217,7 +218,7 @@ def test_a_point_beyond_the_limits_ends_the_run_with_the_arms_word(ready):
     ready.run_until(over(ready))
     progress = ready.controller.player.progress
     assert (progress.phase, progress.index) == (RunPhase.FAILED, 1)
-    assert progress.reason.code == "arm_fault"
+    assert progress.reason.code == RefusalCode.ARM_FAULT
     assert _near(ready.firmware.joints_deg, OUT)
 
 
@@ -226,7 +227,7 @@ def test_an_emergency_stop_ends_the_run(ready):
     ready.run(0.4)
     ready.controller.emergency_stop()
     assert phase(ready) is RunPhase.FAILED
-    assert ready.controller.player.progress.reason.code == "run_stopped"
+    assert ready.controller.player.progress.reason.code == RefusalCode.RUN_STOPPED
     ready.run(1.0)
     assert not ready.controller.player.running
 
@@ -236,7 +237,7 @@ def test_a_lost_cable_ends_the_run(ready, qtbot):
     ready.run(0.4)
     ready.unplug(can.CanOperationError("gone"))
     qtbot.waitUntil(lambda: "link_lost" in ready.codes())
-    assert ready.controller.player.progress.reason.code == "link_lost"
+    assert ready.controller.player.progress.reason.code == RefusalCode.LINK_LOST
 
 
 def test_a_silent_arm_ends_the_run(ready):
@@ -244,7 +245,7 @@ def test_a_silent_arm_ends_the_run(ready):
     ready.run(0.4)
     ready.powered = False
     ready.run_until(over(ready))
-    assert ready.controller.player.progress.reason.code == "offline"
+    assert ready.controller.player.progress.reason.code == RefusalCode.OFFLINE
 
 
 def test_a_collision_ends_the_run(ready):
@@ -254,7 +255,7 @@ def test_a_collision_ends_the_run(ready):
     ready.run_until(over(ready))
     progress = ready.controller.player.progress
     assert progress.phase is RunPhase.FAILED
-    assert progress.reason.code in {"arm_fault", "not_enabled"}
+    assert progress.reason.code in {RefusalCode.ARM_FAULT, RefusalCode.NOT_ENABLED}
 
 
 def test_a_blocked_arm_does_not_run_for_ever(ready):
@@ -262,23 +263,26 @@ def test_a_blocked_arm_does_not_run_for_ever(ready):
     ear.deaf_to = {0x156}  # a whole target never comes
     ready.controller.player.start(run_of(to(OUT)))
     ready.run_until(over(ready), seconds=60.0)
-    assert ready.controller.player.progress.reason.code in {"run_elsewhere", "run_too_slow"}
+    assert ready.controller.player.progress.reason.code in {
+        RefusalCode.RUN_ELSEWHERE,
+        RefusalCode.RUN_TOO_SLOW,
+    }
 
 
 def test_nothing_else_moves_the_arm_meanwhile(ready):
     ready.controller.player.start(run_of(to(OUT)))
     ready.step()
     refusal = ready.controller.motion.jog(1, 5.0)
-    assert refusal.code == "run_under_way"
-    assert ready.controller.player.start(run_of(to(BACK))).code == "run_under_way"
+    assert refusal.code == RefusalCode.RUN_UNDER_WAY
+    assert ready.controller.player.start(run_of(to(BACK))).code == RefusalCode.RUN_UNDER_WAY
     ready.run_until(over(ready))
     assert _near(ready.firmware.joints_deg, OUT)
 
 
 def test_an_arm_that_is_not_enabled_is_not_run(any_bench):
     any_bench.connect()
-    assert any_bench.controller.player.start(run_of(to(OUT))).code == "not_enabled"
-    assert any_bench.controller.player.start(run_of()).code == "not_enabled"
+    assert any_bench.controller.player.start(run_of(to(OUT))).code == RefusalCode.NOT_ENABLED
+    assert any_bench.controller.player.start(run_of()).code == RefusalCode.NOT_ENABLED
 
 
 @pytest.mark.parametrize(
@@ -291,7 +295,7 @@ def test_a_run_of_nothing_is_refused(ready, run, code):
 
 def test_words_out_of_place(ready):
     player = ready.controller.player
-    assert player.pause().code == "not_running"
-    assert player.go_on().code == "not_paused"
+    assert player.pause().code == RefusalCode.NOT_RUNNING
+    assert player.go_on().code == RefusalCode.NOT_PAUSED
     player.stop()
     assert phase(ready) is RunPhase.IDLE

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.protocol.codes import ControlMode, TeachingState
@@ -39,7 +42,7 @@ def obey(rig: ArmRig, seconds: float = 30.0) -> list[StepKind]:
         elif step.action not in {None, Action.CONNECT} and not step.waiting:
             refusal = rig.controller.recovery.act(step)
             # the arm may have changed since the step was shown: then the next one is
-            assert refusal is None or refusal.code == "step_gone", step
+            assert refusal is None or refusal.code == RefusalCode.STEP_GONE, step
         rig.step()
     return kinds
 
@@ -119,7 +122,7 @@ def test_a_step_that_has_passed_is_not_taken(rig):
     rig.controller.emergency_stop()
     until(rig, StepKind.STOPPED)
     rig.heard()
-    assert rig.controller.recovery.act(enable).code == "step_gone"
+    assert rig.controller.recovery.act(enable).code == RefusalCode.STEP_GONE
     rig.run(0.2)
     assert Frame(0x471, bytes.fromhex("07 02 00 00 00 00 00 00")) not in rig.heard()
 
@@ -130,7 +133,7 @@ def test_a_step_under_way_is_not_taken_twice(rig):
     until(rig, StepKind.OVERCURRENT)
     step = step_of(rig)
     assert rig.controller.recovery.act(step) is None
-    assert rig.controller.recovery.act(step).code == "busy"
+    assert rig.controller.recovery.act(step).code == RefusalCode.BUSY
 
 
 def test_an_arm_that_leads_becomes_a_motion_output_again(any_bench):
@@ -258,7 +261,7 @@ def test_power_comes_back_to_a_joint_and_no_motor_is_switched_on_unasked(rig):
 
 def test_connecting_and_leaving_is_followed(rig):
     assert step_of(rig).kind is StepKind.NO_DEVICE
-    steps = []
+    steps: list[Any] = []
     rig.controller.step_changed.connect(steps.append)
     rig.connect()
     until(rig, StepKind.MOTORS_OFF)

@@ -6,20 +6,22 @@ import itertools
 from collections.abc import Iterator
 from dataclasses import replace
 from datetime import datetime
+from typing import Any
 
 import pytest
 
 from armui.arm.device import Device
 from armui.arm.other_hosts import OtherHosts, OtherTraffic
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, DriverSlow, Reading, Status
 from armui.control.assessment import AssessmentInputs, assess
 from armui.control.authority import Authority
 from armui.control.devices.teaching_phase import why_not
+from armui.control.events import Level
 from armui.control.motion.motion_command import Hold, Observation
 from armui.control.operating_state import (
     Busy,
-    Level,
     LinkState,
     OperatingState,
     OtherHostReport,
@@ -30,6 +32,7 @@ from armui.control.safety.recovery_steps import Action, Step, StepKind
 from armui.protocol.codes import ArmStatusCode, ControlMode, TeachingState
 from armui.protocol.generation import Generation
 from armui.ui import words
+from tests.ui.arm_states import heard_six
 
 NOW_S = 100.0
 FALSE = (False,) * 6
@@ -52,7 +55,7 @@ HEALTHY = DriverSlow(
     collision_protection=False,
     stall_protection=False,
 )
-PROTECTIONS = (
+PROTECTIONS: tuple[dict[str, Any], ...] = (
     {},
     {"undervoltage": True},
     {"motor_overtemperature": True},
@@ -66,7 +69,11 @@ PROTECTIONS = (
 ENABLED = ((True,) * 6, FALSE, (True, False, True, True, True, True), (None, *(True,) * 5))
 CONTROL_MODES = (*ControlMode, UNKNOWN_CODE)
 STATUSES = (*ArmStatusCode, UNKNOWN_CODE)
-FLAGS = ({}, {"communication_fault": JOINT_2}, {"limit_exceeded": JOINT_2})
+FLAGS: tuple[dict[str, Any], ...] = (
+    {},
+    {"communication_fault": JOINT_2},
+    {"limit_exceeded": JOINT_2},
+)
 POSES_DEG = ((0.0,) * 6, (0.0, 40.0, 0.0, 0.0, 0.0, 0.0))
 STOPS = (
     # stop, unconfirmed, busy; how a stop stands while the arm's own status is not «stopped»
@@ -96,17 +103,18 @@ def status(**changes) -> Status:
 
 def arm(heard: Status, enabled=ENABLED[0], protection=None, pose_deg=POSES_DEG[0]) -> ArmState:
     """An arm heard just now; joint 2 has the protection, ``None`` in enabled says nothing."""
-    drivers = [
+    one, two, *others = (
         None if on is None else Reading(replace(HEALTHY, enabled=on), NOW_S) for on in enabled
-    ]
-    if protection and drivers[1] is not None:
-        drivers[1] = Reading(replace(drivers[1].value, **protection), NOW_S)
+    )
+    if protection and two is not None:
+        two = Reading(replace(two.value, **protection), NOW_S)
+    three, four, five, six = others
     return ArmState(
         sequence=1,
         last_feedback_s=NOW_S,
         status=Reading(heard, NOW_S),
-        joints_deg=tuple(Reading(angle, NOW_S) for angle in pose_deg),
-        drivers_slow=tuple(drivers),
+        joints_deg=heard_six(pose_deg, NOW_S),
+        drivers_slow=(one, two, three, four, five, six),
     )
 
 
@@ -298,7 +306,7 @@ def test_what_was_tried_in_vain_leads_to_the_next_stronger_means():
     )
     assert first.action is Action.CLEAR_ERRORS
     assert words.step(first).startswith("The arm did not react.")
-    assert (second.action, second.failed) == (Action.RESET, Refusal("step_in_vain"))
+    assert (second.action, second.failed) == (Action.RESET, Refusal(RefusalCode.STEP_IN_VAIN))
     assert second.dangerous
 
 

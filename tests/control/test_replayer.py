@@ -6,6 +6,7 @@ from datetime import UTC, datetime
 import numpy as np
 import pytest
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.run.progress import ENDLESS, RunPhase
 from armui.control.run.replay import Replay
 from armui.trajectory.samples.recording import Recording
@@ -47,7 +48,12 @@ def test_the_arm_follows_the_recording(ready):
     assert ready.firmware.joints_deg == pytest.approx(recording.joints_deg[0], abs=0.1)
     began_s = ready.time_s
     path = []
-    ready.run_until(lambda: path.append(ready.firmware.joints_deg) or over(ready)())
+
+    def followed():
+        path.append(ready.firmware.joints_deg)
+        return over(ready)()
+
+    ready.run_until(followed)
     assert (phase(ready), ready.controller.replayer.progress.reason) == (RunPhase.DONE, None)
     assert 4.0 <= ready.time_s - began_s <= 5.0
     assert ready.firmware.joints_deg == pytest.approx(recording.joints_deg[-1], abs=0.1)
@@ -62,7 +68,12 @@ def test_a_factor_changes_the_time_and_not_the_way(ready):
     ready.run_until(lambda: replayer.progress.done > 0.0)
     began_s = ready.time_s
     path = []
-    ready.run_until(lambda: path.append(ready.firmware.joints_deg[0]) or over(ready)())
+
+    def followed():
+        path.append(ready.firmware.joints_deg[0])
+        return over(ready)()
+
+    ready.run_until(followed)
     assert 8.0 <= ready.time_s - began_s <= 9.0
     assert max(path) == pytest.approx(10.0, abs=0.3)
 
@@ -116,7 +127,7 @@ def test_an_arm_that_does_not_follow_is_noticed(ready):
     ready.run_until(lambda: replayer.progress.done > 0.05)
     ready.firmware.on_frame = lambda _frame: []
     ready.run_until(over(ready))
-    assert replayer.progress.reason.code == "replay_lagging"
+    assert replayer.progress.reason.code == RefusalCode.REPLAY_LAGGING
 
 
 @pytest.mark.parametrize(
@@ -154,7 +165,7 @@ def test_the_gripper_follows_where_it_was_recorded(rig):
 def test_what_the_arm_does_is_recorded(ready):
     recorder = ready.controller.recorder
     assert recorder.start() is None
-    assert recorder.start().code == "busy"
+    assert recorder.start().code == RefusalCode.BUSY
     ready.controller.motion.send_joints([10, 20, -20, 0, 0, 0])
     ready.run(3.0)
     recording = recorder.finish("led by hand").joined()
@@ -177,5 +188,5 @@ def test_a_lost_arm_leaves_what_was_recorded(ready):
 
 
 def test_nothing_recorded_is_nothing(any_bench):
-    assert any_bench.controller.recorder.start().code == "not_connected"
+    assert any_bench.controller.recorder.start().code == RefusalCode.NOT_CONNECTED
     assert any_bench.controller.recorder.finish("empty") is None

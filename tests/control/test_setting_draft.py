@@ -7,6 +7,7 @@ import pytest
 from armui.arm.limits import JointLimits
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
 from armui.control.parameters.setting_cell import CellState, SettingCellState
 from armui.control.parameters.setting_draft import CellStatus, SettingDraft
@@ -44,12 +45,12 @@ def test_a_field_left_empty_is_no_change_where_nothing_is_known(draft):
     draft.enter(ArmState(), SPEED_J1, " ", None)
     assert not draft.changed
     draft.enter(HELD, SPEED_J1, " ", None)
-    assert draft.first_wrong(HELD).code == "setting_not_a_number"
+    assert draft.first_wrong(HELD).code == RefusalCode.SETTING_NOT_A_NUMBER
 
 
 def test_two_ends_are_judged_together(draft):
     draft.enter(HELD, MIN_J1, "160", 160.0)
-    assert draft.why_wrong(HELD, MIN_J1).code == "limits_crossed"
+    assert draft.why_wrong(HELD, MIN_J1).code == RefusalCode.LIMITS_CROSSED
     draft.enter(HELD, MAX_J1, "170", 170.0)
     assert draft.first_wrong(HELD) is None
 
@@ -66,13 +67,13 @@ def test_two_ends_are_judged_together(draft):
         (SettingCellState(CellState.SAVING), 140.0, HELD, CellStatus.SAVING),
         (SettingCellState(CellState.SAVED), None, HELD, CellStatus.SAVED),
         (
-            SettingCellState(CellState.REFUSED, Refusal("link_lost")),
+            SettingCellState(CellState.REFUSED, Refusal(RefusalCode.LINK_LOST)),
             140.0,
             HELD,
             CellStatus.NOT_SAVED,
         ),
         (
-            SettingCellState(CellState.REFUSED, Refusal("link_lost")),
+            SettingCellState(CellState.REFUSED, Refusal(RefusalCode.LINK_LOST)),
             None,
             HELD,
             CellStatus.NOT_READ,

@@ -5,6 +5,7 @@ import errno
 import can
 import pytest
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.frame import Frame
 from tests.faulty_arm import FaultyDrivers, HardOfHearing
 
@@ -44,7 +45,7 @@ def last(arm):
 
 def test_one_joint(arm, generation):
     assert arm.controller.zeroing.set_zero(2) is None
-    assert arm.controller.operating_state.cannot_move.code == "busy"
+    assert arm.controller.operating_state.cannot_move.code == RefusalCode.BUSY
     done(arm)
     assert sent(arm) == [ZERO_2[generation]]
     assert arm.firmware.settings.zeros_deg == [0.0, 10.0, 0.0, 0.0, 0.0, 0.0]
@@ -67,7 +68,7 @@ def test_an_arm_that_says_no(arm):
     arm.controller.zeroing.set_zero(2)
     done(arm)
     assert last(arm).code == "zero_failed"
-    assert last(arm).params["reason"].code == "zero_not_set"
+    assert last(arm).params["reason"].code == RefusalCode.ZERO_NOT_SET
     assert last(arm).params["reason"].params == {"joints": "2"}
     assert arm.controller.state.angles_deg()[1] == 10.0
 
@@ -76,7 +77,7 @@ def test_an_arm_that_says_yes_and_does_nothing(arm):
     arm.firmware.settings_applier.set_zero = lambda _indices: True
     arm.controller.zeroing.set_zero()
     done(arm)
-    assert last(arm).params["reason"].code == "zero_not_taken"
+    assert last(arm).params["reason"].code == RefusalCode.ZERO_NOT_TAKEN
     assert last(arm).params["reason"].params == {"joints": "1, 2, 3, 5, 6"}  # 4 lies at 0
 
 
@@ -84,7 +85,10 @@ def test_an_arm_that_does_not_hear(arm, generation):
     arm.ear.deaf_to = {0x475}
     arm.controller.zeroing.set_zero(3)
     done(arm)
-    assert last(arm).params["reason"].code in {"zero_not_taken", "setting_unanswered"}
+    assert last(arm).params["reason"].code in {
+        RefusalCode.ZERO_NOT_TAKEN,
+        RefusalCode.SETTING_UNANSWERED,
+    }
     assert arm.firmware.settings.zeros_deg == [0.0] * 6
 
 
@@ -126,7 +130,7 @@ def test_a_link_lost_half_way_ends_it(arm):
     arm.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
     arm.run_until(lambda: "zero_failed" in arm.codes())
     failed = next(each for each in arm.notices if each.code == "zero_failed")
-    assert failed.params["reason"].code == "link_lost"
+    assert failed.params["reason"].code == RefusalCode.LINK_LOST
     assert not arm.controller.zeroing.busy
 
 
@@ -137,7 +141,7 @@ def test_not_while_it_moves(any_bench):
     any_bench.run(0.3)
     any_bench.heard()
     refusal = any_bench.controller.zeroing.set_zero(2)
-    assert refusal.code == "joints_moving"
+    assert refusal.code == RefusalCode.JOINTS_MOVING
     assert refusal.params == {"joints": "1"}
     any_bench.step()
     assert 0x475 not in [frame.arbitration_id for frame in any_bench.heard()]
@@ -145,11 +149,11 @@ def test_not_while_it_moves(any_bench):
 
 def test_not_without_an_arm_nor_in_a_stop(any_bench):
     zeroing = any_bench.controller.zeroing
-    assert zeroing.set_zero(1).code == "not_connected"
+    assert zeroing.set_zero(1).code == RefusalCode.NOT_CONNECTED
     any_bench.connect()
     any_bench.controller.emergency_stop()
     any_bench.run_until(lambda: "stop_confirmed" in any_bench.codes())
-    assert zeroing.set_zero(1).code == "stopped"
+    assert zeroing.set_zero(1).code == RefusalCode.STOPPED
 
 
 def test_not_while_the_speeds_are_unknown(any_bench):
@@ -158,6 +162,6 @@ def test_not_while_the_speeds_are_unknown(any_bench):
     drivers.missing = {0x254}
     any_bench.run(0.7)
     refusal = any_bench.controller.zeroing.set_zero()
-    assert refusal.code == "speed_unknown"
+    assert refusal.code == RefusalCode.SPEED_UNKNOWN
     assert refusal.params == {"joints": "4"}
     drivers.mend()

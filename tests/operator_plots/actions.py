@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QContextMenuEvent, QDragEnterEvent, QDropEvent, QMouseEvent
 from PySide6.QtTest import QTest
@@ -114,6 +116,7 @@ class Plots:
             send_move(source, start + move, LEFT)
         QTest.mouseRelease(source, LEFT, pos=start)
         assert len(carried) == 1
+        kind: Any
         for kind in (QDragEnterEvent, QDropEvent):
             place = end if kind is QDragEnterEvent else QPointF(end)
             event = kind(

@@ -46,7 +46,8 @@ def test_values_as_csv(plots, tmp_path):
     assert told[0][1] == 0.0
     assert told[-1][1] == pytest.approx(20.0, abs=0.01)
     commanded = [(float(row[1]), row[3]) for row in rows if row[3]]
-    assert commanded[0] == (pytest.approx(-4.0, abs=0.1), "20")
+    assert commanded[0][0] == pytest.approx(-4.0, abs=0.1)
+    assert commanded[0][1] == "20"
     stamps = [datetime.fromisoformat(row[0]) for row in rows]
     assert (stamps[-1] - stamps[0]).total_seconds() == pytest.approx(times[-1] - times[0])
 

@@ -221,5 +221,7 @@ def test_the_stop_key_works_here(plots, key):
     assert stops == [1]
     box = plots.window.bar.sets
     box.showPopup()
-    QTest.keyPress(QApplication.activePopupWidget(), key)
+    popup = QApplication.activePopupWidget()
+    assert popup is not None
+    QTest.keyPress(popup, key)
     assert stops == [1, 1]

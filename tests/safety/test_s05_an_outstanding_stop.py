@@ -6,10 +6,12 @@ import can
 import pytest
 
 from armui.arm.device import Device
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState, StopState
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.ui.widgets.stop_button import StopButton
 from tests.faulty_arm import HardOfHearing
+from tests.moments import now
 
 GONE = can.CanOperationError("gone", error_code=errno.ENODEV)
 
@@ -45,10 +47,10 @@ def test_it_goes_out_by_itself_on_a_new_connection_to_the_same_device(moving, qt
     rig.controller.emergency_stop()
     pass_time(rig, 5.0)
     reconnect(rig)
-    assert rig.controller.operating_state.stop is StopState.REQUESTED
+    assert now(rig.controller.operating_state.stop) is StopState.REQUESTED
     rig.run_until(lambda: rig.firmware.stopped)
     rig.run_until(lambda: "stop_confirmed" in rig.codes())
-    assert rig.controller.operating_state.stop is StopState.STOPPED
+    assert now(rig.controller.operating_state.stop) is StopState.STOPPED
 
 
 def test_after_ten_seconds_the_operator_is_asked(moving, qtbot):
@@ -63,7 +65,7 @@ def test_after_ten_seconds_the_operator_is_asked(moving, qtbot):
     assert "stop_lapsed" in rig.codes()
     step = rig.controller.recovery.step
     assert (step.kind, step.action) == (StepKind.STOP_LAPSED, Action.WITHDRAW_STOP)
-    assert rig.controller.operating_state.cannot_move.code == "stop_requested"
+    assert rig.controller.operating_state.cannot_move.code == RefusalCode.STOP_REQUESTED
     rig.controller.emergency_stop()
     rig.run_until(lambda: rig.controller.operating_state.stop is StopState.STOPPED)
 

@@ -2,6 +2,7 @@
 
 import pytest
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.motion.motion_command import Hold
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.protocol.codes import TrajectoryCommand
@@ -84,7 +85,7 @@ def test_it_does_not_go_on_at_zero_percent(any_bench):
 
     refusal = controller.planned_motion.command(TrajectoryCommand.CONTINUE)
 
-    assert refusal.code == "speed_zero"
+    assert refusal.code == RefusalCode.SPEED_ZERO
     assert controller.operating_state.holds == {Hold.SPEED_ZERO}
 
 

@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 from PySide6.QtWidgets import QCheckBox, QTableView
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.safety.recovery_steps import StepKind
 from armui.protocol.codes import LinkageRole, TrajectoryCommand
 from armui.ui.dialogs.connect import ConnectDialog
@@ -64,7 +65,7 @@ def test_the_stop_goes_out_and_nothing_else(listening):
 
     assert set(rig.said) == STOPS
     assert rig.firmware.condition.stopped
-    assert controller.halt_and_hold().code == "halt_listen_only"
+    assert controller.halt_and_hold().code == RefusalCode.HALT_LISTEN_ONLY
     said = len(rig.said)
     controller.disconnect_device()
     rig.node.poll(0.02)
@@ -82,4 +83,4 @@ def test_it_is_chosen_where_the_arm_is_connected(app_driver):
     app_driver.run_until(lambda: app_driver.controller.operating_state.link.name == "ONLINE")
 
     assert app_driver.controller.operating_state.device.listen_only
-    assert app_driver.controller.operating_state.cannot_move.code == "listen_only"
+    assert app_driver.controller.operating_state.cannot_move.code == RefusalCode.LISTEN_ONLY

@@ -3,6 +3,7 @@
 import pytest
 
 from armui.arm.parameters import Batch, Group, Parameter
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.parameters.parameter_reader import ParameterReader
 from tests.faulty_arm import HardOfHearing
 
@@ -103,7 +104,7 @@ def test_no_zero_while_the_angles_are_silent(any_bench):
         frame for frame in step(dt_s) if frame.arbitration_id not in silence
     ]
     any_bench.run(0.7)
-    assert any_bench.controller.zeroing.set_zero(1).code == "joints_unknown"
+    assert any_bench.controller.zeroing.set_zero(1).code == RefusalCode.JOINTS_UNKNOWN
     del any_bench.firmware.step
 
 
@@ -130,4 +131,7 @@ def test_a_command_meant_for_one_arm_is_not_given_to_the_next(arm):
     connection._start_anew(connection._worker, arm.time_s)  # it was silent, and an arm came
     arm.run(3.0)
     assert len([each for each in arm.ear.heard if each.arbitration_id == 0x479]) == 1
-    assert arm.controller.settings.cell(LINEAR_SPEED).reason.code in {"arm_changed", "offline"}
+    assert arm.controller.settings.cell(LINEAR_SPEED).reason.code in {
+        RefusalCode.ARM_CHANGED,
+        RefusalCode.OFFLINE,
+    }

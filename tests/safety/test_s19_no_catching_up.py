@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.events import EventCode
 from armui.control.run.progress import RunPhase
 from armui.control.run.replay import Replay
 from armui.trajectory.samples.recording import Recording
@@ -83,8 +85,8 @@ def test_a_long_pause_ends_the_replay_and_says_why(ready, pause_s):
     progress = replayer.progress
     assert (progress.phase, progress.reason.code) == (RunPhase.FAILED, "replay_gap")
     assert progress.reason.params == {"seconds": round(pause_s, 1)}
-    told = [notice for notice in ready.notices if notice.code == "replay_failed"]
-    assert told[-1].params["reason"].code == "replay_gap"
+    told = [notice for notice in ready.notices if notice.code == EventCode.REPLAY_FAILED]
+    assert told[-1].params["reason"].code == RefusalCode.REPLAY_GAP
     ready.run(0.5)
     at = ready.firmware.joints_deg
     ready.run(1.0)

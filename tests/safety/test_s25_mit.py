@@ -2,6 +2,7 @@
 
 import pytest
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.protocol.codes import TrajectoryCommand
 from tests.sim.test_direct_control import hold
@@ -78,7 +79,7 @@ def test_high_follow_is_over_after_the_reset(raised, other_host):
     rig, controller = raised, raised.controller
     other_host.say(HIGH_FOLLOW)
     rig.run(3.0)
-    assert controller.operating_state.cannot_move.code == "other_mode"
+    assert controller.operating_state.cannot_move.code == RefusalCode.OTHER_MODE
     controller.emergency_stop()
     rig.run(0.5)
     assert controller.motors.resume() is None

@@ -7,6 +7,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import StopState
 from armui.protocol.codes import LinkageRole, TeachingState
 from armui.protocol.frame import Frame
@@ -113,7 +114,12 @@ def test_it_reaches_an_arm_whose_control_offset_is_not_proven(any_bench):
 def test_what_waits_to_be_sent_is_dropped(rig):
     rig.ready()
     held = []
-    rig._host_bus.send = lambda *_args, **_kwargs: held.append(1) or _full()
+
+    def hold_up(*_args, **_kwargs):
+        held.append(1)
+        _full()
+
+    rig._host_bus.send = hold_up
     rig.controller.motion.send_joints((10.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     rig.controller.halt_and_hold()
     del rig._host_bus.send
@@ -126,11 +132,11 @@ def _full():
 
 
 def test_refused_only_where_nothing_can_be_reached(rig):
-    assert rig.controller.halt_and_hold().code == "not_connected"
+    assert rig.controller.halt_and_hold().code == RefusalCode.NOT_CONNECTED
     rig.device = replace(rig.device, listen_only=True)
     rig.controller.connect_device(rig.device)
     rig.run(1.0)
-    assert rig.controller.halt_and_hold().code == "halt_listen_only"
+    assert rig.controller.halt_and_hold().code == RefusalCode.HALT_LISTEN_ONLY
     rig.controller.emergency_stop()
     rig._settle()
     said = []

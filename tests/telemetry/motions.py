@@ -46,7 +46,13 @@ def controller_frames(t_s):
     for place, axes in enumerate((("X", "Y"), ("Z", "RX"), ("RY", "RZ")), 1):
         signals = {axis: 100.0 * math.sin(t_s / (place + 2)) for axis in axes}
         yield Message(f"EndPose{place}", signals)
-    status = {"ControlMode": 1, "Status": 0, "MoveMode": 1, "TeachingState": 0, "MotionState": 1}
+    status: dict[str, float] = {
+        "ControlMode": 1,
+        "Status": 0,
+        "MoveMode": 1,
+        "TeachingState": 0,
+        "MotionState": 1,
+    }
     status["TrajectoryPoint"] = 0
     for joint in JOINTS:
         status[f"J{joint}LimitExceeded"] = status[f"J{joint}CommunicationFault"] = 0

@@ -38,7 +38,8 @@ def filled(samples, shape=FIGURES, repeat=1, keep_s=1800.0):
 def by_hand(written, exponent, begin, end):
     """Minima and maxima of the buckets, by number."""
     width_s = 2.0**exponent
-    lows, highs = {}, {}
+    lows: dict[int, float] = {}
+    highs: dict[int, float] = {}
     for at_s, value, _code in written:
         number = math.floor(at_s / width_s)
         kept = float(np.float32(value))

@@ -152,7 +152,7 @@ def test_faults_are_bits_that_mean_the_same_in_both_generations(clock):
 def test_a_code_outside_its_table_is_kept_and_an_unknown_frame_counted(telemetry):
     status = {"ControlMode": 99, "Status": 0, "MoveMode": 1, "TeachingState": 0, "MotionState": 0}
     status |= {f"J{n}{what}": 0 for n in JOINTS for what in ("LimitExceeded", "CommunicationFault")}
-    message = Message("ArmStatus", status | {"TrajectoryPoint": 0})
+    message = Message("ArmStatus", {**status, "TrajectoryPoint": 0.0})
     odd = InvalidFrame(OddityKind.VALUE_OUTSIDE_TABLE, 0x2A1, "odd", message)
     unknown = InvalidFrame(OddityKind.UNKNOWN_ID, 0x7FF, "unknown")
     telemetry.on_look(1.0)

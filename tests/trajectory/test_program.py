@@ -13,7 +13,8 @@ from hypothesis import given
 
 from armui.arm.limits import FACTORY_LIMITS
 from armui.arm.refusal import Refusal
-from armui.kinematics.kinematics import Kinematics
+from armui.arm.refusal_codes import RefusalCode
+from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
 from armui.trajectory.planning.convert import to_joints, to_pose
 from armui.trajectory.points import search
@@ -82,7 +83,7 @@ def test_what_no_arm_can_do_is_refused_by_field(changes, code, field):
 
 def test_a_refusal_names_value_limits_and_unit():
     assert check_point(replace(POINT, dwell_s=5000.0)) == Refusal(
-        "point_out_of_range",
+        RefusalCode.POINT_OUT_OF_RANGE,
         {"field": "dwell", "value": 5000.0, "minimum": 0.0, "maximum": 3600.0, "unit": "s"},
     )
 
@@ -92,7 +93,9 @@ def test_a_refusal_names_value_limits_and_unit():
                        ("a\nb", "text_bad"), ("\udfff", "text_bad")]
 )  # fmt: skip
 def test_a_name_must_be_one(name, code):
-    assert check_trajectory(Trajectory(name))[1].code == code
+    found = check_trajectory(Trajectory(name))
+    assert found is not None
+    assert found[1].code == code
 
 
 @pytest.mark.parametrize(
@@ -107,6 +110,7 @@ def test_a_sample_that_cannot_be_is_refused_by_row(row, column, value, code):
     assert check_recording(Recording("r", samples=samples)) is None
     samples[row, column] = value
     found = check_recording(Recording("r", samples=samples))
+    assert found is not None
     assert (found[0], found[1].code) == (row + 1, code)
 
 
@@ -116,6 +120,7 @@ def test_a_sample_that_cannot_be_is_refused_by_row(row, column, value, code):
 @pytest.mark.parametrize("move", [MoveMode.MOVE_P, MoveMode.MOVE_L])
 def test_joints_become_a_pose_and_the_same_joints_again(move):
     as_pose = to_pose(POINT, KINEMATICS, move)
+    assert isinstance(as_pose, Waypoint)
     assert as_pose.move is move
     assert as_pose.note == POINT.note
     back = to_joints(as_pose, KINEMATICS, HERE)
@@ -125,6 +130,7 @@ def test_joints_become_a_pose_and_the_same_joints_again(move):
 
 def test_a_way_within_the_limits_goes_before_a_nearer_one():
     as_pose = to_pose(POINT, KINEMATICS)
+    assert isinstance(as_pose, Waypoint)
     ways = KINEMATICS.inverse(KINEMATICS.forward(HERE), HERE)
     beyond = next(way for way in ways if abs(way[3]) > 100.0)
     assert to_joints(as_pose, KINEMATICS, beyond).target == pytest.approx(beyond)
@@ -135,12 +141,12 @@ def test_a_way_within_the_limits_goes_before_a_nearer_one():
 def test_a_pose_out_of_reach_stays_a_pose():
     far = Waypoint(MoveMode.MOVE_P, (900.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     assert to_joints(far, KINEMATICS, HERE) == Refusal(
-        "convert_out_of_reach", {"x": 900.0, "y": 0.0, "z": 0.0}
+        RefusalCode.CONVERT_OUT_OF_REACH, {"x": 900.0, "y": 0.0, "z": 0.0}
     )
 
 
 def test_no_conversion_invents_the_middle_of_an_arc():
-    assert to_pose(POINT, KINEMATICS, MoveMode.MOVE_C).code == "convert_needs_middle"
+    assert to_pose(POINT, KINEMATICS, MoveMode.MOVE_C).code == RefusalCode.CONVERT_NEEDS_MIDDLE
 
 
 # Find and replace ---------------------------------------------------------------------------------
@@ -151,7 +157,7 @@ def test_find_and_replace_in_notes():
     assert list(search.find_text(points, "over")) == [0, 2]
     assert list(search.find_text(points, "over", match_case=True)) == [0]
     assert search.replace_text(points[0], "tray", "box").note == "over the box"
-    assert search.replace_text(points[0], "tray", "x" * 5000).code == "text_too_long"
+    assert search.replace_text(points[0], "tray", "x" * 5000).code == RefusalCode.TEXT_TOO_LONG
 
 
 def test_find_and_replace_figures():
@@ -163,8 +169,8 @@ def test_find_and_replace_figures():
     assert search.replace_figure(points[0], "X", 71.0) is points[0]
     assert search.replace_figure(points[0], "speed", 20.0).speed_percent == 20
     assert search.replace_figure(points[0], "dwell", 2.0).dwell_s == 2.0
-    assert search.replace_figure(points[0], "J2", 400.0).code == "point_out_of_range"
-    assert search.replace_figure(points[0], "speed", 20.5).code == "point_not_whole"
+    assert search.replace_figure(points[0], "J2", 400.0).code == RefusalCode.POINT_OUT_OF_RANGE
+    assert search.replace_figure(points[0], "speed", 20.5).code == RefusalCode.POINT_NOT_WHOLE
 
 
 def test_the_points_alone_need_no_numpy():

@@ -7,7 +7,8 @@ import pytest
 
 from armui.arm.backup import Backup
 from armui.arm.refusal import Refusal
-from armui.control.operating_state import Level
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.events import Level
 from armui.protocol.generation import Generation
 from armui.ui.dialogs import backup_text
 
@@ -56,7 +57,7 @@ def test_what_is_missing_in_a_file_is_said(qapp):
 
 def test_what_was_not_restored_is_told_with_the_first_reason(qapp):
     assert backup_text.restored(3, [])[1] is Level.DONE
-    text, level = backup_text.restored(3, [Refusal("link_lost"), None])
+    text, level = backup_text.restored(3, [Refusal(RefusalCode.LINK_LOST), None])
     assert text.startswith("2 of 3 parameters were not restored. ")
     assert "device is gone" in text
     assert level is Level.FAULT

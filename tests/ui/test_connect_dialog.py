@@ -11,6 +11,7 @@ from pytestqt.qtbot import QtBot
 
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState, OperatingState
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
@@ -37,7 +38,7 @@ def translator(qapp: QApplication) -> Iterator[Translator]:
 
 @pytest.fixture
 def connect(qtbot: QtBot, controller: FakeController) -> ConnectDialog:
-    dialog = ConnectDialog(controller)
+    dialog = ConnectDialog(controller.as_real)
     shown(qtbot, dialog)
     controller.devices_found.emit(FOUND)
     return dialog
@@ -249,7 +250,7 @@ def test_the_chosen_bit_rate_makes_it_no_other_device(
 def test_a_device_that_does_not_open_says_why_and_what_to_do(
     controller: FakeController, connect: ConnectDialog
 ) -> None:
-    controller.be(OperatingState(link_problem=Refusal("bus_busy", {"device": "can0"})))
+    controller.be(OperatingState(link_problem=Refusal(RefusalCode.BUS_BUSY, {"device": "can0"})))
 
     assert message(connect) == (
         "can0 is in use by another program. Close that program, then connect again."
@@ -258,7 +259,7 @@ def test_a_device_that_does_not_open_says_why_and_what_to_do(
 
 
 def test_offline_says_what_to_check(controller: FakeController, connect: ConnectDialog) -> None:
-    offline = Refusal("offline")
+    offline = Refusal(RefusalCode.OFFLINE)
     controller.be(operating_state(device=CAN0, link=LinkState.OFFLINE, cannot_move=offline))
 
     assert "Check its power, the CAN cable and the bit rate." in message(connect)

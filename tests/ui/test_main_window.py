@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState
 from armui.settings import SettingsStore
 from armui.ui.dialogs.confirm import ConfirmDialog
@@ -205,7 +206,7 @@ def test_the_icon_of_the_chosen_panel_has_the_accent_colour(window, qtbot):
 
 
 def test_a_robot_that_cannot_be_loaded_is_said(window, view):
-    view.load_failed.emit(Refusal("mesh_empty", {"mesh": "hand.stl"}))
+    view.load_failed.emit(Refusal(RefusalCode.MESH_EMPTY, {"mesh": "hand.stl"}))
     said = window.findChild(QLabel, "notice_label").text()
     assert said.endswith("the mesh hand.stl holds no surface. Export it again.")
 
@@ -213,7 +214,7 @@ def test_a_robot_that_cannot_be_loaded_is_said(window, view):
 def test_a_robot_chosen_in_the_settings_that_cannot_be_loaded_is_said_there(window, view):
     window.open_settings_dialog()
     dialog = window.findChild(SettingsDialog)
-    view.load_failed.emit(Refusal("mesh_empty", {"mesh": "hand.stl"}))
+    view.load_failed.emit(Refusal(RefusalCode.MESH_EMPTY, {"mesh": "hand.stl"}))
     assert "hand.stl" in message(dialog)
     dialog.close()
 

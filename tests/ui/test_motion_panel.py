@@ -2,16 +2,18 @@
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox, QLineEdit, QPushButton, QSlider
+from PySide6.QtWidgets import QComboBox, QLineEdit, QPushButton
 
 from armui.arm.device import Device
 from armui.arm.limits import FACTORY_LIMITS, JointLimits
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.operating_state import LinkState
 from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.value_label import ValueLabel
 from tests.ui.arm_states import NOW_S, arm_state, operating_state
 
@@ -40,8 +42,8 @@ def measured(panel, joint) -> ValueLabel:
     return panel.findChild(ValueLabel, f"measured_{joint}")
 
 
-def slider(panel, joint) -> QSlider:
-    return panel.findChild(QSlider, f"target_slider_{joint}")
+def slider(panel, joint) -> TrackSlider:
+    return panel.findChild(TrackSlider, f"target_slider_{joint}")
 
 
 def push(panel, name) -> QPushButton:
@@ -163,7 +165,7 @@ def test_jog_moves_at_once_and_takes_the_target_along(panel, controller, qtbot, 
 
 def test_refused_jog_leaves_the_field_and_says_why(panel, controller, qtbot):
     controller.be_ready(ANGLES)
-    controller.answer = Refusal("not_enabled", {"joints": "1, 3"})
+    controller.answer = Refusal(RefusalCode.NOT_ENABLED, {"joints": "1, 3"})
     qtbot.mouseClick(push(panel, "jog_plus_1"), LEFT)
     assert texts(panel)[0] == "10.000"
     assert "1, 3" in message(panel)
@@ -189,7 +191,7 @@ def test_jog_step_can_be_chosen(panel, controller, qtbot):
 
 def test_held_button_repeats_until_let_go(panel, controller, qtbot):
     controller.be_ready(ANGLES)
-    button = push(panel, "jog_plus_1")
+    button = panel.findChild(JogButton, "jog_plus_1")
     qtbot.mousePress(button, LEFT)
     qtbot.waitUntil(lambda: len(controller.calls) >= 3)
     qtbot.mouseRelease(button, LEFT)
@@ -200,7 +202,7 @@ def test_held_button_repeats_until_let_go(panel, controller, qtbot):
 def test_held_button_waits_for_a_lagging_arm(panel, controller, qtbot):
     controller.be_ready(ANGLES)
     controller.motion.lagging = True
-    button = push(panel, "jog_plus_1")
+    button = panel.findChild(JogButton, "jog_plus_1")
     qtbot.mousePress(button, LEFT)
     with qtbot.waitSignal(button.repeated):
         pass
@@ -214,7 +216,7 @@ def test_a_button_disabled_while_held_goes_no_further(panel, controller, qtbot):
     controller.be_ready(ANGLES)
     button = panel.findChild(JogButton, "jog_plus_1")
     qtbot.mousePress(button, LEFT)
-    controller.be(operating_state(cannot_move=Refusal("stopped")))
+    controller.be(operating_state(cannot_move=Refusal(RefusalCode.STOPPED)))
     button._on_timeout()
     assert controller.calls == [("jog", 1, 1.0)]
     assert not button._timer.isActive()
@@ -229,7 +231,8 @@ def test_out_of_limits_is_marked_said_and_left_to_the_controller(panel, controll
     assert "200" in message(panel)
     assert "180" in message(panel)
     controller.answer = Refusal(
-        "joint_out_of_limits", {"joint": 2, "value": 200.0, "minimum": 0.0, "maximum": 180.0}
+        RefusalCode.JOINT_OUT_OF_LIMITS,
+        {"joint": 2, "value": 200.0, "minimum": 0.0, "maximum": 180.0},
     )
     qtbot.mouseClick(push(panel, "send_button"), LEFT)
     assert controller.calls[-1][1][1] == 200.0
@@ -269,7 +272,7 @@ def test_factory_limits_say_that_they_are(panel, controller):
 def test_what_cannot_be_used_says_why(panel, controller):
     controller.be_ready(ANGLES)
     assert push(panel, "send_button").isEnabled()
-    controller.be(operating_state(cannot_move=Refusal("stopped")))
+    controller.be(operating_state(cannot_move=Refusal(RefusalCode.STOPPED)))
     for name in ("send_button", "home_button", "jog_plus_1", "jog_minus_6"):
         assert not push(panel, name).isEnabled()
         assert "emergency stop" in push(panel, name).toolTip()

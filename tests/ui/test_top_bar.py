@@ -5,6 +5,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QSpinBox
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import Busy, LinkState, OperatingState
 from armui.protocol.codes import ALL_JOINTS
 from armui.protocol.generation import Generation
@@ -126,7 +127,7 @@ def test_a_drag_sends_once_when_the_handle_is_let_go(slider, field, controller, 
 
 def test_a_refused_speed_is_not_shown_as_a_fact(field, slider, controller, qtbot):
     controller.be(operating_state())
-    controller.answer = Refusal("speed_out_of_range", {"value": 60})
+    controller.answer = Refusal(RefusalCode.SPEED_OUT_OF_RANGE, {"value": 60})
     field.setValue(60)
     assert field.value() == 30
     assert slider.wish == 30
@@ -191,7 +192,7 @@ def test_what_cannot_be_enabled_says_why(enable, controller):
     controller.be(OperatingState())
     assert not enable.isEnabled()
     assert "connected" in enable.toolTip()
-    controller.be(operating_state(cannot_enable=Refusal("stopped")))
+    controller.be(operating_state(cannot_enable=Refusal(RefusalCode.STOPPED)))
     assert "emergency stop" in enable.toolTip()
     controller.be(operating_state())
     assert enable.isEnabled()

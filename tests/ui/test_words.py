@@ -3,27 +3,25 @@
 from __future__ import annotations
 
 import string
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from datetime import datetime
+from pathlib import Path
 
 import pytest
 from PySide6.QtWidgets import QApplication
 
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
-from armui.control.events import CODES, REFUSALS
-from armui.control.operating_state import Level, Notice
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.events import LEVELS, EventCode, Level, Notice
 from armui.protocol.codes import MoveMode
 from armui.settings import SettingsStore, check
 from armui.trajectory import columns, files
-from armui.trajectory.library import store as library
-from armui.trajectory.planning import convert
 from armui.trajectory.points.program import GripperOpening, Waypoint, check_point
 from armui.ui import words
-from armui.ui.translation import LANGUAGES, Translator
+from armui.ui.translation import LANGUAGES, Language, Translator
 from armui.ui.words import notices, refusals
-from armui.viewport.errors import LOAD_REFUSALS
 
 AT = datetime(2026, 1, 2, 3, 4, 5).astimezone()
 
@@ -40,7 +38,7 @@ def chinese(translator: Translator) -> None:
     translator.set_language("zh")
 
 
-def notice(code: str, **params: object) -> str:
+def notice(code: EventCode, **params: object) -> str:
     return words.notice(Notice(AT, Level.INFO, code, params))
 
 
@@ -51,29 +49,30 @@ def has_chinese(text: str) -> bool:
 # Every code ---------------------------------------------------------------------------------------
 
 
-def test_there_is_a_sentence_for_every_notice_and_for_no_other() -> None:
-    assert set(CODES) == notices.CODES
+IN_THE_PICTURE = frozenset(
+    {
+        RefusalCode.NO_OPENGL,
+        RefusalCode.DRAWING_STOPPED,
+        RefusalCode.PICTURE_PROCESS_ENDED,
+        RefusalCode.PICTURE_PROCESS_HUNG,
+    }
+)
+"""Said in the picture's own place, by its overlay."""
+
+
+def test_there_is_a_sentence_for_every_event() -> None:
+    assert set(EventCode) == set(LEVELS) == notices.CODES
 
 
 def test_there_is_a_sentence_for_every_refusal() -> None:
-    of_settings = {
-        "settings_broken",
-        "settings_unreadable",
-        "settings_not_saved",
-        "settings_in_use",
-        "setting_bad",
-        "jog_step_out_of_range",
-        "jog_step_not_a_number",
-        "tool_not_possible",
-        "urdf_missing",
-    }
-    of_trajectories = files.errors.CODES | library.REFUSALS | columns.REFUSALS | convert.REFUSALS
-    assert REFUSALS | LOAD_REFUSALS | of_settings | of_trajectories == refusals.CODES
+    assert set(RefusalCode) - IN_THE_PICTURE == refusals.CODES
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize("code", sorted(refusals.CODES))
-def test_a_refusal_reads_as_sentences(translator: Translator, language: str, code: str) -> None:
+def test_a_refusal_reads_as_sentences(
+    translator: Translator, language: Language, code: RefusalCode
+) -> None:
     translator.set_language(language)
 
     text = words.refusal(Refusal(code))
@@ -85,8 +84,10 @@ def test_a_refusal_reads_as_sentences(translator: Translator, language: str, cod
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("code", sorted(CODES))
-def test_a_notice_reads_as_words(translator: Translator, language: str, code: str) -> None:
+@pytest.mark.parametrize("code", sorted(EventCode))
+def test_a_notice_reads_as_words(
+    translator: Translator, language: Language, code: EventCode
+) -> None:
     translator.set_language(language)
 
     text = notice(code)
@@ -97,14 +98,14 @@ def test_a_notice_reads_as_words(translator: Translator, language: str, code: st
 
 
 def test_what_nobody_foresaw_is_still_said(qapp: QApplication) -> None:
-    assert words.refusal(Refusal("odd", {"a": 1})) == "Not possible now: odd(a=1)."
-    assert notice("odd") == "Event: odd"
+    picture = Refusal(RefusalCode.NO_OPENGL, {"a": 1})
+    assert words.refusal(picture) == "Not possible now: no_opengl(a=1)."
 
 
 # Files -------------------------------------------------------------------------------------------
 
 
-PLACED = Refusal("number_bad", {"value": "o"})
+PLACED = Refusal(RefusalCode.NUMBER_BAD, {"value": "o"})
 
 
 @pytest.mark.parametrize(
@@ -145,7 +146,7 @@ def test_a_figure_of_a_point_is_named_with_its_unit_and_limits(qapp: QApplicatio
 def test_an_angle_out_of_limits_names_joint_value_and_limits(chinese: None) -> None:
     limits = {"joint": 2, "value": 181.0, "minimum": 0.0, "maximum": 180.0}
 
-    assert words.refusal(Refusal("joint_out_of_limits", limits)) == (
+    assert words.refusal(Refusal(RefusalCode.JOINT_OUT_OF_LIMITS, limits)) == (
         "关节 2：181.000° 超出限位 0.000° 至 180.000°。请输入限位以内的角度。"
     )
 
@@ -153,15 +154,18 @@ def test_an_angle_out_of_limits_names_joint_value_and_limits(chinese: None) -> N
 @pytest.mark.parametrize(
     ("refusal", "expected"),
     [
-        (Refusal("not_enabled", {"joints": "1, 3"}), "1, 3"),
-        (Refusal("speed_out_of_range", {"value": 101}), "101 %"),
-        (Refusal("joint_not_a_number", {"joint": 4, "value": "abc"}), "“abc”"),
-        (Refusal("other_control", {"mode": 2}), "示教模式"),
-        (Refusal("other_control", {"mode": 0x2F}), "未知 (0x2F)"),
-        (Refusal("arm_fault", {"status": 7}), "机械臂发生碰撞"),
-        (Refusal("busy", {"what": "enabling"}), "使能电机"),
-        (Refusal("bus_down", {"device": "can0"}), "ip link set can0 up"),
-        (Refusal("bus_backend_missing", {"device": "a", "package": "gs_usb"}), "install gs_usb"),
+        (Refusal(RefusalCode.NOT_ENABLED, {"joints": "1, 3"}), "1, 3"),
+        (Refusal(RefusalCode.SPEED_OUT_OF_RANGE, {"value": 101}), "101 %"),
+        (Refusal(RefusalCode.JOINT_NOT_A_NUMBER, {"joint": 4, "value": "abc"}), "“abc”"),
+        (Refusal(RefusalCode.OTHER_CONTROL, {"mode": 2}), "示教模式"),
+        (Refusal(RefusalCode.OTHER_CONTROL, {"mode": 0x2F}), "未知 (0x2F)"),
+        (Refusal(RefusalCode.ARM_FAULT, {"status": 7}), "机械臂发生碰撞"),
+        (Refusal(RefusalCode.BUSY, {"what": "enabling"}), "使能电机"),
+        (Refusal(RefusalCode.BUS_DOWN, {"device": "can0"}), "ip link set can0 up"),
+        (
+            Refusal(RefusalCode.BUS_BACKEND_MISSING, {"device": "a", "package": "gs_usb"}),
+            "install gs_usb",
+        ),
     ],
 )
 def test_a_refusal_names_what_it_is_about(chinese: None, refusal: Refusal, expected: str) -> None:
@@ -169,13 +173,13 @@ def test_a_refusal_names_what_it_is_about(chinese: None, refusal: Refusal, expec
 
 
 def test_a_notice_holds_the_reason_in_the_same_language(chinese: None) -> None:
-    assert notice("refused", reason=Refusal("joints_unknown")) == (
+    assert notice(EventCode.REFUSED, reason=Refusal(RefusalCode.JOINTS_UNKNOWN)) == (
         "未发送。尚未收到全部关节角度。请等待 6 个关节的角度都显示出来。"
     )
 
 
 def test_a_notice_without_its_reason_ends_cleanly(qapp: QApplication) -> None:
-    text = notice("link_lost", device="can0", reason=None)
+    text = notice(EventCode.LINK_LOST, device="can0", reason=None)
 
     assert text == "Connection to can0 lost; the program keeps trying to reconnect."
 
@@ -183,33 +187,35 @@ def test_a_notice_without_its_reason_ends_cleanly(qapp: QApplication) -> None:
 def test_six_angles_sent(chinese: None) -> None:
     angles = {f"j{n}": float(n) for n in range(1, 7)}
 
-    assert notice("sent_joints", **angles) == (
+    assert notice(EventCode.SENT_JOINTS, **angles) == (
         "已发送 J1 1.000°  J2 2.000°  J3 3.000°  J4 4.000°  J5 5.000°  J6 6.000°"
     )
 
 
 def test_generation_1_has_no_firmware_text(qapp: QApplication) -> None:
-    assert notice("generation", generation=1, firmware="").endswith("Firmware: —")
+    assert notice(EventCode.GENERATION, generation=1, firmware="").endswith("Firmware: —")
 
 
 def test_a_simulated_arm_has_a_name_in_the_operators_language(chinese: None) -> None:
     device = Device("virtual", "x", None, simulated=True, generation=1)
 
-    assert notice("disconnected", device=device) == "已断开 仿真机械臂（第 1 代）"
+    assert notice(EventCode.DISCONNECTED, device=device) == "已断开 仿真机械臂（第 1 代）"
     assert words.device_name(Device("socketcan", "can0")) == "socketcan can0"
 
 
 @pytest.mark.parametrize(
     ("code", "danger"),
     [
-        ("disable_sent", "机械臂会下落，请扶住机械臂"),
-        ("resume_sent", "机械臂会下落，请扶住机械臂"),
-        ("stop_sent", "请扶住机械臂"),
-        ("stop_unconfirmed", "请切断其电源"),
-        ("stop_not_sent", "请切断其电源"),
+        (EventCode.DISABLE_SENT, "机械臂会下落，请扶住机械臂"),
+        (EventCode.RESUME_SENT, "机械臂会下落，请扶住机械臂"),
+        (EventCode.STOP_SENT, "请扶住机械臂"),
+        (EventCode.STOP_UNCONFIRMED, "请切断其电源"),
+        (EventCode.STOP_NOT_SENT, "请切断其电源"),
     ],
 )
-def test_physical_danger_is_said_in_plain_words(chinese: None, code: str, danger: str) -> None:
+def test_physical_danger_is_said_in_plain_words(
+    chinese: None, code: EventCode, danger: str
+) -> None:
     assert danger in notice(code)
 
 
@@ -217,7 +223,7 @@ def test_physical_danger_is_said_in_plain_words(chinese: None, code: str, danger
 
 
 def test_every_reason_the_settings_give_fills_its_sentence(
-    translator: Translator, tmp_path: pytest.TempPathFactory
+    translator: Translator, tmp_path: Path
 ) -> None:
     broken = tmp_path / "settings.json"
     broken.write_text("{")
@@ -235,7 +241,9 @@ def test_every_reason_the_settings_give_fills_its_sentence(
 
 
 def test_a_setting_that_is_not_possible_is_named(chinese: None) -> None:
-    assert words.refusal(check("theme", "pink")) == "设置项“主题”：“pink”无效，已使用默认值。"
+    refused = check("theme", "pink")
+    assert refused is not None
+    assert words.refusal(refused) == "设置项“主题”：“pink”无效，已使用默认值。"
 
 
 # 0x2A1 --------------------------------------------------------------------------------------------
@@ -286,7 +294,8 @@ TEACHING = {
     0x06: "终止执行",
     0x07: "运动到轨迹起点",
 }
-TABLES = {
+Word = Callable[[int], str]
+TABLES: dict[Word, dict[int, str]] = {
     words.control_mode: CONTROL_MODES,
     words.arm_status: ARM_STATUSES,
     words.move_mode: MOVE_MODES,
@@ -295,14 +304,14 @@ TABLES = {
 
 
 @pytest.mark.parametrize("word", TABLES, ids=lambda word: word.__name__)
-def test_the_codes_of_the_status_in_the_protocols_words(chinese: None, word: object) -> None:
+def test_the_codes_of_the_status_in_the_protocols_words(chinese: None, word: Word) -> None:
     table: Mapping[int, str] = TABLES[word]
 
     assert {code: word(code) for code in table} == table
 
 
 @pytest.mark.parametrize("word", [*TABLES, words.control_mode_short])
-def test_no_two_codes_share_a_word_in_english(qapp: QApplication, word: object) -> None:
+def test_no_two_codes_share_a_word_in_english(qapp: QApplication, word: Word) -> None:
     table = TABLES.get(word, CONTROL_MODES)
     spoken = {word(code) for code in table}
 
@@ -311,7 +320,7 @@ def test_no_two_codes_share_a_word_in_english(qapp: QApplication, word: object) 
 
 
 @pytest.mark.parametrize("word", [*TABLES, words.control_mode_short])
-def test_codes_of_no_table_are_shown_as_numbers(translator: Translator, word: object) -> None:
+def test_codes_of_no_table_are_shown_as_numbers(translator: Translator, word: Word) -> None:
     assert word(0x2F) == "unknown (0x2F)"
     translator.set_language("zh")
     assert word(0x2F) == "未知 (0x2F)"

@@ -4,15 +4,16 @@ import os
 import signal
 import sys
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt, QTimer
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.viewport.camera_input import press_key
 from armui.viewport.client import PictureClient
-from armui.viewport.errors import DRAWING_STOPPED, NO_OPENGL, PROCESS_ENDED, PROCESS_HUNG
 from armui.viewport.messages import PicturePhase
 from armui.viewport.path_picture import PathPicture, Preview
 from armui.viewport.view import ArmView
@@ -38,7 +39,7 @@ def no_thread_outlives_the_test():
 @pytest.fixture
 def losses(view):
     """Every loss of the process."""
-    lost = []
+    lost: list[Any] = []
     view._client.lost.connect(lost.append)
     yield lost
     view._client.lost.disconnect(lost.append)
@@ -77,7 +78,7 @@ def test_a_killed_process_comes_back_with_everything_as_it_was(view, losses, tmp
     os.kill(pid, signal.SIGKILL)
     wait_until(lambda: losses)
     assert losses[0].comes_back
-    assert losses[0].reason == Refusal(PROCESS_ENDED, {"text": "SIGKILL"})
+    assert losses[0].reason == Refusal(RefusalCode.PICTURE_PROCESS_ENDED, {"text": "SIGKILL"})
     assert "SIGKILL" in view._notice()
     assert not view._again_button.isVisible()
     wait_until(lambda: view._lost is None and view.is_settled)
@@ -100,7 +101,7 @@ def test_the_model_comes_back_though_its_file_is_gone(view, losses, tmp_path):
 def test_a_question_is_not_asked_again_of_the_next_process(view, losses, qtbot):
     with qtbot.waitSignal(view._client.joint_picked, timeout=LIMIT_MS):
         qtbot.mouseDClick(view, Qt.MouseButton.LeftButton, pos=QPoint(440, 10))
-    answers = []
+    answers: list[Any] = []
     view._client.joint_picked.connect(answers.append)
     os.kill(view._client.pid, signal.SIGKILL)
     wait_until(lambda: losses)
@@ -119,7 +120,7 @@ def test_a_process_that_stands_still_looks_old_at_once_and_is_replaced(view, los
     assert view._notice() == "Picture delayed"
     wait_until(lambda: losses)
     assert losses[0].comes_back
-    assert losses[0].reason == Refusal(PROCESS_HUNG)
+    assert losses[0].reason == Refusal(RefusalCode.PICTURE_PROCESS_HUNG)
     wait_until(lambda: view._lost is None)
     assert view._client.pid != pid
     moving.stop()
@@ -171,7 +172,7 @@ def test_after_three_times_in_a_minute_a_button_is_offered(view, losses, qtbot):
     view._show(replace(good, angles_deg=(0.0,)))
     wait_until(lambda: len(losses) == 3)
     assert [lost.comes_back for lost in losses] == [True, True, False]
-    assert {lost.reason.code for lost in losses} == {DRAWING_STOPPED}
+    assert {lost.reason.code for lost in losses} == {RefusalCode.DRAWING_STOPPED}
     assert "ValueError" in view._notice()
     assert view._again_button.isVisible()
     assert view._client.pid is None
@@ -188,7 +189,9 @@ def test_a_file_that_crashes_the_process_is_put_aside(view, losses, qtbot, tmp_p
     bad = write_arm(tmp_path, visual=mesh("bad.glb"))
     with qtbot.waitSignal(view.load_failed, timeout=LIMIT_MS) as failed:
         view.set_robot(bad)
-    assert failed.args == [Refusal("urdf_ends_view", {"path": str(bad), "text": "SIGSEGV"})]
+    assert failed.args == [
+        Refusal(RefusalCode.URDF_ENDS_VIEW, {"path": str(bad), "text": "SIGSEGV"})
+    ]
     wait_until(lambda: view.is_settled)
     assert image_of(view) == before
     assert not losses
@@ -202,7 +205,7 @@ def test_a_file_that_never_ends_is_put_aside(qtbot, tmp_path, monkeypatch):
     with qtbot.waitSignal(view.load_failed, timeout=LIMIT_MS) as failed:
         view.show()
     expected = {"path": str(tmp_path / "endless.urdf")}
-    assert failed.args == [Refusal("urdf_hangs_view", expected)]
+    assert failed.args == [Refusal(RefusalCode.URDF_HANGS_VIEW, expected)]
     wait_until(lambda: view.is_settled)  # the program's own arm
     assert view._notice() == ""
     client.stop()
@@ -239,7 +242,7 @@ def test_without_opengl_the_widget_says_so(qtbot):
     loading_text = view._notice()
     with qtbot.waitSignal(client.lost, timeout=LIMIT_MS) as lost:
         view.show()
-    assert (lost.args[0].reason, lost.args[0].comes_back) == (Refusal(NO_OPENGL), False)
+    assert (lost.args[0].reason, lost.args[0].comes_back) == (Refusal(RefusalCode.NO_OPENGL), False)
     assert "OpenGL" in view._notice() != loading_text
     assert view._again_button.isVisible()
     view.shutdown()
@@ -251,6 +254,7 @@ def test_shutdown_ends_the_process_whatever_it_is_doing(qtbot):
     view.show()
     wait_until(lambda: view._client.pid is not None)  # still loading
     pid = view._client.pid
+    assert pid is not None
     view.shutdown()
     with pytest.raises(ProcessLookupError):
         os.kill(pid, 0)

@@ -13,6 +13,7 @@ from armui.ui.watch.plot_layout import (
     MOST_PLOTS,
     SETS,
     PlotLayout,
+    Plots,
     from_text,
     tidy,
     to_text,
@@ -29,20 +30,21 @@ def test_every_set_draws_what_exists(name):
 
 
 def test_adding_moving_and_removing():
-    layout = PlotLayout(((A,), (B,)))
+    first: Plots = ((A,), (B,))
+    layout = PlotLayout(first)
     layout.add([C, A], 0)
-    assert layout.plots == ((A, C), (B,))
+    assert list(layout.plots) == [(A, C), (B,)]
     layout.add([C])
-    assert layout.plots == ((A, C), (B,), (C,))
+    assert list(layout.plots) == [(A, C), (B,), (C,)]
     assert layout.name is None
     layout.move(C, 0, 1)
-    assert layout.plots == ((A,), (B, C), (C,))
+    assert list(layout.plots) == [(A,), (B, C), (C,)]
     layout.move(B, 1, None)
-    assert layout.plots == ((A,), (C,), (C,), (B,))
+    assert list(layout.plots) == [(A,), (C,), (C,), (B,)]
     layout.remove(1, C)
-    assert layout.plots == ((A,), (C,), (B,))
+    assert list(layout.plots) == [(A,), (C,), (B,)]
     layout.remove_plot(0)
-    assert layout.plots == ((C,), (B,))
+    assert list(layout.plots) == [(C,), (B,)]
     assert layout.find(B) == 1
     assert layout.find(A) is None
 

@@ -6,8 +6,10 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.context import Context
+from armui.control.events import EventCode
 from armui.control.operating_state import why_unreachable
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.protocol import commands
@@ -39,11 +41,12 @@ class EndReports:
         The arm answers and cannot be asked for it: the answer is all there is to know.
         """
         context = self._context
+        context.refresh()
         refusal = self._why_not() or self.why_no_load()
         if refusal is not None:
             return context.refuse(refusal)
         self._busy = True
-        context.tell("load_sent", load=int(load))
+        context.tell(EventCode.LOAD_SENT, load=int(load))
         self._orders.submit(
             Transaction(
                 commands.set_load(context.connection.codec, load),
@@ -61,7 +64,7 @@ class EndReports:
         operating_state = self._context.operating_state()
         if operating_state.occupied is not None:
             return operating_state.occupied
-        return Refusal("load_while_moving") if operating_state.moving else None
+        return Refusal(RefusalCode.LOAD_WHILE_MOVING) if operating_state.moving else None
 
     def switch(self, *, on: bool) -> Refusal | None:
         """Switch the feedback of the end's speed and acceleration; the frames decide."""
@@ -70,7 +73,7 @@ class EndReports:
         if refusal is not None:
             return context.refuse(refusal)
         self._busy = True
-        context.tell("end_feedback_sent")
+        context.tell(EventCode.END_FEEDBACK_SENT)
         self._orders.submit(
             Transaction(
                 commands.set_end_feedback(context.connection.codec, on=on),
@@ -89,22 +92,22 @@ class EndReports:
         if refusal is not None:
             return refusal
         if connection.generation is None:
-            return Refusal("generation_unknown")
-        return Refusal("busy", {"what": "end_reports"}) if self._busy else None
+            return Refusal(RefusalCode.GENERATION_UNKNOWN)
+        return Refusal(RefusalCode.BUSY, {"what": "end_reports"}) if self._busy else None
 
     def _after_load(self, load: EndLoad, refusal: Refusal | None) -> None:
         self._busy = False
         if refusal is None:
-            self._context.tell("load_answered", load=int(load))
+            self._context.tell(EventCode.LOAD_ANSWERED, load=int(load))
         else:
-            self._context.tell("load_failed", reason=refusal)
+            self._context.tell(EventCode.LOAD_FAILED, reason=refusal)
 
     def _after_switch(self, on: bool, refusal: Refusal | None) -> None:
         self._busy = False
         if refusal is not None:
-            self._context.tell("end_feedback_failed", reason=refusal)
+            self._context.tell(EventCode.END_FEEDBACK_FAILED, reason=refusal)
         else:
-            self._context.tell("end_feedback_on" if on else "end_feedback_off")
+            self._context.tell(EventCode.END_FEEDBACK_ON if on else EventCode.END_FEEDBACK_OFF)
 
 
 def is_reporting(state: ArmState) -> bool:
@@ -128,4 +131,4 @@ def _against(state: ArmState, *, on: bool) -> Refusal | None:
     still = any(
         heard is not None and now_s - heard.at_s < _SILENT_S / 2 for heard in state.end_motion
     )
-    return Refusal("end_feedback_goes_on") if still and not on else None
+    return Refusal(RefusalCode.END_FEEDBACK_GOES_ON) if still and not on else None

@@ -9,9 +9,11 @@ from typing import Final
 from armui.arm.gripper import GripperState
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, is_fresh
 from armui.control.context import Context
 from armui.control.devices.gripper_ranges import Figures, check, figures_of
+from armui.control.events import EventCode
 from armui.control.parameters.arm_settings import ArmSettings
 from armui.control.parameters.setting_cell import CellState
 from armui.control.requests.request import Request, RequestOutcome
@@ -88,20 +90,24 @@ class GripperControl:
         if operating_state.cannot_enable is not None:
             return operating_state.cannot_enable
         if context.connection.generation is None:
-            return Refusal("generation_unknown")
+            return Refusal(RefusalCode.GENERATION_UNKNOWN)
         if state.gripper is None or not is_fresh(state.gripper.at_s, context.clock()):
-            return Refusal("gripper_silent")
+            return Refusal(RefusalCode.GRIPPER_SILENT)
         if not operating_state.control_certain:
-            return Refusal("control_offset_unknown")
+            return Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
         if operating_state.running and not letting_go:
-            return Refusal("run_under_way")
+            return Refusal(RefusalCode.RUN_UNDER_WAY)
         if not moving:
             return None
-        no_motion = context.why_no_motion()
+        no_motion = context.authority.why_not()
         if no_motion is not None:
             return no_motion
         mode = None if state.status is None else state.status.value.control_mode
-        return None if mode is None or mode in _OBEYS else Refusal("other_control", {"mode": mode})
+        return (
+            None
+            if mode is None or mode in _OBEYS
+            else Refusal(RefusalCode.OTHER_CONTROL, {"mode": mode})
+        )
 
     def learn_stroke(self) -> None:
         """Ask once for the stroke the arm allows (0x47E), where it can be asked."""
@@ -123,6 +129,7 @@ class GripperControl:
             ``None`` if it is on its way, or why nothing was sent.
         """
         figures = self.figures
+        self._context.refresh()
         refusal = (
             self.why_not(moving=True)
             or check(figures.travel, travel)
@@ -130,36 +137,39 @@ class GripperControl:
         )
         heard = self._heard()
         if refusal is not None or heard is None:
-            return self._context.refuse(refusal or Refusal("gripper_silent"))
+            return self._context.refuse(refusal or Refusal(RefusalCode.GRIPPER_SILENT))
         if not self._context.connection.send(self._hold(travel, effort)):
-            return self._context.refuse(Refusal("link_lost"))
+            return self._context.refuse(Refusal(RefusalCode.LINK_LOST))
         self.forget()
         self._travel = _Travel(travel, heard.travel, self._context.clock())
-        self._context.tell("gripper_sent", value=travel, unit=figures.travel.unit)
+        self._context.tell(EventCode.GRIPPER_SENT, value=travel, unit=figures.travel.unit)
         return None
 
     def enable(self, effort: float) -> Refusal | None:
         """Give it power where it is."""
+        self._context.refresh()
         refusal = self.why_not(moving=True) or check(self.figures.effort, effort)
         heard = self._heard()
         if refusal is not None or heard is None:
-            return self._context.refuse(refusal or Refusal("gripper_silent"))
+            return self._context.refuse(refusal or Refusal(RefusalCode.GRIPPER_SILENT))
         frames = self._hold(heard.travel, effort)
         self._start("enable", frames, lambda gripper: gripper.enabled)
         return None
 
     def disable(self) -> Refusal | None:
         """Take its power: it lets go of what it holds. A run under way ends."""
+        self._context.refresh()
         refusal = self.why_not(moving=False, letting_go=True)
         if refusal is not None:
             return self._context.refuse(refusal)
-        self._end_run(Refusal("run_let_go"))
+        self._end_run(Refusal(RefusalCode.RUN_LET_GO))
         frames = commands.disable_gripper(self._context.connection.codec)
         self._start("disable", frames, lambda gripper: not gripper.enabled)
         return None
 
     def clear_error(self) -> Refusal | None:
         """Clear its driver's error; it stays without power until it is enabled or moved."""
+        self._context.refresh()
         refusal = self.why_not(moving=False)
         if refusal is not None:
             return self._context.refuse(refusal)
@@ -169,9 +179,10 @@ class GripperControl:
 
     def set_zero(self) -> Refusal | None:
         """Make where it stands its zero, in generation 2; it has no power afterwards."""
+        self._context.refresh()
         refusal = self.why_not(moving=False)
         if refusal is None and self._context.connection.generation is not Generation.TWO:
-            refusal = Refusal("gripper_no_zero")
+            refusal = Refusal(RefusalCode.GRIPPER_NO_ZERO)
         if refusal is not None:
             return self._context.refuse(refusal)
         frames = commands.set_gripper_zero(self._context.connection.codec)
@@ -204,7 +215,7 @@ class GripperControl:
         self.forget()
         self._deed = deed
         self._request = Request(frames, shows, context.connection.send, _REPEAT_S, _ATTEMPTS)
-        context.tell("gripper_act_sent", act=deed)
+        context.tell(EventCode.GRIPPER_ACT_SENT, act=deed)
         self._request.advance(context.state(), context.clock())
 
     # A part of the controller -----------------------------------------------------------------
@@ -220,7 +231,11 @@ class GripperControl:
             return
         deed = self._deed
         self.forget()
-        code = "gripper_act_done" if outcome is RequestOutcome.DONE else "gripper_act_failed"
+        code = (
+            EventCode.GRIPPER_ACT_DONE
+            if outcome is RequestOutcome.DONE
+            else EventCode.GRIPPER_ACT_FAILED
+        )
         self._context.tell(code, act=deed)
 
     def _follow(self, travel: _Travel) -> None:
@@ -239,11 +254,11 @@ class GripperControl:
         self._travel = None
         figures = {"value": heard.travel, "unit": self.figures.travel.unit}
         if there:
-            self._context.tell("gripper_there", **figures)
+            self._context.tell(EventCode.GRIPPER_THERE, **figures)
         elif heard.enabled and abs(heard.torque_nm or 0.0) > _GRIPS_NM:
-            self._context.tell("gripper_grips", torque=heard.torque_nm, **figures)
+            self._context.tell(EventCode.GRIPPER_GRIPS, torque=heard.torque_nm, **figures)
         else:
-            self._context.tell("gripper_not_there", target=travel.target, **figures)
+            self._context.tell(EventCode.GRIPPER_NOT_THERE, target=travel.target, **figures)
 
     def halt(self) -> None:
         """The arm is to stop: nothing is sent again, nothing more is expected."""

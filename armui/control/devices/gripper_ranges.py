@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.protocol.generation import Generation
 from armui.trajectory.points.program import RANGES
@@ -91,7 +92,7 @@ def check(figure: Figure, value: float) -> Refusal | None:
         "unit": figure.unit,
     }
     if not math.isfinite(value):
-        return Refusal("gripper_not_a_number", params)
+        return Refusal(RefusalCode.GRIPPER_NOT_A_NUMBER, params)
     if figure.minimum <= value <= figure.maximum:
         return None
-    return Refusal("gripper_out_of_range", params)
+    return Refusal(RefusalCode.GRIPPER_OUT_OF_RANGE, params)

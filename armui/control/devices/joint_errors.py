@@ -5,7 +5,9 @@ from __future__ import annotations
 from functools import partial
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
+from armui.control.events import EventCode
 from armui.control.operating_state import why_unreachable
 from armui.control.requests.transactions import Transaction, TransactionQueue
 from armui.protocol import commands
@@ -45,13 +47,14 @@ class JointErrors:
     def clear(self, joint: int) -> Refusal | None:
         """Ask a joint (1–6, 7 all) to clear its error: ``None`` if it is on its way, or why not."""
         context = self._context
+        context.refresh()
         refusal = self.why_not()
         if refusal is None and self._joint is not None:
-            refusal = Refusal("busy", {"what": "clearing_error"})
+            refusal = Refusal(RefusalCode.BUSY, {"what": "clearing_error"})
         if refusal is not None:
             return context.refuse(refusal)
         self._joint = joint
-        context.tell("clear_error_sent", joint=joint)
+        context.tell(EventCode.CLEAR_ERROR_SENT, joint=joint)
         self._orders.submit(
             Transaction(
                 commands.clear_joint_error(context.connection.codec, joint),
@@ -65,6 +68,8 @@ class JointErrors:
 
     def _on_finished(self, joint: int, refusal: Refusal | None) -> None:
         self._joint = None
-        code = "clear_error_answered" if refusal is None else "clear_error_unanswered"
-        if refusal is None or refusal.code == "setting_unanswered":
+        code = (
+            EventCode.CLEAR_ERROR_ANSWERED if refusal is None else EventCode.CLEAR_ERROR_UNANSWERED
+        )
+        if refusal is None or refusal.code == RefusalCode.SETTING_UNANSWERED:
             self._context.tell(code, joint=joint)

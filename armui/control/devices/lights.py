@@ -7,7 +7,9 @@ from typing import Final
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
+from armui.control.events import EventCode
 from armui.protocol import commands
 from armui.protocol.codes import ALL_LAMPS
 
@@ -51,7 +53,7 @@ class Lights:
         Returns:
             ``None`` if it is on its way, or why nothing was sent.
         """
-        refusal = self._context.operating_state().cannot_set_lamps or check_light(
+        refusal = self._context.refresh().cannot_set_lamps or check_light(
             joint=joint, lamp=lamp, red=red, green=green, blue=blue
         )
         if refusal is None:
@@ -63,11 +65,11 @@ class Lights:
                 counter=self._counter,
             )
             if not self._context.connection.send(frames):
-                refusal = Refusal("link_lost")
+                refusal = Refusal(RefusalCode.LINK_LOST)
         if refusal is not None:
             return self._context.refuse(refusal)
         self._counter = (self._counter + 1) % _COUNTS
-        code = "sent_lamps" if lamp == ALL_LAMPS else "sent_lamp"
+        code = EventCode.SENT_LAMPS if lamp == ALL_LAMPS else EventCode.SENT_LAMP
         self._context.tell(code, joint=joint, lamp=lamp, color=f"#{red:02X}{green:02X}{blue:02X}")
         return None
 
@@ -83,7 +85,7 @@ def check_light(**figures: int) -> Refusal | None:
         if value in allowed or (name == "lamp" and value == ALL_LAMPS):
             continue
         return Refusal(
-            "light_out_of_range",
+            RefusalCode.LIGHT_OUT_OF_RANGE,
             {"light": name, "value": value, "minimum": allowed[0], "maximum": allowed[-1]},
         )
     return None

@@ -6,7 +6,9 @@ from functools import partial
 from typing import Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
+from armui.control.events import EventCode
 from armui.control.operating_state import LinkState, why_unreachable
 from armui.control.requests.transactions import Transaction, TransactionQueue
 from armui.protocol import commands
@@ -56,6 +58,7 @@ class LinkageControl:
             ``None`` if it is on its way, or why nothing was sent.
         """
         context = self._context
+        context.refresh()
         refusal = self.why_not()
         for name, offset in (
             ("feedback_offset", feedback_offset),
@@ -63,7 +66,9 @@ class LinkageControl:
             ("target_offset", target_offset),
         ):
             if refusal is None and offset not in OFFSETS:
-                refusal = Refusal("offset_not_possible", {"offset": name, "value": offset})
+                refusal = Refusal(
+                    RefusalCode.OFFSET_NOT_POSSIBLE, {"offset": name, "value": offset}
+                )
         if refusal is not None:
             return context.refuse(refusal)
         self._busy = True
@@ -80,7 +85,7 @@ class LinkageControl:
             context.clock(),
             ends_input=context.operating_state().teaching_input,
         )
-        context.tell("linkage_sent")
+        context.tell(EventCode.LINKAGE_SENT)
         self._orders.submit(
             Transaction(
                 frames,
@@ -101,11 +106,11 @@ class LinkageControl:
         context = self._context
         link = context.connection.link
         if context.operating_state().listens_only:
-            return Refusal("listen_only")
+            return Refusal(RefusalCode.LISTEN_ONLY)
         if link is not LinkState.OFFLINE and (refusal := why_unreachable(link)) is not None:
             return refusal
         if self._busy:
-            return Refusal("busy", {"what": "linkage"})
+            return Refusal(RefusalCode.BUSY, {"what": "linkage"})
         return self._why_in_use()
 
     def _why_in_use(self) -> Refusal | None:
@@ -113,18 +118,18 @@ class LinkageControl:
         operating_state = self._context.operating_state()
         if operating_state.occupied is not None:
             return operating_state.occupied
-        return Refusal("linkage_while_moving") if operating_state.moving else None
+        return Refusal(RefusalCode.LINKAGE_WHILE_MOVING) if operating_state.moving else None
 
     def _on_finished(self, role: LinkageRole, refusal: Refusal | None) -> None:
         self._busy = False
         if refusal is not None:
-            self._context.tell("linkage_failed", reason=refusal)
+            self._context.tell(EventCode.LINKAGE_FAILED, reason=refusal)
             return
         self._context.connection.offsets.answered(self._context.clock())
         if role is LinkageRole.TEACHING_INPUT:
-            self._context.tell("linkage_answered_input")
+            self._context.tell(EventCode.LINKAGE_ANSWERED_INPUT)
         else:
-            self._context.tell("linkage_answered")
+            self._context.tell(EventCode.LINKAGE_ANSWERED)
 
     # A part of the controller -----------------------------------------------------------------
 
@@ -136,10 +141,10 @@ class LinkageControl:
         self._used, self._was_known = offsets.addressing, offsets.control_known
         feedback = f"0x{0x2A1 + self._used.feedback_offset:03X}"
         if not offsets.control_known:
-            self._context.tell("linkage_found", feedback=feedback)
+            self._context.tell(EventCode.LINKAGE_FOUND, feedback=feedback)
             return
         command = f"0x{0x150 + self._used.control_offset:03X}"
-        self._context.tell("linkage_in_use", feedback=feedback, control=command)
+        self._context.tell(EventCode.LINKAGE_IN_USE, feedback=feedback, control=command)
 
     def halt(self) -> None:
         """It moves nothing: a stop leaves it be."""

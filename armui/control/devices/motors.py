@@ -7,8 +7,10 @@ from typing import Final
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.context import Context
+from armui.control.events import EventCode
 from armui.control.motion.motion_command import End
 from armui.control.operating_state import Busy, StopState
 from armui.control.requests import reports
@@ -62,18 +64,21 @@ class Motors:
         """The reason against ending the stop: there is none, or another arm might drop (0x150)."""
         operating_state = self._context.operating_state()
         if operating_state.stop is not StopState.STOPPED:
-            return Refusal("not_stopped")
+            return Refusal(RefusalCode.NOT_STOPPED)
         if operating_state.listens_only:
-            return Refusal("listen_only")
-        return None if operating_state.control_certain else Refusal("control_offset_unknown")
+            return Refusal(RefusalCode.LISTEN_ONLY)
+        return (
+            None if operating_state.control_certain else Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
+        )
 
     def resume(self) -> Refusal | None:
         """End the emergency stop: power is cut at once, the arm DROPS; then it must be enabled."""
         context = self._context
+        context.refresh()
         refusal = self.why_not_resume()
         if refusal is not None:
             return context.refuse(refusal)
-        context.tell("resume_sent")
+        context.tell(EventCode.RESUME_SENT)
         self._start(
             Busy.RESUMING,
             JOINTS,
@@ -107,20 +112,20 @@ class Motors:
 
     def _switch(self, joint: int, *, on: bool) -> Refusal | None:
         context = self._context
-        operating_state = context.operating_state()
+        operating_state = context.refresh()
         refusal = operating_state.cannot_switch_on if on else operating_state.cannot_enable
         if refusal is not None:
             return context.refuse(refusal)
         if not on:
-            self._end_run(Refusal("run_disabled"))
+            self._end_run(Refusal(RefusalCode.RUN_DISABLED))
         context.authority.end(End.DISABLED)
         joints = JOINTS if joint == ALL_JOINTS else (joint,)
         command = commands.enable_motors if on else commands.disable_motors
-        code = "enable_sent" if on else "disable_sent"
         if joint == ALL_JOINTS:
-            context.tell(code)
+            context.tell(EventCode.ENABLE_SENT if on else EventCode.DISABLE_SENT)
         else:
-            context.tell(f"{code}_joint", joint=joint)
+            one = EventCode.ENABLE_SENT_JOINT if on else EventCode.DISABLE_SENT_JOINT
+            context.tell(one, joint=joint)
         self._start(
             Busy.ENABLING if on else Busy.DISABLING,
             joints,
@@ -140,4 +145,4 @@ class Motors:
         self._busy, self._joints = busy, joints
         self._request = Request(frames, seen, context.connection.send, _REPEAT_S, _ATTEMPTS)
         self._request.advance(context.state(), context.clock())
-        context.operating_state()
+        context.refresh()

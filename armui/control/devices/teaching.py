@@ -6,9 +6,11 @@ from collections.abc import Callable, Mapping
 from typing import Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.context import Context
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of, why_not
+from armui.control.events import EventCode
 from armui.control.requests.request import Request, RequestOutcome
 from armui.protocol import commands
 from armui.protocol.codes import TeachingState
@@ -54,16 +56,17 @@ class TeachingControl:
     def why_not(self, command: TeachingState) -> Refusal | None:
         """The reason against a command now, or ``None``: it may be given."""
         if self._pending is not None:
-            return Refusal("busy", {"what": "teaching"})
+            return Refusal(RefusalCode.BUSY, {"what": "teaching"})
         return why_not(command, self._context.state(), self._context.operating_state())
 
     def command(self, command: TeachingState) -> Refusal | None:
         """Give a command of 0x150 byte 2: ``None`` if it is on its way, or why it is not."""
         context = self._context
+        context.refresh()
         refusal = self.why_not(command)
         if refusal is not None:
             return context.refuse(refusal)
-        context.tell("teaching_sent", command=int(command))
+        context.tell(EventCode.TEACHING_SENT, command=int(command))
         again = command in _ENDS_SOMETHING
         self._pending = command
         self._request = Request(
@@ -85,7 +88,11 @@ class TeachingControl:
             return
         command = self._pending
         self.forget()
-        code = "teaching_done" if outcome is RequestOutcome.DONE else "teaching_unanswered"
+        code = (
+            EventCode.TEACHING_DONE
+            if outcome is RequestOutcome.DONE
+            else EventCode.TEACHING_UNANSWERED
+        )
         self._context.tell(code, command=int(command))
 
     def halt(self) -> None:

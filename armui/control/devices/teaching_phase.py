@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Status
 from armui.control.operating_state import OperatingState
 from armui.control.safety import interlocks
@@ -72,12 +73,12 @@ _SOUND: Final = frozenset(
     }
 )
 
-_UNSUITED: Final[Mapping[TeachingPhase, str]] = {
-    TeachingPhase.OFF: "teaching_off",
-    TeachingPhase.IDLE: "teaching_idle",
-    TeachingPhase.RECORDING: "teaching_recording",
-    TeachingPhase.REPLAYING: "teaching_replaying",
-    TeachingPhase.PAUSED: "teaching_paused",
+_UNSUITED: Final[Mapping[TeachingPhase, RefusalCode]] = {
+    TeachingPhase.OFF: RefusalCode.TEACHING_OFF,
+    TeachingPhase.IDLE: RefusalCode.TEACHING_IDLE,
+    TeachingPhase.RECORDING: RefusalCode.TEACHING_RECORDING,
+    TeachingPhase.REPLAYING: RefusalCode.TEACHING_REPLAYING,
+    TeachingPhase.PAUSED: RefusalCode.TEACHING_PAUSED,
 }
 """The reason that a phase is against a command it does not suit."""
 
@@ -125,11 +126,11 @@ def why_not(
         operating_state.unreachable, operating_state.stop, operating_state.busy
     )
     if refusal is None and not operating_state.control_certain:
-        refusal = Refusal("control_offset_unknown")
+        refusal = Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
     if refusal is not None:
         return refusal
     if state.status is None:
-        return Refusal("joints_unknown")
+        return Refusal(RefusalCode.JOINTS_UNKNOWN)
     status = state.status.value
     phase = phase_of(status)
     if phase not in _SUITS[command]:
@@ -140,7 +141,7 @@ def why_not(
     if refusal is not None:
         return refusal
     if phase is TeachingPhase.OFF and status.control_mode not in interlocks.MOVABLE_MODES:
-        return Refusal("other_control", {"mode": status.control_mode})
+        return Refusal(RefusalCode.OTHER_CONTROL, {"mode": status.control_mode})
     if status.arm_status not in _SOUND:
-        return Refusal("arm_fault", {"status": status.arm_status})
+        return Refusal(RefusalCode.ARM_FAULT, {"status": status.arm_status})
     return interlocks.why_not_enabled(operating_state.enabled)

@@ -12,11 +12,13 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.devices import teaching_phase
+from armui.control.events import EventCode
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.control.safety.interlocks import joint_list, why_no_command
-from armui.control.safety.joint_speeds import why_not_still
+from armui.control.safety.standstill import why_not_still
 from armui.protocol import commands
 from armui.protocol.codes import ALL_JOINTS, SettingIndex
 
@@ -26,7 +28,7 @@ if TYPE_CHECKING:
     from armui.control.context import Context
     from armui.protocol.codec import Message
 
-ENDED: Final = frozenset({"zero_set", "zero_set_joint", "zero_failed"})
+ENDED: Final = frozenset({EventCode.ZERO_SET, EventCode.ZERO_SET_JOINT, EventCode.ZERO_FAILED})
 """Notices after which the angles may be counted anew: places entered before are other places."""
 
 _AT_ZERO_DEG: Final = 0.5
@@ -66,7 +68,7 @@ class Zeroing:
         operating_state, state = self._context.operating_state(), self._context.state()
         refusal = operating_state.cannot_enable or operating_state.occupied
         if refusal is None and operating_state.recording:
-            refusal = Refusal("busy", {"what": "recording"})
+            refusal = Refusal(RefusalCode.BUSY, {"what": "recording"})
         if refusal is not None or state.status is None:
             return refusal
         return teaching_phase.why_under_way(teaching_phase.phase_of(state.status.value))
@@ -80,12 +82,15 @@ class Zeroing:
         context = self._context
         state = context.state()
         joints = JOINTS if joint == ALL_JOINTS else (joint,)
+        context.refresh()
         refusal = self.why_not() or why_not_still(state) or self._why_unheard(joints)
         if refusal is not None:
             return context.refuse(refusal)
         self._before_zeroing()
         self._busy = True
-        context.tell("zero_sent" if joint == ALL_JOINTS else "zero_sent_joint", joint=joint)
+        context.tell(
+            EventCode.ZERO_SENT if joint == ALL_JOINTS else EventCode.ZERO_SENT_JOINT, joint=joint
+        )
         self._orders.submit(
             Transaction(
                 commands.set_joint_zero(context.connection.codec, joint),
@@ -105,7 +110,7 @@ class Zeroing:
                 alters="zeroing",
             )
         )
-        context.operating_state()
+        context.refresh()
         return None
 
     def _why_unheard(self, joints: Sequence[int]) -> Refusal | None:
@@ -113,7 +118,7 @@ class Zeroing:
         state, now_s = self._context.state(), self._context.clock()
         heard = [state.joints_deg[joint - 1] for joint in joints]
         known = all(each is not None and each.fresh(now_s) for each in heard)
-        return None if known else Refusal("joints_unknown")
+        return None if known else Refusal(RefusalCode.JOINTS_UNKNOWN)
 
     def _why_not_any_more(self, joints: Sequence[int], pressed: ArmState) -> Refusal | None:
         """What has come up since the press: a stop, a motion, a joint that stands elsewhere."""
@@ -125,17 +130,17 @@ class Zeroing:
     def _on_finished(self, joint: int, refusal: Refusal | None) -> None:
         self._busy = False
         if refusal is not None:
-            self._context.tell("zero_failed", reason=refusal)
+            self._context.tell(EventCode.ZERO_FAILED, reason=refusal)
         elif joint == ALL_JOINTS:
-            self._context.tell("zero_set")
+            self._context.tell(EventCode.ZERO_SET)
         else:
-            self._context.tell("zero_set_joint", joint=joint)
+            self._context.tell(EventCode.ZERO_SET_JOINT, joint=joint)
 
 
 def _against_answer(joints: str, answer: Message) -> Refusal | None:
     if answer.signals["ZeroSet"] == 1:
         return None
-    return Refusal("zero_not_set", {"joints": joints})
+    return Refusal(RefusalCode.ZERO_NOT_SET, {"joints": joints})
 
 
 def _why_elsewhere(joints: Sequence[int], before: ArmState, now: ArmState) -> Refusal | None:
@@ -147,7 +152,7 @@ def _why_elsewhere(joints: Sequence[int], before: ArmState, now: ArmState) -> Re
         or (new := now.joints_deg[joint - 1]) is None
         or abs(new.value - old.value) > _SAME_PLACE_DEG
     ]
-    return Refusal("zero_moved", {"joints": joint_list(moved)}) if moved else None
+    return Refusal(RefusalCode.ZERO_MOVED, {"joints": joint_list(moved)}) if moved else None
 
 
 def _off_zero(joints: Sequence[int], state: ArmState) -> list[int]:
@@ -168,4 +173,4 @@ def _shown(joints: Sequence[int], state: ArmState, since_s: float) -> bool:
 
 def _not_at_zero(joints: Sequence[int], state: ArmState) -> Refusal | None:
     off = _off_zero(joints, state)
-    return Refusal("zero_not_taken", {"joints": joint_list(off)}) if off else None
+    return Refusal(RefusalCode.ZERO_NOT_TAKEN, {"joints": joint_list(off)}) if off else None

@@ -15,6 +15,7 @@ from armui.arm.other_hosts import OtherTraffic
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, is_fresh
 from armui.bus.link import BusReport, BusState
+from armui.control.events import EventCode
 from armui.control.link.offsets import OffsetFollower
 from armui.control.operating_state import LinkState
 from armui.protocol.frame import Frame
@@ -31,7 +32,10 @@ if TYPE_CHECKING:
 _CLOSE_MS: Final = 100
 """The window waits this long for a device to be closed; a busy driver is left to end by itself."""
 _IS_OPEN: Final = frozenset({BusState.OPEN, BusState.BLOCKED})
-_OPEN_CODES: Final = {BusState.LOST: "reconnected", BusState.BLOCKED: "bus_unblocked"}
+_OPEN_CODES: Final = {
+    BusState.LOST: EventCode.RECONNECTED,
+    BusState.BLOCKED: EventCode.BUS_UNBLOCKED,
+}
 """The notice that an open bus is worth, by what it was before."""
 
 
@@ -45,7 +49,7 @@ class Connection(QObject):
             that is known. Nothing that was read before holds for it.
     """
 
-    changed = Signal(object, str)
+    changed = Signal(object, object)
     answered = Signal(object)
     arm_came = Signal()
 
@@ -286,15 +290,15 @@ class Connection(QObject):
         before, self._bus_state = self._bus_state, report.state
         if report.state is BusState.OPEN:
             self.problem = None
-            self.changed.emit(report, _OPEN_CODES.get(before, "connected"))
+            self.changed.emit(report, _OPEN_CODES.get(before, EventCode.CONNECTED))
         elif report.state is BusState.BLOCKED:
             self.problem = report.problem
-            self.changed.emit(report, "bus_blocked")
+            self.changed.emit(report, EventCode.BUS_BLOCKED)
         elif report.state is BusState.LOST:
             self.problem = report.problem
             self._start_anew(self._worker, self._clock())
             if before is not BusState.LOST:
-                self.changed.emit(report, "link_lost")
+                self.changed.emit(report, EventCode.LINK_LOST)
         elif report.state is BusState.FAILED:
             self._fail(report)
 
@@ -302,4 +306,4 @@ class Connection(QObject):
         problem, device = report.problem, report.device
         self.close()
         self.problem = problem
-        self.changed.emit(BusReport(BusState.FAILED, device, problem), "connect_failed")
+        self.changed.emit(BusReport(BusState.FAILED, device, problem), EventCode.CONNECT_FAILED)

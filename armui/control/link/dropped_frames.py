@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from armui.control.context import Context
+from armui.control.events import EventCode
 
 _EVERY_S: Final = 10.0
 
@@ -28,7 +29,7 @@ class DroppedFrames:
             return
         now_s = self._context.clock()
         if self._told_s is None or now_s - self._told_s >= _EVERY_S:
-            self._context.tell("frames_dropped", count=dropped - self._told, total=dropped)
+            self._context.tell(EventCode.FRAMES_DROPPED, count=dropped - self._told, total=dropped)
             self._told, self._told_s = dropped, now_s
 
     def halt(self) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from armui.control.events import EventCode
 from armui.control.operating_state import LinkState
 from armui.control.requests import reports
 
@@ -37,7 +38,7 @@ class LinkWatch:
         if online:
             self._answers_told = False
         if link in {LinkState.ONLINE, LinkState.OFFLINE}:
-            self._tell("online" if online else "offline")
+            self._tell(EventCode.ONLINE if online else EventCode.OFFLINE)
 
     def follow_handshake(self, state: ArmState) -> None:
         """Tell what the arm has answered, once it has answered everything."""

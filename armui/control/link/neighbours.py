@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Signal
 
-from armui.control.events import CODES
-from armui.control.operating_state import Notice, OperatingState
+from armui.control.events import LEVELS, EventCode, Notice
+from armui.control.operating_state import OperatingState
 from armui.system.presence import PresenceWatch
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ class Neighbours(QObject):
         look_s: How often to look.
     """
 
-    _counted = Signal(str, object, int)
+    _counted = Signal(object, object, int)
 
     def __init__(
         self,
@@ -52,8 +52,11 @@ class Neighbours(QObject):
         self._device: Device | None = None
         self._channel: PresenceWatch | None = None
         self._counted.connect(self._on_counted)
-        self._settings = self._watch("settings_shared", str(settings.absolute()), str(settings))
+        self._settings = self._watch(
+            EventCode.SETTINGS_SHARED, str(settings.absolute()), str(settings)
+        )
         controller.operating_state_changed.connect(self._on_situation)
+        self._on_situation(controller.operating_state)
 
     def close(self) -> None:
         """Leave every meeting place."""
@@ -73,16 +76,19 @@ class Neighbours(QObject):
             self._channel = None
         if device is not None and device.interface not in _IN_THIS_PROCESS:
             key = f"{device.interface} {device.channel} {device.serial or ''}"
-            self._channel = self._watch("channel_shared", key, device)
+            self._channel = self._watch(EventCode.CHANNEL_SHARED, key, device)
 
-    def _watch(self, code: str, key: str, what: object) -> PresenceWatch:
+    def _watch(self, code: EventCode, key: str, what: object) -> PresenceWatch:
         name = hashlib.sha256(key.encode("utf-8", "surrogatepass")).hexdigest()[:16]
         tell = partial(self._counted.emit, code, what)
         return PresenceWatch(self._folder / f"{code}-{name}", tell, self._look_s)
 
-    def _on_counted(self, code: str, what: object, count: int) -> None:
-        late = code == "channel_shared" and what != self._device
+    def _on_counted(self, code: EventCode, what: object, count: int) -> None:
+        late = code == EventCode.CHANNEL_SHARED and what != self._device
         if count and not late:
-            params = {"device" if code == "channel_shared" else "path": what, "count": count}
+            params = {
+                "device" if code == EventCode.CHANNEL_SHARED else "path": what,
+                "count": count,
+            }
             at = datetime.now().astimezone()
-            self._controller.noticed.emit(Notice(at, CODES[code], code, params))
+            self._controller.noticed.emit(Notice(at, LEVELS[code], code, params))

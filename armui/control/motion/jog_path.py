@@ -8,11 +8,13 @@ from typing import TYPE_CHECKING, Final, Protocol
 
 from armui.arm.limits import JointLimits, check_joints
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.kinematics.axes import LINEAR_AXES, JogFrame
 
 if TYPE_CHECKING:
     from armui.control.motion.jog_pace import Pace
-    from armui.kinematics.kinematics import Kinematics, Matrix
+    from armui.kinematics.arm_kinematics import Kinematics
+    from armui.kinematics.poses import Matrix
 
 _TOOL_MM_S: Final = 60.0
 _TOOL_DEG_S: Final = 12.0
@@ -90,7 +92,9 @@ class JointJogPath:
 
     def end(self) -> Refusal:
         """The limit."""
-        return Refusal("jog_at_limit", {"joint": self._jog.joint, "limit": self._bound_deg})
+        return Refusal(
+            RefusalCode.JOG_AT_LIMIT, {"joint": self._jog.joint, "limit": self._bound_deg}
+        )
 
 
 class ToolJogPath:
@@ -130,12 +134,11 @@ class ToolJogPath:
 
     def joints_at(self, gone: float, near_deg: Sequence[float]) -> tuple[float, ...] | Refusal:
         """The solution nearest to ``near_deg``, or why there is none."""
-        from armui.kinematics.kinematics import matrix_to_pose  # noqa: PLC0415 - see above
-        from armui.kinematics.poses import flange_matrix, shifted  # noqa: PLC0415 - see above
+        from armui.kinematics import poses  # noqa: PLC0415 - see above
 
         jog = self._jog
-        target = shifted(self._start, jog.axis, jog.direction * gone, jog.frame)
-        pose = matrix_to_pose(flange_matrix(target, self._tool))
+        target = poses.shifted(self._start, jog.axis, jog.direction * gone, jog.frame)
+        pose = poses.matrix_to_pose(poses.flange_matrix(target, self._tool))
         solutions = self._kinematics.inverse(pose, near_deg)
         if not solutions:
             return self.end()
@@ -144,9 +147,10 @@ class ToolJogPath:
             return solutions[0]
         bound = "minimum" if beyond.params["value"] < beyond.params["minimum"] else "maximum"  # type: ignore[operator]  # both are angles
         return Refusal(
-            "jog_at_limit", {"joint": beyond.params["joint"], "limit": beyond.params[bound]}
+            RefusalCode.JOG_AT_LIMIT,
+            {"joint": beyond.params["joint"], "limit": beyond.params[bound]},
         )
 
     def end(self) -> Refusal:
         """The edge of the arm's reach."""
-        return Refusal("jog_out_of_reach")
+        return Refusal(RefusalCode.JOG_OUT_OF_REACH)

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 
 if TYPE_CHECKING:
     from armui.control.motion.jog_pace import Pace
@@ -64,7 +65,7 @@ class JogStream:
         trouble = self._go(way, measured_deg, dt_s, pace)
         self._stalled_s = 0.0 if self._gone > before else self._stalled_s + dt_s
         if trouble is None and self._stalled_s >= _STALLED_S:
-            return Refusal("jog_not_following")
+            return Refusal(RefusalCode.JOG_NOT_FOLLOWING)
         return trouble
 
     def _go(
@@ -118,5 +119,5 @@ class JogStream:
 def _why_too_fast(joint: int) -> Refusal:
     """What a pose in which a joint would have to turn without end means to the operator."""
     if joint in _STRETCHES:
-        return Refusal("jog_out_of_reach")
-    return Refusal("jog_singular", {"joint": joint})
+        return Refusal(RefusalCode.JOG_OUT_OF_REACH)
+    return Refusal(RefusalCode.JOG_SINGULAR, {"joint": joint})

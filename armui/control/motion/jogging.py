@@ -15,12 +15,14 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import Qt, QTimer
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
+from armui.control.events import EventCode
 from armui.control.motion.jog_pace import accelerations, pace
 from armui.control.motion.jog_path import JogPath, JointJog, JointJogPath, ToolJog, ToolJogPath
 from armui.control.motion.jog_stream import JogStream
 from armui.control.motion.motion_command import CommandKind, MotionCommand
-from armui.control.safety.rest import QUIET_DEG, QUIET_S, RestWatch
+from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
 from armui.kinematics.axes import AXES
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
@@ -95,7 +97,7 @@ class Jogging:
         """
         self.stop()
         context = self._context
-        refusal = context.operating_state().cannot_move
+        refusal = context.refresh().cannot_move
         if refusal is None and isinstance(jog, ToolJog):
             refusal = self._cartesian.why_unknown()
         if refusal is not None:
@@ -103,18 +105,18 @@ class Jogging:
         now_s = context.clock()
         self._hold = _Hold(jog, now_s, now_s, before=context.authority.command)
         self._timer.start()
-        context.operating_state()
+        context.refresh()
         if isinstance(jog, JointJog):
-            context.tell("jogging_joint", joint=jog.joint, sign=_sign(jog.direction))
+            context.tell(EventCode.JOGGING_JOINT, joint=jog.joint, sign=_sign(jog.direction))
         else:
-            context.tell("jogging_tool", axis=AXES[jog.axis], sign=_sign(jog.direction))
+            context.tell(EventCode.JOGGING_TOOL, axis=AXES[jog.axis], sign=_sign(jog.direction))
         return None
 
     def stop(self) -> None:
         """Send no more setpoints: the arm rests at the last one, within 100 ms."""
         if self._hold is not None:
             self._let_go()
-            self._context.operating_state()
+            self._context.refresh()
 
     def _let_go(self) -> None:
         if self._hold is None:
@@ -160,7 +162,7 @@ class Jogging:
         self._rest.observe(state, now_s)
         if not self._rest.at_rest:
             if now_s - hold.began_s >= _SETTLE_S:
-                self._end(Refusal("still_moving"))
+                self._end(Refusal(RefusalCode.STILL_MOVING))
             return
         base_deg = self._context.authority.joint_base_deg() or measured_deg
         hold.stream = JogStream(self._way(hold.jog, base_deg), base_deg, measured_deg)
@@ -211,7 +213,9 @@ class Jogging:
 
     def _end(self, reason: Refusal | None) -> None:
         self.stop()
-        self._context.tell("jog_ended", reason=reason or Refusal("joints_unknown"))
+        self._context.tell(
+            EventCode.JOG_ENDED, reason=reason or Refusal(RefusalCode.JOINTS_UNKNOWN)
+        )
 
     # The controller's tick ------------------------------------------------------------------
 
@@ -233,9 +237,9 @@ class Jogging:
 def _why_blind(state: ArmState, dt_s: float, now_s: float) -> Refusal | None:
     """Why the program cannot know where the arm is, or whether the operator still holds on."""
     if dt_s > _HELD_UP_S:
-        return Refusal("jog_held_up", {"value": round(1000 * dt_s)})
+        return Refusal(RefusalCode.JOG_HELD_UP, {"value": round(1000 * dt_s)})
     if any(heard is None or now_s - heard.at_s > _FEEDBACK_S for heard in state.joints_deg):
-        return Refusal("jog_no_feedback")
+        return Refusal(RefusalCode.JOG_NO_FEEDBACK)
     return None
 
 

@@ -7,7 +7,9 @@ from typing import Final
 
 from armui.arm.limits import check_joints
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
+from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind
 from armui.control.motion.speed import speed_frames
 from armui.control.requests import reports
@@ -48,20 +50,21 @@ class Motion:
         """
         context = self._context
         if not 0 <= percent <= 100:
-            return context.refuse(Refusal("speed_out_of_range", {"value": percent}))
-        if context.operating_state().running:
-            return context.refuse(Refusal("run_under_way"))
+            return context.refuse(Refusal(RefusalCode.SPEED_OUT_OF_RANGE, {"value": percent}))
+        operating_state = context.refresh()
+        if operating_state.running:
+            return context.refuse(Refusal(RefusalCode.RUN_UNDER_WAY))
         self.speed_percent = round(percent)
-        operating_state = context.operating_state()
         tellable = operating_state.control_certain and not operating_state.jogging
         tellable &= (
             interlocks.why_no_command(operating_state.unreachable, operating_state.stop, None)
             is None
         )
         if tellable and self.tell_speed():
-            context.tell("sent_speed", percent=self.speed_percent)
+            context.tell(EventCode.SENT_SPEED, percent=self.speed_percent)
         elif context.authority.holds:
-            context.tell("speed_waits", percent=self.speed_percent)
+            context.tell(EventCode.SPEED_WAITS, percent=self.speed_percent)
+        context.refresh()
         return None
 
     def tell_speed(self) -> bool:
@@ -79,13 +82,15 @@ class Motion:
     def jog(self, joint: int, delta_deg: float) -> Refusal | None:
         """Move one joint by a step at once; the other five stay where they are or were going."""
         context = self._context
-        operating_state = context.operating_state()
+        operating_state = context.refresh()
         base_deg = context.authority.joint_base_deg()
         if base_deg is None:
-            return context.refuse(operating_state.cannot_move or Refusal("joints_unknown"))
+            return context.refuse(
+                operating_state.cannot_move or Refusal(RefusalCode.JOINTS_UNKNOWN)
+            )
         target_deg = list(base_deg)
         target_deg[joint - 1] = round(target_deg[joint - 1] + delta_deg, 3)
-        return self._move(target_deg, "jogged", joint=joint, target=target_deg[joint - 1])
+        return self._move(target_deg, EventCode.JOGGED, joint=joint, target=target_deg[joint - 1])
 
     def jog_lagging(self, joint: int, step_deg: float) -> bool:
         """Whether the arm is so far behind that a held button should not step on."""
@@ -96,16 +101,18 @@ class Motion:
 
     def send_joints(self, angles_deg: Sequence[float]) -> Refusal | None:
         """Move to six angles in degrees (MOVE J, 0x155–0x157 and 0x151)."""
-        return self._move(angles_deg, "sent_joints", **reports.numbered(angles_deg))
+        return self._move(angles_deg, EventCode.SENT_JOINTS, **reports.numbered(angles_deg))
 
     def go_home(self) -> Refusal | None:
         """Move to the factory zero angles."""
-        return self._move(_HOME_DEG, "went_home")
+        return self._move(_HOME_DEG, EventCode.WENT_HOME)
 
-    def _move(self, angles_deg: Sequence[float], code: str, **figures: object) -> Refusal | None:
+    def _move(
+        self, angles_deg: Sequence[float], code: EventCode, **figures: object
+    ) -> Refusal | None:
         """Send six angles if that may be, and tell so with a notice."""
         context = self._context
-        operating_state = context.operating_state()
+        operating_state = context.refresh()
         refusal = operating_state.cannot_move or check_joints(angles_deg, operating_state.limits)
         if refusal is not None:
             return context.refuse(refusal)

@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
+from armui.control.events import EventCode
 from armui.control.motion.motion_command import Hold
 from armui.control.safety import interlocks
 from armui.protocol import commands
@@ -46,14 +48,14 @@ class PlannedMotion:
             operating_state.unreachable, operating_state.stop, operating_state.busy
         )
         if refusal is None and not operating_state.control_certain:
-            refusal = Refusal("control_offset_unknown")
+            refusal = Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
         if refusal is not None or command in _ENDS:
             return refusal
         if operating_state.running or operating_state.jogging:
             # a run has a pause of its own; setpoints of a jog held back would come to life later
             return operating_state.occupied
         if command is TrajectoryCommand.PAUSE and not operating_state.moving:
-            return Refusal("not_moving")
+            return Refusal(RefusalCode.NOT_MOVING)
         if command is TrajectoryCommand.CONTINUE:
             return self._why_not_continue(operating_state)
         return None
@@ -61,9 +63,9 @@ class PlannedMotion:
     def _why_not_continue(self, operating_state: OperatingState) -> Refusal | None:
         """What is held back goes on at the operator's speed, and only in an arm that is ours."""
         if not operating_state.holds:
-            return Refusal("nothing_held")
+            return Refusal(RefusalCode.NOTHING_HELD)
         if operating_state.speed_percent == 0:
-            return Refusal("speed_zero")
+            return Refusal(RefusalCode.SPEED_ZERO)
         authority = self._context.authority
         return authority.why_silent() or authority.other.why_not()
 
@@ -74,6 +76,7 @@ class PlannedMotion:
             EncodeError: The command is one of the transfer of points.
         """
         context = self._context
+        context.refresh()
         refusal = self.why_not(command)
         if refusal is None:
             frames = commands.trajectory_command(context.connection.codec, command)
@@ -84,10 +87,10 @@ class PlannedMotion:
                 context.authority.cancelled(context.clock())
             else:
                 sent = self._send(command, frames)
-            refusal = None if sent else Refusal("link_lost")
+            refusal = None if sent else Refusal(RefusalCode.LINK_LOST)
         if refusal is not None:
             return context.refuse(refusal)
-        context.tell("plan_sent", plan=int(command))
+        context.tell(EventCode.PLAN_SENT, plan=int(command))
         return None
 
     def _send(self, command: TrajectoryCommand, frames: Sequence[Frame]) -> bool:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.protocol import commands
 from armui.protocol.codes import ControlMode, MoveMode
@@ -36,7 +37,7 @@ def point_frames(
         )
     start = state.end_pose()
     if start is None:
-        return Refusal("pose_unknown")
+        return Refusal(RefusalCode.POSE_UNKNOWN)
     return mode + commands.move_arc(
         codec, start, point.middle, point.target, speed_percent=speed_percent
     )
@@ -86,5 +87,5 @@ def why_not_possible(generation: Generation | None, points: Sequence[Waypoint]) 
         angle = isinstance(point.gripper, GripperAngle)
         opening = isinstance(point.gripper, GripperOpening)
         if (generation is Generation.TWO and angle) or (generation is Generation.ONE and opening):
-            return Refusal("gripper_other_generation", {"row": row})
+            return Refusal(RefusalCode.GRIPPER_OTHER_GENERATION, {"row": row})
     return None

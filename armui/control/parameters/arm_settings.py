@@ -11,8 +11,10 @@ from PySide6.QtCore import QObject, Signal
 from armui.arm.limits import JOINTS
 from armui.arm.parameters import Batch, Group, Parameter, all_batches, heard
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.context import Context
+from armui.control.events import EventCode
 from armui.control.operating_state import why_unreachable
 from armui.control.parameters.setting_cell import CellState, SettingCellState
 from armui.control.parameters.setting_checks import (
@@ -24,7 +26,7 @@ from armui.control.parameters.setting_checks import (
 )
 from armui.control.parameters.setting_frames import INDEX, query_frames, setting_frames
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
-from armui.control.safety.joint_speeds import why_moving
+from armui.control.safety.standstill import why_moving
 from armui.protocol import commands
 from armui.protocol.codes import SettingIndex
 from armui.protocol.generation import Generation
@@ -107,7 +109,7 @@ class ArmSettings(QObject):
         generation = self._context.connection.generation
         wants_handle = any(batch.group is Group.TEACHING for batch in batches)
         if generation is Generation.ONE and wants_handle:
-            return Refusal("setting_not_kept", {"generation": int(generation)})
+            return Refusal(RefusalCode.SETTING_NOT_KEPT, {"generation": int(generation)})
         return None
 
     # What the operator wants ------------------------------------------------------------------
@@ -151,7 +153,7 @@ class ArmSettings(QObject):
         )
         if refusal is not None:
             return self._context.refuse(refusal)
-        self._context.tell("settings_sent", count=len(changes))
+        self._context.tell(EventCode.SETTINGS_SENT, count=len(changes))
         self._saving = list(changes)
         self._submit(*(self._save(codec, batch, changes) for batch in batches_of(changes)))
         self.changed.emit()
@@ -179,9 +181,9 @@ class ArmSettings(QObject):
 
     def _codec(self) -> Codec | Refusal:
         """What to speak, or why nothing can be set now."""
-        refusal = self._why_unknown() or self._context.operating_state().occupied
+        refusal = self._why_unknown() or self._context.refresh().occupied
         if refusal is None and self.busy:
-            refusal = Refusal("busy", {"what": "settings"})
+            refusal = Refusal(RefusalCode.BUSY, {"what": "settings"})
         if refusal is None:
             refusal = why_moving(self._context.state())
         return self._context.connection.codec if refusal is None else self._context.refuse(refusal)
@@ -191,7 +193,7 @@ class ArmSettings(QObject):
         connection = self._context.connection
         refusal = why_unreachable(connection.link, connection.device)
         if refusal is None and connection.generation is None:
-            return Refusal("generation_unknown")
+            return Refusal(RefusalCode.GENERATION_UNKNOWN)
         return refusal
 
     def _read(self, batch: Batch) -> None:
@@ -234,7 +236,7 @@ class ArmSettings(QObject):
             return codec
         for batch in batches:
             self._mark(batch.parameters(), SettingCellState(CellState.READING))
-        self._context.tell("settings_reset_sent")
+        self._context.tell(EventCode.SETTINGS_RESET_SENT)
         self._submit(
             Transaction(
                 command(codec),
@@ -264,7 +266,7 @@ class ArmSettings(QObject):
 
     def _after_saving(self, wanted: Changes, refusal: Refusal | None) -> None:
         differing = {}
-        if refusal is not None and refusal.code == "setting_not_taken":
+        if refusal is not None and refusal.code == RefusalCode.SETTING_NOT_TAKEN:
             codec = self._context.connection.codec
             differing = not_taken(codec, self._context.state(), wanted)
         for parameter in wanted:
@@ -281,7 +283,7 @@ class ArmSettings(QObject):
             for batch in batches:
                 self._mark(batch.parameters(), SettingCellState(CellState.REFUSED, refusal))
         else:
-            self._context.tell("settings_reset")
+            self._context.tell(EventCode.SETTINGS_RESET)
             for batch in batches:
                 self._read(batch)
         self._closed()
@@ -293,10 +295,10 @@ class ArmSettings(QObject):
         count = len(self._saving)
         self._saving = []
         if not reasons:
-            self._context.tell("settings_saved", count=count)
+            self._context.tell(EventCode.SETTINGS_SAVED, count=count)
         else:
             self._context.tell(
-                "settings_refused", count=len(reasons), total=count, reason=reasons[0]
+                EventCode.SETTINGS_REFUSED, count=len(reasons), total=count, reason=reasons[0]
             )
 
     def _closed(self) -> None:

@@ -11,9 +11,11 @@ from armui import __version__
 from armui.arm.backup import Backup, from_text, to_text
 from armui.arm.parameters import Parameter, heard
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.protocol.generation import Generation
 from armui.system.atomic import write_whole
+from armui.system.error_text import error_text
 
 _LARGEST_BYTES: Final = 1_000_000
 """A backup has a few thousand; anything like this is another file."""
@@ -23,22 +25,22 @@ def read_backup(path: Path) -> Backup | Refusal:
     """The backup in a file, or why it is none."""
     try:
         if path.stat().st_size > _LARGEST_BYTES:
-            return Refusal("backup_foreign")
+            return Refusal(RefusalCode.BACKUP_FOREIGN)
         return from_text(path.read_text(encoding="utf-8-sig"))
     except UnicodeDecodeError:
-        return Refusal("backup_foreign")
+        return Refusal(RefusalCode.BACKUP_FOREIGN)
     except OSError as error:
-        text = error.strerror or str(error)
-        return Refusal("backup_unreadable", {"path": str(path), "text": text})
+        figures = {"path": str(path), "text": error_text(error)}
+        return Refusal(RefusalCode.BACKUP_UNREADABLE, figures)
 
 
 def write_backup(path: Path, backup: Backup) -> Refusal | None:
     """Keep a backup in a file; ``None``, or why it could not be written."""
     try:
-        write_whole(path, to_text(backup))
+        write_whole(path, to_text(backup).encode())
     except OSError as error:
-        text = error.strerror or str(error)
-        return Refusal("backup_not_written", {"path": str(path), "text": text})
+        figures = {"path": str(path), "text": error_text(error)}
+        return Refusal(RefusalCode.BACKUP_NOT_WRITTEN, figures)
     return None
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.parameters import Batch, Group, Parameter, check_value, heard, is_corrupt
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.parameters.setting_frames import as_carried, can_leave_unchanged, step_of
 
@@ -55,7 +56,7 @@ def not_taken(codec: Codec, state: ArmState, wanted: Changes) -> dict[Parameter,
     """Which of the parameters asked for the arm does not hold, by what was read back."""
     return {
         parameter: Refusal(
-            "setting_not_taken",
+            RefusalCode.SETTING_NOT_TAKEN,
             {
                 "parameter": parameter.name,
                 "joint": parameter.joint,
@@ -79,14 +80,16 @@ def crossed(state: ArmState, batch: Batch, changes: Changes) -> Refusal | None:
         return None
     for end in ends:
         if end not in changes and is_corrupt(state, end):
-            return Refusal("setting_corrupt", {"parameter": end.name, "joint": end.joint})
+            return Refusal(RefusalCode.SETTING_CORRUPT, {"parameter": end.name, "joint": end.joint})
     low, high = (
         changes[end] if end in changes else known.value if (known := heard(state, end)) else None
         for end in ends
     )
     if low is None or high is None or low < high:
         return None
-    return Refusal("limits_crossed", {"joint": batch.joint, "minimum": low, "maximum": high})
+    return Refusal(
+        RefusalCode.LIMITS_CROSSED, {"joint": batch.joint, "minimum": low, "maximum": high}
+    )
 
 
 def _unknown_neighbour(
@@ -103,7 +106,7 @@ def _unknown_neighbour(
             continue
         figures: dict[str, int | str] = {"parameter": parameter.name, "joint": parameter.joint}
         if heard(state, parameter) is None:
-            return Refusal("setting_unknown", figures)
+            return Refusal(RefusalCode.SETTING_UNKNOWN, figures)
         if is_corrupt(state, parameter) and not leaves:
-            return Refusal("setting_corrupt", figures)
+            return Refusal(RefusalCode.SETTING_CORRUPT, figures)
     return None

@@ -6,11 +6,12 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from armui.arm.limits import plausible
 from armui.arm.state import ArmState
+from armui.control.events import EventCode
 from armui.control.operating_state import Busy
 from armui.control.safety.interlocks import joint_list
 from armui.protocol.generation import Generation
 
-Report = tuple[str, Mapping[str, object]]
+Report = tuple[EventCode, Mapping[str, object]]
 """The code of a notice and its figures."""
 
 
@@ -21,27 +22,32 @@ def numbered(angles_deg: Sequence[float]) -> dict[str, float]:
 
 def on_handshake(state: ArmState, generation: Generation | None) -> Iterator[Report]:
     """What an arm has answered to the first questions."""
-    yield "generation", {"generation": int(generation or 0), "firmware": state.firmware or ""}
+    yield (
+        EventCode.GENERATION,
+        {"generation": int(generation or 0), "firmware": state.firmware or ""},
+    )
     missing = state.joints_without_limits()
     if missing:
-        yield "limits_missing", {"joints": joint_list(missing)}
+        yield EventCode.LIMITS_MISSING, {"joints": joint_list(missing)}
     else:
-        yield "limits_read", {}
+        yield EventCode.LIMITS_READ, {}
     for joint, limits in enumerate(state.limits, start=1):
         if limits is not None and not plausible(limits.value):
-            yield "limits_corrupt", {"joint": joint}
+            yield EventCode.LIMITS_CORRUPT, {"joint": joint}
 
 
 def on_motors(busy: Busy, state: ArmState, joints: Sequence[int], *, done: bool) -> Report:
     """How switching motors, or recovering from a stop, ended."""
     if busy is Busy.RESUMING:
-        return ("resumed" if done else "resume_failed"), {}
+        return (EventCode.RESUMED if done else EventCode.RESUME_FAILED), {}
     wanted = busy is Busy.ENABLING
-    word = "enabled" if wanted else "disabled"
     if done and len(joints) > 1:
-        return word, {}
+        return (EventCode.ENABLED if wanted else EventCode.DISABLED), {}
     if done:
-        return f"{word}_joint", {"joint": joints[0]}
+        code = EventCode.ENABLED_JOINT if wanted else EventCode.DISABLED_JOINT
+        return code, {"joint": joints[0]}
     enabled = state.enabled()
     left = [joint for joint in joints if enabled[joint - 1] is not wanted]
-    return ("enable_failed" if wanted else "disable_failed"), {"joints": joint_list(left)}
+    return (EventCode.ENABLE_FAILED if wanted else EventCode.DISABLE_FAILED), {
+        "joints": joint_list(left)
+    }

@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.context import Context
 from armui.control.operating_state import why_unreachable
@@ -63,7 +64,8 @@ class Transaction:
         index: What the answer names; ``None``: no answer is awaited.
         against: What speaks against it by the answer itself.
         read_back: How it is checked, where that can be.
-        recheck: Asked before each sending of the frames: the reason against it now, or ``None``.
+        recheck: Asked before each sending of the frames, by the newest operating state: the
+            reason against it now, or ``None``.
         attempts: How often the frames are sent at most while no answer comes.
         ends_with_stop: It must not be given again to an arm that is being stopped.
         alters: What it sets that a motion counts on, as a key of the words for what is under way;
@@ -172,9 +174,9 @@ class TransactionQueue:
 
     def halt(self) -> None:
         """Settings move nothing: a stop leaves them be, but for those that say otherwise."""
-        self._drop(lambda task: task.order.ends_with_stop, Refusal("ended_by_stop"))
+        self._drop(lambda task: task.order.ends_with_stop, Refusal(RefusalCode.ENDED_BY_STOP))
         if self._task is not None and self._task.order.ends_with_stop:
-            self._end(Refusal("ended_by_stop"))
+            self._end(Refusal(RefusalCode.ENDED_BY_STOP))
 
     def forget(self) -> None:
         """The arm is gone: whatever waits will not be done."""
@@ -183,7 +185,7 @@ class TransactionQueue:
         self._commands.clear()
         self._readings.clear()
         for task in tasks:
-            task.order.finished(Refusal("link_lost"))
+            task.order.finished(Refusal(RefusalCode.LINK_LOST))
 
     def _all(self) -> list[_Task]:
         under_way = [] if self._task is None else [self._task]
@@ -193,7 +195,7 @@ class TransactionQueue:
         now_s = self._context.clock()
         self._drop(
             lambda task: task.begin_by_s is not None and now_s >= task.begin_by_s,
-            Refusal("order_too_late"),
+            Refusal(RefusalCode.ORDER_TOO_LATE),
         )
 
     def _drop(self, is_dropped: Callable[[_Task], bool], reason: Refusal) -> None:
@@ -242,6 +244,7 @@ class TransactionQueue:
             frames = () if order.read_back is None else order.read_back.query
             keep_s = _KEEP_S
         else:
+            self._context.refresh()
             refusal = self._why_another_arm(task) or order.recheck()
             frames = order.frames
             keep_s = min(_KEEP_S, task.send_by_s - now_s)
@@ -253,7 +256,7 @@ class TransactionQueue:
             task.sent_s = now_s
         task.deadline_s = now_s + _WAIT_S
         if not connection.send(frames, keep_s):
-            self._end(Refusal("link_lost"))
+            self._end(Refusal(RefusalCode.LINK_LOST))
         elif task.phase is _Phase.ANSWER and order.index is None:
             self._after_answer(task)
 
@@ -262,7 +265,7 @@ class TransactionQueue:
         connection = self._context.connection
         if task.arm is None or task.arm == connection.arm:
             return None
-        return why_unreachable(connection.link) or Refusal("arm_changed")
+        return why_unreachable(connection.link) or Refusal(RefusalCode.ARM_CHANGED)
 
     def _on_answer(self, answer: Message) -> None:
         task = self._task
@@ -289,12 +292,12 @@ class TransactionQueue:
             self._send(task)
         elif not reading and task.order.read_back is not None:
             # what the arm holds now decides, but if it can't be read the missing answer is told
-            task.unanswered = Refusal("setting_unanswered")
+            task.unanswered = Refusal(RefusalCode.SETTING_UNANSWERED)
             self._begin(task, _Phase.READING)
         elif not reading:
-            self._end(Refusal("setting_unanswered"))
+            self._end(Refusal(RefusalCode.SETTING_UNANSWERED))
         else:
-            self._end(task.unanswered or Refusal("setting_not_read_back"))
+            self._end(task.unanswered or Refusal(RefusalCode.SETTING_NOT_READ_BACK))
 
     def _end(self, refusal: Refusal | None) -> None:
         task, self._task = self._task, None

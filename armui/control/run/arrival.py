@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.protocol.codes import ArmStatusCode
 from armui.trajectory.points.program import Waypoint
@@ -47,7 +48,7 @@ class ArrivalWatch:
         if status is None or status.at_s < self._sent_s + _TAKEN_IN_S:
             return Arrival.UNDER_WAY
         if status.value.arm_status in _REFUSED:
-            return Refusal("arm_fault", {"status": status.value.arm_status})
+            return Refusal(RefusalCode.ARM_FAULT, {"status": status.value.arm_status})
         if not status.value.reached:
             self._elsewhere_since_s = None
             return Arrival.UNDER_WAY
@@ -60,7 +61,7 @@ class ArrivalWatch:
             self._elsewhere_since_s = now_s
         if now_s - self._elsewhere_since_s < _AT_REST_S:
             return Arrival.UNDER_WAY
-        return Refusal("run_elsewhere", {"away": _away_text(self._point, state)})
+        return Refusal(RefusalCode.RUN_ELSEWHERE, {"away": _away_text(self._point, state)})
 
 
 def distance(point: Waypoint, state: ArmState) -> float | None:

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
 from armui.control.run.progress import OVER, Progress, RunPhase
 from armui.control.run.run_end import cut_short, cut_short_for
-from armui.control.safety.rest import RestWatch
+from armui.control.safety.standstill import RestWatch
 
 if TYPE_CHECKING:
     from armui.protocol.codec import Codec
@@ -60,11 +61,11 @@ class Execution(QObject):
 
     def halt(self) -> None:
         """An emergency stop ends it."""
-        self.end(Refusal("run_stopped"))
+        self.end(Refusal(RefusalCode.RUN_STOPPED))
 
     def forget(self) -> None:
         """So does the loss of the arm."""
-        self.end(Refusal("link_lost"))
+        self.end(Refusal(RefusalCode.LINK_LOST))
 
     # What each of the two does its own way ----------------------------------------------------
 

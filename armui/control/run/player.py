@@ -7,7 +7,9 @@ from typing import Final
 from PySide6.QtCore import QObject
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
+from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind
 from armui.control.motion.point_frames import action_frames, point_frames, why_not_possible
 from armui.control.run.arrival import Arrival, ArrivalWatch
@@ -21,7 +23,9 @@ _REST_WITHIN_S: Final = 2.0
 
 
 _UNKNOWN_FOR_S: Final = 1.0
-_PASSING: Final = frozenset({"enabled_unknown", "joints_unknown", "feedback_silent"})
+_PASSING: Final = frozenset(
+    {RefusalCode.ENABLED_UNKNOWN, RefusalCode.JOINTS_UNKNOWN, RefusalCode.FEEDBACK_SILENT}
+)
 """Reasons that may be gone with the next frame."""
 
 
@@ -59,7 +63,7 @@ class Player(Execution):
     def start(self, run: Run) -> Refusal | None:
         """Begin a run: ``None`` if the arm is on its way, or why not."""
         context = self._context
-        operating_state = context.operating_state()
+        operating_state = context.refresh()
         refusal = operating_state.occupied or operating_state.cannot_run or _why_empty(run)
         if refusal is None:
             refusal = why_not_possible(context.connection.generation, run.points)
@@ -69,20 +73,20 @@ class Player(Execution):
         # once: the question is asked at every look at the arm, and there may be 10,000 points
         self._has_lights = any(point.light for point in run.points)
         self._index, self._lap = run.first, 1
-        context.tell("run_started", name=run.name)
+        context.tell(EventCode.RUN_STARTED, name=run.name)
         self._send_point()
         return None
 
     def pause(self) -> Refusal | None:
         """Have the arm hold where it is (0x150 byte 1 = 1)."""
         if self._phase not in {RunPhase.MOVING, RunPhase.DWELLING}:
-            return self._context.refuse(Refusal("not_running"))
+            return self._context.refuse(Refusal(RefusalCode.NOT_RUNNING))
         if self._phase is RunPhase.MOVING:
             self._send(commands.trajectory_command(self._codec, TrajectoryCommand.PAUSE))
             self._context.authority.paused()
         self._paused_phase, self._phase = self._phase, RunPhase.PAUSED
         self._paused_s = self._context.clock()
-        self._context.tell("run_paused", row=self._index + 1)
+        self._context.tell(EventCode.RUN_PAUSED, row=self._index + 1)
         self._publish()
         return None
 
@@ -92,8 +96,8 @@ class Player(Execution):
             self._next_point()
             return None
         if self._phase is not RunPhase.PAUSED:
-            return self._context.refuse(Refusal("not_paused"))
-        refusal = self._context.operating_state().cannot_run
+            return self._context.refuse(Refusal(RefusalCode.NOT_PAUSED))
+        refusal = self._context.refresh().cannot_run
         if refusal is not None:
             return self._context.refuse(refusal)
         if self._paused_phase is RunPhase.MOVING:
@@ -101,7 +105,7 @@ class Player(Execution):
             self._context.authority.went_on(self._context.clock())
         self._phase = self._paused_phase
         self._since_s += self._context.clock() - self._paused_s
-        self._context.tell("run_continued", row=self._index + 1)
+        self._context.tell(EventCode.RUN_CONTINUED, row=self._index + 1)
         self._publish()
         return None
 
@@ -159,7 +163,7 @@ class Player(Execution):
         elif arrival is Arrival.REACHED:
             self._arrive(run, now_s)
         elif now_s - self._since_s > (limit_s := schedule.time_limit_s(self._index)):
-            self._fail(Refusal("run_too_slow", {"seconds": round(limit_s)}))
+            self._fail(Refusal(RefusalCode.RUN_TOO_SLOW, {"seconds": round(limit_s)}))
 
     def _arrive(self, run: Run, now_s: float) -> None:
         self._send(action_frames(self._codec, run.points[self._index]))
@@ -186,7 +190,7 @@ class Player(Execution):
             return
         if self._at_end(run):
             self._phase = RunPhase.DONE
-            self._context.tell("run_done", name=run.name)
+            self._context.tell(EventCode.RUN_DONE, name=run.name)
         else:
             self._index += 1
             if self._index == len(run.points):
@@ -224,12 +228,12 @@ class Player(Execution):
         now_s = self._context.clock()
         if self._rests():
             self._phase = RunPhase.STOPPED
-            self._context.tell("run_ended", row=self._index + 1)
+            self._context.tell(EventCode.RUN_ENDED, row=self._index + 1)
         elif now_s - self._since_s > _REST_WITHIN_S:
-            self._fail(Refusal("run_not_ended"))
+            self._fail(Refusal(RefusalCode.RUN_NOT_ENDED))
 
     def _tell_failed(self, reason: Refusal) -> None:
-        self._context.tell("run_failed", row=self._index + 1, reason=reason)
+        self._context.tell(EventCode.RUN_FAILED, row=self._index + 1, reason=reason)
 
     # How far it has come ----------------------------------------------------------------------
 
@@ -265,7 +269,9 @@ class Player(Execution):
 
 def _why_empty(run: Run) -> Refusal | None:
     if not run.points:
-        return Refusal("run_empty", {"name": run.name})
+        return Refusal(RefusalCode.RUN_EMPTY, {"name": run.name})
     if not 0 <= run.first < len(run.points):
-        return Refusal("run_no_such_row", {"row": run.first + 1, "maximum": len(run.points)})
+        return Refusal(
+            RefusalCode.RUN_NO_SUCH_ROW, {"row": run.first + 1, "maximum": len(run.points)}
+        )
     return None

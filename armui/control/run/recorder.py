@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
+from armui.control.events import EventCode
 from armui.control.operating_state import why_unreachable
 
 if TYPE_CHECKING:
@@ -54,7 +56,7 @@ class Recorder(QObject):
         """Begin anew: ``None``, or why not."""
         refusal = why_unreachable(self._context.connection.link)
         if refusal is None and self._recording:
-            refusal = Refusal("busy", {"what": "recording"})
+            refusal = Refusal(RefusalCode.BUSY, {"what": "recording"})
         if refusal is not None:
             return self._context.refuse(refusal)
         from armui.control.run.sample_store import SampleStore  # noqa: PLC0415 - numpy, faster start
@@ -65,7 +67,7 @@ class Recorder(QObject):
         ring.take()
         ring.dropped = 0
         ring.wanted = self._recording = True
-        self._context.tell("recording_started")
+        self._context.tell(EventCode.RECORDING_STARTED)
         self.changed.emit()
         return None
 
@@ -105,5 +107,7 @@ class Recorder(QObject):
         self.advance()
         self._recording = False
         self._context.connection.samples.wanted = False
-        self._context.tell("recording_ended", count=self.count, seconds=round(self.duration_s, 1))
+        self._context.tell(
+            EventCode.RECORDING_ENDED, count=self.count, seconds=round(self.duration_s, 1)
+        )
         self.changed.emit()

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.limits import JOINTS, check_joint
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.samples.replay_profile import ReplayProfile, replay_profile
 from armui.trajectory.samples.sample_cursor import SampleCursor
 
@@ -96,7 +97,7 @@ def why_not(replay: Replay, operating_state: OperatingState) -> Refusal | None:
     """What speaks against a replay: too little of it, limits, speeds the joints cannot do."""
     recording = replay.recording
     if len(recording.samples) < 2 or recording.duration_s <= 0.0:
-        return Refusal("run_empty", {"name": recording.name})
+        return Refusal(RefusalCode.RUN_EMPTY, {"name": recording.name})
     known = replay.known
     for joint, limits, low_deg, high_deg, recorded_deg_s in zip(
         JOINTS,
@@ -114,7 +115,7 @@ def why_not(replay: Replay, operating_state: OperatingState) -> Refusal | None:
         if fastest > limits.max_speed_deg_s * _SPEED_SLACK:
             best = replay.factor * limits.max_speed_deg_s / fastest
             return Refusal(
-                "replay_too_fast",
+                RefusalCode.REPLAY_TOO_FAST,
                 {
                     "joint": joint,
                     "value": round(fastest, 1),
@@ -139,5 +140,5 @@ def why_behind(replay: Replay, at_s: float, state: ArmState) -> Refusal | None:
     ):
         away_deg = abs(target - measured)
         if away_deg > allowed:
-            return Refusal("replay_lagging", {"joint": joint, "away": round(away_deg, 1)})
+            return Refusal(RefusalCode.REPLAY_LAGGING, {"joint": joint, "away": round(away_deg, 1)})
     return None

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QObject, Qt, QTimer
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
+from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind, MotionCommand
 from armui.control.run.arrival import Arrival, ArrivalWatch
 from armui.control.run.execution import Execution
@@ -66,7 +68,7 @@ class Replayer(Execution):
         from armui.control.run.replay import why_not  # noqa: PLC0415 - numpy, loaded with the first
 
         context = self._context
-        operating_state = context.operating_state()
+        operating_state = context.refresh()
         refusal = (
             operating_state.occupied
             or operating_state.cannot_run
@@ -76,7 +78,7 @@ class Replayer(Execution):
             return context.refuse(refusal)
         self._replay, self._lap, self._at_s = replay, 1, 0.0
         self._gripper_mm = None
-        context.tell("run_started", name=replay.recording.name)
+        context.tell(EventCode.RUN_STARTED, name=replay.recording.name)
         self._timer.start()
         self._approach(replay)
         return None
@@ -84,22 +86,22 @@ class Replayer(Execution):
     def pause(self) -> Refusal | None:
         """Hold where the arm is: nothing more is sent."""
         if self._phase is not RunPhase.MOVING or self._watch is not None:
-            return self._context.refuse(Refusal("not_running"))
+            return self._context.refuse(Refusal(RefusalCode.NOT_RUNNING))
         self._phase = RunPhase.PAUSED
-        self._context.tell("replay_paused")
+        self._context.tell(EventCode.REPLAY_PAUSED)
         self._publish()
         return None
 
     def go_on(self) -> Refusal | None:
         """End a pause."""
         if self._phase is not RunPhase.PAUSED:
-            return self._context.refuse(Refusal("not_paused"))
-        refusal = self._context.operating_state().cannot_run
+            return self._context.refuse(Refusal(RefusalCode.NOT_PAUSED))
+        refusal = self._context.refresh().cannot_run
         if refusal is not None:
             return self._context.refuse(refusal)
         self._phase = RunPhase.MOVING
         self._since_s = self._context.clock()
-        self._context.tell("replay_continued")
+        self._context.tell(EventCode.REPLAY_CONTINUED)
         self._publish()
         return None
 
@@ -133,13 +135,7 @@ class Replayer(Execution):
         """Set out for the first sample, slowly: the arm may stand anywhere."""
         self._since_s = self._context.clock()
         self._watch = ArrivalWatch(Waypoint(MoveMode.MOVE_J, replay.first_deg), self._since_s)
-        sent = self._context.send_motion(
-            CommandKind.RUN,
-            commands.move_joints(self._codec, replay.first_deg, speed_percent=_APPROACH_PERCENT),
-            move_mode=MoveMode.MOVE_J,
-            speed_percent=_APPROACH_PERCENT,
-            joints_deg=replay.first_deg,
-        )
+        sent = self._send_first(replay, CommandKind.RUN, _APPROACH_PERCENT)
         if isinstance(sent, Refusal):
             self._fail(sent)
             return
@@ -154,25 +150,31 @@ class Replayer(Execution):
         elif arrival is Arrival.REACHED:
             self._begin_stream(now_s)
         elif now_s - self._since_s > _APPROACH_WITHIN_S:
-            self._fail(Refusal("run_too_slow", {"seconds": round(_APPROACH_WITHIN_S)}))
+            self._fail(Refusal(RefusalCode.RUN_TOO_SLOW, {"seconds": round(_APPROACH_WITHIN_S)}))
 
     def _begin_stream(self, now_s: float) -> None:
         """Targets from now on are followed at full speed: the recording says how fast."""
         replay = self._replay
         if replay is None:
             return
-        sent = self._context.send_motion(
-            CommandKind.REPLAY,
-            commands.move_joints(self._codec, replay.first_deg, speed_percent=_FULL_PERCENT),
-            move_mode=MoveMode.MOVE_J,
-            speed_percent=_FULL_PERCENT,
-            joints_deg=replay.first_deg,
-        )
+        sent = self._send_first(replay, CommandKind.REPLAY, _FULL_PERCENT)
         if isinstance(sent, Refusal):
             self._fail(sent)
             return
         self._command, self._watch = sent, None
         self._since_s, self._at_s = now_s, 0.0
+
+    def _send_first(
+        self, replay: Replay, kind: CommandKind, speed_percent: int
+    ) -> MotionCommand | Refusal:
+        """The first sample as a target of all joints."""
+        return self._context.send_motion(
+            kind,
+            commands.move_joints(self._codec, replay.first_deg, speed_percent=speed_percent),
+            move_mode=MoveMode.MOVE_J,
+            speed_percent=speed_percent,
+            joints_deg=replay.first_deg,
+        )
 
     def _why_late(self) -> Refusal | None:
         """Why a stream of targets does not go on after a long pause of the program."""
@@ -181,7 +183,7 @@ class Replayer(Execution):
         gap_s = self._context.clock() - self._since_s
         if gap_s < _LONGEST_GAP_S:
             return None
-        return Refusal("replay_gap", {"seconds": round(gap_s, 1)})
+        return Refusal(RefusalCode.REPLAY_GAP, {"seconds": round(gap_s, 1)})
 
     def _stream(self, replay: Replay) -> None:
         from armui.control.run.replay import why_behind  # noqa: PLC0415 - loaded by start()
@@ -242,13 +244,13 @@ class Replayer(Execution):
         now_s = self._context.clock()
         if self._rests():
             self._end(self._ending)
-            code = "run_done" if self._ending is RunPhase.DONE else "replay_ended"
+            code = EventCode.RUN_DONE if self._ending is RunPhase.DONE else EventCode.REPLAY_ENDED
             self._context.tell(code, name=replay.recording.name)
         elif now_s - self._since_s > _REST_WITHIN_S:
-            self._fail(Refusal("run_not_ended"))
+            self._fail(Refusal(RefusalCode.RUN_NOT_ENDED))
 
     def _tell_failed(self, reason: Refusal) -> None:
-        self._context.tell("replay_failed", reason=reason)
+        self._context.tell(EventCode.REPLAY_FAILED, reason=reason)
 
     def _end(self, phase: RunPhase) -> None:
         super()._end(phase)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.protocol import commands
 from armui.protocol.codes import TrajectoryCommand
 
@@ -14,18 +15,18 @@ if TYPE_CHECKING:
 _LEFT_ALONE: Final = frozenset(
     {
         # the stop has gone out, and says more
-        "stopped",
-        "stop_requested",
-        "run_stopped",
+        RefusalCode.STOPPED,
+        RefusalCode.STOP_REQUESTED,
+        RefusalCode.RUN_STOPPED,
         # nothing reaches the arm, or nobody knows which arm it would reach
-        "not_connected",
-        "link_lost",
-        "control_offset_unknown",
+        RefusalCode.NOT_CONNECTED,
+        RefusalCode.LINK_LOST,
+        RefusalCode.CONTROL_OFFSET_UNKNOWN,
         # the arm serves another master: its motion is not this program's to end
-        "other_control",
-        "other_host",
-        "leader_arm",
-        "other_mode",
+        RefusalCode.OTHER_CONTROL,
+        RefusalCode.OTHER_HOST,
+        RefusalCode.LEADER_ARM,
+        RefusalCode.OTHER_MODE,
     }
 )
 """Reasons for a run to end after which the arm is told nothing more."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import FRESH_FOR_S, ArmState, Reading, is_fresh
 from armui.protocol.codes import ArmStatusCode, ControlMode
 
@@ -17,7 +18,9 @@ def why_silent(state: ArmState, now_s: float) -> Refusal | None:
             missing.append(name)
     if not missing:
         return None
-    return Refusal("feedback_silent", {"frames": ", ".join(missing), "seconds": FRESH_FOR_S})
+    return Refusal(
+        RefusalCode.FEEDBACK_SILENT, {"frames": ", ".join(missing), "seconds": FRESH_FOR_S}
+    )
 
 
 def _fresh(heard: Reading[Any] | None, now_s: float) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Six
 from armui.control.operating_state import Busy, StopState
 from armui.protocol.codes import ArmStatusCode, ControlMode
@@ -35,11 +36,11 @@ def why_no_command(
     if unreachable is not None:
         return unreachable
     if stop is StopState.REQUESTED:
-        return Refusal("stop_requested")
+        return Refusal(RefusalCode.STOP_REQUESTED)
     if stop is StopState.STOPPED:
-        return Refusal("stopped")
+        return Refusal(RefusalCode.STOPPED)
     if busy is not None:
-        return Refusal("busy", {"what": busy.value})
+        return Refusal(RefusalCode.BUSY, {"what": busy.value})
     return None
 
 
@@ -47,19 +48,19 @@ def why_not_enabled(enabled: Six[bool | None]) -> Refusal | None:
     """The reason motors give against a motion: some are off, or were not heard."""
     off = [joint for joint, on in enumerate(enabled, start=1) if on is False]
     if off:
-        return Refusal("not_enabled", {"joints": joint_list(off)})
-    return Refusal("enabled_unknown") if None in enabled else None
+        return Refusal(RefusalCode.NOT_ENABLED, {"joints": joint_list(off)})
+    return Refusal(RefusalCode.ENABLED_UNKNOWN) if None in enabled else None
 
 
 def why_not_ready(state: ArmState) -> Refusal | None:
     """The reason the arm itself gives against a motion: who controls it, and its status."""
     if state.status is None or state.angles_deg() is None:
-        return Refusal("joints_unknown")
+        return Refusal(RefusalCode.JOINTS_UNKNOWN)
     status = state.status.value
     if status.control_mode not in MOVABLE_MODES:
-        return Refusal("other_control", {"mode": status.control_mode})
+        return Refusal(RefusalCode.OTHER_CONTROL, {"mode": status.control_mode})
     if status.arm_status not in _MOVABLE_STATUSES:
-        return Refusal("arm_fault", {"status": status.arm_status})
+        return Refusal(RefusalCode.ARM_FAULT, {"status": status.arm_status})
     return None
 
 

@@ -6,6 +6,7 @@ import enum
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.codes import ArmStatusCode, ControlMode, MitMode, MoveMode
 
 if TYPE_CHECKING:
@@ -141,9 +142,9 @@ class OtherCommand:
     def take_over(self) -> Refusal | None:
         """The operator takes the arm: ``None``, or why not."""
         if not self.commands:
-            return Refusal("nobody_else")
+            return Refusal(RefusalCode.NOBODY_ELSE)
         if not self.may_be_taken_over:
-            return Refusal("other_host_streams", {"frames": self.frames})
+            return Refusal(RefusalCode.OTHER_HOST_STREAMS, {"frames": self.frames})
         self.commands = False
         return None
 
@@ -161,10 +162,10 @@ class OtherCommand:
     def why_not(self) -> Refusal | None:
         """The reason against a motion of ours, or ``None``."""
         if self.mode is not None:
-            return Refusal("other_mode", {"other_mode": self.mode.value})
+            return Refusal(RefusalCode.OTHER_MODE, {"other_mode": self.mode.value})
         if not self.commands:
             return None
-        code = "leader_arm" if self.is_leader else "other_host"
+        code = RefusalCode.LEADER_ARM if self.is_leader else RefusalCode.OTHER_HOST
         return Refusal(code, {"frames": self.frames})
 
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.limits import FACTORY_LIMITS, plausible
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
@@ -75,7 +76,7 @@ class OverspeedWatch:
             too_fast = speeds[index] > _TOO_FAST * shown_deg_s + _SLACK_DEG_S
             if too_fast and after[index] >= _BRAKING * before[index]:
                 return Refusal(
-                    "too_fast",
+                    RefusalCode.TOO_FAST,
                     {
                         "joint": index + 1,
                         "value": round(speeds[index], 1),

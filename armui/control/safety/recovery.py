@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
-from armui.control.operating_state import Level
+from armui.control.events import EventCode, Level
 from armui.control.requests.request import Request, RequestOutcome
 from armui.control.safety.recovery_rules import next_step
 from armui.control.safety.recovery_steps import Action, Step, StepKind
@@ -154,12 +155,13 @@ class Recovery:
         Raises:
             KeyError: The action is none of the controller's: connecting is the window's.
         """
+        self._context.refresh()
         now = self._look()
         wanted = step.action if action is None else action
         if now.kind is not step.kind or wanted is None or wanted not in now.actions:
-            return self._context.refuse(Refusal("step_gone"))
+            return self._context.refuse(Refusal(RefusalCode.STEP_GONE))
         if self._attempt is not None:
-            return self._context.refuse(Refusal("busy", {"what": "recovery"}))
+            return self._context.refuse(Refusal(RefusalCode.BUSY, {"what": "recovery"}))
         refusal = self.why_not(now, wanted)
         if refusal is not None:
             return self._context.refuse(refusal)
@@ -167,6 +169,7 @@ class Recovery:
         refusal = self._deeds[wanted](now)
         if refusal is None and wanted not in _AT_ONCE:
             self._attempt = _PendingAction(now)
+        self._context.refresh()
         self.advance()
         return refusal
 
@@ -186,14 +189,14 @@ class Recovery:
             return self._why_not_take_over()
         uncertain = not self._context.operating_state().control_certain
         if uncertain and action in _NEEDS_IDENTIFIERS:
-            return Refusal("control_offset_unknown")
+            return Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
         return None
 
     def _why_not_take_over(self) -> Refusal | None:
         other = self._context.operating_state().other_host
         if other is None or other.may_be_taken_over:
             return None
-        return Refusal("other_host_streams", {"frames": other.frames})
+        return Refusal(RefusalCode.OTHER_HOST_STREAMS, {"frames": other.frames})
 
     def advance(self) -> None:
         """Look at what was heard; called regularly while a device is open."""
@@ -248,7 +251,7 @@ class Recovery:
         elif now_s - attempt.idle_since_s >= _SHOWS_LATER_S:
             self._give_up()
             self._in_vain[step.kind] = self._in_vain.get(step.kind, 0) + 1
-            self._context.tell("step_in_vain")
+            self._context.tell(EventCode.STEP_IN_VAIN)
             return self._look()
         return replace(step, waiting=True)
 
@@ -300,14 +303,14 @@ class Recovery:
             move_mode=MoveMode.MOVE_J,
             speed_percent=0,
         )
-        return self._send("standby_sent", frames)
+        return self._send(EventCode.STANDBY_SENT, frames)
 
     def _leave_teaching_input(self, _step: Step) -> Refusal | None:
         frames = commands.set_linkage(self._context.connection.codec, LinkageRole.MOTION_OUTPUT)
         self._context.connection.offsets.wish(Addressing(), self._context.clock(), ends_input=True)
-        return self._send("motion_output_sent", frames)
+        return self._send(EventCode.MOTION_OUTPUT_SENT, frames)
 
-    def _send(self, code: str, frames: Sequence[Frame]) -> Refusal | None:
+    def _send(self, code: EventCode, frames: Sequence[Frame]) -> Refusal | None:
         """Send until the arm is in another state, or time is up."""
         context = self._context
         kind = self._look().kind

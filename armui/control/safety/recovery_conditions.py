@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from armui.arm.limits import JOINTS
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, DriverSlow, Status
 from armui.control.devices.teaching_phase import (
     NEAR_REST_DEG,
@@ -148,18 +149,20 @@ def other_control(view: RecoveryView) -> Params | None:
 def not_heard(view: RecoveryView) -> bool:
     """Whether something is silent that a motion counts on."""
     silent = view.operating_state.cannot_send_motion
-    return view.status is None or (silent is not None and silent.code == "feedback_silent")
+    return view.status is None or (
+        silent is not None and silent.code == RefusalCode.FEEDBACK_SILENT
+    )
 
 
 def other_mode(view: RecoveryView) -> Params | None:
     """Another host has put the joints into MIT, CPV or high-follow."""
     other = view.operating_state.other_host
-    if other is None or other.reason.code != "other_mode":
+    if other is None or other.reason.code != RefusalCode.OTHER_MODE:
         return None
     return {"other_mode": other.reason.params["other_mode"]}
 
 
-def other_host_is(code: str) -> Applies:
+def other_host_is(code: RefusalCode) -> Applies:
     """Another host moves the arm, for one reason."""
 
     def applies(view: RecoveryView) -> Params | None:

@@ -12,12 +12,14 @@ from dataclasses import dataclass
 from typing import Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.devices.teaching_phase import (
     TeachingPhase,
 )
+from armui.control.events import Level
 from armui.control.motion.motion_command import Hold
-from armui.control.operating_state import Level, LinkState, OperatingState, StopState
+from armui.control.operating_state import LinkState, OperatingState, StopState
 from armui.control.safety.recovery_conditions import (
     Applies,
     RecoveryView,
@@ -99,7 +101,7 @@ def next_step(
         {name: value for name, value in (params or {}).items() if name != "numbers"},
         rule.escalation if stronger else rule.action,
         joints if isinstance(joints, tuple) else (),
-        failed=Refusal("step_in_vain") if failures else None,
+        failed=Refusal(RefusalCode.STEP_IN_VAIN) if failures else None,
         alternative=rule.alternative,
     )
 
@@ -226,8 +228,12 @@ _RULES: Final = (
         when(lambda view: view.operating_state.cancel_unheeded),
     ),
     _Rule(StepKind.OTHER_MODE, Level.WARNING, Action.RESET, other_mode),
-    _Rule(StepKind.LEADER_ARM, Level.WARNING, Action.TAKE_OVER, other_host_is("leader_arm")),
-    _Rule(StepKind.OTHER_HOST, Level.WARNING, Action.TAKE_OVER, other_host_is("other_host")),
+    _Rule(
+        StepKind.LEADER_ARM, Level.WARNING, Action.TAKE_OVER, other_host_is(RefusalCode.LEADER_ARM)
+    ),
+    _Rule(
+        StepKind.OTHER_HOST, Level.WARNING, Action.TAKE_OVER, other_host_is(RefusalCode.OTHER_HOST)
+    ),
     _Rule(StepKind.OTHER_CONTROL, Level.WARNING, Action.STANDBY, other_control),
     _Rule(
         StepKind.MOTORS_UNKNOWN,

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Final
 
 from armui.arm.refusal import Refusal
-from armui.control.operating_state import Level
+from armui.control.events import Level
 
 
 class Action(enum.Enum):

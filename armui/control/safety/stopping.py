@@ -6,8 +6,10 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, is_fresh
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of
+from armui.control.events import EventCode
 from armui.control.operating_state import LinkState, StopState, why_unreachable
 from armui.control.safety.emergency_stop import EmergencyStop, StopWatch
 from armui.protocol import commands
@@ -65,21 +67,21 @@ class Stopping:
         """Stop the arm at once: past every other frame, whatever else is under way (0x150)."""
         connection = self._connection
         if connection.device is None:
-            self._tell("stop_not_sent")
+            self._tell(EventCode.STOP_NOT_SENT)
             return
         self._asked_of = connection.device
         self._halted_s = None
         frames = self._on_every_offset(commands.emergency_stop(connection.codec))
         on_the_bus = self.keeper.request(frames, self._clock())
         self._end_all()
-        self._tell("stop_sent" if on_the_bus else "stop_not_sent")
+        self._tell(EventCode.STOP_SENT if on_the_bus else EventCode.STOP_NOT_SENT)
         self._name_others()
 
     def withdraw(self) -> None:
         """The operator wants a stop no more that is outstanding."""
         if self.keeper.requested:
             self.keeper.forget()
-            self._tell("stop_withdrawn")
+            self._tell(EventCode.STOP_WITHDRAWN)
 
     def on_connecting(self, device: Device) -> None:
         """A stop that is outstanding holds for the device it was asked of, and no other."""
@@ -87,7 +89,7 @@ class Stopping:
         self._halted_s = None
         if self.keeper.requested and self._asked_of is not None and not device.same(self._asked_of):
             self.keeper.forget()
-            self._tell("stop_abandoned", device=self._asked_of)
+            self._tell(EventCode.STOP_ABANDONED, device=self._asked_of)
 
     def advance(self, state: ArmState, now_s: float, *, resuming: bool, still: bool) -> None:
         """Take in what was heard; called at each tick, whatever else fails."""
@@ -95,15 +97,15 @@ class Stopping:
         online = self._connection.link is LinkState.ONLINE
         if keeper.advance(state, now_s, online=online):
             self._watch.confirmed()
-            self._tell("stop_confirmed")
+            self._tell(EventCode.STOP_CONFIRMED)
         unconfirmed = keeper.unconfirmed(now_s)
         if unconfirmed and not self._was_unconfirmed:
-            self._tell("stop_unconfirmed")
+            self._tell(EventCode.STOP_UNCONFIRMED)
         if keeper.lapsed and not self._was_lapsed:
-            self._tell("stop_lapsed")
+            self._tell(EventCode.STOP_LAPSED)
         self._was_unconfirmed, self._was_lapsed = unconfirmed, keeper.lapsed
         if self._watch.undone(state, now_s, resuming=resuming):
-            self._tell("stop_undone")
+            self._tell(EventCode.STOP_UNDONE)
             if self.stop_again:
                 self.stop()
         self._follow_halt(now_s, still=still)
@@ -119,7 +121,7 @@ class Stopping:
         heard_s = self._connection.newest.status_heard_s
         for offset, at_s in zip(OFFSETS, heard_s, strict=True):
             if offset != own and is_fresh(at_s, self._clock()):
-                self._tell("stop_reaches_other", feedback=f"0x{0x2A1 + offset:03X}")
+                self._tell(EventCode.STOP_REACHES_OTHER, feedback=f"0x{0x2A1 + offset:03X}")
 
     def _on_every_offset(self, frames: Sequence[Frame]) -> list[Frame]:
         """The frames on this arm's own identifier first, the two others directly behind."""
@@ -136,7 +138,7 @@ class Stopping:
         """The reason against a halt: no arm is heard, or it may only be listened to."""
         device = self._connection.device
         if device is not None and device.listen_only:
-            return Refusal("halt_listen_only")
+            return Refusal(RefusalCode.HALT_LISTEN_ONLY)
         return why_unreachable(self._connection.link)
 
     def halt(self, end_driven: Callable[[], None]) -> Refusal | None:
@@ -150,7 +152,7 @@ class Stopping:
         """
         refusal = self.why_no_halt()
         if refusal is not None:
-            self._tell("refused", reason=refusal)
+            self._tell(EventCode.REFUSED, reason=refusal)
             return refusal
         codec = self._connection.codec
         frames = commands.trajectory_command(codec, TrajectoryCommand.ABORT)
@@ -159,7 +161,7 @@ class Stopping:
         out = self._connection.send_urgent(self._on_every_offset(frames))
         end_driven()
         self._halted_s = self._clock()
-        self._tell("halt_sent" if out else "halt_not_out")
+        self._tell(EventCode.HALT_SENT if out else EventCode.HALT_NOT_OUT)
         return None
 
     def _replays_teaching(self) -> bool:
@@ -175,6 +177,6 @@ class Stopping:
             return
         if still:
             self._halted_s = None
-            self._tell("halt_at_rest")
+            self._tell(EventCode.HALT_AT_REST)
         elif now_s - self._halted_s > _AT_REST_S:
             self._halted_s = None  # a cancel that is not heeded is told by whoever knows who moves

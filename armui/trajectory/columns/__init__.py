@@ -7,7 +7,6 @@ its columns are, to a `ColumnMapping`; `apply` reads the whole text by it.
 from armui.trajectory.columns.apply import apply, check_mapping
 from armui.trajectory.columns.encodings import LABELS, Encoding
 from armui.trajectory.columns.model import (
-    REFUSALS,
     UNITS,
     ColumnMapping,
     Dialect,
@@ -21,7 +20,6 @@ from armui.trajectory.columns.source import TableFile, look_closer, open_table
 
 __all__ = [
     "LABELS",
-    "REFUSALS",
     "UNITS",
     "ColumnMapping",
     "Dialect",

@@ -9,6 +9,7 @@ from typing import Final
 import numpy as np
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.codes import MoveMode
 from armui.trajectory.columns.model import (
     JOINTS,
@@ -44,12 +45,13 @@ def check_mapping(mapping: ColumnMapping) -> Refusal | None:
         if quantity in columns:
             first = columns[quantity]
             return Refusal(
-                "columns_twice", {"first": first, "second": number, "field": str(quantity)}
+                RefusalCode.COLUMNS_TWICE,
+                {"first": first, "second": number, "field": str(quantity)},
             )
         if unit not in UNITS[quantity]:
             choices = ", ".join(UNITS[quantity])
             return Refusal(
-                "columns_unit",
+                RefusalCode.COLUMNS_UNIT,
                 {"column": number, "field": str(quantity), "value": unit, "choices": choices},
             )
         columns[quantity] = number
@@ -58,7 +60,9 @@ def check_mapping(mapping: ColumnMapping) -> Refusal | None:
     timed = Quantity.TIME in columns or Quantity.WAIT in columns
     if mapping.move is None and not timed:
         missing.insert(0, str(Quantity.TIME))
-    return Refusal("columns_missing", {"missing": ", ".join(missing)}) if missing else None
+    return (
+        Refusal(RefusalCode.COLUMNS_MISSING, {"missing": ", ".join(missing)}) if missing else None
+    )
 
 
 def apply(text: str, sheet: Sheet, mapping: ColumnMapping, name: str) -> Content:
@@ -120,7 +124,7 @@ def _read_one_by_one(
     lines: list[int] = []
     for line, cells in table(text, sheet.delimiter, sheet.first_line):
         if len(cells) < sheet.width or any(map(str.strip, cells[sheet.width :])):
-            raise broken("cells_count", line, value=len(cells), expected=sheet.width)
+            raise broken(RefusalCode.CELLS_COUNT, line, value=len(cells), expected=sheet.width)
         try:
             row = [float(cells[place]) for place in wanted] if plain else None
         except ValueError:
@@ -140,7 +144,7 @@ def _figure(cell: str, sheet: Sheet, line: int, places: dict[Quantity, int], pla
         return math.nan
     value = as_number(cell, sheet.decimal)
     if value is None or not math.isfinite(value):
-        raise broken("number_bad", line, place + 1, value=cell)
+        raise broken(RefusalCode.NUMBER_BAD, line, place + 1, value=cell)
     return value
 
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from enum import StrEnum
 from typing import Final
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files.errors import TrajectoryFileError, broken
 
 _LOOKED_AT_BYTES: Final = 4096
@@ -86,4 +87,4 @@ def _odd(before: str, encoding: Encoding) -> TrajectoryFileError:
     line, column = max(1, len(lines)), len(lines[-1]) + 1 if lines else 1
     if lines and lines[-1].endswith(("\n", "\r")):
         line, column = len(lines) + 1, 1
-    return broken("file_not_encoding", line, column, value=LABELS[encoding])
+    return broken(RefusalCode.FILE_NOT_ENCODING, line, column, value=LABELS[encoding])

@@ -14,15 +14,6 @@ from typing import Final, NamedTuple
 from armui.protocol.codes import MoveMode
 from armui.trajectory.files.csv_file import Row, rows
 
-REFUSALS: Final = frozenset(
-    {
-        "columns_twice",  # first, second, field
-        "columns_missing",  # missing
-        "columns_unit",  # column, field, value, choices
-    }
-)
-"""The reasons against a mapping."""
-
 SPACES: Final = " "
 """The delimiter of a table whose cells stand apart by any number of blanks."""
 DELIMITERS: Final = (",", ";", "\t", "|", SPACES)

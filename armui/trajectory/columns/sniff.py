@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from itertools import islice
 from typing import Final, NamedTuple
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.columns.guess import guess_columns
 from armui.trajectory.columns.model import (
     DECIMALS,
@@ -63,7 +64,7 @@ def sniff(text: str, build: Dialect = _ALL_GUESSED) -> Sheet:
     first = skipped if build.first_line is not None else _first_row(lines, style)
     if first is None:
         if build == _ALL_GUESSED or not spread:
-            raise broken("file_no_table")
+            raise broken(RefusalCode.FILE_NO_TABLE)
         first = 0
     style = style._replace(width=max(1, style.width))
     header = _header(lines[:first], style)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory import files
 from armui.trajectory.columns.encodings import Encoding, decode_as, guess_encoding
 from armui.trajectory.columns.model import Dialect, Sheet
@@ -72,5 +73,5 @@ def look_closer(path: Path, error: TrajectoryFileError) -> tuple[TrajectoryFileE
     try:
         table = open_table(path)
     except TrajectoryFileError as closer:
-        return (closer if error.reason.code == "file_kind_unknown" else error), False
+        return (closer if error.reason.code == RefusalCode.FILE_KIND_UNKNOWN else error), False
     return error, not files.is_ours(table.text)

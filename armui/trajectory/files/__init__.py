@@ -6,10 +6,12 @@ import contextlib
 import errno
 import os
 import stat
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Final
 
+from armui.arm.refusal_codes import RefusalCode
+from armui.system.error_text import error_text
 from armui.trajectory.files import csv_file, json_file, log_file, maker_csv, npz_file
 from armui.trajectory.files.errors import TrajectoryFileError, broken
 from armui.trajectory.files.model import LARGEST_BYTES, Content, UnwritableError
@@ -21,7 +23,6 @@ __all__ = [
     "Content",
     "TrajectoryFileError",
     "UnwritableError",
-    "import_files",
     "is_ours",
     "load",
     "load_bytes",
@@ -107,7 +108,7 @@ def _bytes_of(path: Path) -> bytes:
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
     if size > LARGEST_BYTES:
         mega = 1024 * 1024
-        raise broken("file_too_large", value=size // mega, maximum=LARGEST_BYTES // mega)
+        raise broken(RefusalCode.FILE_TOO_LARGE, value=size // mega, maximum=LARGEST_BYTES // mega)
     return path.read_bytes()
 
 
@@ -119,26 +120,8 @@ def _named(path: Path) -> Iterator[None]:
     except TrajectoryFileError as error:
         raise TrajectoryFileError(error.reason, error.line, error.column, path.name) from error
     except OSError as error:
-        text = error.strerror or str(error)
-        reason = broken("file_unreadable", text=text).reason
+        reason = broken(RefusalCode.FILE_UNREADABLE, text=error_text(error)).reason
         raise TrajectoryFileError(reason, file=path.name) from error
-
-
-def import_files(paths: Iterable[Path]) -> tuple[list[Content], list[TrajectoryFileError]]:
-    """What several files hold; a broken one keeps none of the others back.
-
-    Returns:
-        What was read, and what is wrong with the files that could not be: each error names its
-        file, and line, column and reason.
-    """
-    contents: list[Content] = []
-    errors: list[TrajectoryFileError] = []
-    for path in paths:
-        try:
-            contents.append(load(path))
-        except TrajectoryFileError as error:
-            errors.append(error)
-    return contents, errors
 
 
 def read_bytes(data: bytes, name: str) -> Content:
@@ -164,7 +147,7 @@ def read_text(text: str, name: str) -> Content:
     """
     name = name if name.strip() else "?"
     if not text.strip():
-        raise broken("file_empty")
+        raise broken(RefusalCode.FILE_EMPTY)
     if log_file.is_log(text):
         return log_file.read(text, name)
     if json_file.is_json(text):
@@ -173,4 +156,4 @@ def read_text(text: str, name: str) -> Content:
         return csv_file.read(text, name)
     if maker_csv.is_maker_csv(text):
         return maker_csv.read(text, name)
-    raise broken("file_kind_unknown", 1)
+    raise broken(RefusalCode.FILE_KIND_UNKNOWN, 1)

@@ -14,6 +14,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files import csv_points
 from armui.trajectory.files.errors import broken
 from armui.trajectory.files.model import Content, parse_time, verified, verify
@@ -106,7 +107,7 @@ def rows(text: str, delimiter: str = ",", first_line: int = 1) -> Iterator[Row]:
         try:
             cells = next(reader, None)
         except csv.Error as error:
-            raise broken("file_damaged", line, text=str(error)) from error
+            raise broken(RefusalCode.FILE_DAMAGED, line, text=str(error)) from error
         if cells is None:
             return
         if any(cells):
@@ -136,7 +137,7 @@ def _body(table: Iterator[Row], fields: dict[str, Any]) -> Iterator[Row]:
         elif key in ("#name", "#note"):
             fields[key[1:]] = value
         else:
-            raise broken("header_unknown", line, 1, value=key)
+            raise broken(RefusalCode.HEADER_UNKNOWN, line, 1, value=key)
 
 
 def _read_points(
@@ -158,12 +159,12 @@ def _read_points(
 def _read_samples(titles: list[str], body: Iterator[Row], fields: dict[str, Any]) -> Content:
     for title in titles:
         if title not in SAMPLE_TITLES:
-            raise broken("column_unknown", 1, titles.index(title) + 1, value=title)
+            raise broken(RefusalCode.COLUMN_UNKNOWN, 1, titles.index(title) + 1, value=title)
         if titles.count(title) > 1:
-            raise broken("column_twice", 1, titles.index(title) + 1, field=title)
+            raise broken(RefusalCode.COLUMN_TWICE, 1, titles.index(title) + 1, field=title)
     for title in SAMPLE_TITLES[:GRIPPER]:
         if title not in titles:
-            raise broken("column_missing", 1, field=title)
+            raise broken(RefusalCode.COLUMN_MISSING, 1, field=title)
     order = [titles.index(title) for title in SAMPLE_TITLES if title in titles]
     samples: list[list[float]] = []
     lines: list[int] = []
@@ -171,7 +172,7 @@ def _read_samples(titles: list[str], body: Iterator[Row], fields: dict[str, Any]
         if cells[0] == "#":
             continue
         if len(cells) != len(titles):
-            raise broken("cells_count", line, value=len(cells), expected=len(titles))
+            raise broken(RefusalCode.CELLS_COUNT, line, value=len(cells), expected=len(titles))
         row = [
             math.nan
             if place == GRIPPER and not cells[index].strip()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.codes import ALL_LAMPS
 from armui.trajectory.files.errors import broken
 from armui.trajectory.files.log_points import LETTER_OF, LETTERS
@@ -67,9 +68,9 @@ class Columns:
         self._places: dict[str, int] = {}
         for place, title in enumerate(titles):
             if title not in TITLES:
-                raise broken("column_unknown", 1, place + 1, value=title)
+                raise broken(RefusalCode.COLUMN_UNKNOWN, 1, place + 1, value=title)
             if title in self._places:
-                raise broken("column_twice", 1, place + 1, field=title)
+                raise broken(RefusalCode.COLUMN_TWICE, 1, place + 1, field=title)
             self._places[title] = place
         self.count = len(titles)
 
@@ -92,12 +93,12 @@ def read_cells(
         TrajectoryFileError: With the cell as column.
     """
     if len(cells) != columns.count:
-        raise broken("cells_count", line, value=len(cells), expected=columns.count)
+        raise broken(RefusalCode.CELLS_COUNT, line, value=len(cells), expected=columns.count)
     row = _Row(columns, cells, line)
     text = row.text("move")
     move = LETTERS.get(text.upper().removeprefix("MOVE").strip())
     if move is None:
-        raise broken("point_move_unknown", line, columns.column("move"), value=text)
+        raise broken(RefusalCode.POINT_MOVE_UNKNOWN, line, columns.column("move"), value=text)
     target = row.numbers(_JOINTS if move.name == "MOVE_J" else _POSE)
     middle = row.numbers(_MIDDLE) if move.name == "MOVE_C" else None
     point = Waypoint(
@@ -128,7 +129,7 @@ class _Row:
     def number(self, title: str) -> float:
         column = self._columns.column(title)
         if not column:
-            raise broken("column_missing", self._line, field=title)
+            raise broken(RefusalCode.COLUMN_MISSING, self._line, field=title)
         return parse_number(self.text(title), self._line, column)
 
     def numbers(self, titles: Sequence[str]) -> Values:
@@ -138,7 +139,7 @@ class _Row:
         value = self.number(title)
         if value != int(value):
             column = self._columns.column(title)
-            raise broken("point_not_whole", self._line, column, field=title, value=value)
+            raise broken(RefusalCode.POINT_NOT_WHOLE, self._line, column, field=title, value=value)
         return int(value)
 
     def gripper(self) -> GripperAction | None:

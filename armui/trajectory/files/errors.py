@@ -5,51 +5,63 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Final
 
+from armui.arm.json_fields import FieldError, FieldProblem
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 
-_WORDS: Final[Mapping[str, str]] = {
-    "file_gone": "is not in the library any more",
-    "file_unreadable": "cannot be read: {text}",
-    "file_too_large": "has {value} MB; files up to {maximum} MB are read",
-    "file_not_text": "is no text in UTF-8 or GBK",
-    "file_not_encoding": "is no text in {value}",
-    "file_kind_unknown": "is no trajectory file this program knows; import it by columns",
-    "file_no_table": "holds no rows of numbers",
-    "file_version": "is of version {value}; this program reads up to {maximum}",
-    "file_empty": "holds nothing",
-    "file_cut_off": "ends too early",
-    "file_damaged": "is damaged: {text}",
-    "line_unknown": "“{value}” is no kind of line; J, P, L, C and # are",
-    "header_unknown": "“{value}” is no entry of the header",
-    "option_unknown": "“{value}” is no option of a point",
-    "option_twice": "“{value}” is given twice",
-    "option_bad": "“{value}” is no {field}; write it as {example}",
-    "number_bad": "“{value}” is no number",
-    "values_count": "{value} numbers where {expected} belong",
-    "text_unclosed": "a text in quotation marks has no end",
-    "column_missing": "the column “{field}” is missing",
-    "column_unknown": "the column “{value}” is unknown",
-    "column_twice": "the column “{field}” is there twice",
-    "cells_count": "{value} cells where there are {expected} columns",
-    "time_bad": "“{value}” is no date and time",
-    "json_bad": "is no sound JSON: {text}",
-    "json_field_missing": "“{field}” is missing",
-    "json_field_unknown": "“{value}” is unknown",
-    "json_field_bad": "“{field}” is not what it should be: {expected}",
-    "point_out_of_range": "{field} {value} {unit} is beyond {minimum} to {maximum} {unit}",
-    "point_not_a_number": "{field} {value} is not a number",
-    "point_not_whole": "{field} {value} is not a whole number",
-    "point_incomplete": "{field} has {value} values; 6 belong there",
-    "point_move_unknown": "“{value}” is no kind of motion; MOVE J, P, L and C are",
-    "sample_back_in_time": "the time {value} s is before the one above, {minimum} s",
-    "text_too_long": "{field}: {value} characters; up to {maximum} are kept",
-    "text_bad": "{field}: holds a character that cannot be kept",
-    "name_empty": "has no name",
-    "name_too_long": "the name has {value} characters; up to {maximum} are kept",
+_WORDS: Final[Mapping[RefusalCode, str]] = {
+    RefusalCode.FILE_GONE: "is not in the library any more",
+    RefusalCode.FILE_UNREADABLE: "cannot be read: {text}",
+    RefusalCode.FILE_TOO_LARGE: "has {value} MB; files up to {maximum} MB are read",
+    RefusalCode.FILE_NOT_TEXT: "is no text in UTF-8 or GBK",
+    RefusalCode.FILE_NOT_ENCODING: "is no text in {value}",
+    RefusalCode.FILE_KIND_UNKNOWN: "is no trajectory file this program knows; import it by columns",
+    RefusalCode.FILE_NO_TABLE: "holds no rows of numbers",
+    RefusalCode.FILE_VERSION: "is of version {value}; this program reads up to {maximum}",
+    RefusalCode.FILE_EMPTY: "holds nothing",
+    RefusalCode.FILE_CUT_OFF: "ends too early",
+    RefusalCode.FILE_DAMAGED: "is damaged: {text}",
+    RefusalCode.LINE_UNKNOWN: "“{value}” is no kind of line; J, P, L, C and # are",
+    RefusalCode.HEADER_UNKNOWN: "“{value}” is no entry of the header",
+    RefusalCode.OPTION_UNKNOWN: "“{value}” is no option of a point",
+    RefusalCode.OPTION_TWICE: "“{value}” is given twice",
+    RefusalCode.OPTION_BAD: "“{value}” is no {field}; write it as {example}",
+    RefusalCode.NUMBER_BAD: "“{value}” is no number",
+    RefusalCode.VALUES_COUNT: "{value} numbers where {expected} belong",
+    RefusalCode.TEXT_UNCLOSED: "a text in quotation marks has no end",
+    RefusalCode.COLUMN_MISSING: "the column “{field}” is missing",
+    RefusalCode.COLUMN_UNKNOWN: "the column “{value}” is unknown",
+    RefusalCode.COLUMN_TWICE: "the column “{field}” is there twice",
+    RefusalCode.CELLS_COUNT: "{value} cells where there are {expected} columns",
+    RefusalCode.TIME_BAD: "“{value}” is no date and time",
+    RefusalCode.JSON_BAD: "is no sound JSON: {text}",
+    RefusalCode.JSON_FIELD_MISSING: "“{field}” is missing",
+    RefusalCode.JSON_FIELD_UNKNOWN: "“{value}” is unknown",
+    RefusalCode.JSON_FIELD_BAD: "“{field}” is not what it should be: {expected}",
+    RefusalCode.POINT_OUT_OF_RANGE: (
+        "{field} {value} {unit} is beyond {minimum} to {maximum} {unit}"
+    ),
+    RefusalCode.POINT_NOT_A_NUMBER: "{field} {value} is not a number",
+    RefusalCode.POINT_NOT_WHOLE: "{field} {value} is not a whole number",
+    RefusalCode.POINT_INCOMPLETE: "{field} has {value} values; 6 belong there",
+    RefusalCode.POINT_MOVE_UNKNOWN: "“{value}” is no kind of motion; MOVE J, P, L and C are",
+    RefusalCode.SAMPLE_BACK_IN_TIME: "the time {value} s is before the one above, {minimum} s",
+    RefusalCode.TEXT_TOO_LONG: "{field}: {value} characters; up to {maximum} are kept",
+    RefusalCode.TEXT_BAD: "{field}: holds a character that cannot be kept",
+    RefusalCode.NAME_EMPTY: "has no name",
+    RefusalCode.NAME_TOO_LONG: "the name has {value} characters; up to {maximum} are kept",
 }
 """Every reason in English; the user interface has its own sentences for the same codes."""
 
-CODES: Final = frozenset(_WORDS)
+
+def field_refusal(error: FieldError) -> Refusal:
+    """What is wrong with a field, as a `TrajectoryFileError` says it."""
+    if error.problem is FieldProblem.MISSING:
+        return Refusal(RefusalCode.JSON_FIELD_MISSING, {"field": error.name})
+    if error.problem is FieldProblem.UNKNOWN:
+        return Refusal(RefusalCode.JSON_FIELD_UNKNOWN, {"value": error.name[:60]})
+    bad = {"field": error.name, "expected": error.expected}
+    return error.reason or Refusal(RefusalCode.JSON_FIELD_BAD, bad)
 
 
 class TrajectoryFileError(Exception):
@@ -59,7 +71,7 @@ class TrajectoryFileError(Exception):
         file: The file's name, without its folder; "" where it has none.
         line: Where, from 1; 0 where no line is to blame.
         column: Where in the line, from 1: the character, in .csv the cell; 0 where unknown.
-        reason: Why; its code is one of :data:`CODES`.
+        reason: Why; its code is a key of the table above.
     """
 
     def __init__(self, reason: Refusal, line: int = 0, column: int = 0, file: str = "") -> None:
@@ -86,7 +98,7 @@ _NO_FIGURES: Final = dict.fromkeys(
 
 
 def broken(
-    code: str, line: int = 0, column: int = 0, /, **params: float | str
+    code: RefusalCode, line: int = 0, column: int = 0, /, **params: float | str
 ) -> TrajectoryFileError:
     """A `TrajectoryFileError`, in short."""
     shown = {key: _short(value) for key, value in params.items()}

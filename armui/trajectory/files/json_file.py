@@ -9,8 +9,9 @@ from typing import Any, Final
 
 import numpy as np
 
-from armui.trajectory.files.errors import TrajectoryFileError, broken
-from armui.trajectory.files.json_fields import FieldError, Fields
+from armui.arm.json_fields import FieldError, FieldProblem, Fields
+from armui.arm.refusal_codes import RefusalCode
+from armui.trajectory.files.errors import TrajectoryFileError, broken, field_refusal
 from armui.trajectory.files.json_places import place_of
 from armui.trajectory.files.log_points import LETTER_OF, LETTERS
 from armui.trajectory.files.model import VERSION, Content, parse_time, verified, verify
@@ -73,14 +74,14 @@ def read(text: str, name: str) -> Content:
     try:
         whole = json.loads(text)
     except json.JSONDecodeError as error:
-        raise broken("json_bad", error.lineno, error.colno, text=error.msg) from error
+        raise broken(RefusalCode.JSON_BAD, error.lineno, error.colno, text=error.msg) from error
     except (RecursionError, ValueError) as error:  # nested too deep; a number of 5000 digits
-        raise broken("json_bad", text=str(error)) from error
+        raise broken(RefusalCode.JSON_BAD, text=str(error)) from error
     try:
-        return _content(Fields(whole, ()), name)
+        return _content(Fields(whole), name)
     except FieldError as error:
         line, column = place_of(text, error.path)
-        raise TrajectoryFileError(error.reason, line, column) from error
+        raise TrajectoryFileError(field_refusal(error), line, column) from error
 
 
 def _dump(value: object) -> str:
@@ -112,7 +113,7 @@ def _content(whole: Fields, name: str) -> Content:
     if kind not in _KINDS:
         raise whole.bad("format", " / ".join(_KINDS))
     if whole.whole("version") != VERSION:
-        raise broken("file_version", value=whole.whole("version"), maximum=VERSION)
+        raise broken(RefusalCode.FILE_VERSION, value=whole.whole("version"), maximum=VERSION)
     common = {
         "name": whole.text("name", name),
         "note": whole.text("note", ""),
@@ -144,15 +145,15 @@ def _point(item: Fields) -> Waypoint:
         item.numbers("middle", (6,)) if move.name == "MOVE_C" else None,
         item.whole("speed_percent", 30),
         item.number("dwell_s", 0.0),
-        _gripper(item.object("gripper")),
-        _light(item.object("light")),
+        _gripper(item.maybe_object("gripper")),
+        _light(item.maybe_object("light")),
         item.text("note", ""),
         item.texts("comments"),
     )
     item.nothing_else()
     reason = check_point(point)
     if reason is not None:
-        raise FieldError(reason, item.path)
+        raise FieldError(FieldProblem.BAD, item.path, reason=reason)
     return point
 
 

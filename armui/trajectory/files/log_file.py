@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any, Final
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files.errors import TrajectoryFileError, broken
 from armui.trajectory.files.log_points import read_point, read_text, write_point
 from armui.trajectory.files.log_samples import read_samples, write_samples
@@ -104,11 +105,11 @@ def read(text: str, name: str) -> Content:
     lines = text.split("\n")
     first = _FIRST.fullmatch(lines[0])
     if first is None:
-        raise broken("file_kind_unknown", 1, 1)
+        raise broken(RefusalCode.FILE_KIND_UNKNOWN, 1, 1)
     kind, version = first.group(1), int(first.group(2))
     if version != VERSION:
         column = first.start(2) + 1
-        raise broken("file_version", 1, column, value=version, maximum=VERSION)
+        raise broken(RefusalCode.FILE_VERSION, 1, column, value=version, maximum=VERSION)
     fields, begin, comments = _read_header(lines)
     fields.setdefault("name", name)
     if kind == "recording":
@@ -134,13 +135,13 @@ def _read_header(lines: list[str]) -> tuple[dict[str, Any], int, list[str]]:
         key, value = entry.groups()
         column = entry.start(2) + 1
         if key in fields:
-            raise broken("option_twice", index + 1, 1, value=key)
+            raise broken(RefusalCode.OPTION_TWICE, index + 1, 1, value=key)
         if key == "modified":
             fields[key] = parse_time(value, index + 1, column)
         elif key in ("name", "note"):
             fields[key] = read_text(value, index + 1, column)
         else:
-            raise broken("header_unknown", index + 1, 1, value=key)
+            raise broken(RefusalCode.HEADER_UNKNOWN, index + 1, 1, value=key)
     return fields, len(lines), comments
 
 

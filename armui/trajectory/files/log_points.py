@@ -13,6 +13,7 @@ import re
 from collections.abc import Callable
 from typing import Any, Final
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.codes import ALL_LAMPS, MoveMode
 from armui.trajectory.files.errors import broken
 from armui.trajectory.files.model import verified_point
@@ -78,7 +79,7 @@ def read_point(text: str, line: int, comments: tuple[str, ...]) -> Waypoint:
     letter, letter_column = words[0]
     move = LETTERS.get(letter)
     if move is None:
-        raise broken("line_unknown", line, letter_column, value=letter)
+        raise broken(RefusalCode.LINE_UNKNOWN, line, letter_column, value=letter)
     count = next((k for k, (word, _) in enumerate(words[1:]) if "=" in word), len(words) - 1)
     values, options = words[1 : 1 + count], words[1 + count :]
     middle = None
@@ -92,10 +93,10 @@ def read_point(text: str, line: int, comments: tuple[str, ...]) -> Waypoint:
         name, sign, value = word.partition("=")
         reader = _READERS.get(name) if sign else None
         if reader is None:
-            raise broken("option_unknown", line, column, value=name)
+            raise broken(RefusalCode.OPTION_UNKNOWN, line, column, value=name)
         field, read = reader
         if field in fields:
-            raise broken("option_twice", line, column, value=name)
+            raise broken(RefusalCode.OPTION_TWICE, line, column, value=name)
         fields[field] = read(value, line, column + len(name) + 1)
     point = Waypoint(move, target, middle, comments=comments, **fields)
     return verified_point(point, line, letter_column)
@@ -117,19 +118,21 @@ def _split(text: str, line: int) -> tuple[list[Token], str | None]:
     if rest.startswith("#") and words:
         return words, rest[1:]
     if rest.startswith('"'):
-        raise broken("text_unclosed", line, column)
-    raise broken("line_unknown", line, column, value=rest)
+        raise broken(RefusalCode.TEXT_UNCLOSED, line, column)
+    raise broken(RefusalCode.LINE_UNKNOWN, line, column, value=rest)
 
 
 def _six(words: list[Token], line: int, column: int) -> Values:
     if len(words) != VALUE_COUNT:
-        raise broken("values_count", line, column, value=len(words), expected=VALUE_COUNT)
+        raise broken(RefusalCode.VALUES_COUNT, line, column, value=len(words), expected=VALUE_COUNT)
     return tuple([parse_number(word, line, at) for word, at in words])
 
 
 def _read_speed(text: str, line: int, column: int) -> int:
     if not (text.isascii() and text.isdigit()):
-        raise broken("option_bad", line, column, value=text, field="speed", example="speed=30")
+        raise broken(
+            RefusalCode.OPTION_BAD, line, column, value=text, field="speed", example="speed=30"
+        )
     return int(text[:9])
 
 
@@ -142,7 +145,9 @@ def read_gripper(text: str, line: int, column: int) -> GripperAction:
     match = _GRIPPER.fullmatch(text)
     if match is None or (match.group(2) == "mm") != (match.group(4) == "Nm"):
         example = "gripper=35mm@1Nm or gripper=20°@1rad/s"
-        raise broken("option_bad", line, column, value=text, field="gripper", example=example)
+        raise broken(
+            RefusalCode.OPTION_BAD, line, column, value=text, field="gripper", example=example
+        )
     first = parse_number(match.group(1), line, column)
     second = parse_number(match.group(3), line, column + match.start(3))
     return GripperOpening(first, second) if match.group(2) == "mm" else GripperAngle(first, second)
@@ -164,7 +169,9 @@ def read_light(text: str, line: int, column: int) -> LightAction:
     match = _LIGHT.fullmatch(text)
     if match is None or not match.group(0).isascii():
         example = "light=1/all:255,128,0"
-        raise broken("option_bad", line, column, value=text, field="light", example=example)
+        raise broken(
+            RefusalCode.OPTION_BAD, line, column, value=text, field="light", example=example
+        )
     joint, lamp, *colors = match.groups()
     red, green, blue = map(int, colors)
     return LightAction(int(joint), red, green, blue, ALL_LAMPS if lamp == "all" else int(lamp))
@@ -187,7 +194,7 @@ def read_text(text: str, line: int, column: int) -> str:
     try:
         value = json.loads(text)
     except ValueError:
-        raise broken("text_unclosed", line, column) from None
+        raise broken(RefusalCode.TEXT_UNCLOSED, line, column) from None
     return str(value)
 
 

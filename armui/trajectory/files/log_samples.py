@@ -7,6 +7,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files.errors import broken
 from armui.trajectory.files.figures import read_figures
 from armui.trajectory.files.model import Content, verified
@@ -59,7 +60,7 @@ def _read_one_by_one(lines: list[str], begin: int, fields: dict[str, Any]) -> Co
         if not words or words[0].startswith("#"):
             continue
         if len(words) not in (GRIPPER, COLUMN_COUNT):
-            raise broken("values_count", line, 1, value=len(words), expected="7 or 8")
+            raise broken(RefusalCode.VALUES_COUNT, line, 1, value=len(words), expected="7 or 8")
         try:
             row = list(map(float, words))
         except ValueError:

@@ -10,6 +10,7 @@ from typing import Final
 
 import numpy as np
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files import csv_file
 from armui.trajectory.files.errors import broken
 from armui.trajectory.files.model import Content, verified
@@ -39,7 +40,7 @@ def read(text: str, name: str) -> Content:
     lines: list[int] = []
     for line, cells in csv_file.rows(text):
         if len(cells) not in _COUNTS:
-            raise broken("cells_count", line, value=len(cells), expected="7 / 8")
+            raise broken(RefusalCode.CELLS_COUNT, line, value=len(cells), expected="7 / 8")
         row = [parse_number(cell, line, column) for column, cell in enumerate(cells, start=1)]
         rows.append(row if len(row) == COLUMN_COUNT else [*row, math.nan])
         lines.append(line)

@@ -7,6 +7,7 @@ from datetime import UTC, datetime
 from typing import Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files.errors import TrajectoryFileError, broken
 from armui.trajectory.points.program import Trajectory, Waypoint, check_point, check_trajectory
 from armui.trajectory.samples.recording import Recording, check_recording
@@ -87,5 +88,5 @@ def parse_time(text: str, line: int, column: int) -> datetime:
     try:
         when = datetime.fromisoformat(text)
     except ValueError:
-        raise broken("time_bad", line, column, value=text) from None
+        raise broken(RefusalCode.TIME_BAD, line, column, value=text) from None
     return when if when.tzinfo is not None else when.replace(tzinfo=UTC)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import codecs
 from typing import Final
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files.errors import broken
 
 _UTF_16: Final = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
@@ -22,7 +23,7 @@ def decode(data: bytes) -> str:
         try:
             return data.decode("utf-16")
         except UnicodeDecodeError as error:
-            raise broken("file_not_text", 1) from error
+            raise broken(RefusalCode.FILE_NOT_TEXT, 1) from error
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -31,11 +32,11 @@ def decode(data: bytes) -> str:
         except UnicodeDecodeError:
             line_start = data.rfind(b"\n", 0, error.start) + 1
             line = data.count(b"\n", 0, error.start) + 1
-            raise broken("file_not_text", line, error.start - line_start + 1) from error
+            raise broken(RefusalCode.FILE_NOT_TEXT, line, error.start - line_start + 1) from error
     nul = text.find("\0")
     if nul >= 0:
         line = text.count("\n", 0, nul) + 1
-        raise broken("file_not_text", line, nul - text.rfind("\n", 0, nul))
+        raise broken(RefusalCode.FILE_NOT_TEXT, line, nul - text.rfind("\n", 0, nul))
     return text
 
 
@@ -54,7 +55,7 @@ def parse_number(text: str, line: int, column: int) -> float:
     try:
         value = float(text)
     except ValueError:
-        raise broken("number_bad", line, column, value=text) from None
+        raise broken(RefusalCode.NUMBER_BAD, line, column, value=text) from None
     if value - value != 0.0 or "_" in text:  # infinite, or none
-        raise broken("number_bad", line, column, value=text)
+        raise broken(RefusalCode.NUMBER_BAD, line, column, value=text)
     return value

@@ -4,23 +4,10 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Iterator
-from typing import Final
 
 from armui.arm.refusal import Refusal
-
-REFUSALS: Final = frozenset(
-    {
-        "name_taken",  # name
-        "changed_since",  # name
-        "deleted_gone",  # name
-        "library_damaged",  # name
-        "library_not_saved",  # name, text
-        "library_not_deleted",  # name, text
-        "library_not_restored",  # name, text
-        "library_unreadable",  # name, text
-    }
-)
-"""The reasons of a `LibraryError`, beside those against a trajectory itself."""
+from armui.arm.refusal_codes import RefusalCode
+from armui.system.error_text import error_text
 
 
 class LibraryError(Exception):
@@ -41,10 +28,10 @@ class LibraryError(Exception):
 
 
 @contextlib.contextmanager
-def on_disk(code: str, name: str) -> Iterator[None]:
+def on_disk(code: RefusalCode, name: str) -> Iterator[None]:
     """Says what the disk refused as a `LibraryError`."""
     try:
         yield
     except OSError as error:
-        text = error.strerror or str(error)
-        raise LibraryError(Refusal(code, {"name": name, "text": text})) from error
+        refusal = Refusal(code, {"name": name, "text": error_text(error)})
+        raise LibraryError(refusal) from error

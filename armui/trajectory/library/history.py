@@ -13,11 +13,17 @@ from datetime import datetime
 from typing import Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.library.store import Deleted, Library, LibraryError
 
 _TRY_AGAIN: Final = frozenset(
-    {"library_not_saved", "library_not_deleted", "library_not_restored", "library_unreadable"}
+    {
+        RefusalCode.LIBRARY_NOT_SAVED,
+        RefusalCode.LIBRARY_NOT_DELETED,
+        RefusalCode.LIBRARY_NOT_RESTORED,
+        RefusalCode.LIBRARY_UNREADABLE,
+    }
 )
 """Refusals of the disk."""
 
@@ -101,7 +107,7 @@ class Making:
         drafts = library.drafts()
         for name, modified in self.made:
             if name in drafts or there.get(name, modified) != modified:
-                raise LibraryError(Refusal("changed_since", {"name": name}))
+                raise LibraryError(Refusal(RefusalCode.CHANGED_SINCE, {"name": name}))
         library.delete(self.names)
         return ()
 

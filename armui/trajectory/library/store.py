@@ -15,21 +15,22 @@ from pathlib import Path
 from typing import Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.system.atomic import remove_abandoned
 from armui.trajectory import files
-from armui.trajectory.atomic import remove_abandoned
 from armui.trajectory.files import Content, TrajectoryFileError, UnwritableError
 from armui.trajectory.files.errors import broken
 from armui.trajectory.library.bin import Bin, Deleted
 from armui.trajectory.library.calls import Call, call_directly, is_large, load_by, write_content
 from armui.trajectory.library.drafts import Drafts, is_draft
-from armui.trajectory.library.errors import REFUSALS, LibraryError, on_disk
+from armui.trajectory.library.errors import LibraryError, on_disk
 from armui.trajectory.library.file_names import file_stem, folded, free_stem
 from armui.trajectory.library.index import Check, IndexEntry, Listing, Stamp, entry_of
 from armui.trajectory.library.stored_files import FileStore, StoredFile, name_inside, suffix_of
 from armui.trajectory.points.program import LONGEST_NAME, Trajectory, check_name, check_trajectory
 from armui.trajectory.samples.recording import Recording, check_recording
 
-__all__ = ["REFUSALS", "Check", "Deleted", "IndexEntry", "Library", "LibraryError", "Listing"]
+__all__ = ["Check", "Deleted", "IndexEntry", "Library", "LibraryError", "Listing"]
 
 _BIN: Final = ".deleted"
 _ROOM_FOR_NUMBER: Final = 8
@@ -70,8 +71,6 @@ class Library:
         """Where the trajectories are kept."""
         return self._folder
 
-    # What there is --------------------------------------------------------------------------------
-
     def entries(self) -> list[IndexEntry]:
         """Everything there is, by name; only files that are new or changed are opened.
 
@@ -82,7 +81,7 @@ class Library:
         """
         found = self._scan()
         entries = [kept.entry for kept in found.values()]
-        with on_disk("library_unreadable", str(self._folder)):
+        with on_disk(RefusalCode.LIBRARY_UNREADABLE, str(self._folder)):
             entries += self._drafts.entries(but=found)
         return sorted(entries, key=lambda one: one.name)
 
@@ -107,7 +106,7 @@ class Library:
         """
         kept = self._scan().get(name)
         if kept is None:
-            raise TrajectoryFileError(broken("file_gone").reason, file=name)
+            raise TrajectoryFileError(broken(RefusalCode.FILE_GONE).reason, file=name)
         if to_edit:
             self._met[name] = kept.stamp
         content: Content = load_by(self._call, kept.path, kept.stamp.size)
@@ -169,14 +168,14 @@ class Library:
         content = replace(only_draft or self.load(name), name=new)
         self._verify(content)
         if new in found or new in drafts:
-            raise LibraryError(Refusal("name_taken", {"name": new}))
+            raise LibraryError(Refusal(RefusalCode.NAME_TAKEN, {"name": new}))
         if isinstance(only_draft, Trajectory):
             self.save_draft(new, only_draft)
             self.drop_draft(name)
             return
         known = found[name].entry
         if name in drafts:
-            with on_disk("library_not_saved", new):
+            with on_disk(RefusalCode.LIBRARY_NOT_SAVED, new):
                 self._drafts.copy(name, new)
         try:
             self._write(content, name)
@@ -216,7 +215,7 @@ class Library:
         gone = [name for name in dict.fromkeys(names) if name in found or name in drafts]
         paths = [found[name].path for name in gone if name in found]
         paths += [drafts[name] for name in gone if name in drafts]
-        with on_disk("library_not_deleted", ", ".join(gone)):
+        with on_disk(RefusalCode.LIBRARY_NOT_DELETED, ", ".join(gone)):
             places, when = self._bin.take(paths)
         entries = tuple(found[name].entry for name in gone if name in found)
         return Deleted(tuple(gone), places, when, entries)
@@ -227,7 +226,7 @@ class Library:
         Raises:
             LibraryError: The disk refuses.
         """
-        with on_disk("library_unreadable", str(self._folder)):
+        with on_disk(RefusalCode.LIBRARY_UNREADABLE, str(self._folder)):
             return self._bin.contents()
 
     def restore(self, deleted: Deleted) -> tuple[str, ...]:
@@ -241,9 +240,10 @@ class Library:
         """
         places = [(file, place) for file, place in deleted.places if place.exists()]
         if not places and deleted.places:
-            raise LibraryError(Refusal("deleted_gone", {"name": ", ".join(deleted.names)}))
+            gone = {"name": ", ".join(deleted.names)}
+            raise LibraryError(Refusal(RefusalCode.DELETED_GONE, gone))
         names: dict[str, str] = {}
-        with on_disk("library_not_restored", ", ".join(deleted.names)):
+        with on_disk(RefusalCode.LIBRARY_NOT_RESTORED, ", ".join(deleted.names)):
             self._folder.mkdir(parents=True, exist_ok=True)
             for file, place in places:
                 if not is_draft(place):
@@ -313,7 +313,7 @@ class Library:
             LibraryError: It is not possible, or the disk refuses.
         """
         content = replace(content, name=name, modified=self._now())
-        with on_disk("library_not_saved", name):
+        with on_disk(RefusalCode.LIBRARY_NOT_SAVED, name):
             try:
                 self._drafts.save(content, rest)
             except UnwritableError as error:
@@ -333,7 +333,7 @@ class Library:
         Raises:
             LibraryError: The disk refuses.
         """
-        with on_disk("library_not_deleted", name):
+        with on_disk(RefusalCode.LIBRARY_NOT_DELETED, name):
             self._drafts.drop(name)
 
     def drafts(self) -> list[str]:
@@ -344,7 +344,7 @@ class Library:
 
     def _scan(self) -> dict[str, StoredFile]:
         """All files by the name of what they hold."""
-        with on_disk("library_unreadable", str(self._folder)):
+        with on_disk(RefusalCode.LIBRARY_UNREADABLE, str(self._folder)):
             return self._shelf.scan()
 
     def _verify(self, content: Content) -> None:
@@ -367,15 +367,15 @@ class Library:
         """
         found = self._scan()
         if content.name != replacing and content.name in found:
-            raise LibraryError(Refusal("name_taken", {"name": content.name}))
+            raise LibraryError(Refusal(RefusalCode.NAME_TAKEN, {"name": content.name}))
         old = None if replacing is None else found.get(replacing)
         if old is not None and old.entry.damage is not None:
-            raise LibraryError(Refusal("library_damaged", {"name": str(replacing)}))
+            raise LibraryError(Refusal(RefusalCode.LIBRARY_DAMAGED, {"name": str(replacing)}))
         stems = {folded(kept.path.stem) for kept in found.values() if kept is not old}
         fitting = self._folder / (free_stem(content.name, stems) + suffix_of(content))
         in_place = old is not None and old.path.suffix == fitting.suffix
         path = old.path if old is not None and in_place else fitting
-        with on_disk("library_not_saved", content.name):
+        with on_disk(RefusalCode.LIBRARY_NOT_SAVED, content.name):
             self._folder.mkdir(parents=True, exist_ok=True)
             met = None if replacing is None else self._met.get(replacing)
             displaced = old is not None and met is not None and met != old.stamp
@@ -388,7 +388,7 @@ class Library:
             # the file's own name follows; where it cannot, the one within it counts
             with contextlib.suppress(OSError):
                 path = path.rename(fitting)
-        with on_disk("library_unreadable", str(self._folder)):
+        with on_disk(RefusalCode.LIBRARY_UNREADABLE, str(self._folder)):
             self._met[content.name] = self._shelf.note(path, entry_of(content))
         return displaced
 

@@ -11,9 +11,10 @@ import numpy.typing as npt
 
 from armui.arm.limits import JOINTS
 from armui.arm.model import ArmModel
-from armui.kinematics.batch import flange_heights, jacobians, margins
+from armui.kinematics.forward import flange_heights
+from armui.kinematics.singularity import NEAR_SINGULAR, margins, smallest_singular_values
 from armui.trajectory.planning.collision import collisions
-from armui.trajectory.planning.findings import Finding, Severity
+from armui.trajectory.planning.findings import Finding, FindingCode, Severity
 from armui.trajectory.planning.planned_path import PlannedPath
 from armui.trajectory.planning.recording_check import check_recorded
 from armui.trajectory.planning.stops import TOOL_MOVES, bounds
@@ -29,8 +30,6 @@ FAR_FROM_START_DEG: Final = 30.0
 """A first point further from where the joints are is worth a look."""
 LARGE_TURN_DEG: Final = 90.0
 """So is a joint that turns further to a pose: the arm may hold it in another way than meant."""
-NEAR_SINGULAR: Final = 0.02
-"""Smallest singular value, m and rad a rad: a hand at 60 mm/s then asks a joint for its 3 rad/s."""
 FLOOR_MM: Final = 0.0
 """The plane the arm stands on."""
 _SPEED_SLACK: Final = 1.02
@@ -101,7 +100,7 @@ def check(
 
 def _empty(points: Sequence[Waypoint]) -> Iterator[Finding]:
     if not points:
-        yield Finding("empty")
+        yield Finding(FindingCode.EMPTY)
 
 
 def _grippers(points: Sequence[Waypoint], arm: ArmModel) -> Iterator[Finding]:
@@ -111,7 +110,7 @@ def _grippers(points: Sequence[Waypoint], arm: ArmModel) -> Iterator[Finding]:
         action = point.gripper
         if isinstance(action, GripperOpening) and action.opening_mm > arm.stroke_mm:
             figures = {"value": float(action.opening_mm), "maximum": float(arm.stroke_mm)}
-            yield Finding("gripper_beyond_stroke", figures, row)
+            yield Finding(FindingCode.GRIPPER_BEYOND_STROKE, figures, row)
 
 
 def _limits(path: PlannedPath, led: Flags, arm: ArmModel) -> Iterator[Finding]:
@@ -133,22 +132,27 @@ def _limits(path: PlannedPath, led: Flags, arm: ArmModel) -> Iterator[Finding]:
             "maximum": limits.max_deg,
         }
         yield _at(
-            path, index, "target_beyond_limit" if last[index] else "path_beyond_limit", figures
+            path,
+            index,
+            FindingCode.TARGET_BEYOND_LIMIT if last[index] else FindingCode.PATH_BEYOND_LIMIT,
+            figures,
         )
 
 
 def _near_singular(path: PlannedPath, led: Flags, arm: ArmModel) -> Iterator[Finding]:
     places = np.flatnonzero(led)
     nearness = np.zeros(len(path.rows))
-    nearness[places] = -margins(arm.kinematics, path.joints_deg[places])
+    geometry = arm.kinematics.geometry
+    nearness[places] = -margins(geometry, path.joints_deg[places])
     nearest = np.array(list(_worst(led, nearness, path.rows)), dtype=np.int64)
     if not len(nearest):
         return
-    grids = jacobians(arm.kinematics, path.joints_deg[nearest])
-    smallest = np.linalg.svd(grids, compute_uv=False)[:, -1]
+    smallest = smallest_singular_values(geometry, path.joints_deg[nearest])
     for index, value in zip(nearest.tolist(), smallest.tolist(), strict=True):
         if value < NEAR_SINGULAR:
-            yield _at(path, index, "near_singular", {"value": value, "minimum": NEAR_SINGULAR})
+            yield _at(
+                path, index, FindingCode.NEAR_SINGULAR, {"value": value, "minimum": NEAR_SINGULAR}
+            )
 
 
 def _large_turns(path: PlannedPath, posed: Flags) -> Iterator[Finding]:
@@ -158,7 +162,7 @@ def _large_turns(path: PlannedPath, posed: Flags) -> Iterator[Finding]:
     for which in np.flatnonzero((turns > LARGE_TURN_DEG).any(axis=1) & posed[lasts]).tolist():
         joint = int(np.argmax(turns[which]))
         figures = {"joint": JOINTS[joint], "value": round(float(turns[which, joint]), 1)}
-        yield _at(path, int(lasts[which]), "large_turn", figures)
+        yield _at(path, int(lasts[which]), FindingCode.LARGE_TURN, figures)
 
 
 def _far_from_start(path: PlannedPath) -> Iterator[Finding]:
@@ -167,14 +171,15 @@ def _far_from_start(path: PlannedPath) -> Iterator[Finding]:
     joint = int(np.argmax(away))
     if away[joint] > FAR_FROM_START_DEG:
         figures = {"joint": JOINTS[joint], "value": round(float(away[joint]), 1)}
-        yield _at(path, int(first_row[-1]), "far_from_start", figures)
+        yield _at(path, int(first_row[-1]), FindingCode.FAR_FROM_START, figures)
 
 
 def _below_floor(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
-    heights = np.minimum(path.places_mm[:, 2], flange_heights(arm.kinematics, path.joints_deg))
+    flanges_mm = flange_heights(arm.kinematics.geometry, path.joints_deg)
+    heights = np.minimum(path.places_mm[:, 2], flanges_mm)
     below = FLOOR_MM - heights
     for index in _worst(below > 0.0, below, path.rows, path.expected_s == ()):
-        yield _at(path, index, "below_floor", {"value": round(float(below[index]), 1)})
+        yield _at(path, index, FindingCode.BELOW_FLOOR, {"value": round(float(below[index]), 1)})
 
 
 def _tool_too_fast(path: PlannedPath, free: Flags, arm: ArmModel) -> Iterator[Finding]:
@@ -186,14 +191,14 @@ def _tool_too_fast(path: PlannedPath, free: Flags, arm: ArmModel) -> Iterator[Fi
     fast = free & (speeds > _SPEED_SLACK * most)
     for index in _worst(fast, speeds, path.rows, path.expected_s == ()):
         figures = {"value": round(float(speeds[index])), "maximum": round(most)}
-        yield _at(path, index, "tool_too_fast", figures)
+        yield _at(path, index, FindingCode.TOOL_TOO_FAST, figures)
 
 
 def _collisions(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
     turned = np.abs(np.diff(path.joints_deg, axis=0)).max(axis=1, initial=0.0)
     strides = np.floor(np.concatenate(([0.0], np.cumsum(turned))) / _COLLISION_STEP_DEG)
     looked_at = np.flatnonzero(np.diff(strides, prepend=-1.0) != 0.0)
-    hits = collisions(arm.kinematics, path.joints_deg[looked_at], arm.tool_mm)
+    hits = collisions(arm.kinematics.geometry, path.joints_deg[looked_at], arm.tool_mm)
     told: set[int] = set()
     for which in sorted(hits):
         index = int(looked_at[which])
@@ -203,7 +208,7 @@ def _collisions(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
         if row not in told and not before:
             told.add(row)
             one, other = hits[which].split("/")
-            yield _at(path, index, "links_collide", {"one": one, "other": other})
+            yield _at(path, index, FindingCode.LINKS_COLLIDE, {"one": one, "other": other})
 
 
 def _worst(
@@ -230,7 +235,7 @@ def _by_row(path: PlannedPath, flags: Sequence[bool]) -> Flags:
 
 
 def _at(
-    path: PlannedPath, index: int, code: str, figures: Mapping[str, float | int | str]
+    path: PlannedPath, index: int, code: FindingCode, figures: Mapping[str, float | int | str]
 ) -> Finding:
     return Finding(
         code,

@@ -4,20 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Final
 
 from armui.arm.limits import JointLimits, check_joints
 from armui.arm.refusal import Refusal
-from armui.kinematics.kinematics import Kinematics, Pose
+from armui.arm.refusal_codes import RefusalCode
+from armui.kinematics.arm_kinematics import Kinematics
+from armui.kinematics.poses import Pose
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.program import Waypoint
-
-REFUSALS: Final = frozenset(
-    {
-        "convert_needs_middle",
-        "convert_out_of_reach",  # x, y, z
-    }
-)
 
 
 def to_pose(
@@ -31,7 +25,7 @@ def to_pose(
         move: MOVE_P or MOVE_L. An arc needs a middle that no conversion can know.
     """
     if move not in (MoveMode.MOVE_P, MoveMode.MOVE_L):
-        return Refusal("convert_needs_middle", {})
+        return Refusal(RefusalCode.CONVERT_NEEDS_MIDDLE, {})
     if not point.is_joint:
         return replace(point, move=move, middle=None)
     pose = kinematics.forward(point.target)
@@ -57,7 +51,7 @@ def to_joints(
     ways = kinematics.inverse(Pose(*point.target), near_deg)
     if not ways:
         x, y, z = point.target[:3]
-        return Refusal("convert_out_of_reach", {"x": x, "y": y, "z": z})
+        return Refusal(RefusalCode.CONVERT_OUT_OF_REACH, {"x": x, "y": y, "z": z})
     within = [way for way in ways if limits is None or check_joints(way, limits) is None]
     best = (within or ways)[0]
     return replace(point, move=MoveMode.MOVE_J, target=tuple(best), middle=None)

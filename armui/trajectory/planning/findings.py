@@ -5,6 +5,7 @@ from __future__ import annotations
 import enum
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from enum import StrEnum, unique
 from typing import Final
 
 
@@ -17,24 +18,47 @@ class Severity(enum.Enum):
     """The operator may look at it and accept it."""
 
 
-SEVERITIES: Final[Mapping[str, Severity]] = {
-    "target_beyond_limit": Severity.ERROR,
-    "path_beyond_limit": Severity.ERROR,
-    "out_of_reach": Severity.ERROR,
-    "path_out_of_reach": Severity.ERROR,
-    "path_singular": Severity.ERROR,
-    "arc_no_circle": Severity.ERROR,
-    "start_unknown": Severity.ERROR,
-    "links_collide": Severity.ERROR,
-    "joint_too_fast": Severity.ERROR,
-    "gripper_beyond_stroke": Severity.ERROR,
-    "empty": Severity.ERROR,
-    "near_singular": Severity.WARNING,
-    "far_from_start": Severity.WARNING,
-    "large_turn": Severity.WARNING,
-    "sample_jump": Severity.WARNING,
-    "tool_too_fast": Severity.WARNING,
-    "below_floor": Severity.WARNING,
+@unique
+class FindingCode(StrEnum):
+    """What a check can find."""
+
+    TARGET_BEYOND_LIMIT = "target_beyond_limit"
+    PATH_BEYOND_LIMIT = "path_beyond_limit"
+    OUT_OF_REACH = "out_of_reach"
+    PATH_OUT_OF_REACH = "path_out_of_reach"
+    PATH_SINGULAR = "path_singular"
+    ARC_NO_CIRCLE = "arc_no_circle"
+    START_UNKNOWN = "start_unknown"
+    LINKS_COLLIDE = "links_collide"
+    JOINT_TOO_FAST = "joint_too_fast"
+    GRIPPER_BEYOND_STROKE = "gripper_beyond_stroke"
+    EMPTY = "empty"
+    NEAR_SINGULAR = "near_singular"
+    FAR_FROM_START = "far_from_start"
+    LARGE_TURN = "large_turn"
+    SAMPLE_JUMP = "sample_jump"
+    TOOL_TOO_FAST = "tool_too_fast"
+    BELOW_FLOOR = "below_floor"
+
+
+SEVERITIES: Final[Mapping[FindingCode, Severity]] = {
+    FindingCode.TARGET_BEYOND_LIMIT: Severity.ERROR,
+    FindingCode.PATH_BEYOND_LIMIT: Severity.ERROR,
+    FindingCode.OUT_OF_REACH: Severity.ERROR,
+    FindingCode.PATH_OUT_OF_REACH: Severity.ERROR,
+    FindingCode.PATH_SINGULAR: Severity.ERROR,
+    FindingCode.ARC_NO_CIRCLE: Severity.ERROR,
+    FindingCode.START_UNKNOWN: Severity.ERROR,
+    FindingCode.LINKS_COLLIDE: Severity.ERROR,
+    FindingCode.JOINT_TOO_FAST: Severity.ERROR,
+    FindingCode.GRIPPER_BEYOND_STROKE: Severity.ERROR,
+    FindingCode.EMPTY: Severity.ERROR,
+    FindingCode.NEAR_SINGULAR: Severity.WARNING,
+    FindingCode.FAR_FROM_START: Severity.WARNING,
+    FindingCode.LARGE_TURN: Severity.WARNING,
+    FindingCode.SAMPLE_JUMP: Severity.WARNING,
+    FindingCode.TOOL_TOO_FAST: Severity.WARNING,
+    FindingCode.BELOW_FLOOR: Severity.WARNING,
 }
 """Every code of a finding. A finding names the figures its sentence shows, in their units."""
 
@@ -44,7 +68,7 @@ class Finding:
     """Something the operator should know before the arm moves.
 
     Attributes:
-        code: A key of :data:`SEVERITIES`.
+        code: What was found.
         params: The figures the sentence names.
         row: The index of the point (or the sample of a recording) it concerns, from 0;
             ``None`` for the whole.
@@ -52,7 +76,7 @@ class Finding:
         place_mm: Where the tip of the tool would be, if that is known.
     """
 
-    code: str
+    code: FindingCode
     params: Mapping[str, float | int | str] = field(default_factory=dict)
     row: int | None = None
     joints_deg: tuple[float, ...] | None = None

@@ -9,10 +9,11 @@ from typing import Final
 import numpy as np
 
 from armui.arm.model import ArmModel
-from armui.kinematics.kinematics import Joints, Matrix, matrix_to_pose
+from armui.kinematics.inverse import missing_mm
+from armui.kinematics.poses import Joints, Matrix, pose_to_matrix
 from armui.kinematics.tool_path import Arc, ArcError
-from armui.trajectory.planning.findings import Finding
-from armui.trajectory.planning.stops import TOOL_MOVES, Route, Stops, choose, stops, transforms
+from armui.trajectory.planning.findings import Finding, FindingCode
+from armui.trajectory.planning.stops import TOOL_MOVES, Route, Stops, choose, stops
 from armui.trajectory.planning.tool_moves import Paths, PlannedToolMoves, plan_tool_moves
 from armui.trajectory.points.program import Waypoint
 
@@ -72,11 +73,10 @@ def _paths(
             continue
         arc = None
         if point.middle is not None:
-            middle = transforms(np.array([point.middle], dtype=float))[0]
             try:
-                arc = Arc(table.goals[origin], middle, table.goals[stop])
+                arc = Arc(table.goals[origin], pose_to_matrix(point.middle), table.goals[stop])
             except ArcError:
-                found[stop] = Finding("arc_no_circle", row=stop - 1)
+                found[stop] = Finding(FindingCode.ARC_NO_CIRCLE, row=stop - 1)
                 continue
         elif _same_place(table.goals[origin], table.goals[stop]):
             route.ends_deg[stop] = route.ends_deg[origin]
@@ -90,7 +90,6 @@ def _paths(
         table.goals[origins],
         table.goals[wanted],
         route.ends_deg[origins],
-        route.ways[wanted],
         arcs,
     )
 
@@ -114,10 +113,10 @@ def _same_place(start: Matrix, goal: Matrix) -> bool:
 
 
 def _out_of_reach(table: Stops, arm: ArmModel, stop: int) -> Finding:
-    missing = arm.kinematics.missing_mm(matrix_to_pose(table.goals[stop]))
+    missing = missing_mm(table.goals[stop])
     place = table.goals[stop, :3, 3] + arm.tool_mm * table.goals[stop, :3, 2]
     params = {"missing": round(missing, 1)}
-    return Finding("out_of_reach", params, stop - 1, place_mm=tuple(place.tolist()))
+    return Finding(FindingCode.OUT_OF_REACH, params, stop - 1, place_mm=tuple(place.tolist()))
 
 
 def _broken(group: PlannedToolMoves) -> dict[int, Finding]:
@@ -131,7 +130,7 @@ def _broken(group: PlannedToolMoves) -> dict[int, Finding]:
         if group.singular[index]:
             leaps = np.abs(group.joints_deg[index, place] - before)
             params["joint"] = int(np.argmax(leaps)) + 1
-        code = "path_singular" if group.singular[index] else "path_out_of_reach"
+        code = FindingCode.PATH_SINGULAR if group.singular[index] else FindingCode.PATH_OUT_OF_REACH
         found[stop] = Finding(code, params, stop - 1, tuple(before.tolist()))
     return found
 
@@ -158,5 +157,5 @@ def _behind(points: Sequence[Waypoint], problems: dict[int, Finding]) -> dict[in
     for stop, point in enumerate(points, start=1):
         before = problems.get(stop - 1) or left_out.get(stop - 1)
         if point.move in TOOL_MOVES and before is not None and stop not in problems:
-            left_out[stop] = Finding("start_unknown", {"before": stop - 1}, stop - 1)
+            left_out[stop] = Finding(FindingCode.START_UNKNOWN, {"before": stop - 1}, stop - 1)
     return left_out

@@ -14,14 +14,14 @@ from armui.arm.model import ArmModel
 from armui.protocol.codes import MoveMode
 from armui.trajectory.files import Content
 from armui.trajectory.planning.check import check
-from armui.trajectory.planning.findings import Finding, Severity
+from armui.trajectory.planning.findings import Finding, FindingCode, Severity
 from armui.trajectory.planning.planned_path import PlannedPath
 from armui.trajectory.planning.timing import APPROACH_PERCENT, plan_path
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.trajectory.samples.recording import Recording
 from armui.trajectory.samples.replay_profile import ReplayProfile, replay_profile
 
-_FAR: Final = "far_from_start"
+_FAR: Final = FindingCode.FAR_FROM_START
 """Said of the way to the first point; other ways are as long as they were written."""
 
 

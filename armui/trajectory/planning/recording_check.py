@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from armui.arm.limits import JOINTS
 from armui.arm.model import ArmModel
-from armui.trajectory.planning.findings import Finding
+from armui.trajectory.planning.findings import Finding, FindingCode
 from armui.trajectory.planning.planned_path import PlannedPath
 from armui.trajectory.planning.stops import bounds
 from armui.trajectory.samples.recording import Recording
@@ -34,7 +34,7 @@ def check_recorded(recording: Recording, path: PlannedPath, arm: ArmModel) -> It
     Of samples on end with the same trouble, the first is named.
     """
     if len(recording.samples) < 2:
-        yield Finding("empty")
+        yield Finding(FindingCode.EMPTY)
         return
     joints_deg = recording.joints_deg
     times_s = path.times_s[-len(joints_deg) :]
@@ -48,7 +48,7 @@ def check_recorded(recording: Recording, path: PlannedPath, arm: ArmModel) -> It
                 "minimum": limits.min_deg,
                 "maximum": limits.max_deg,
             }
-            yield _at(recording, row, "target_beyond_limit", figures)
+            yield _at(recording, row, FindingCode.TARGET_BEYOND_LIMIT, figures)
         speeds = _speeds(times_s, angles)
         fast = speeds > _SPEED_SLACK * limits.max_speed_deg_s
         for row in _firsts(fast):
@@ -61,16 +61,16 @@ def check_recorded(recording: Recording, path: PlannedPath, arm: ArmModel) -> It
                 "maximum": round(limits.max_speed_deg_s, 1),
                 "percent": math.floor(100.0 * limits.max_speed_deg_s / fastest),
             }
-            yield _at(recording, row, "joint_too_fast", figures)
+            yield _at(recording, row, FindingCode.JOINT_TOO_FAST, figures)
     steps = np.abs(np.diff(joints_deg, axis=0))
     for row in np.flatnonzero((steps > JUMP_DEG).any(axis=1)).tolist():
         joint = int(np.argmax(steps[row]))
         figures = {"joint": JOINTS[joint], "value": round(float(steps[row, joint]), 1)}
-        yield _at(recording, row + 1, "sample_jump", figures)
+        yield _at(recording, row + 1, FindingCode.SAMPLE_JUMP, figures)
     if arm.stroke_mm is not None:
         for row in _firsts(recording.gripper_mm > arm.stroke_mm + _STROKE_SLACK_MM):
             figures = {"value": float(recording.gripper_mm[row]), "maximum": float(arm.stroke_mm)}
-            yield _at(recording, row, "gripper_beyond_stroke", figures)
+            yield _at(recording, row, FindingCode.GRIPPER_BEYOND_STROKE, figures)
 
 
 def _speeds(times_s: Array, angles_deg: Array) -> Array:
@@ -89,6 +89,6 @@ def _firsts(mask: Flags) -> list[int]:
 
 
 def _at(
-    recording: Recording, row: int, code: str, figures: dict[str, float | int | str]
+    recording: Recording, row: int, code: FindingCode, figures: dict[str, float | int | str]
 ) -> Finding:
     return Finding(code, figures, row, tuple(recording.joints_deg[row].tolist()))

@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.codes import MoveMode
 from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.files.log_points import (
@@ -125,7 +126,7 @@ def figure(field: str, text: str) -> float | Refusal:
     try:
         value = float(plain)
     except ValueError:
-        code = "point_not_whole" if field in WHOLE else "point_not_a_number"
+        code = RefusalCode.POINT_NOT_WHOLE if field in WHOLE else RefusalCode.POINT_NOT_A_NUMBER
         return Refusal(code, {"field": field, "value": text.strip(), "unit": ""})
     return check_figure(field, value) or value
 
@@ -133,7 +134,7 @@ def figure(field: str, text: str) -> float | Refusal:
 def _six(text: str) -> Values | Refusal:
     words = [word for word in _PARTING.split(text) if word]
     if len(words) != VALUE_COUNT:
-        return Refusal("point_incomplete", {"field": "middle", "value": len(words)})
+        return Refusal(RefusalCode.POINT_INCOMPLETE, {"field": "middle", "value": len(words)})
     values = [figure(name, word) for name, word in zip(POSE_NAMES, words, strict=True)]
     wrong = next((value for value in values if isinstance(value, Refusal)), None)
     return wrong or tuple(value for value in values if not isinstance(value, Refusal))

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import Final
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.codes import MoveMode
 from armui.trajectory import files
 from armui.trajectory.files import csv_file, json_file, log_file
@@ -55,12 +56,12 @@ def from_text(text: str, like: MoveMode = MoveMode.MOVE_J) -> tuple[Waypoint, ..
         content = files.read_text(text, "clipboard")
         if isinstance(content, Trajectory):
             return content.points
-        raise broken("file_kind_unknown", 1)
+        raise broken(RefusalCode.FILE_KIND_UNKNOWN, 1)
     # not splitlines: it would part a note at signs that end no line in a spreadsheet
     numbered = enumerate(text.replace("\r\n", "\n").split("\n"), 1)
     lines = [(number, line) for number, line in numbered if line.strip()]
     if not lines:
-        raise broken("file_empty")
+        raise broken(RefusalCode.FILE_EMPTY)
     if not _has_figure(lines[0][1]) and len(lines) > 1:
         lines = lines[1:]
     return tuple(_read_row(line, number, like) for number, line in lines)
@@ -88,7 +89,7 @@ def _read_row(line: str, number: int, like: MoveMode) -> Waypoint:
         move, cells = like, ["", *cells]
     values = cells[1 : 1 + VALUE_COUNT]
     if len(values) != VALUE_COUNT:
-        raise broken("values_count", number, 1, value=len(values), expected=VALUE_COUNT)
+        raise broken(RefusalCode.VALUES_COUNT, number, 1, value=len(values), expected=VALUE_COUNT)
     names = JOINT_NAMES if move is MoveMode.MOVE_J else POSE_NAMES
     target = tuple(
         _taken(figure(name, cell), number, place)
@@ -101,7 +102,9 @@ def _read_row(line: str, number: int, like: MoveMode) -> Waypoint:
     middle = _NO_POSE if move is MoveMode.MOVE_C else None
     point = Waypoint(move, target, middle)
     if middle is not None and not (rest and rest[0]):
-        raise broken("values_count", number, PointColumn.MIDDLE + 1, value=0, expected=VALUE_COUNT)
+        raise broken(
+            RefusalCode.VALUES_COUNT, number, PointColumn.MIDDLE + 1, value=0, expected=VALUE_COUNT
+        )
     for column, cell in zip(range(PointColumn.MIDDLE, len(PointColumn)), rest, strict=False):
         if cell:
             changed = edited(point, PointColumn(column), cell)

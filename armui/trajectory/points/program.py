@@ -15,6 +15,7 @@ from operator import attrgetter
 from typing import Any, Final, NamedTuple
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.codes import ALL_LAMPS, MoveMode
 
 Values = tuple[float, ...]
@@ -199,10 +200,12 @@ def check_figure(field: str, value: float) -> Refusal | None:
     """
     allowed = RANGES[field]
     if not math.isfinite(value) or (field in WHOLE and value != int(value)):
-        code = "point_not_whole" if field in WHOLE else "point_not_a_number"
+        code = RefusalCode.POINT_NOT_WHOLE if field in WHOLE else RefusalCode.POINT_NOT_A_NUMBER
         return Refusal(code, {"field": field, "value": value, "unit": allowed.unit})
     if not allowed.minimum <= value <= allowed.maximum:
-        return Refusal("point_out_of_range", {**allowed._asdict(), "field": field, "value": value})
+        return Refusal(
+            RefusalCode.POINT_OUT_OF_RANGE, {**allowed._asdict(), "field": field, "value": value}
+        )
     return None
 
 
@@ -212,12 +215,16 @@ def check_point(point: Waypoint) -> Refusal | None:
     Whether *this* arm can do it is for `armui.trajectory.planning.check`.
     """
     if point.move not in MOVES:
-        return Refusal("point_move_unknown", {"value": str(point.move)})
+        return Refusal(RefusalCode.POINT_MOVE_UNKNOWN, {"value": str(point.move)})
     arc = point.move is MoveMode.MOVE_C
     if len(point.target) != VALUE_COUNT:
-        return Refusal("point_incomplete", {"field": "target", "value": len(point.target)})
+        return Refusal(
+            RefusalCode.POINT_INCOMPLETE, {"field": "target", "value": len(point.target)}
+        )
     if arc != (point.middle is not None) or (arc and len(point.middle or ()) != VALUE_COUNT):
-        return Refusal("point_incomplete", {"field": "middle", "value": len(point.middle or ())})
+        return Refusal(
+            RefusalCode.POINT_INCOMPLETE, {"field": "middle", "value": len(point.middle or ())}
+        )
     for field, value in point.figures():
         refusal = check_figure(field, value)
         if refusal is not None:
@@ -232,11 +239,11 @@ def check_point(point: Waypoint) -> Refusal | None:
 def check_name(name: str) -> Refusal | None:
     """Whether a trajectory may be called so; any script and any sign of it is welcome."""
     if not name.strip():
-        return Refusal("name_empty", {})
+        return Refusal(RefusalCode.NAME_EMPTY, {})
     if len(name) > LONGEST_NAME:
-        return Refusal("name_too_long", {"value": len(name), "maximum": LONGEST_NAME})
+        return Refusal(RefusalCode.NAME_TOO_LONG, {"value": len(name), "maximum": LONGEST_NAME})
     if any(character in name for character in "\r\n\0"):
-        return Refusal("text_bad", {"field": "name"})
+        return Refusal(RefusalCode.TEXT_BAD, {"field": "name"})
     return check_text("name", name)
 
 
@@ -250,11 +257,11 @@ def check_text(field: str, text: str, *, lines: int = 0) -> Refusal | None:
     """
     if len(text) > LONGEST_TEXT:
         return Refusal(
-            "text_too_long", {"field": field, "value": len(text), "maximum": LONGEST_TEXT}
+            RefusalCode.TEXT_TOO_LONG, {"field": field, "value": len(text), "maximum": LONGEST_TEXT}
         )
     half = any("\ud800" <= character <= "\udfff" for character in text)
     if half or "\0" in text or (lines and ("\n" in text or "\r" in text)):
-        return Refusal("text_bad", {"field": field})
+        return Refusal(RefusalCode.TEXT_BAD, {"field": field})
     return None
 
 

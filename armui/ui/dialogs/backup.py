@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QHBoxLayout,
     QHeaderView,
-    QLabel,
     QProgressBar,
     QPushButton,
     QTableView,
@@ -24,7 +23,9 @@ from armui.arm.backup import SUFFIX, Backup
 from armui.arm.comparison import ComparisonVerdict, compare
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
-from armui.control.operating_state import Level, OperatingState
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.events import Level
+from armui.control.operating_state import OperatingState
 from armui.control.parameters.backup_files import backup_of, read_backup, write_backup
 from armui.control.parameters.parameter_reader import ParameterReader
 from armui.control.parameters.setting_cell import CellState
@@ -36,6 +37,7 @@ from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.files import choose_file
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -73,9 +75,7 @@ class BackupDialog(ArmDialog):
     def _build(self) -> None:
         self._message = MessageLine()
         self._message.setObjectName("backup_message")
-        self._origin = QLabel()
-        self._origin.setObjectName("backup_origin")
-        self._origin.setWordWrap(True)
+        self._origin = text_label("backup_origin", wraps=True)
         self.table = QTableView()
         self.table.setModel(self._shown)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
@@ -183,7 +183,7 @@ class BackupDialog(ArmDialog):
     def _on_save(self) -> None:
         backup = self._now()
         if backup is None or not backup.values:
-            self._refuse(Refusal("backup_nothing_read"))
+            self._refuse(Refusal(RefusalCode.BACKUP_NOTHING_READ))
             return
         firmware = f"-{backup.firmware}" if backup.firmware else f"-gen{backup.generation}"
         choose_file(
@@ -325,7 +325,7 @@ class BackupDialog(ArmDialog):
         no_way = words.why_not(unreachable)
         occupied = self._controller.operating_state.occupied
         not_now = words.why_not(occupied)
-        busy = words.refusal(Refusal("busy", {"what": "settings"}))
+        busy = words.refusal(Refusal(RefusalCode.BUSY, {"what": "settings"}))
         wait = busy if self._settings.busy or reading else ""
         no_file = "" if self._backup is not None else self.tr("Open a file first.")
         nothing = "" if self._model.chosen else self.tr("Choose what differs in the table first.")

@@ -9,7 +9,7 @@ from PySide6.QtCore import QCoreApplication
 
 from armui.arm.backup import Backup
 from armui.arm.refusal import Refusal
-from armui.control.operating_state import Level
+from armui.control.events import Level
 from armui.protocol.generation import Generation
 from armui.ui import format as fmt
 from armui.ui import words

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, Qt
-from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
 from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.stop_button import StopButton
+from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QContextMenuEvent
@@ -20,7 +22,7 @@ _MARGIN_PX: Final = 20
 _GAP_PX: Final = 14
 
 
-class ArmDialog(QDialog):
+class ArmDialog(Translated, QDialog):
     """A dialog with its title, halt and emergency stop at the top.
 
     It never blocks the main window: the stop there stays within reach too. Escape closes it.
@@ -37,10 +39,7 @@ class ArmDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setModal(False)
-        self._heading = QLabel()
-        self._heading.setProperty("rank", "title")
-        self._heading.setTextFormat(Qt.TextFormat.PlainText)
-        self._heading.setWordWrap(True)
+        self._heading = text_label(rank="title", wraps=True, plain=True)
         self.halt_button = HaltButton(controller, self)
         self.stop_button = StopButton(controller, self)
 
@@ -87,9 +86,3 @@ class ArmDialog(QDialog):
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """A figure can be shown as a curve."""
         offer_curves(self, event)
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)

@@ -23,7 +23,8 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
-from armui.control.operating_state import Level, LinkState, OperatingState
+from armui.control.events import Level
+from armui.control.operating_state import LinkState, OperatingState
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.confirm import confirm

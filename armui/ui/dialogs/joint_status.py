@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
     QHeaderView,
-    QLabel,
     QPushButton,
     QSizePolicy,
     QTableView,
@@ -22,12 +21,14 @@ from PySide6.QtWidgets import (
 
 from armui.arm.joint_status import Item, Word
 from armui.arm.limits import JOINTS
-from armui.control.operating_state import Level, Notice, OperatingState
+from armui.control.events import EventCode, Level, Notice
+from armui.control.operating_state import OperatingState
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.joint_status_cell import JointCellDelegate, cell_width
 from armui.ui.dialogs.joint_status_model import JointStatusModel
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -35,7 +36,9 @@ if TYPE_CHECKING:
 
 _HEADER_PAD_PX: Final = 20
 _FRAME_PX: Final = 1
-_OURS: Final = frozenset({"clear_error_sent", "clear_error_answered", "clear_error_unanswered"})
+_OURS: Final = frozenset(
+    {EventCode.CLEAR_ERROR_SENT, EventCode.CLEAR_ERROR_ANSWERED, EventCode.CLEAR_ERROR_UNANSWERED}
+)
 
 
 class JointStatusDialog(ArmDialog):
@@ -94,8 +97,7 @@ class JointStatusDialog(ArmDialog):
         down.setHighlightSections(False)
         down.setSectionsClickable(False)
         down.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self._corner_label = QLabel()
-        self._corner_label.setProperty("rank", "muted")
+        self._corner_label = text_label(rank="muted")
         self._corner_label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._table.setCornerButtonEnabled(False)
         corner = self._table.findChild(QAbstractButton)
@@ -134,11 +136,7 @@ class JointStatusDialog(ArmDialog):
         self.body.addLayout(table_and_buttons)
 
     def _build_footer(self) -> None:
-        self._detail = QLabel()
-        self._detail.setObjectName("joint_status_detail")
-        self._detail.setProperty("rank", "muted")
-        self._detail.setTextFormat(Qt.TextFormat.PlainText)
-        self._detail.setWordWrap(True)
+        self._detail = text_label("joint_status_detail", rank="muted", wraps=True, plain=True)
         self.close_button = QPushButton()
         self.close_button.setDefault(True)
         self.close_button.clicked.connect(self.close)

@@ -20,7 +20,8 @@ from PySide6.QtWidgets import (
 
 from armui import settings
 from armui.arm.refusal import Refusal
-from armui.control.operating_state import Level
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.events import Level
 from armui.settings import SettingsStore
 from armui.ui import format as fmt
 from armui.ui import words
@@ -187,7 +188,9 @@ class SettingsDialog(ArmDialog):
         text = self.jog_step_edit.text()
         step_deg = fmt.parse_number(text)
         if step_deg is None:
-            self._refuse_jog_step(Refusal("jog_step_not_a_number", {"value": text.strip()}))
+            self._refuse_jog_step(
+                Refusal(RefusalCode.JOG_STEP_NOT_A_NUMBER, {"value": text.strip()})
+            )
             return
         problem = self._store.change(jog_step_deg=step_deg)
         if self._store.settings.jog_step_deg != step_deg:
@@ -222,7 +225,7 @@ class SettingsDialog(ArmDialog):
 
     def _on_urdf_chosen(self, path: Path) -> None:
         if not path.is_file():
-            self._show_problem(Refusal("urdf_missing", {"path": str(path)}))
+            self._show_problem(Refusal(RefusalCode.URDF_MISSING, {"path": str(path)}))
             return
         self._problem = None
         problem = self._store.change(urdf_path=str(path))

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QSignalBlocker, Qt
+from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox, QWidget
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.operating_state import OperatingState
 from armui.protocol.generation import Generation
@@ -16,6 +17,7 @@ from armui.ui import words
 from armui.ui.freshness import is_stale
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.track_slider import TrackSlider
+from armui.ui.widgets.translated import Translated
 from armui.ui.widgets.value_label import ValueLabel
 
 if TYPE_CHECKING:
@@ -25,7 +27,7 @@ if TYPE_CHECKING:
 _WIDEST_PX: Final = 620
 
 
-class SpeedControl(QWidget):
+class SpeedControl(Translated, QWidget):
     """Slider and field for 0–100 % of the arm's highest speed (manual 1.0.3, 0x151 byte 2).
 
     Dragging sends when the handle is let go; keys, clicks and the field send at once.
@@ -90,7 +92,9 @@ class SpeedControl(QWidget):
 
     def _allow(self, operating_state: OperatingState) -> None:
         """A run sends each point with its own speed: another one would change it in silence."""
-        reason = words.refusal(Refusal("run_under_way")) if operating_state.running else ""
+        reason = (
+            words.refusal(Refusal(RefusalCode.RUN_UNDER_WAY)) if operating_state.running else ""
+        )
         use = self.tr("Speed of motions, 0–100 % of the arm's highest; 0 % means no motion.")
         for widget in (self._slider, self._field):
             widget.setEnabled(not reason)
@@ -127,9 +131,3 @@ class SpeedControl(QWidget):
         self._allow(self._controller.operating_state)
         self._arm_value.setAccessibleName(self.tr("Speed percentage reported by the arm"))
         self._explain(self._controller.operating_state.generation)
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)

@@ -5,14 +5,15 @@ from __future__ import annotations
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Status
-from armui.control.operating_state import Level, Notice, OperatingState
+from armui.control.events import Level, Notice
+from armui.control.operating_state import OperatingState
 from armui.protocol.codes import ArmStatusCode, TeachingState
 from armui.ui import format as fmt
 from armui.ui import words
@@ -21,6 +22,7 @@ from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.elided_label import ElidedLabel
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -52,7 +54,7 @@ _QUANTITIES: Final = {
 }
 
 
-class StatusBar(QWidget):
+class StatusBar(Translated, QWidget):
     """The notice gives way when there is no room; what the arm says never does."""
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
@@ -208,11 +210,8 @@ class StatusBar(QWidget):
         self._show_notice()
         self._show_status(self._controller.state)
 
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language and the colours."""
-        if event.type() in {QEvent.Type.LanguageChange, QEvent.Type.PaletteChange}:
-            self.retranslate_ui()
-        super().changeEvent(event)
+    def _recolor(self) -> None:
+        self.retranslate_ui()
 
     def showEvent(self, event: QShowEvent) -> None:
         """Catch up with what went by while the bar was hidden."""

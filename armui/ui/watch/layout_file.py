@@ -33,4 +33,4 @@ def write_text(path: Path, text: str) -> None:
     Raises:
         OSError: The disk or the folder does not allow it.
     """
-    write_whole(path, text)
+    write_whole(path, text.encode())

@@ -13,7 +13,7 @@ from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtWidgets import QWidget
 
 from armui.arm.refusal import Refusal
-from armui.control.operating_state import Level
+from armui.control.events import Level
 from armui.telemetry.quantities import QUANTITIES
 from armui.ui import words
 from armui.ui.background import Job

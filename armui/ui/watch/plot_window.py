@@ -10,7 +10,7 @@ from PySide6.QtCore import QPoint, QSize, Qt, QTimer, Signal
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QVBoxLayout, QWidget
 
 from armui.arm.refusal import Refusal
-from armui.control.operating_state import Level
+from armui.control.events import Level
 from armui.ui.background import Job
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.watch import layout_file

@@ -7,85 +7,87 @@ from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-from armui.trajectory.planning.findings import Finding
+from armui.trajectory.planning.findings import Finding, FindingCode
 from armui.ui.words.text import sentence
 
-_FINDINGS: Final[Mapping[str, object]] = {
-    "empty": QT_TRANSLATE_NOOP("Finding", "There is nothing to run. Add points, or record."),
-    "target_beyond_limit": QT_TRANSLATE_NOOP(
+_FINDINGS: Final[Mapping[FindingCode, object]] = {
+    FindingCode.EMPTY: QT_TRANSLATE_NOOP(
+        "Finding", "There is nothing to run. Add points, or record."
+    ),
+    FindingCode.TARGET_BEYOND_LIMIT: QT_TRANSLATE_NOOP(
         "Finding",
         "Joint {joint} would be at {value}°, beyond its limits {minimum}° to {maximum}°. Change "
         "the point.",
     ),
-    "path_beyond_limit": QT_TRANSLATE_NOOP(
+    FindingCode.PATH_BEYOND_LIMIT: QT_TRANSLATE_NOOP(
         "Finding",
         "On the way joint {joint} would come to {value}°, beyond its limits {minimum}° to "
         "{maximum}°. Put another point between, or use MOVE J.",
     ),
-    "out_of_reach": QT_TRANSLATE_NOOP(
+    FindingCode.OUT_OF_REACH: QT_TRANSLATE_NOOP(
         "Finding",
         "The arm cannot bring its flange there: {missing} mm are missing. Move the point nearer.",
     ),
-    "path_out_of_reach": QT_TRANSLATE_NOOP(
+    FindingCode.PATH_OUT_OF_REACH: QT_TRANSLATE_NOOP(
         "Finding",
         "After {gone} % of the way the tool would be out of reach. Put another point between, or "
         "use MOVE J.",
     ),
-    "path_singular": QT_TRANSLATE_NOOP(
+    FindingCode.PATH_SINGULAR: QT_TRANSLATE_NOOP(
         "Finding",
         "After {gone} % of the way joint {joint} would have to leap: the arm is in a singular "
         "pose there. Put another point between, or use MOVE J.",
     ),
-    "arc_no_circle": QT_TRANSLATE_NOOP(
+    FindingCode.ARC_NO_CIRCLE: QT_TRANSLATE_NOOP(
         "Finding",
         "The point before, the middle and the end lie on a line or upon one another: that is no "
         "arc. Move the middle aside, or use MOVE L.",
     ),
-    "start_unknown": QT_TRANSLATE_NOOP(
+    FindingCode.START_UNKNOWN: QT_TRANSLATE_NOOP(
         "Finding",
         "This would begin where row {before} ends, and the arm does not come there. Change row "
         "{before} first.",
     ),
-    "links_collide": QT_TRANSLATE_NOOP(
+    FindingCode.LINKS_COLLIDE: QT_TRANSLATE_NOOP(
         "Finding",
         "The arm would hit itself: {other} against {one}. Put another point between, or change "
         "the point.",
     ),
-    "joint_too_fast": QT_TRANSLATE_NOOP(
+    FindingCode.JOINT_TOO_FAST: QT_TRANSLATE_NOOP(
         "Finding",
         "Joint {joint} would have to turn at {value}°/s; its limit is {maximum}°/s. Replay at "
         "{percent} % of this speed at most.",
     ),
-    "gripper_beyond_stroke": QT_TRANSLATE_NOOP(
+    FindingCode.GRIPPER_BEYOND_STROKE: QT_TRANSLATE_NOOP(
         "Finding",
         "The gripper would have to open {value} mm; it opens {maximum} mm at most. Enter less.",
     ),
-    "near_singular": QT_TRANSLATE_NOOP(
+    FindingCode.NEAR_SINGULAR: QT_TRANSLATE_NOOP(
         "Finding",
         "The way passes near a singular pose ({value}, should be {minimum} or more): joints turn "
         "fast there and the tool is slow. Use MOVE J, or turn the wrist.",
     ),
-    "far_from_start": QT_TRANSLATE_NOOP(
+    FindingCode.FAR_FROM_START: QT_TRANSLATE_NOOP(
         "Finding",
         "The first point is far from where the arm is: joint {joint} turns {value}°. Watch the "
         "way there in the preview, or bring the arm nearer first.",
     ),
-    "large_turn": QT_TRANSLATE_NOOP(
+    FindingCode.LARGE_TURN: QT_TRANSLATE_NOOP(
         "Finding",
         "Joint {joint} turns {value}° to hold this pose. If that is not meant, give the point as "
         "joint angles.",
     ),
-    "sample_jump": QT_TRANSLATE_NOOP(
+    FindingCode.SAMPLE_JUMP: QT_TRANSLATE_NOOP(
         "Finding",
         "Joint {joint} jumps {value}° from the sample before. Trim the recording there, or record "
         "again.",
     ),
-    "tool_too_fast": QT_TRANSLATE_NOOP(
+    FindingCode.TOOL_TOO_FAST: QT_TRANSLATE_NOOP(
         "Finding",
         "The tool would go at {value} mm/s; its limit is {maximum} mm/s, and the arm does not keep "
         "it here by itself. Lower the speed.",
     ),
-    "below_floor": QT_TRANSLATE_NOOP(
+    FindingCode.BELOW_FLOOR: QT_TRANSLATE_NOOP(
         "Finding",
         "The tool would be {value} mm below the plane the arm stands on. Accept this only if there "
         "is nothing.",

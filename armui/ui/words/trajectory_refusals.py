@@ -7,148 +7,166 @@ from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.ui.words.text import sentence
 
-_FILES: Final[Mapping[str, object]] = {
-    "file_gone": QT_TRANSLATE_NOOP("Refusal", "It is not in the library any more."),
-    "file_unreadable": QT_TRANSLATE_NOOP("Refusal", "The file cannot be read: {text}."),
-    "file_too_large": QT_TRANSLATE_NOOP(
+_FILES: Final[Mapping[RefusalCode, object]] = {
+    RefusalCode.FILE_GONE: QT_TRANSLATE_NOOP("Refusal", "It is not in the library any more."),
+    RefusalCode.FILE_UNREADABLE: QT_TRANSLATE_NOOP("Refusal", "The file cannot be read: {text}."),
+    RefusalCode.FILE_TOO_LARGE: QT_TRANSLATE_NOOP(
         "Refusal", "The file has {value} MB; files up to {maximum} MB are read."
     ),
-    "file_not_text": QT_TRANSLATE_NOOP(
+    RefusalCode.FILE_NOT_TEXT: QT_TRANSLATE_NOOP(
         "Refusal", "This is no text in UTF-8 or GBK. Save it as a text file in UTF-8."
     ),
-    "file_not_encoding": QT_TRANSLATE_NOOP(
+    RefusalCode.FILE_NOT_ENCODING: QT_TRANSLATE_NOOP(
         "Refusal", "This is no text in {value}. Choose another encoding."
     ),
-    "file_kind_unknown": QT_TRANSLATE_NOOP(
+    RefusalCode.FILE_KIND_UNKNOWN: QT_TRANSLATE_NOOP(
         "Refusal", "This is no trajectory file the program knows. Import it by columns."
     ),
-    "file_no_table": QT_TRANSLATE_NOOP(
+    RefusalCode.FILE_NO_TABLE: QT_TRANSLATE_NOOP(
         "Refusal", "No rows of numbers are found here. Choose a file with one point a row."
     ),
-    "file_version": QT_TRANSLATE_NOOP(
+    RefusalCode.FILE_VERSION: QT_TRANSLATE_NOOP(
         "Refusal",
         "The file is of version {value}; this program reads up to version {maximum}. Update the "
         "program.",
     ),
-    "file_empty": QT_TRANSLATE_NOOP("Refusal", "The file holds nothing."),
-    "file_cut_off": QT_TRANSLATE_NOOP("Refusal", "The file ends too early."),
-    "file_damaged": QT_TRANSLATE_NOOP("Refusal", "The file is damaged: {text}."),
-    "line_unknown": QT_TRANSLATE_NOOP(
+    RefusalCode.FILE_EMPTY: QT_TRANSLATE_NOOP("Refusal", "The file holds nothing."),
+    RefusalCode.FILE_CUT_OFF: QT_TRANSLATE_NOOP("Refusal", "The file ends too early."),
+    RefusalCode.FILE_DAMAGED: QT_TRANSLATE_NOOP("Refusal", "The file is damaged: {text}."),
+    RefusalCode.LINE_UNKNOWN: QT_TRANSLATE_NOOP(
         "Refusal", "“{value}” is no kind of line. A line begins with J, P, L, C or #."
     ),
-    "header_unknown": QT_TRANSLATE_NOOP(
+    RefusalCode.HEADER_UNKNOWN: QT_TRANSLATE_NOOP(
         "Refusal", "“{value}” is no entry of the header; name, note and modified are."
     ),
-    "option_unknown": QT_TRANSLATE_NOOP(
+    RefusalCode.OPTION_UNKNOWN: QT_TRANSLATE_NOOP(
         "Refusal",
         "“{value}” is no option of a point; speed, dwell, gripper, light and note are.",
     ),
-    "option_twice": QT_TRANSLATE_NOOP("Refusal", "“{value}” is given twice. Leave one."),
-    "option_bad": QT_TRANSLATE_NOOP("Refusal", "“{value}” is no {field}. Write it as {example}."),
-    "number_bad": QT_TRANSLATE_NOOP("Refusal", "“{value}” is not a number."),
-    "values_count": QT_TRANSLATE_NOOP("Refusal", "{value} numbers where {expected} belong."),
-    "text_unclosed": QT_TRANSLATE_NOOP("Refusal", "The closing quotation mark is missing."),
-    "column_missing": QT_TRANSLATE_NOOP("Refusal", "The column “{field}” is missing."),
-    "column_unknown": QT_TRANSLATE_NOOP("Refusal", "The column “{value}” is unknown."),
-    "column_twice": QT_TRANSLATE_NOOP("Refusal", "The column “{field}” is there twice."),
-    "cells_count": QT_TRANSLATE_NOOP(
+    RefusalCode.OPTION_TWICE: QT_TRANSLATE_NOOP("Refusal", "“{value}” is given twice. Leave one."),
+    RefusalCode.OPTION_BAD: QT_TRANSLATE_NOOP(
+        "Refusal", "“{value}” is no {field}. Write it as {example}."
+    ),
+    RefusalCode.NUMBER_BAD: QT_TRANSLATE_NOOP("Refusal", "“{value}” is not a number."),
+    RefusalCode.VALUES_COUNT: QT_TRANSLATE_NOOP(
+        "Refusal", "{value} numbers where {expected} belong."
+    ),
+    RefusalCode.TEXT_UNCLOSED: QT_TRANSLATE_NOOP(
+        "Refusal", "The closing quotation mark is missing."
+    ),
+    RefusalCode.COLUMN_MISSING: QT_TRANSLATE_NOOP("Refusal", "The column “{field}” is missing."),
+    RefusalCode.COLUMN_UNKNOWN: QT_TRANSLATE_NOOP("Refusal", "The column “{value}” is unknown."),
+    RefusalCode.COLUMN_TWICE: QT_TRANSLATE_NOOP("Refusal", "The column “{field}” is there twice."),
+    RefusalCode.CELLS_COUNT: QT_TRANSLATE_NOOP(
         "Refusal", "{value} cells where there are {expected} columns."
     ),
-    "time_bad": QT_TRANSLATE_NOOP(
+    RefusalCode.TIME_BAD: QT_TRANSLATE_NOOP(
         "Refusal", "“{value}” is no date and time. Write it as 2026-01-31T12:00:00."
     ),
-    "json_bad": QT_TRANSLATE_NOOP("Refusal", "This is not valid JSON: {text}."),
-    "json_field_missing": QT_TRANSLATE_NOOP("Refusal", "“{field}” is missing."),
-    "json_field_unknown": QT_TRANSLATE_NOOP("Refusal", "“{value}” is unknown."),
-    "json_field_bad": QT_TRANSLATE_NOOP(
+    RefusalCode.JSON_BAD: QT_TRANSLATE_NOOP("Refusal", "This is not valid JSON: {text}."),
+    RefusalCode.JSON_FIELD_MISSING: QT_TRANSLATE_NOOP("Refusal", "“{field}” is missing."),
+    RefusalCode.JSON_FIELD_UNKNOWN: QT_TRANSLATE_NOOP("Refusal", "“{value}” is unknown."),
+    RefusalCode.JSON_FIELD_BAD: QT_TRANSLATE_NOOP(
         "Refusal", "“{field}” is not what it should be: {expected}."
     ),
 }
 
-_POINTS: Final[Mapping[str, object]] = {
-    "point_out_of_range": QT_TRANSLATE_NOOP(
+_POINTS: Final[Mapping[RefusalCode, object]] = {
+    RefusalCode.POINT_OUT_OF_RANGE: QT_TRANSLATE_NOOP(
         "Refusal",
         "{field}: {value}{unit} is out of range. Enter a value from {minimum}{unit} to "
         "{maximum}{unit}.",
     ),
-    "point_not_a_number": QT_TRANSLATE_NOOP("Refusal", "{field}: “{value}” is not a number."),
-    "point_not_whole": QT_TRANSLATE_NOOP("Refusal", "{field}: {value} is not a whole number."),
-    "point_incomplete": QT_TRANSLATE_NOOP(
+    RefusalCode.POINT_NOT_A_NUMBER: QT_TRANSLATE_NOOP(
+        "Refusal", "{field}: “{value}” is not a number."
+    ),
+    RefusalCode.POINT_NOT_WHOLE: QT_TRANSLATE_NOOP(
+        "Refusal", "{field}: {value} is not a whole number."
+    ),
+    RefusalCode.POINT_INCOMPLETE: QT_TRANSLATE_NOOP(
         "Refusal", "{field}: {value} values; six belong there, and a middle only to MOVE C."
     ),
-    "point_move_unknown": QT_TRANSLATE_NOOP(
+    RefusalCode.POINT_MOVE_UNKNOWN: QT_TRANSLATE_NOOP(
         "Refusal", "“{value}” is no kind of motion. MOVE J, MOVE P, MOVE L and MOVE C are."
     ),
-    "sample_back_in_time": QT_TRANSLATE_NOOP(
+    RefusalCode.SAMPLE_BACK_IN_TIME: QT_TRANSLATE_NOOP(
         "Refusal", "The time {value} s is before the one above, {minimum} s."
     ),
-    "text_too_long": QT_TRANSLATE_NOOP(
+    RefusalCode.TEXT_TOO_LONG: QT_TRANSLATE_NOOP(
         "Refusal", "{field}: {value} characters; up to {maximum} are kept. Shorten it."
     ),
-    "text_bad": QT_TRANSLATE_NOOP(
+    RefusalCode.TEXT_BAD: QT_TRANSLATE_NOOP(
         "Refusal", "{field}: holds a character that cannot be kept. Remove it."
     ),
-    "convert_needs_middle": QT_TRANSLATE_NOOP(
+    RefusalCode.CONVERT_NEEDS_MIDDLE: QT_TRANSLATE_NOOP(
         "Refusal", "An arc needs a middle pose, which no conversion can know. Enter it by hand."
     ),
-    "convert_out_of_reach": QT_TRANSLATE_NOOP(
+    RefusalCode.CONVERT_OUT_OF_REACH: QT_TRANSLATE_NOOP(
         "Refusal",
         "The arm cannot bring its flange to X {x}  Y {y}  Z {z} mm with this orientation: no joint "
         "angles belong to it. Change the pose.",
     ),
 }
 
-_LIBRARY: Final[Mapping[str, object]] = {
-    "name_empty": QT_TRANSLATE_NOOP("Refusal", "A trajectory needs a name. Enter one."),
-    "name_too_long": QT_TRANSLATE_NOOP(
+_LIBRARY: Final[Mapping[RefusalCode, object]] = {
+    RefusalCode.NAME_EMPTY: QT_TRANSLATE_NOOP("Refusal", "A trajectory needs a name. Enter one."),
+    RefusalCode.NAME_TOO_LONG: QT_TRANSLATE_NOOP(
         "Refusal", "The name has {value} characters; up to {maximum} are kept. Shorten it."
     ),
-    "name_taken": QT_TRANSLATE_NOOP("Refusal", "There is a “{name}” already. Choose another name."),
-    "changed_since": QT_TRANSLATE_NOOP(
+    RefusalCode.NAME_TAKEN: QT_TRANSLATE_NOOP(
+        "Refusal", "There is a “{name}” already. Choose another name."
+    ),
+    RefusalCode.CHANGED_SINCE: QT_TRANSLATE_NOOP(
         "Refusal",
         "“{name}” has been changed since it was made, and is kept. Delete it if you do not want "
         "it.",
     ),
-    "deleted_gone": QT_TRANSLATE_NOOP(
+    RefusalCode.DELETED_GONE: QT_TRANSLATE_NOOP(
         "Refusal",
         "“{name}” is no longer among what was deleted. It has been brought back already, or its "
         "time was up.",
     ),
-    "library_damaged": QT_TRANSLATE_NOOP(
+    RefusalCode.LIBRARY_DAMAGED: QT_TRANSLATE_NOOP(
         "Refusal",
         "The file of “{name}” is damaged and is not written over. Save under another name.",
     ),
-    "library_not_saved": QT_TRANSLATE_NOOP(
+    RefusalCode.LIBRARY_NOT_SAVED: QT_TRANSLATE_NOOP(
         "Refusal",
         "“{name}” was not saved: {text}. What was kept before is unchanged. Check the disk, then "
         "save again.",
     ),
-    "library_not_deleted": QT_TRANSLATE_NOOP(
+    RefusalCode.LIBRARY_NOT_DELETED: QT_TRANSLATE_NOOP(
         "Refusal", "Not deleted: {name}: {text}. Check the rights to the library's folder."
     ),
-    "library_not_restored": QT_TRANSLATE_NOOP(
+    RefusalCode.LIBRARY_NOT_RESTORED: QT_TRANSLATE_NOOP(
         "Refusal", "Not brought back: {name}: {text}. Check the rights to the library's folder."
     ),
-    "library_unreadable": QT_TRANSLATE_NOOP(
+    RefusalCode.LIBRARY_UNREADABLE: QT_TRANSLATE_NOOP(
         "Refusal", "The library cannot be read: {name}: {text}. Check the rights to this folder."
     ),
 }
 
-_COLUMNS: Final[Mapping[str, object]] = {
-    "columns_twice": QT_TRANSLATE_NOOP(
+_COLUMNS: Final[Mapping[RefusalCode, object]] = {
+    RefusalCode.COLUMNS_TWICE: QT_TRANSLATE_NOOP(
         "Refusal", "Columns {first} and {second} are both {field}. Leave one of them out."
     ),
-    "columns_missing": QT_TRANSLATE_NOOP(
+    RefusalCode.COLUMNS_MISSING: QT_TRANSLATE_NOOP(
         "Refusal", "Still missing: {missing}. Say which columns hold them."
     ),
-    "columns_unit": QT_TRANSLATE_NOOP(
+    RefusalCode.COLUMNS_UNIT: QT_TRANSLATE_NOOP(
         "Refusal", "Column {column}: {field} is not given in “{value}”. Choose one of {choices}."
     ),
 }
 
-TRAJECTORY_REFUSALS: Final[Mapping[str, object]] = {**_FILES, **_POINTS, **_LIBRARY, **_COLUMNS}
+TRAJECTORY_REFUSALS: Final[Mapping[RefusalCode, object]] = {
+    **_FILES,
+    **_POINTS,
+    **_LIBRARY,
+    **_COLUMNS,
+}
 
 _FIGURES: Final[Mapping[str, object]] = {
     "speed": QT_TRANSLATE_NOOP("PointFigure", "Speed"),

@@ -11,7 +11,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from armui.arm.refusal import Refusal
-from armui.viewport.errors import DRAWING_STOPPED, SceneError
+from armui.arm.refusal_codes import RefusalCode
+from armui.viewport.errors import SceneError
 from armui.viewport.frame_memory import FrameMemory
 from armui.viewport.messages import (
     Drawn,
@@ -47,7 +48,9 @@ def run(connection: Connection) -> None:
     except Exception as error:  # noqa: BLE001 - the program says it, and starts another process
         text = f"{type(error).__name__}: {error}"
         with contextlib.suppress(OSError):
-            heart.send(Failed(Refusal(DRAWING_STOPPED, {"text": text}), traceback.format_exc()))
+            heart.send(
+                Failed(Refusal(RefusalCode.DRAWING_STOPPED, {"text": text}), traceback.format_exc())
+            )
     # Drivers that are asked to clean up may crash or hang; the system does it all.
     os._exit(0)
 

@@ -20,7 +20,8 @@ from numpy.typing import NDArray
 from vtkmodules.vtkCommonCore import vtkObject, vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
-from armui.viewport.errors import NO_OPENGL, SceneError
+from armui.arm.refusal_codes import RefusalCode
+from armui.viewport.errors import SceneError
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -97,7 +98,7 @@ class Canvas:
             self._window.OffScreenRenderingOn()
             self._window.SetSize(width_px, height_px)
             if not _can_draw(self._window):
-                raise SceneError(NO_OPENGL)
+                raise SceneError(RefusalCode.NO_OPENGL)
         self._window.AddRenderer(self.renderer)
         # Eightfold sampling triples the time of a frame where the processor draws it.
         self._window.SetMultiSamples(0)

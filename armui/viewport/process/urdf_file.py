@@ -20,6 +20,8 @@ import numpy as np
 import trimesh
 import yourdfpy
 
+from armui.arm.refusal_codes import RefusalCode
+from armui.system.error_text import error_text
 from armui.viewport.errors import SceneError
 from armui.viewport.process.robot import (
     ARM_JOINT_COUNT,
@@ -74,7 +76,7 @@ def _description(path: Path) -> yourdfpy.Robot:
         raise _malformed(path, str(error)) from error
     except (LookupError, TypeError, AttributeError) as error:
         # what yourdfpy runs into where an element or an attribute is missing
-        raise SceneError("urdf_incomplete", path=str(path)) from error
+        raise SceneError(RefusalCode.URDF_INCOMPLETE, path=str(path)) from error
 
 
 def _content(path: Path) -> bytes:
@@ -84,28 +86,30 @@ def _content(path: Path) -> bytes:
         if not stat.S_ISREG(found.st_mode) or found.st_size > _MOST_BYTES:
             # opening a pipe would wait for ever; a description is some thousand lines
             text = os.strerror(errno.EISDIR if stat.S_ISDIR(found.st_mode) else errno.EFBIG)
-            raise SceneError("urdf_unreadable", path=str(path), text=text)
+            raise SceneError(RefusalCode.URDF_UNREADABLE, path=str(path), text=text)
         content = path.read_bytes()
         # URDF files are the operator's own, and expat in supported Pythons stops entity bombs.
         element = ET.fromstring(content)  # noqa: S314 - see above
     except FileNotFoundError as error:
-        raise SceneError("urdf_missing", path=str(path)) from error
+        raise SceneError(RefusalCode.URDF_MISSING, path=str(path)) from error
     except OSError as error:
-        text = error.strerror or str(error)
-        raise SceneError("urdf_unreadable", path=str(path), text=text) from error
+        text = error_text(error)
+        raise SceneError(RefusalCode.URDF_UNREADABLE, path=str(path), text=text) from error
     except (ET.ParseError, LookupError, ValueError) as error:  # also an encoding nobody knows
-        raise SceneError("urdf_not_xml", path=str(path), text=str(error)) from error
+        raise SceneError(RefusalCode.URDF_NOT_XML, path=str(path), text=str(error)) from error
     if element.tag != "robot":
-        raise SceneError("urdf_no_robot", path=str(path), element=element.tag)
+        raise SceneError(RefusalCode.URDF_NO_ROBOT, path=str(path), element=element.tag)
     return content
 
 
 def _malformed(path: Path, text: str) -> SceneError:
-    return SceneError("urdf_malformed", path=str(path), text=text)
+    return SceneError(RefusalCode.URDF_MALFORMED, path=str(path), text=text)
 
 
 def _joint_count(path: Path, found: int) -> SceneError:
-    return SceneError("urdf_joint_count", path=str(path), found=found, wanted=ARM_JOINT_COUNT)
+    return SceneError(
+        RefusalCode.URDF_JOINT_COUNT, path=str(path), found=found, wanted=ARM_JOINT_COUNT
+    )
 
 
 def _tree(path: Path, description: yourdfpy.Robot) -> tuple[str, tuple[Joint, ...]]:
@@ -124,13 +128,15 @@ def _tree(path: Path, description: yourdfpy.Robot) -> tuple[str, tuple[Joint, ..
     odd = {name for name, count in (links | children).items() if count > 1}
     odd |= links.keys() ^ set(reached)
     if odd:
-        raise SceneError("urdf_no_tree", path=str(path), links=", ".join(sorted(map(str, odd))))
+        raise SceneError(
+            RefusalCode.URDF_NO_TREE, path=str(path), links=", ".join(sorted(map(str, odd)))
+        )
     names = [joint.name for joint in ordered]
     leaders = {joint.name for joint in ordered if joint.mimic is None}
     for joint in ordered:
         follows_nothing = joint.mimic is not None and joint.mimic.joint not in leaders
         if names.count(joint.name) > 1 or joint.type not in _KINDS or follows_nothing:
-            raise SceneError("urdf_bad_joint", path=str(path), joint=joint.name)
+            raise SceneError(RefusalCode.URDF_BAD_JOINT, path=str(path), joint=joint.name)
     return reached[0], tuple(_joint(path, joint) for joint in ordered)
 
 
@@ -138,7 +144,7 @@ def _joint(path: Path, joint: yourdfpy.Joint) -> Joint:
     origin = np.eye(4) if joint.origin is None else joint.origin
     length = float(np.linalg.norm(joint.axis))
     if len(joint.axis) != 3 or not 0.0 < length < math.inf or not np.isfinite(origin).all():
-        raise SceneError("urdf_bad_joint", path=str(path), joint=joint.name)
+        raise SceneError(RefusalCode.URDF_BAD_JOINT, path=str(path), joint=joint.name)
     limit, mimic = joint.limit or yourdfpy.Limit(), joint.mimic
     return Joint(
         name=joint.name,
@@ -205,9 +211,9 @@ def _mesh(path: Path) -> trimesh.Trimesh:
     try:
         surface = trimesh.load(path, force="mesh")
     except Exception as error:
-        raise SceneError("mesh_unreadable", mesh=str(path), text=str(error)) from error
+        raise SceneError(RefusalCode.MESH_UNREADABLE, mesh=str(path), text=str(error)) from error
     if not isinstance(surface, trimesh.Trimesh) or surface.is_empty:
-        raise SceneError("mesh_empty", mesh=str(path))
+        raise SceneError(RefusalCode.MESH_EMPTY, mesh=str(path))
     return surface
 
 
@@ -218,7 +224,7 @@ def _mesh_file(path: Path, name: str | None) -> Path:
     except TypeError:  # its answer to a package without a file: package://name
         found = folder
     if not Path(found).is_file():
-        raise SceneError("mesh_missing", path=str(path), mesh=name or "")
+        raise SceneError(RefusalCode.MESH_MISSING, path=str(path), mesh=name or "")
     return Path(found)
 
 

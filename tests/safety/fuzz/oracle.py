@@ -13,6 +13,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
+from armui.control.events import EventCode
 from armui.control.operating_state import LinkState, StopState
 from armui.sim.mechanics.powered_joints import SixValues
 from tests.safety.fuzz.traffic import Said, Sender, Started, base_id, is_motion
@@ -370,7 +371,7 @@ class Oracle:
         found += [
             Violation("exception", f"part_failed {notice.params}", str(notice))
             for notice in world.notices
-            if notice.code == "part_failed"
+            if notice.code == EventCode.PART_FAILED
         ]
         world.errors.clear()
         world.notices.clear()

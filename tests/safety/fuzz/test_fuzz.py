@@ -6,6 +6,7 @@ The long run is a command of its own: ``python -m tests.safety.fuzz --seeds 200 
 import pytest
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.arm_controller import ArmController
 from armui.control.authority import Authority
 from armui.control.motion.joint_motion import Motion
@@ -132,7 +133,7 @@ def test_an_exception_is_seen_in_a_part_and_in_a_click(qapp, monkeypatch):
 
 
 def test_what_is_refused_is_no_fault(qapp, monkeypatch):
-    monkeypatch.setattr(Motion, "go_home", lambda _: Refusal("stopped"))
+    monkeypatch.setattr(Motion, "go_home", lambda _: Refusal(RefusalCode.STOPPED))
     assert promise([Action("go_home", wait_s=0.4)]) is None
 
 

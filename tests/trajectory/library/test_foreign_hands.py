@@ -5,9 +5,9 @@ from dataclasses import replace
 
 import pytest
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory import files
 from armui.trajectory.files import TrajectoryFileError
-from armui.trajectory.library import store as library
 from tests.trajectory.library.contents import (
     damage,
     names,
@@ -41,7 +41,12 @@ def test_a_listing_opens_only_what_is_new(shelf, folder, monkeypatch):
     shelf.save(recording())
     read = []
     load = files.load
-    monkeypatch.setattr(library.files, "load", lambda path: read.append(path.name) or load(path))
+
+    def noted(path):
+        read.append(path.name)
+        return load(path)
+
+    monkeypatch.setattr(files, "load", noted)
     again = opened(folder)
     assert len(again.entries()) == 2
     assert read == []
@@ -75,8 +80,11 @@ def test_a_damaged_file_is_listed_with_its_fault_and_never_written_over(shelf, f
         assert str(entry.damage) == "取_料.log, line 7, column 7: “o” is no number"
         with pytest.raises(TrajectoryFileError, match="line 7, column 7"):
             again.load("取/料")
-        assert refused(again.save, trajectory("取/料")).code == "name_taken"
-        assert refused(again.save, trajectory("取/料"), replacing="取/料").code == "library_damaged"
+        assert refused(again.save, trajectory("取/料")).code == RefusalCode.NAME_TAKEN
+        assert (
+            refused(again.save, trajectory("取/料"), replacing="取/料").code
+            == RefusalCode.LIBRARY_DAMAGED
+        )
         with pytest.raises(TrajectoryFileError):
             again.rename("取/料", "b")
         again.mark("取/料", check="ok", length_s=1.0)

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import pytest
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.library.store import LibraryError
 from tests.trajectory.library.contents import (
@@ -69,8 +70,8 @@ def test_what_could_not_be_read_again_is_not_kept(shelf, folder):
     with pytest.raises(LibraryError, match=r"row 2: point_out_of_range\(.*speed") as caught:
         shelf.save(bad)
     assert caught.value.row == 2
-    assert refused(shelf.save, trajectory(" ")).code == "name_empty"
-    assert refused(shelf.save_draft, "pick", bad).code == "point_out_of_range"
+    assert refused(shelf.save, trajectory(" ")).code == RefusalCode.NAME_EMPTY
+    assert refused(shelf.save_draft, "pick", bad).code == RefusalCode.POINT_OUT_OF_RANGE
     assert not folder.exists()
 
 
@@ -80,10 +81,10 @@ def test_a_folder_that_takes_nothing_says_so(tmp_path):
 
     refusal = refused(shelf.save, trajectory())
 
-    assert refusal.code == "library_not_saved"
+    assert refusal.code == RefusalCode.LIBRARY_NOT_SAVED
     assert refusal.params["name"] == "pick"
     assert refusal.params["text"]
-    assert refused(shelf.save_draft, "pick", trajectory()).code == "library_not_saved"
+    assert refused(shelf.save_draft, "pick", trajectory()).code == RefusalCode.LIBRARY_NOT_SAVED
 
 
 # Drafts -------------------------------------------------------------------------------------------

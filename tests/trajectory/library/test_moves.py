@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files import TrajectoryFileError
 from tests.trajectory.library.contents import names, opened, recording, refused, shown, trajectory
 
@@ -25,10 +26,10 @@ def test_a_trajectory_is_renamed_with_its_mark_and_its_draft(shelf, folder):
     assert shown(folder)[-1].lower() == "place.log"
     assert names(shelf) == ["Place"]
     shelf.save(trajectory())
-    assert refused(shelf.rename, "pick", "Place").code == "name_taken"
+    assert refused(shelf.rename, "pick", "Place").code == RefusalCode.NAME_TAKEN
     shelf.save_draft("new", trajectory())
-    assert refused(shelf.rename, "pick", "new").code == "name_taken"
-    assert refused(shelf.rename, "pick", "").code == "name_empty"
+    assert refused(shelf.rename, "pick", "new").code == RefusalCode.NAME_TAKEN
+    assert refused(shelf.rename, "pick", "").code == RefusalCode.NAME_EMPTY
     shelf.rename("pick", "pick")
     assert names(shelf) == ["Place", "new", "pick"]
 
@@ -40,7 +41,7 @@ def test_a_duplicate_is_the_same_under_another_name(shelf):
     first, second = shelf.entries()
     assert second == replace(first, name="wave 2")
     assert shelf.load("wave 2") == replace(shelf.load("wave"), name="wave 2")
-    assert refused(shelf.duplicate, "wave", "wave 2").code == "name_taken"
+    assert refused(shelf.duplicate, "wave", "wave 2").code == RefusalCode.NAME_TAKEN
 
 
 def test_what_is_gone_is_said_to_be(shelf):

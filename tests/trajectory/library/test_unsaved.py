@@ -2,6 +2,7 @@
 
 import pytest
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.points.program import Trajectory
 from tests.trajectory.library.contents import names, opened, refused, shown, trajectory
@@ -51,8 +52,8 @@ def test_a_damaged_draft_is_listed_with_its_fault(shelf, folder):
 def test_it_gets_another_name(shelf, folder):
     shelf.save_draft("pick", trajectory(count=3))
     shelf.save(trajectory("place"))
-    assert refused(shelf.rename, "pick", "place").code == "name_taken"
-    assert refused(shelf.rename, "pick", "").code == "name_empty"
+    assert refused(shelf.rename, "pick", "place").code == RefusalCode.NAME_TAKEN
+    assert refused(shelf.rename, "pick", "").code == RefusalCode.NAME_EMPTY
     shelf.rename("pick", "grip")
     assert names(shelf) == ["grip", "place"]
     assert shown(folder) == ["grip.draft", "place.log"]

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.system.paths import URDF
 from armui.viewport.process import frame_painter
 from armui.viewport.process.frame_painter import FramePainter
@@ -79,7 +80,9 @@ def test_a_robot_that_fails_is_told_and_the_old_one_stays(app_driver, tmp_path):
     after = app_driver.painter.paint(replace(STATE, robot=RobotChoice(path))).top_down()
     np.testing.assert_array_equal(before, after)
     (failure,) = app_driver.failures
-    assert failure == Refusal("urdf_joint_count", {"path": str(path), "found": 3, "wanted": 6})
+    assert failure == Refusal(
+        RefusalCode.URDF_JOINT_COUNT, {"path": str(path), "found": 3, "wanted": 6}
+    )
 
 
 def test_the_same_file_is_read_again_when_asked_again(app_driver, tmp_path):

@@ -17,9 +17,11 @@ from PySide6.QtWidgets import (
 
 from armui.arm.gripper import GripperState
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
 from armui.control.devices.gripper_ranges import figures_of
-from armui.control.operating_state import Notice, OperatingState
+from armui.control.events import Notice
+from armui.control.operating_state import OperatingState
 from armui.protocol.generation import Generation
 from armui.ui import words
 from armui.ui.freshness import is_stale
@@ -29,6 +31,7 @@ from armui.ui.panels.panel import Panel
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.state_mark import Mark
+from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -53,16 +56,10 @@ class GripperPanel(Panel):
         self._mark = PowerMark()
         self._power = QLabel()
         self._power.setObjectName("gripper_power")
-        self._faults = QLabel()
-        self._faults.setObjectName("gripper_faults")
-        self._faults.setProperty("rank", "fault")
-        self._faults.setWordWrap(True)
+        self._faults = text_label("gripper_faults", rank="fault", wraps=True)
         self._rows = QVBoxLayout()
         self._rows.setSpacing(10)
-        self._stroke_note = QLabel()
-        self._stroke_note.setObjectName("gripper_stroke_note")
-        self._stroke_note.setProperty("rank", "muted")
-        self._stroke_note.setWordWrap(True)
+        self._stroke_note = text_label("gripper_stroke_note", rank="muted", wraps=True)
         self._send = QPushButton()
         self._send.setObjectName("gripper_send_button")
         self._send.setShortcut(QKeySequence(_SEND_KEY))
@@ -151,7 +148,7 @@ class GripperPanel(Panel):
             start = None if heard is None else heard.value.travel
         effort = self._effort.field.value
         if start is None or effort is None:
-            self._accepted(self._effort.refusal() or Refusal("gripper_silent"))
+            self._accepted(self._effort.refusal() or Refusal(RefusalCode.GRIPPER_SILENT))
             return
         target = min(max(start + sign * figure.step, figure.minimum), figure.maximum)
         if self._accepted(self._controller.gripper.move(round(target, 3), effort)):
@@ -282,7 +279,7 @@ class GripperPanel(Panel):
         refusal = self._refusal or self._operating_state.cannot_enable
         if refusal is None and self._notice is None:
             refusal = self._travel.refusal() or self._effort.refusal()
-        if refusal is not None and refusal.code == "busy" and self._refusal is None:
+        if refusal is not None and refusal.code == RefusalCode.BUSY and self._refusal is None:
             refusal = None  # what is under way will say itself how it ends
         self._say(refusal, self._notice)
 

@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.devices.gripper_ranges import Figure, check
 from armui.ui import format as fmt
 from armui.ui import words
@@ -87,7 +88,9 @@ class GripperRow(QWidget):
     def refusal(self) -> Refusal | None:
         """What is to be said against what stands in the field; an empty one is no figure."""
         if self.field.value is None:
-            return Refusal("gripper_not_a_number", {**self._params(), "value": self.field.text()})
+            return Refusal(
+                RefusalCode.GRIPPER_NOT_A_NUMBER, {**self._params(), "value": self.field.text()}
+            )
         return check(self._figure, self.field.value)
 
     def _params(self) -> dict[str, float | int | str]:

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.motion.jog_path import ToolJog
 from armui.protocol.codes import ArmStatusCode, MoveMode
@@ -112,6 +113,7 @@ class CartesianPanel(JogPanel):
         self._rows.repeated.connect(self._on_repeated)
         self._rows.held.connect(self._on_held)
         self._rows.let_go.connect(self._on_let_go)
+        self._rows.unattended.connect(self._on_unattended)
         self._rows.edited.connect(self._on_edited)
         self._tool.changed.connect(self._on_tool_changed)
         self._arc.capture_wanted.connect(self._on_capture)
@@ -175,7 +177,7 @@ class CartesianPanel(JogPanel):
         pose = self._pose()
         if pose is not None:
             self._rows.fill(pose)
-        self._accepted(None if pose is not None else Refusal("pose_unknown"))
+        self._accepted(None if pose is not None else Refusal(RefusalCode.POSE_UNKNOWN))
 
     def _send(self, move_mode: MoveMode) -> None:
         self._jogged = False
@@ -189,13 +191,15 @@ class CartesianPanel(JogPanel):
         pose = self._pose()
         if pose is not None:
             self._arc.take(place, pose)
-        self._accepted(None if pose is not None else Refusal("pose_unknown"))
+        self._accepted(None if pose is not None else Refusal(RefusalCode.POSE_UNKNOWN))
 
     def _on_go_to_start(self) -> None:
         self._jogged = False
         start = self._arc.poses[0]
         if start is None:
-            self._accepted(Refusal("arc_incomplete", {"point": self._arc.missing() or ""}))
+            self._accepted(
+                Refusal(RefusalCode.ARC_INCOMPLETE, {"point": self._arc.missing() or ""})
+            )
         else:
             self._accepted(self._controller.cartesian.move(start, MoveMode.MOVE_P))
 
@@ -203,7 +207,7 @@ class CartesianPanel(JogPanel):
         points = [pose for pose in self._arc.poses if pose is not None]
         missing = self._arc.missing()
         if missing is not None:
-            self._accepted(Refusal("arc_incomplete", {"point": missing}))
+            self._accepted(Refusal(RefusalCode.ARC_INCOMPLETE, {"point": missing}))
         else:
             self._accepted(self._controller.cartesian.move_arc(*points))
 
@@ -258,7 +262,7 @@ class CartesianPanel(JogPanel):
         self._rows.allow_jog(why_not)
         self._key_pad.allow(why_not)
         unknown = self._controller.state.end_pose() is None
-        no_pose = words.refusal(Refusal("pose_unknown")) if unknown else ""
+        no_pose = words.refusal(Refusal(RefusalCode.POSE_UNKNOWN)) if unknown else ""
         self._arc.allow(no_pose, why_not)
         for button, reason, use in (
             (
@@ -278,7 +282,7 @@ class CartesianPanel(JogPanel):
             return nonsense
         status = self._controller.state.status
         if status is not None and status.value.arm_status in _OWN_REFUSALS:
-            return Refusal("target_refused", {"status": status.value.arm_status})
+            return Refusal(RefusalCode.TARGET_REFUSED, {"status": status.value.arm_status})
         return None
 
     def retranslate_ui(self) -> None:

@@ -17,9 +17,10 @@ from PySide6.QtWidgets import (
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
+from armui.control.events import EventCode, Notice
 from armui.control.motion.jog_path import JointJog
-from armui.control.operating_state import Notice
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.freshness import is_stale
@@ -109,6 +110,7 @@ class MotionPanel(JogPanel):
             row.repeated.connect(self._on_repeated)
             row.held.connect(self._on_held)
             row.let_go.connect(self._on_let_go)
+            row.unattended.connect(self._on_unattended)
             row.edited.connect(self._on_edited)
         self._home.clicked.connect(self._on_home)
         self._load.clicked.connect(self._on_load)
@@ -161,7 +163,7 @@ class MotionPanel(JogPanel):
 
     def _on_noticed(self, notice: Notice) -> None:
         super()._on_noticed(notice)
-        if notice.code == "jog_ended" and self.isVisible():
+        if notice.code == EventCode.JOG_ENDED and self.isVisible():
             self._show_jogged()
 
     def _show_jogged(self) -> None:
@@ -176,7 +178,7 @@ class MotionPanel(JogPanel):
     def _on_load(self) -> None:
         angles_deg = self._controller.state.angles_deg()
         if angles_deg is None:
-            self._accepted(Refusal("joints_unknown"))
+            self._accepted(Refusal(RefusalCode.JOINTS_UNKNOWN))
             return
         self._fill(angles_deg)
         self._accepted(None)
@@ -193,8 +195,10 @@ class MotionPanel(JogPanel):
     @staticmethod
     def _why_no_figure(row: JointRow) -> Refusal:
         if row.field.is_nonsense():
-            return Refusal("joint_not_a_number", {"joint": row.joint, "value": row.field.text()})
-        return Refusal("joints_unknown")
+            return Refusal(
+                RefusalCode.JOINT_NOT_A_NUMBER, {"joint": row.joint, "value": row.field.text()}
+            )
+        return Refusal(RefusalCode.JOINTS_UNKNOWN)
 
     def _on_edited(self) -> None:
         self._refusal = None
@@ -251,7 +255,7 @@ class MotionPanel(JogPanel):
             row.allow_jog(why_not)
         self._key_pad.allow(why_not)
         heard = self._controller.state.angles_deg() is not None
-        no_angles = "" if heard else words.refusal(Refusal("joints_unknown"))
+        no_angles = "" if heard else words.refusal(Refusal(RefusalCode.JOINTS_UNKNOWN))
         for button, reason, use, key in (
             (self._home, why_not, self.tr("Moves all joints to 0°."), _HOME_KEY),
             (

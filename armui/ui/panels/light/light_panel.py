@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.devices.lights import RANGES, check_light
 from armui.control.operating_state import OperatingState
 from armui.protocol.codes import ALL_LAMPS
@@ -33,6 +34,7 @@ from armui.ui.panels.panel import Panel
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.track_slider import TrackSlider
 
 if TYPE_CHECKING:
@@ -83,10 +85,7 @@ class LightPanel(Panel):
         self._confirm.setShortcut(QKeySequence(_CONFIRM_KEY))
         self._confirm.setProperty("primary", True)
         self._confirm.setMinimumHeight(38)
-        self._note = QLabel()
-        self._note.setObjectName("light_note")
-        self._note.setProperty("rank", "muted")
-        self._note.setWordWrap(True)
+        self._note = text_label("light_note", rank="muted", wraps=True)
         self._lay_out()
         self._connect()
         self._show_color(QColor(FULL, FULL, FULL))
@@ -299,4 +298,4 @@ def _why_wrong(name: str, field: FigureField) -> Refusal | None:
         return check_light(**{name: int(value)})
     bounds = {"minimum": RANGES[name][0], "maximum": RANGES[name][-1]}
     text = field.text().strip() or fmt.NOTHING
-    return Refusal("light_not_a_number", {"light": name, "value": text, **bounds})
+    return Refusal(RefusalCode.LIGHT_NOT_A_NUMBER, {"light": name, "value": text, **bounds})

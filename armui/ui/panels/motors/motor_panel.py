@@ -10,8 +10,10 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
-from armui.control.operating_state import Notice, OperatingState
+from armui.control.events import Notice
+from armui.control.operating_state import OperatingState
 from armui.protocol.codes import ALL_JOINTS
 from armui.ui import words
 from armui.ui.freshness import is_stale
@@ -180,7 +182,7 @@ class MotorPanel(Panel):
 
     def _show_message(self) -> None:
         blocked = self._operating_state.cannot_switch_on
-        if blocked is not None and blocked.code == "busy":
+        if blocked is not None and blocked.code == RefusalCode.BUSY:
             blocked = None  # what is under way will say itself how it ends
         self._say(blocked, self._notice)
 

@@ -20,9 +20,11 @@ from PySide6.QtWidgets import (
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.devices.end_reports import is_reporting
-from armui.control.operating_state import LinkState, Notice, OperatingState
+from armui.control.events import Notice
+from armui.control.operating_state import LinkState, OperatingState
 from armui.protocol.codes import EndLoad
 from armui.ui import format as fmt
 from armui.ui import words
@@ -30,6 +32,7 @@ from armui.ui.freshness import is_stale
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.value_label import ValueLabel
 
 if TYPE_CHECKING:
@@ -57,9 +60,7 @@ class EndLoadPanel(Panel):
         self._notice: Notice | None = None
         self._reporting: bool | None = None
         self._loads = QButtonGroup(self)
-        self._note = QLabel()
-        self._note.setProperty("rank", "muted")
-        self._note.setWordWrap(True)
+        self._note = text_label(rank="muted", wraps=True)
         self._send = QPushButton()
         self._send.setObjectName("load_confirm_button")
         self._send.setProperty("primary", True)
@@ -127,7 +128,7 @@ class EndLoadPanel(Panel):
     def _on_send(self) -> None:
         chosen = self._loads.checkedId()
         if chosen < 0:
-            self._accepted(Refusal("load_not_chosen"))
+            self._accepted(Refusal(RefusalCode.LOAD_NOT_CHOSEN))
         else:
             self._accepted(self._controller.end_reports.set_load(EndLoad(chosen)))
 

@@ -9,8 +9,9 @@ from PySide6.QtCore import QCoreApplication
 
 from armui.arm.parameters import Parameter, heard
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
-from armui.control.operating_state import Level
+from armui.control.events import Level
 from armui.control.parameters.setting_cell import CellState, SettingCellState
 from armui.control.parameters.setting_draft import CellStatus, SettingDraft, shown_as
 from armui.ui import words
@@ -18,9 +19,9 @@ from armui.ui.panels.panel import level_of
 from armui.ui.words.parameters import full_name, look_explained, value_text
 
 _LEVELS: Final = {
-    "setting_not_taken": Level.FAULT,
-    "setting_unanswered": Level.FAULT,
-    "setting_not_read_back": Level.FAULT,
+    RefusalCode.SETTING_NOT_TAKEN: Level.FAULT,
+    RefusalCode.SETTING_UNANSWERED: Level.FAULT,
+    RefusalCode.SETTING_NOT_READ_BACK: Level.FAULT,
 }
 
 

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 from armui.arm.device import Device
 from armui.arm.parameters import heard
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import Reading
 from armui.control.operating_state import OperatingState
 from armui.control.parameters.setting_checks import batches_of
@@ -295,7 +296,7 @@ class ParameterPanel(Panel):
         """The same in words, or that the arm is still at the last request; empty: nothing."""
         refusal = self._why_not_here()
         if refusal is None and self._settings.busy:
-            refusal = Refusal("busy", {"what": "settings"})
+            refusal = Refusal(RefusalCode.BUSY, {"what": "settings"})
         return words.why_not(refusal)
 
     # -- appearance ---------------------------------------------------------------------------

@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QVBoxLay
 
 from armui.arm.state import ArmState
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of
-from armui.control.operating_state import Level, Notice, OperatingState
+from armui.control.events import EventCode, Level, Notice
+from armui.control.operating_state import OperatingState
 from armui.control.safety.recovery_steps import Action, Step
 from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.ui import format as fmt
@@ -22,6 +23,7 @@ from armui.ui.panels.teaching.teaching_exit_steps import TeachingExitSteps
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.hold_button import HoldButton
+from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -58,12 +60,8 @@ class TeachingPanel(Panel):
         self._unanswered: Notice | None = None
         self._shown: tuple[object, ...] | None = None
         self._state_label = QLabel()
-        self._state = QLabel()
-        self._state.setObjectName("teaching_state")
-        self._state.setWordWrap(True)
-        self._phase = QLabel()
-        self._phase.setObjectName("teaching_phase")
-        self._phase.setProperty("rank", "muted")
+        self._state = text_label("teaching_state", wraps=True)
+        self._phase = text_label("teaching_phase", rank="muted")
         self._note = _label("muted")
         self._teaching_exit_steps = TeachingExitSteps()
         self._plan_label = QLabel()
@@ -174,7 +172,7 @@ class TeachingPanel(Panel):
         self._show_new()
 
     def _on_noticed(self, notice: Notice) -> None:
-        if notice.code == "teaching_unanswered":
+        if notice.code == EventCode.TEACHING_UNANSWERED:
             self._unanswered = notice
             self._show_all()
 

@@ -10,7 +10,7 @@ from PySide6.QtCore import QSize, Signal
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from armui.arm.refusal import Refusal
-from armui.control.operating_state import Level
+from armui.control.events import Level
 from armui.control.run.progress import OVER, Progress
 from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.planning.findings import Severity

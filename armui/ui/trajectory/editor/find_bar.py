@@ -5,21 +5,23 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLineEdit, QPushButton, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.trajectory.points import search
 from armui.trajectory.points.cells import figure
 from armui.trajectory.points.program import JOINT_NAMES, POSE_NAMES, Waypoint
 from armui.ui import words
+from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.translated import Translated
 
 _NOTE: Final = "note"
 _FIELDS: Final = (_NOTE, *JOINT_NAMES, *POSE_NAMES, "speed", "dwell")
 
 
-class FindBar(QWidget):
+class FindBar(Translated, QWidget):
     """Asks for what to find and by what to replace it; its owner goes there and does it.
 
     Signals:
@@ -42,9 +44,7 @@ class FindBar(QWidget):
         self._wanted.setObjectName("find_text")
         self._by = QLineEdit()
         self._by.setObjectName("replace_text")
-        self._result = QLabel()
-        self._result.setObjectName("find_result")
-        self._result.setProperty("rank", "muted")
+        self._result = text_label("find_result", rank="muted")
         self._next, self._previous = QPushButton(), QPushButton()
         self._replace, self._replace_all, self._close = QPushButton(), QPushButton(), QPushButton()
         buttons = {
@@ -139,12 +139,6 @@ class FindBar(QWidget):
         self._replace.setText(self.tr("Replace"))
         self._replace_all.setText(self.tr("Replace all"))
         self._close.setText(self.tr("Close"))
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Escape puts it away and nothing else."""

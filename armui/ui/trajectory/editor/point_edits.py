@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QGuiApplication
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.codes import MoveMode
 from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.planning.convert import comes_from, to_joints, to_move, to_pose
@@ -96,7 +97,7 @@ class PointEdits(QObject):
         state = self._controller.state
         values = state.angles_deg() if point.is_joint else state.end_pose()
         if values is None:
-            return Refusal("joints_unknown")
+            return Refusal(RefusalCode.JOINTS_UNKNOWN)
         return replace(point, target=tuple(values))
 
     # Chosen rows ------------------------------------------------------------------------------
@@ -216,4 +217,4 @@ class PointEdits(QObject):
 
 
 def _no_rows() -> Refusal:
-    return Refusal("no_rows_chosen")
+    return Refusal(RefusalCode.NO_ROWS_CHOSEN)

@@ -17,6 +17,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QColor
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.codes import ALL_LAMPS, MoveMode
 from armui.trajectory.files.log_points import LETTERS
 from armui.trajectory.files.text import number
@@ -189,7 +190,7 @@ class PointsModel(QAbstractTableModel):
             return edited(self._points[row], column, text)
         move = LETTERS.get(text[-1:])
         if move is None:
-            return Refusal("point_move_unknown", {"value": text})
+            return Refusal(RefusalCode.POINT_MOVE_UNKNOWN, {"value": text})
         return self._to_move(row, move)
 
     # Rows dragged elsewhere -------------------------------------------------------------------

@@ -7,7 +7,7 @@ from datetime import datetime
 
 from PySide6.QtCore import QObject, Signal
 
-from armui.control.operating_state import Level
+from armui.control.events import Level
 from armui.trajectory.library.history import Deletion, LibraryHistory, Renaming, Step
 from armui.trajectory.library.store import Deleted
 from armui.trajectory.points.program import Trajectory

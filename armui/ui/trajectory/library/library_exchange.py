@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 from shiboken6 import isValid
 
 from armui.arm.refusal import Refusal
-from armui.control.operating_state import Level
+from armui.control.events import Level
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.library import imports
 from armui.trajectory.library.imports import Imported

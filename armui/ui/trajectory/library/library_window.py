@@ -11,7 +11,8 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from armui.arm.refusal import Refusal
-from armui.control.operating_state import Level
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.events import Level
 from armui.control.run.progress import Progress
 from armui.trajectory.files import Content
 from armui.trajectory.library.store import IndexEntry, Library, Listing
@@ -330,7 +331,7 @@ class LibraryWindow(ArmDialog):
         """Hand on what is chosen, once it is read; nothing if something else is chosen by then."""
         chosen = self._chosen_names()
         if len(chosen) != 1:
-            self._say(words.refusal(Refusal("no_rows_chosen")), Level.WARNING)
+            self._say(words.refusal(Refusal(RefusalCode.NO_ROWS_CHOSEN)), Level.WARNING)
             then(None)
         elif self._model.is_unsaved(chosen[0]):
             text = self.tr("“{name}” is not saved yet. Open it and save it first.")

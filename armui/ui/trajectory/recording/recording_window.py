@@ -11,7 +11,9 @@ from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
 
 from armui.arm.refusal import Refusal
-from armui.control.operating_state import Level, OperatingState
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.events import Level
+from armui.control.operating_state import OperatingState
 from armui.trajectory.library.store import Library
 from armui.trajectory.samples import thin
 from armui.trajectory.samples.recording import Recording
@@ -25,6 +27,7 @@ from armui.ui.trajectory.running.run_options import RunOptions
 from armui.ui.trajectory.text import duration
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -73,8 +76,7 @@ class RecordingWindow(ArmDialog):
         self._library = library
         self._work = LibraryWork(library, background, self)
         self._joining = self._leaving = False
-        self._recording = recording
-        self._result = recording
+        self._recording = self._result = recording
         self._unsaved = False
         self._timer = QTimer(self, singleShot=True, interval=_AFTER_MS)
         self._timer.timeout.connect(self._work_out)
@@ -106,9 +108,7 @@ class RecordingWindow(ArmDialog):
         self._to = _field("record_to", 3, "s")
         self._tolerance = _field("record_tolerance", 3, "°")
         self._tolerance.step = 0.1
-        self._kept = QLabel()
-        self._kept.setObjectName("record_kept")
-        self._kept.setProperty("rank", "muted")
+        self._kept = text_label("record_kept", rank="muted")
         self._labels = [QLabel() for _ in range(4)]
         self._message = MessageLine()
         self._message.setObjectName("record_message")
@@ -363,7 +363,7 @@ class RecordingWindow(ArmDialog):
     def _show_usable(self, operating_state: OperatingState) -> None:
         reason = None if self._controller.recorder.recording else operating_state.unreachable
         if self._joining:
-            reason = Refusal("busy", {"what": "recording"})
+            reason = Refusal(RefusalCode.BUSY, {"what": "recording"})
         if reason is None and self._unsaved:
             self._record.setToolTip(self.tr("Recording anew takes the place of what is not saved"))
         else:

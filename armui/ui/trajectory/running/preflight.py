@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QElapsedTimer
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.parameters.arm_model import arm_model, start_deg
 from armui.trajectory.planning.findings import Finding, Severity
 from armui.trajectory.planning.preflight import CheckOutcome, CheckRequest, preflight, warm_up
@@ -70,9 +71,9 @@ class Preflight:
         pairs = zip(self.order.start_deg, start_deg(controller), strict=True)
         moved_deg = max(abs(there - here) for there, here in pairs)
         if moved_deg > _SAME_PLACE_DEG:
-            return Refusal("moved_since_check", {"value": f"{moved_deg:.1f}"})
+            return Refusal(RefusalCode.MOVED_SINCE_CHECK, {"value": f"{moved_deg:.1f}"})
         if self.order.arm.limits != controller.operating_state.limits:
-            return Refusal("limits_changed_since_check")
+            return Refusal(RefusalCode.LIMITS_CHANGED_SINCE_CHECK)
         return None
 
 

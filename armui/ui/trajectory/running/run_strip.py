@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import StopState
 from armui.control.run.progress import ENDLESS, Progress, RunPhase
 from armui.trajectory.files import Content
@@ -31,6 +32,7 @@ from armui.ui.trajectory.running.run_options import RunOptions
 from armui.ui.trajectory.running.runner import Runner, can_go_on, can_pause, ended_early
 from armui.ui.trajectory.text import duration
 from armui.ui.widgets.hold_button import HoldButton
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -46,7 +48,7 @@ _SURPRISING_S: Final = 2.0
 """Nobody expects the arm to move so long after the button was pressed."""
 
 
-class RunStrip(QWidget):
+class RunStrip(Translated, QWidget):
     """Runs what its window gives it.
 
     Args:
@@ -158,10 +160,6 @@ class RunStrip(QWidget):
             widget.setVisible(not recording)
         self._show_usable()
 
-    def begin_with(self, row: int) -> None:
-        """Let the next run begin with a row."""
-        self._first.setValue(row + 1)
-
     def check(self) -> None:
         """Check what would be run; :attr:`checked` tells how it ended."""
         self._check(self._options(), lambda checked: self.checked.emit(checked, None))
@@ -250,7 +248,7 @@ class RunStrip(QWidget):
     def _run_checked(self, options: RunOptions, checked: Preflight) -> None:
         if checked.errors:
             self.checked.emit(checked, None)
-            self.refused.emit(Refusal("findings_against", {"count": checked.errors}))
+            self.refused.emit(Refusal(RefusalCode.FINDINGS_AGAINST, {"count": checked.errors}))
         elif checked.findings or checked.took_s > _SURPRISING_S:
             self.checked.emit(checked, lambda: self._start(checked, options))
         else:
@@ -376,12 +374,6 @@ class RunStrip(QWidget):
         """Nothing begins from a window that was closed."""
         self.drop_check()
         super().hideEvent(event)
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
 
 
 def _spin(name: str, least: int, most: int, value: int) -> QSpinBox:
