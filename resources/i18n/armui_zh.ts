@@ -3542,8 +3542,8 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>已复制</translation>
     </message>
     <message>
-        <source>Not saved. {reason}</source>
-        <translation>未保存。{reason}</translation>
+        <source>Not saved: {path}. {reason}</source>
+        <translation>未保存：{path}。{reason}</translation>
     </message>
     <message>
         <source>Saved: {path}</source>

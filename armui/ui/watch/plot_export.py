@@ -125,7 +125,8 @@ class PlotExport(QObject):
 
     def _on_written(self, path: Path, result: int | Refusal | None) -> None:
         if isinstance(result, Refusal):
-            text = self.tr("Not saved. {reason}").format(reason=words.refusal(result))
+            text = self.tr("Not saved: {path}. {reason}")
+            text = text.format(path=path, reason=words.refusal(result))
             self.said.emit(text, Level.FAULT)
         else:
             self.said.emit(self.tr("Saved: {path}").format(path=path), Level.DONE)
