@@ -70,10 +70,18 @@ class Outbox:
     Args:
         clock: Monotonic time in seconds.
         listen_only: Nothing is sent but what is urgent.
+        sent: Every frame that has gone out is put in here, with its time; bounded.
     """
 
-    def __init__(self, clock: Callable[[], float] = steady_s, *, listen_only: bool = False) -> None:
+    def __init__(
+        self,
+        clock: Callable[[], float] = steady_s,
+        *,
+        listen_only: bool = False,
+        sent: deque[tuple[Frame, float]] | None = None,
+    ) -> None:
         self._clock = clock
+        self._sent: deque[tuple[Frame, float]] = deque(maxlen=0) if sent is None else sent
         self._listen_only = listen_only
         self._changed = threading.Condition(threading.Lock())
         self._port: _Port | None = None
@@ -297,6 +305,7 @@ class Outbox:
             return False
         finally:
             port.in_driver_since_s = None
+        self._sent.append((frame, began_s))
         self._is_out(port, frame, batch, began_s)
         return True
 

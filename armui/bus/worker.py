@@ -30,6 +30,7 @@ from armui.bus.receive_clock import STAMPED, ReceiveClock
 from armui.bus.receive_queue import ReceiveQueue
 from armui.bus.samples import SampleRing
 from armui.bus.sending import SendingThread
+from armui.bus.tap import NoTap, Tap, TapLine
 from armui.protocol.codec import Codec, InvalidFrame, Message, OddityKind
 from armui.protocol.frame import Frame
 from armui.system.clock import steady_s
@@ -78,6 +79,7 @@ class BusWorker(QThread):
         clock: Monotonic time in seconds.
         listen_only: Nothing is sent but what is urgent: the operator's stop.
         number: Goes into its reports: one that comes late tells whose it is.
+        tap: Who else is told of every frame.
 
     Attributes:
         samples: Every joint feedback, while somebody wants them.
@@ -100,6 +102,7 @@ class BusWorker(QThread):
         *,
         listen_only: bool = False,
         number: int = 0,
+        tap: Tap | None = None,
     ) -> None:
         super().__init__(parent)
         self.setObjectName(f"bus {device.name}")
@@ -115,7 +118,8 @@ class BusWorker(QThread):
         self._others = OtherHosts()
         self._traffic = OtherTraffic()
         self._pictured_s = 0.0
-        self._outbox = Outbox(clock, listen_only=listen_only)
+        self._line = TapLine(tap or NoTap())
+        self._outbox = Outbox(clock, listen_only=listen_only, sent=self._line.sent)
         self._health = BusHealth(device)
         self._problem: Refusal | None = None
         self._queue = ReceiveQueue()
@@ -205,6 +209,7 @@ class BusWorker(QThread):
         self._health, self._problem = BusHealth(self._device), None
         sender = SendingThread(self._outbox, bus)
         sender.start()
+        self._line.open(self._codec, self._device.bitrate)
         self._received.emptied()  # what lies in a device that was just opened came just now
         self._report(BusState.OPEN)
         try:
@@ -241,6 +246,7 @@ class BusWorker(QThread):
             message = bus.recv(0)
         else:
             self._received.emptied()
+        self._line.flush(self._codec, now_s)
         if now_s - self._pictured_s >= _PICTURE_S or taken == 0:
             self._pictured_s = now_s
             self._state = self._tracker.picture()
@@ -253,6 +259,7 @@ class BusWorker(QThread):
         if message.is_error_frame:
             self._health.on_error_frame(message.arbitration_id)
             self._queue.note_error(message)
+            self._line.error_frame()
         else:
             self._health.on_frame(now_s)
             self._others.note(message.arbitration_id, bytes(message.data), now_s)
@@ -260,6 +267,7 @@ class BusWorker(QThread):
             Frame(message.arbitration_id, bytes(message.data))
         )
         self._tracker.update(heard, now_s)
+        self._line.heard.append((heard, now_s, len(message.data)))
         if self.samples.wanted and isinstance(heard, Message) and heard.name == _LAST_ANGLES:
             self.samples.put(self._tracker.picture(), now_s)
         if isinstance(heard, Message) and heard.name in ANSWERS:
@@ -267,7 +275,8 @@ class BusWorker(QThread):
 
     def _take_codec(self) -> None:
         while self._next_codecs:
-            self._codec, epoch = self._next_codecs.popleft()
+            before, (self._codec, epoch) = self._codec, self._next_codecs.popleft()
+            self._line.switch(before, self._codec, self._clock())
             self._tracker = Tracker(self._codec, epoch)
 
     def _report(self, state: BusState, error: Exception | None = None) -> None:

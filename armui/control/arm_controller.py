@@ -56,6 +56,7 @@ from armui.system.clock import steady_s
 
 if TYPE_CHECKING:
     from armui.bus.worker import Opener
+    from armui.telemetry.store import Telemetry
 
 _TICK_MS: Final = 33
 _SENT_WITHIN_S: Final = 0.15
@@ -127,7 +128,7 @@ class ArmController(QObject):
         self._connection = Connection(opener, clock, self)
         self._connection.changed.connect(self._on_connection)
         self._connection.arm_came.connect(self._on_arm_came)
-        self._stop = Stopping(self._connection, self._notice, clock, self._halt_parts)
+        self._stop = Stopping(self._connection, self._notice, clock, lambda: self._parts.halt())  # noqa: PLW0108
         authority = self._authority = Authority()
         self._watch = AuthorityWatch(authority, self._connection, self._notice, self._end_too_fast)
         self._assessor = Assessor(self, self._connection, self._stop, self._watch, clock)
@@ -195,18 +196,20 @@ class ArmController(QObject):
             last=self.recovery,
         )
         self._link_watch = LinkWatch(self._connection, self._notice)
-        self._was_stopped = False
-        self._lets_finish = False
+        self._was_stopped = self._lets_finish = False
         self._state = ArmState()
-        self._timer = QTimer(self)
-        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
-        self._timer.setInterval(_TICK_MS)
+        self._timer = QTimer(self, interval=_TICK_MS, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self.tick)
 
     @property
     def state(self) -> ArmState:
         """The arm as last heard."""
         return self._state
+
+    @property
+    def telemetry(self) -> Telemetry:
+        """What was heard and commanded, over time."""
+        return self._connection.telemetry
 
     @property
     def operating_state(self) -> OperatingState:
@@ -377,9 +380,6 @@ class ArmController(QObject):
         self.player.stop()
         self.replayer.stop()
         self.jogging.stop()
-
-    def _halt_parts(self) -> None:
-        self._parts.halt()
 
     def _end_all_motion(self) -> None:
         """No part goes on with what a halt has ended, and no target comes back."""

@@ -15,6 +15,7 @@ _PACKAGES: Final = (
         "armui.arm",
         "armui.kinematics",
         "armui.protocol",
+        "armui.telemetry",
         "armui.trajectory",
         "armui.bus",
         "armui.control",
@@ -22,11 +23,12 @@ _PACKAGES: Final = (
     ),
 )
 _OTHERS: Final = (
-    "filelock",
-    "scipy.spatial.transform",
-    "concurrent.futures.process",
-    "multiprocessing",
+    *("filelock", "scipy.spatial.transform", "concurrent.futures.process", "multiprocessing"),
+    *("PySide6.QtOpenGLWidgets", "PySide6.QtSvg", "PySide6.QtTest"),
 )
+_QT: Final = ("PySide6.QtCore", "PySide6.QtGui", "PySide6.QtWidgets")
+_CLASSES_AT_ONCE: Final = 60
+"""PySide makes each class when it is first asked for, and pyqtgraph asks for all of them."""
 
 
 def steps() -> Iterator[str]:
@@ -37,12 +39,25 @@ def steps() -> Iterator[str]:
     for name in _OTHERS:
         _load(name)
         yield name
+    yield from _make_classes()
     for package in _PACKAGES:
         for module in pkgutil.walk_packages(_load(package).__path__, f"{package}."):
             _load(module.name)
             yield module.name
     _load("armui.ui.widgets.icons").load_all()
     yield "icons"
+
+
+def _make_classes() -> Iterator[str]:
+    """Have Qt's classes made, some at each step: all at once they take a tenth of a second."""
+    for module in _QT:
+        names = dir(_load(module))
+        for first in range(0, len(names), _CLASSES_AT_ONCE):
+            for name in names[first : first + _CLASSES_AT_ONCE]:
+                getattr(_load(module), name, None)
+            yield f"{module} {first}"
+    _load("pyqtgraph")
+    yield "pyqtgraph"
 
 
 def preload() -> None:

@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Signal
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.system.error_text import error_text
+from armui.system.helper_process import FileThread
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor, Future
@@ -48,6 +49,13 @@ class Background(QObject):
         self._workers = workers
         self._files = workers if files is None else files
         self._arrived.connect(self._on_arrived)
+
+    def call(self, function: Callable[..., Result], *args: object) -> Result:
+        """From within `begin_here`: call a function of a module that computes for long."""
+        if isinstance(self._files, FileThread):
+            result: Result = self._files.call(function, *args)
+            return result
+        return function(*args)
 
     def begin(self, job: Job[Result], work: Callable[..., Result], *args: object) -> None:
         """Have a function of a module called; :attr:`Job.then` is called in this thread."""

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QCloseEvent, QShowEvent
+from PySide6.QtGui import QCloseEvent, QContextMenuEvent, QShowEvent
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QMainWindow,
@@ -33,6 +33,7 @@ from armui.ui.shell.leaving import end_motion_then, end_single_motion_then
 from armui.ui.shell.library_button import LibraryButton
 from armui.ui.shell.operation_area import OperationArea
 from armui.ui.shell.panel_menu import menu_entries
+from armui.ui.shell.plots_button import PlotsButton
 from armui.ui.shell.recovery_line import RecoveryLine
 from armui.ui.shell.side_menu import SideMenu
 from armui.ui.shell.status_bar import StatusBar
@@ -42,6 +43,7 @@ from armui.ui.shell.view_region import ViewRegion
 from armui.ui.theme import DARK, colors_of
 from armui.ui.trajectory.preview.path_preview import PathPreview
 from armui.ui.trajectory.preview.preview_bar import PreviewBar
+from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.translated import Translated
 from armui.viewport import palette as scene_palette
 
@@ -110,7 +112,9 @@ class MainWindow(Translated, QMainWindow):
 
     def _lay_out(self) -> None:
         self._library_button = LibraryButton()
-        self._menu = SideMenu(self._entries, (self._library_button, self._joint_status_button))
+        self._plots_button = PlotsButton()
+        below = (self._library_button, self._plots_button, self._joint_status_button)
+        self._menu = SideMenu(self._entries, below)
         self._panels = OperationArea(self._entries)
         self._panels.setMinimumWidth(_PANEL_WIDTH_PX - 40)
 
@@ -149,6 +153,7 @@ class MainWindow(Translated, QMainWindow):
         self._menu.chosen.connect(self._on_entry_chosen)
         self._joint_status_button.clicked.connect(self.open_joint_status_dialog)
         self._library_button.clicked.connect(self.open_library_window)
+        self._plots_button.clicked.connect(lambda: self.show_as_curves(()))
         self._view_region.help_wanted.connect(self.open_help_dialog)
         self._view_region.reset_wanted.connect(self._view.reset_view)
         self._view_region.settings_wanted.connect(self.open_settings_dialog)
@@ -267,6 +272,18 @@ class MainWindow(Translated, QMainWindow):
 
         self._open("library", make)
 
+    def show_as_curves(self, keys: Sequence[str]) -> None:
+        """Show quantities in the window 曲线, by their keys (`armui.telemetry.quantities`)."""
+        from armui.ui.watch.plot_window import PlotWindow  # noqa: PLC0415 - pyqtgraph, numpy
+
+        def make() -> QDialog:
+            background = Background(self._workers, self._files, self)
+            return PlotWindow(self._controller, background, self._preferences.path, self)
+
+        window = self._open("plots", make)
+        if isinstance(window, PlotWindow):
+            window.add_curves(keys)
+
     def open_help_dialog(self) -> None:
         """Show how the 3D view is used."""
 
@@ -299,11 +316,12 @@ class MainWindow(Translated, QMainWindow):
         """Say what stood in the program's way, in the status bar."""
         self._status_bar.show_problem(reason)
 
-    def _open(self, name: str, make: Callable[[], QDialog]) -> None:
+    def _open(self, name: str, make: Callable[[], QDialog]) -> QDialog:
         """Show a dialog, made at the first time."""
         if name not in self._dialogs:
             self._dialogs[name] = make()
         self._dialogs[name].open()
+        return self._dialogs[name]
 
     # -- window -------------------------------------------------------------------------------
 
@@ -311,6 +329,10 @@ class MainWindow(Translated, QMainWindow):
         """Put the title into the operator's language."""
         self.setWindowTitle(self.tr("armui – PiPER arm"))
         self._view.setAccessibleName(self.tr("3D view of the arm"))
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        """A figure can be shown as a curve."""
+        offer_curves(self, event)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Catch up with what went by while the window was hidden."""

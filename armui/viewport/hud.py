@@ -111,6 +111,19 @@ class Hud:
             right += self._column_px + _GAP_PX
         painter.restore()
 
+    def quantity_at(self, place: QPointF, base_font: QFont) -> str | None:
+        """The key of the figure at a place; ``None`` where there is none."""
+        frame = self.frame(base_font)
+        if not frame.contains(place):
+            return None
+        line = int(
+            (place.y() - frame.top() - _PADDING_PX) / (self._metrics.height() * _LINE_SPACING)
+        )
+        line = min(max(line, 0), 5)
+        if place.x() < frame.center().x():
+            return f"arm.pose_{_POSE[line][0].lower()}"
+        return f"arm.joint_angle.{line + 1}"
+
     def _measure(self, base_font: QFont) -> None:
         self._still_of = None
         self._font = hud_font(base_font)

@@ -7,7 +7,17 @@ import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QCoreApplication, QEvent, QPointF, QRectF, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import (
+    QCoreApplication,
+    QEvent,
+    QPoint,
+    QPointF,
+    QRectF,
+    QSize,
+    Qt,
+    QTimer,
+    Signal,
+)
 from PySide6.QtGui import QColor, QPainter, QPen
 from PySide6.QtWidgets import QPushButton, QWidget
 
@@ -275,6 +285,11 @@ class ArmView(QWidget):
     def retranslate_ui(self, button: QPushButton) -> None:
         """Put the words into the operator's language."""
         button.setText(self.tr("Start the 3D view again"))
+
+    def quantities_at(self, place: QPoint) -> list[str]:
+        """The key of the figure at a place; see `armui.telemetry.quantities`."""
+        key = self._hud_painter.quantity_at(QPointF(place), self.font())
+        return [] if key is None else [key]
 
     # Qt's events
 

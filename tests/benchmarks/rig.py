@@ -152,7 +152,7 @@ def spread(name: str, values_ms: list[float]) -> str:
     )
 
 
-def memory_mb(pid: int | None) -> float:
+def memory_mb(pid: int | str | None) -> float:
     """What a process takes, shared memory in equal shares (Linux)."""
     for line in Path(f"/proc/{pid}/smaps_rollup").read_text().splitlines():
         if line.startswith("Pss:"):

@@ -1,6 +1,15 @@
 """What the pictures of ``tests.gallery`` show: states of the window, and every dialog."""
 
-from tests.gallery_scenes import arm, arm_settings, company, dialogs, panels, shelves, trajectories
+from tests.gallery_scenes import (
+    arm,
+    arm_settings,
+    company,
+    dialogs,
+    panels,
+    plots,
+    shelves,
+    trajectories,
+)
 from tests.gallery_scenes.scene import DialogScene, Scene
 
 WINDOW_SCENES = (
@@ -66,6 +75,10 @@ DIALOG_SCENES = (
     DialogScene("library-report", "online", shelves.report),
     DialogScene("columns-offered", "online", trajectories.columns_offered),
     DialogScene("columns", "online", trajectories.columns),
+    DialogScene("plots-follow", "moving", plots.follow),
+    DialogScene("plots-why-stopped", "collision", plots.why_stopped),
+    DialogScene("plots-cursors", "stopped", plots.cursors),
+    DialogScene("plots-hot", "run", plots.hot),
     DialogScene("confirm-disable", "refused", dialogs.confirm_disable),
     DialogScene("linkage", "linkage", panels.linkage_question),
     DialogScene("hold-zero", "motors", panels.hold_zero),

@@ -6,12 +6,14 @@ does it, not to the widget: with a popup open, that is the popup's.
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QMenu, QToolTip
 
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.files import choose_file
 from armui.ui.dialogs.settings import SettingsDialog
+from armui.ui.watch.plot_window import PlotWindow
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.stop_shortcut import HALT_KEY
@@ -130,7 +132,28 @@ def field_being_edited(app_driver, _button):
     QTest.keyClicks(field, "12")
 
 
+def list_of_the_curves(app_driver, button):
+    app_driver.window.show_as_curves(())
+    window = app_driver.dialog(PlotWindow)
+    window.move(button.mapToGlobal(QPoint(-900, 300)))
+    app_driver.wait(lambda: window.board.built)
+    window.bar.sets.showPopup()
+    assert QApplication.activePopupWidget() is not None
+
+
+def menu_of_a_figure(app_driver, _button):
+    figure = app_driver.find("measured_2")
+    middle = figure.rect().center()
+    event = QContextMenuEvent(
+        QContextMenuEvent.Reason.Mouse, middle, figure.mapToGlobal(middle)
+    )  # fmt: skip
+    QApplication.sendEvent(figure, event)
+    assert isinstance(QApplication.activePopupWidget(), QMenu)
+
+
 OPEN = [
+    list_of_the_curves,
+    menu_of_a_figure,
     combo_box,
     menu,
     menu_with_a_submenu,

@@ -19,6 +19,8 @@ from armui.ui.trajectory.editor.editor_window import EditorWindow
 from armui.ui.trajectory.library.bin_dialog import BinDialog
 from armui.ui.trajectory.library.library_window import LibraryWindow
 from armui.ui.trajectory.recording.recording_window import RecordingWindow
+from armui.ui.watch.plot_layout import SETS
+from armui.ui.watch.plot_window import PlotWindow
 from tests.app_driver import AppDriver
 from tests.operator_library.actions import POINT, FileStore
 from tests.safety.file_watch import watched
@@ -187,6 +189,28 @@ def test_a_recording(live_desk, monkeypatch):
         idle(app_driver)
         recorder.close()
         idle(app_driver)
+    assert forbidden(seen) == []
+
+
+def test_the_curves(live_desk, monkeypatch, tmp_path):
+    app_driver = live_desk
+    app_driver.ready()
+    with watched(monkeypatch) as seen:
+        app_driver.click("plots_button")
+        window = app_driver.dialog(PlotWindow)
+        app_driver.wait(lambda: window.board.built and window._known)
+        app_driver.run(1.0)
+        window.board.show_plots(SETS["hot"])
+        app_driver.wait(lambda: window.board.built)
+        window.board.draw(window.board.now_s())
+        window.export.save("csv")
+        app_driver.dialog(FileDialog).close()
+        for kind in ("csv", "png", "svg"):
+            window.export.write(kind, tmp_path / f"plots.{kind}")
+        idle(app_driver)
+        window.close()
+        idle(app_driver)
+    assert {path.suffix for path in tmp_path.glob("plots.*")} == {".csv", ".png", ".svg", ".json"}
     assert forbidden(seen) == []
 
 

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from armui.bus.worker import BusWorker, Opener
     from armui.control.link.handshake import Handshake
     from armui.protocol.codec import Codec
+    from armui.telemetry.store import Telemetry
 
 
 _CLOSE_MS: Final = 100
@@ -56,6 +57,7 @@ class Connection(QObject):
         self, opener: Opener, clock: Callable[[], float], parent: QObject | None = None
     ) -> None:
         super().__init__(parent)
+        self._telemetry: Telemetry | None = None
         self._opener = opener
         self._clock = clock
         self._worker: BusWorker | None = None
@@ -71,6 +73,16 @@ class Connection(QObject):
         self.handshake: Handshake | None = None
         self._codec: Codec | None = None
         self.offsets = OffsetFollower()
+
+    @property
+    def telemetry(self) -> Telemetry:
+        """What was heard and commanded, over time, from the first device on."""
+        if self._telemetry is None:
+            # numpy and cantools are loaded with the first device: the window starts without them
+            from armui.telemetry.store import Telemetry  # noqa: PLC0415
+
+            self._telemetry = Telemetry(self._clock)
+        return self._telemetry
 
     @property
     def codec(self) -> Codec:
@@ -141,7 +153,9 @@ class Connection(QObject):
             self._clock,
             listen_only=device.listen_only,
             number=self._worker_number,
+            tap=self.telemetry,
         )
+        self._tell_generation()
         self._worker.reported.connect(self._on_report)
         self._worker.answered.connect(self.answered)
         self._worker.start()
@@ -240,7 +254,11 @@ class Connection(QObject):
         if self.handshake is not None and online:
             self.handshake.advance(self._worker.state, now_s)
             self._codec = self.handshake.codec
+        self._tell_generation()
         return self.newest
+
+    def _tell_generation(self) -> None:
+        self.telemetry.know_generation(self.generation)
 
     def _understood(self, state: ArmState) -> ArmState:
         """What can be told of the arm as long as it is not known which protocol it speaks."""
@@ -257,6 +275,7 @@ class Connection(QObject):
         self._online = False
         self._last_feedback_s = None
         self.offsets.listen_anew(now_s)
+        self._tell_generation()
         worker.use_codec(self.codec)
 
     def _begin_handshake(self, worker: BusWorker, now_s: float) -> None:

@@ -7,12 +7,15 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
+from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
+    from PySide6.QtGui import QContextMenuEvent
+
     from armui.control.arm_controller import ArmController
 
 _MARGIN_PX: Final = 20
@@ -79,3 +82,7 @@ class ArmDialog(Translated, QDialog):
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language; called anew when that changes."""
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        """A figure can be shown as a curve."""
+        offer_curves(self, event)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -105,6 +105,14 @@ class JointStatusDialog(ArmDialog):
             layout = QVBoxLayout(corner)
             layout.setContentsMargins(0, 0, 6, 0)
             layout.addWidget(self._corner_label)
+
+    def quantities_at(self, place: QPoint) -> list[str]:
+        """What the cell at a place of the dialog shows."""
+        viewport = self._table.viewport()
+        if not viewport.rect().contains(viewport.mapFrom(self, place)):
+            return []
+        index = self._table.indexAt(viewport.mapFrom(self, place))
+        return self._model.quantities(index) if index.isValid() else []
 
     def _build_clear_buttons(self) -> None:
         self._below_header = QWidget()

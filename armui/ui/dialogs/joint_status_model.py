@@ -31,6 +31,15 @@ _DECIMALS: Final = {
 }
 """Of the figures, so that columns of them stand still."""
 
+_KINDS: Final = {
+    Item.SUPPLY_VOLTAGE: ("voltage",),
+    Item.MOTOR_TEMPERATURE: ("motor_temperature",),
+    Item.DRIVER_CURRENT: ("motor_current",),
+    Item.DRIVER_TEMPERATURE: ("driver_temperature",),
+    Item.DRIVER_ENABLED: ("motor_speed", "enabled"),
+}
+"""Which curves belong to a row; the others are faults of the driver."""
+
 
 @dataclass(frozen=True, slots=True)
 class CellView:
@@ -93,6 +102,15 @@ class JointStatusModel(QAbstractTableModel):
         if cell.stale:
             parts.append(self.tr("not heard of late"))
         return " · ".join(parts)
+
+    def quantities(self, index: _Index) -> list[str]:
+        """The keys of what a cell shows, as far as it can be drawn as a curve."""
+        joint = JOINTS[index.column()]
+        kinds = _KINDS.get(self._items[index.row()], ("driver_faults",))
+        keys = [f"arm.{kind}.{joint}" for kind in kinds]
+        if self._items[index.row()] is Item.COMMUNICATION:
+            keys = ["arm.no_communication"]
+        return keys
 
     # What Qt asks -----------------------------------------------------------------------------
 

@@ -15,6 +15,7 @@ from armui.protocol.generation import Generation
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.freshness import is_stale
+from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.translated import Translated
 from armui.ui.widgets.value_label import ValueLabel
@@ -55,6 +56,7 @@ class SpeedControl(Translated, QWidget):
         self._arm_label.setProperty("rank", "muted")
         self._arm_value = ValueLabel(fmt.percent(100))
         self._arm_value.setObjectName("arm_speed")
+        tell_quantities(self, "arm.speed_percent", "own.speed_percent", "other.speed_percent")
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(8)

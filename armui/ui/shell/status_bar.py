@@ -20,6 +20,7 @@ from armui.ui import words
 from armui.ui.freshness import is_stale
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
+from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.translated import Translated
 
@@ -43,6 +44,14 @@ _WARNINGS: Final = frozenset(
     }
 )
 _ICON_PX: Final = 16
+_QUANTITIES: Final = {
+    "control": ("arm.control_mode",),
+    "arm": ("arm.arm_status",),
+    "mode": ("arm.move_mode", "own.move_mode", "other.move_mode"),
+    "teaching": ("arm.teaching",),
+    "reached": ("arm.not_reached",),
+    "joints": ("arm.no_communication", "arm.beyond_limit"),
+}
 
 
 class StatusBar(Translated, QWidget):
@@ -72,6 +81,7 @@ class StatusBar(Translated, QWidget):
         self._separators: dict[str, QLabel] = {}
         for name, label in self._labels.items():
             label.setObjectName(f"status_{name}")
+            tell_quantities(label, *_QUANTITIES[name])
             label.setTextFormat(Qt.TextFormat.PlainText)
             if name != "control":
                 separator = QLabel("│")

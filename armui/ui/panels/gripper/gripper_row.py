@@ -12,6 +12,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.devices.gripper_ranges import Figure, check
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.track_slider import TrackSlider
@@ -49,6 +50,7 @@ class GripperRow(QWidget):
         self.slider.setObjectName(f"{name}_slider")
         self.measured = ValueLabel(_WIDEST)
         self.measured.setObjectName(f"{name}_measured")
+        tell_quantities(self, *(f"{source}.{name}" for source in ("arm", "own", "other")))
         self.minus, self.plus = JogButton("−"), JogButton("+")
         self._label.setBuddy(self.field)
         grid = QGridLayout(self)

@@ -13,6 +13,7 @@ from armui.arm.refusal import Refusal
 from armui.ui import format as fmt
 from armui.ui.theme import scaled_font
 from armui.ui.widgets import painting
+from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.track_slider import TrackSlider
@@ -59,6 +60,9 @@ class JointRow(Translated, QWidget):
         self.field.setObjectName(f"target_field_{joint}")
         self.measured = ValueLabel(_WIDEST_ANGLE)
         self.measured.setObjectName(f"measured_{joint}")
+        tell_quantities(
+            self, *(f"{source}.joint_angle.{joint}" for source in ("arm", "own", "other"))
+        )
         self.slider = TrackSlider(ANGLE_STEP_DEG)
         self.slider.setObjectName(f"target_slider_{joint}")
         self.slider.setSingleStep(round(1.0 / ANGLE_STEP_DEG))

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 from armui.ui import format as fmt
 from armui.ui.theme import scaled_font
 from armui.ui.widgets import painting
+from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.translated import Translated
@@ -57,6 +58,8 @@ class PoseRow(Translated, QWidget):
         self.field.setObjectName(f"pose_field_{name}")
         self.measured = ValueLabel(_WIDEST, alignment=Qt.AlignmentFlag.AlignRight)
         self.measured.setObjectName(f"pose_measured_{name}")
+        kind = f"pose_{name.lower()}"
+        tell_quantities(self, *(f"{source}.{kind}" for source in ("arm", "own", "other")))
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(8)

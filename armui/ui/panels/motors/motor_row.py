@@ -14,6 +14,7 @@ from armui.protocol.codes import ALL_JOINTS
 from armui.ui import format as fmt
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import painting, state_mark
+from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.state_mark import Mark
 from armui.ui.widgets.translated import Translated
 from armui.ui.widgets.value_label import ValueLabel
@@ -137,6 +138,8 @@ class MotorRow(Translated, QWidget):
         self.power.setObjectName(f"motor_power_{joint}")
         for key, label in self.figures.items():
             label.setObjectName(f"{key}_{joint}")
+            kind = "motor_current" if key == "current" else key
+            tell_quantities(label, f"arm.{kind}.{joint}")
             label.setFixedWidth(FIGURE_PX)
         self.acts = ActButtons(joint)
 

@@ -30,6 +30,7 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.freshness import is_stale
 from armui.ui.panels.panel import Panel
+from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.value_label import ValueLabel
@@ -72,6 +73,10 @@ class EndLoadPanel(Panel):
         self._cells = {
             (joint, field): ValueLabel("-00.000") for joint in JOINTS for field, _unit in _FIGURES
         }
+        for (joint, field), cell in self._cells.items():
+            tell_quantities(
+                cell, f"arm.end_{field.partition('_m_')[0].partition('_rad_')[0]}.{joint}"
+            )
         self._lay_out()
         self._send.clicked.connect(self._on_send)
         self._switch.clicked.connect(self._on_switch)

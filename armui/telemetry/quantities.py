@@ -1,0 +1,265 @@
+"""Every quantity the protocol tells or commands: in which message, in which unit, since when."""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.limits import JOINTS
+from armui.telemetry.series import Shape
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+
+FULL_HZ: Final = 200.0
+"""Feedback of the controller and of the motors; targets are streamed as fast."""
+_SLOW_HZ: Final = 40.0
+_BUS_HZ: Final = 10.0
+
+BUS_SERIES: Final = "bus"
+
+
+class Source(enum.StrEnum):
+    """Whose word a quantity is."""
+
+    ARM = "arm"
+    OWN = "own"
+    OTHER = "other"
+    BUS = "bus"
+
+
+class Space(enum.Enum):
+    """Commands of which the newest alone stands."""
+
+    MOTION = enum.auto()
+    GRIPPER = enum.auto()
+    MODE = enum.auto()
+
+
+@dataclass(frozen=True, slots=True)
+class Field:
+    """One signal of a message, or several bits of it as one code.
+
+    Attributes:
+        name: In the series.
+        unit: As the operator reads it.
+        signals: Its name in the DBC files; several: bits, the first one worth 1.
+        is_code: A whole number of 0–255 that every generation tells.
+        is_angle: Turned into degrees from whatever unit the generation has.
+    """
+
+    name: str
+    unit: str
+    signals: tuple[str, ...]
+    is_code: bool = False
+    is_angle: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Record:
+    """A message whose signals are kept.
+
+    Attributes:
+        message: Its name in the DBC files.
+        source: Who says it.
+        number: The joint it is about, where it is about one.
+        fields: What is kept of it.
+        common: It means the same in both generations.
+        space: Of a command.
+    """
+
+    message: str
+    source: Source
+    fields: tuple[Field, ...]
+    rate_hz: float = FULL_HZ
+    number: int | None = None
+    common: bool = False
+    space: Space | None = None
+
+    @property
+    def name(self) -> str:
+        """Of its series."""
+        return self.message if self.source is Source.ARM else f"{self.source}.{self.message}"
+
+    @property
+    def shape(self) -> Shape:
+        """Of its series."""
+        figures = tuple(field.name for field in self.fields if not field.is_code)
+        codes = tuple(field.name for field in self.fields if field.is_code)
+        return Shape(self.name, self.rate_hz, figures, codes, held=self.space is not None)
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """What can be drawn as a curve.
+
+    Attributes:
+        key: Its name in layouts, for good: ``arm.joint_angle.1``.
+        kind: What it is: ``joint_angle``.
+        source: Whose word it is.
+        number: Of the joint, where it belongs to one.
+        unit: As the operator reads it; "" for codes.
+        series, field: Where it is kept.
+        held: It stands until the next one: a command.
+    """
+
+    key: str
+    kind: str
+    source: Source
+    number: int | None
+    unit: str
+    series: str
+    field: str
+    held: bool = False
+
+
+def _figure(name: str, unit: str, signal: str, *, is_angle: bool = False) -> Field:
+    return Field(name, unit, (signal,), is_angle=is_angle)
+
+
+def _code(name: str, *signals: str) -> Field:
+    return Field(name, "", signals, is_code=True)
+
+
+DRIVER_FAULTS: Final = (
+    *("Undervoltage", "MotorOvertemperature", "Overcurrent", "DriverOvertemperature"),
+    *("SensorFault", "DriverFault", "CollisionProtection", "StallProtection"),
+)
+"""The bits of ``driver_faults``, the first one worth 1; the same in both generations."""
+GRIPPER_FAULTS: Final = DRIVER_FAULTS[:6]
+"""The bits of ``gripper_faults``."""
+
+_STATUS: Final = Record(
+    "ArmStatus",
+    Source.ARM,
+    (
+        _figure("speed_percent", "%", "SpeedPercent"),
+        _figure("trajectory_point", "", "TrajectoryPoint"),
+        Field("beyond_limit", "", tuple(f"J{n}LimitExceeded" for n in JOINTS)),
+        Field("no_communication", "", tuple(f"J{n}CommunicationFault" for n in JOINTS)),
+        _code("control_mode", "ControlMode"),
+        _code("arm_status", "Status"),
+        _code("move_mode", "MoveMode"),
+        _code("teaching", "TeachingState"),
+        _code("not_reached", "MotionState"),
+    ),
+    common=True,
+)
+_GRIPPER: Final = Record(
+    "GripperFeedback",
+    Source.ARM,
+    (
+        _figure("gripper_opening", "mm", "Opening"),
+        _figure("gripper_torque", "N·m", "Torque"),
+        _figure("gripper_angle", "°", "Angle"),
+        _figure("gripper_speed", "rad/s", "Speed"),
+        _code("gripper_faults", *GRIPPER_FAULTS),
+        _code("gripper_enabled", "Enabled"),
+    ),
+)
+_POSES: Final = (("X", "Y"), ("Z", "RX"), ("RY", "RZ"))
+_PAIRS: Final = ((1, 2), (3, 4), (5, 6))
+
+
+def _pose_fields(pair: tuple[str, str]) -> tuple[Field, ...]:
+    return tuple(
+        _figure(f"pose_{axis.lower()}", "°" if axis.startswith("R") else "mm", axis)
+        for axis in pair
+    )
+
+
+def _joint_fields(pair: tuple[int, int]) -> tuple[Field, ...]:
+    return tuple(_figure(f"joint_angle.{joint}", "°", f"J{joint}") for joint in pair)
+
+
+def _feedback() -> Iterator[Record]:
+    for pair in _PAIRS:
+        message = f"JointFeedback{pair[0]}{pair[1]}"
+        yield Record(message, Source.ARM, _joint_fields(pair), common=True)
+    for place, axes in enumerate(_POSES, 1):
+        yield Record(f"EndPose{place}", Source.ARM, _pose_fields(axes), common=True)
+    yield _STATUS
+    yield _GRIPPER
+    for joint in JOINTS:
+        fast = (
+            _figure("motor_speed", "°/s", "Speed", is_angle=True),
+            _figure("motor_current", "A", "Current"),
+            _figure("motor_position", "°", "Position", is_angle=True),
+        )
+        yield Record(f"DriverFast{joint}", Source.ARM, fast, number=joint)
+    for joint in JOINTS:
+        slow = (
+            _figure("voltage", "V", "Voltage"),
+            _figure("driver_temperature", "°C", "DriverTemperature"),
+            _figure("motor_temperature", "°C", "MotorTemperature"),
+            _figure("bus_current", "A", "BusCurrent"),
+            _code("driver_faults", *DRIVER_FAULTS),
+            _code("enabled", "Enabled"),
+        )
+        yield Record(f"DriverSlow{joint}", Source.ARM, slow, _SLOW_HZ, joint)
+    for joint in JOINTS:
+        end = (
+            _figure("end_linear_speed", "m/s", "LinearSpeed"),
+            _figure("end_angular_speed", "rad/s", "AngularSpeed"),
+            _figure("end_linear_acceleration", "m/s²", "LinearAcceleration"),
+            _figure("end_angular_acceleration", "rad/s²", "AngularAcceleration"),
+        )
+        yield Record(f"EndMotion{joint}", Source.ARM, end, number=joint)
+
+
+def _commands(source: Source) -> Iterator[Record]:
+    motion, full = Space.MOTION, FULL_HZ
+    for pair in _PAIRS:
+        message = f"JointTarget{pair[0]}{pair[1]}"
+        yield Record(message, source, _joint_fields(pair), full, None, True, motion)
+    for place, axes in enumerate(_POSES, 1):
+        message = f"CartesianTarget{place}"
+        yield Record(message, source, _pose_fields(axes), full, None, True, motion)
+    gripper = (
+        _figure("gripper_opening", "mm", "Opening"),
+        _figure("gripper_torque", "N·m", "Torque"),
+        _figure("gripper_angle", "°", "Angle"),
+        _figure("gripper_speed", "rad/s", "Speed"),
+    )
+    yield Record("GripperCommand", source, gripper, space=Space.GRIPPER)
+    mode = (_figure("speed_percent", "%", "SpeedPercent"), _figure("move_mode", "", "MoveMode"))
+    yield Record("ModeControl", source, mode, common=True, space=Space.MODE)
+    if source is Source.OTHER:  # this program commands no motor by itself
+        for joint in JOINTS:
+            mit = (
+                _figure("mit_position", "°", "Position", is_angle=True),
+                _figure("mit_speed", "°/s", "Velocity", is_angle=True),
+                _figure("mit_torque", "N·m", "Torque"),
+                _figure("mit_kp", "", "Kp"),
+                _figure("mit_kd", "", "Kd"),
+            )
+            yield Record(f"MitControl{joint}", source, mit, full, joint, False, motion)
+
+
+BUS: Final = Record(
+    BUS_SERIES,
+    Source.BUS,
+    (
+        _figure("frames_per_s", "1/s", ""),
+        _figure("bus_load", "%", ""),
+        _figure("error_frames_per_s", "1/s", ""),
+    ),
+    _BUS_HZ,
+)
+RECORDS: Final = (*_feedback(), *_commands(Source.OWN), *_commands(Source.OTHER), BUS)
+
+
+def _quantities() -> Iterator[Quantity]:
+    for record in RECORDS:
+        for field in record.fields:
+            kind, _, joint = field.name.partition(".")
+            number = int(joint) if joint else record.number
+            key = f"{record.source}.{kind}" + ("" if number is None else f".{number}")
+            series = record.shape.name
+            held = record.space is not None
+            yield Quantity(key, kind, record.source, number, field.unit, series, field.name, held)
+
+
+QUANTITIES: Final[Mapping[str, Quantity]] = {each.key: each for each in _quantities()}
+"""All of them by key, in the order in which a list shows them."""

@@ -1,0 +1,309 @@
+"""The signals of one message over time: every sample for half an hour, beside one time stamp."""
+
+from __future__ import annotations
+
+import struct
+from bisect import bisect_left
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from armui.telemetry.pyramid import BASE_EXPONENT, Pyramid, firsts
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+KEPT_S: Final = 1800.0
+"""So long every sample is kept, if they come at the rate of the protocol."""
+
+_FOLD_EVERY: Final = 512
+"""So many samples are taken into the pyramid at once: numpy pays off by the hundred."""
+_BASE_PER_S: Final = 2.0**-BASE_EXPONENT
+_LATEST_TRIES: Final = 3
+
+Row = tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """What a series holds.
+
+    Attributes:
+        name: Of the series.
+        rate_hz: How many samples a second the protocol has at most.
+        figures: Names of its figures, kept as 32-bit floats; NaN is one that was not told.
+        codes: Names of its codes, whole numbers of 0–255.
+        held: A value stands until the next one: a command. A row of NaN ends it.
+    """
+
+    name: str
+    rate_hz: float
+    figures: tuple[str, ...]
+    codes: tuple[str, ...] = ()
+    held: bool = False
+
+    @property
+    def fields(self) -> tuple[str, ...]:
+        """The names of all of them, in the order of a row."""
+        return (*self.figures, *self.codes)
+
+
+@dataclass(frozen=True, slots=True)
+class Envelope:
+    """The smallest and largest values in buckets of time.
+
+    Attributes:
+        exponent: Each bucket is 2^exponent seconds wide.
+        begin: The number of the first bucket.
+        heard: Whether anything was heard in a bucket; for a held series, whether a value stands.
+        low, high: One row a field, NaN where there is no figure.
+    """
+
+    exponent: int
+    begin: int
+    heard: NDArray[np.bool_]
+    low: NDArray[np.float64]
+    high: NDArray[np.float64]
+
+
+class Series:
+    """A ring of samples and their pyramid.
+
+    One thread writes; it says how far it has come after what it wrote is there. Others copy what
+    they want, and then look whether it was overwritten meanwhile. Nobody waits for anybody.
+
+    Nothing is taken of the memory before the first sample.
+
+    Args:
+        shape: What it holds.
+        keep_s: How long.
+
+    Attributes:
+        shape: As given.
+        write: Adds a sample: monotonic time in seconds, then the figures and codes in the order of
+            `Shape.fields`; the writing thread only. A time before the last one counts as that one.
+    """
+
+    def __init__(self, shape: Shape, keep_s: float = KEPT_S) -> None:
+        self.shape = shape
+        self._keep_s = keep_s
+        self._capacity = max(_FOLD_EVERY * 2, round(shape.rate_hz * keep_s))
+        self._layout = struct.Struct(f"<d{len(shape.figures)}f{len(shape.codes)}B")
+        self._pack = self._layout.pack_into
+        self._size = self._layout.size
+        fields: list[tuple[str, str]] = [("time_s", "<f8")]
+        fields += [(name, "<f4") for name in shape.figures]
+        fields += [(name, "u1") for name in shape.codes]
+        self._type = np.dtype(fields)
+        self._buffer = memoryview(bytearray())
+        self._samples = np.empty(0, self._type)
+        self._times_s: NDArray[np.float64] = self._samples["time_s"]
+        self._pyramid: Pyramid | None = None
+        self._count = 0
+        self._folded = 0
+        self._fold_at = _FOLD_EVERY
+        self._newest_s = -np.inf
+        self.write: Callable[[float, Row], None] = self._write_first
+
+    # The writing thread -----------------------------------------------------------------------
+
+    def _write_first(self, at_s: float, row: Row) -> None:
+        samples = np.zeros(self._capacity, self._type)
+        self._buffer = memoryview(samples.view(np.uint8).data)
+        self._times_s = samples["time_s"]
+        self._samples = samples
+        self._pyramid = Pyramid(self._blocks(), self._keep_s)
+        self.write = self._write
+        self._write(at_s, row)
+
+    def _blocks(self) -> list[tuple[int, str]]:
+        return [(len(self.shape.figures), "f4"), (len(self.shape.codes), "u1")]
+
+    def _write(self, at_s: float, row: Row) -> None:
+        if at_s > self._newest_s:
+            self._newest_s = at_s
+        else:
+            at_s = self._newest_s
+        count = self._count
+        self._pack(self._buffer, count % self._capacity * self._size, at_s, *row)
+        self._count = count = count + 1
+        if count >= self._fold_at:
+            self._fold()
+
+    def _fold(self) -> None:
+        """Take every bucket that is complete into the pyramid."""
+        self._fold_at = self._count + _FOLD_EVERY
+        samples = self._span(self._folded, self._count)
+        numbers = np.floor(samples["time_s"] * _BASE_PER_S).astype(np.int64)
+        complete = int(np.searchsorted(numbers, numbers[-1]))
+        if complete == 0 and samples.size < self._capacity // 2:
+            return  # hundreds in one bucket: later
+        complete = complete or samples.size
+        samples, numbers = samples[:complete], numbers[:complete]
+        numbers, low, high = self._extremes(samples, numbers)
+        if self._pyramid is not None:
+            self._pyramid.put(numbers, low, high)
+        self._folded += complete
+
+    def _extremes(
+        self, samples: NDArray[Any], numbers: NDArray[np.int64]
+    ) -> tuple[NDArray[np.int64], list[NDArray[Any]], list[NDArray[Any]]]:
+        """The extremes of each bucket, for each block of signals."""
+        first = firsts(numbers)
+        lows, highs = [], []
+        for names, kind in ((self.shape.figures, "f4"), (self.shape.codes, "u1")):
+            values = np.empty((len(names), samples.size), kind)
+            for place, name in enumerate(names):
+                values[place] = samples[name]
+            lows.append(np.fmin.reduceat(values, first, axis=1))
+            highs.append(np.fmax.reduceat(values, first, axis=1))
+        return numbers[first], lows, highs
+
+    # Any thread -------------------------------------------------------------------------------
+
+    @property
+    def count(self) -> int:
+        """How many samples there ever were."""
+        return self._count
+
+    @property
+    def newest_s(self) -> float | None:
+        """When the last sample came; ``None`` before the first."""
+        count = self._count
+        return float(self._times_s[(count - 1) % self._capacity]) if count else None
+
+    @property
+    def bytes_kept(self) -> int:
+        """How much memory it takes now."""
+        pyramid = self._pyramid
+        return 0 if pyramid is None else self._samples.nbytes + pyramid.bytes_kept
+
+    @property
+    def most_bytes(self) -> int:
+        """How much memory it will take at most."""
+        return self._capacity * self._size + Pyramid(self._blocks(), self._keep_s).bytes_kept
+
+    def latest(self, field: str) -> tuple[float, float] | None:
+        """When the last sample came, and one value of it; ``None`` before the first."""
+        for _ in range(_LATEST_TRIES):
+            count = self._count
+            if count == 0:
+                return None
+            sample = self._samples[(count - 1) % self._capacity].copy()
+            if self._count - count < self._capacity - 1:
+                break
+        return float(sample["time_s"]), float(sample[field])
+
+    def samples(self, begin_s: float, end_s: float, *, around: bool = False) -> NDArray[Any]:
+        """The samples from one time to another, both included.
+
+        Args:
+            begin_s: Monotonic time.
+            end_s: As above.
+            around: With the last one before and the first one after.
+
+        Returns:
+            A structured array with ``time_s`` and the fields' names, oldest first: a copy.
+        """
+        first = self._place(begin_s)
+        last = self._place(np.nextafter(end_s, np.inf))
+        if around:
+            first, last = first - 1, last + 1
+        return self._span(first, last)
+
+    def count_between(self, begin_s: float, end_s: float) -> int:
+        """How many samples there are from one time up to another."""
+        return self._place(end_s) - self._place(begin_s)
+
+    def value_at(self, field: str, at_s: float) -> tuple[float, float] | None:
+        """The last sample up to a time, as `latest`; ``None`` where there is none any more."""
+        place = self._place(np.nextafter(at_s, np.inf)) - 1
+        found = self._span(place, place + 1)
+        return (float(found["time_s"][0]), float(found[field][0])) if found.size else None
+
+    def envelope(self, exponent: int, begin: int, end: int, fields: Sequence[str]) -> Envelope:
+        """Minima and maxima in buckets of time.
+
+        Args:
+            exponent: The buckets are 2^exponent seconds wide.
+            begin: The number of the first one.
+            end: The number of the one behind the last.
+            fields: Of which figures or codes; all of one kind.
+        """
+        size = max(0, end - begin)
+        heard = np.zeros(size, np.bool_)
+        low = np.full((len(fields), size), np.nan)
+        high = low.copy()
+        folded, pyramid = self._folded, self._pyramid
+        if size and exponent >= BASE_EXPONENT and pyramid is not None:
+            names = self.shape.figures
+            block = 0 if fields and fields[0] in names else 1
+            rows = [(names, self.shape.codes)[block].index(field) for field in fields]
+            heard, (low, high) = pyramid.read(exponent, begin, end, block, rows)
+            samples = self._span(folded, self._place(end * 2.0**exponent))
+        else:
+            samples = self._span(
+                self._place(begin * 2.0**exponent), self._place(end * 2.0**exponent)
+            )
+        envelope = Envelope(exponent, begin, heard, low, high)
+        self._add(samples, fields, envelope)
+        if self.shape.held:
+            self._hold(fields, envelope)
+        return envelope
+
+    @staticmethod
+    def _add(samples: NDArray[Any], fields: Sequence[str], into: Envelope) -> None:
+        """Take samples into buckets."""
+        numbers = np.floor(samples["time_s"] * 2.0**-into.exponent).astype(np.int64) - into.begin
+        inside = (numbers >= 0) & (numbers < into.heard.size)
+        if not inside.all():
+            numbers, samples = numbers[inside], samples[inside]
+        if numbers.size == 0:
+            return
+        first = firsts(numbers)
+        numbers = numbers[first]
+        into.heard[numbers] = True
+        low, high = into.low, into.high
+        for row, field in enumerate(fields):
+            values = samples[field].astype(np.float64)
+            low[row, numbers] = np.fmin(low[row, numbers], np.fmin.reduceat(values, first))
+            high[row, numbers] = np.fmax(high[row, numbers], np.fmax.reduceat(values, first))
+
+    def _hold(self, fields: Sequence[str], into: Envelope) -> None:
+        """Fill buckets without a sample with the last one before them."""
+        edges = np.flatnonzero(np.diff(into.heard, prepend=True, append=True))
+        for first, behind in zip(edges[::2], edges[1::2], strict=True):
+            place = self._place((into.begin + int(first)) * 2.0**into.exponent) - 1
+            before = self._span(place, place + 1)
+            if before.size == 0:
+                continue
+            for row, field in enumerate(fields):
+                into.low[row, first:behind] = into.high[row, first:behind] = before[field][0]
+            into.heard[first:behind] = not np.isnan(before[fields[0]][0])
+
+    def _place(self, time_s: float) -> int:
+        """The first sample that is not before a time, counted from the first there ever was."""
+        count, capacity, times_s = self._count, self._capacity, self._times_s
+        oldest = max(0, count - capacity + 1)
+        return oldest + bisect_left(
+            range(oldest, count), time_s, key=lambda place: float(times_s[place % capacity])
+        )
+
+    def _span(self, first: int, behind: int) -> NDArray[Any]:
+        """A copy of the samples from one place up to another, as far as they are still there."""
+        first = max(first, self._count - self._capacity + 1, 0)
+        behind = min(behind, self._count)
+        if behind <= first:
+            return np.empty(0, self._type)
+        samples, capacity = self._samples, self._capacity
+        begin, end = first % capacity, (behind - 1) % capacity + 1
+        if begin < end:
+            copy = samples[begin:end].copy()
+        else:
+            copy = np.concatenate((samples[begin:], samples[:end]))
+        lost = self._count - capacity + 1 - first
+        return copy[lost:] if lost > 0 else copy

@@ -1,0 +1,227 @@
+"""Everything that was heard and commanded in the last half hour."""
+
+from __future__ import annotations
+
+import math
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Final
+
+from armui.protocol.codec import InvalidFrame, Message
+from armui.protocol.codes import MotorAction, StopCommand, TrajectoryCommand
+from armui.system.clock import steady_s
+from armui.telemetry.quantities import BUS, QUANTITIES, RECORDS, Quantity, Record, Source, Space
+from armui.telemetry.rows import row_of
+from armui.telemetry.series import KEPT_S, Row, Series
+
+if TYPE_CHECKING:
+    from armui.protocol.codec import Codec
+    from armui.protocol.generation import Generation
+
+_BUS_EVERY_S: Final = 0.1
+_PAUSE_S: Final = 1.0
+"""Nobody counted for so long: the next count begins anew."""
+_FRAME_BITS: Final = 47
+"""Of a classic frame without its payload, the gap behind it included; stuff bits not counted."""
+DEFAULT_BITRATE: Final = 1_000_000
+
+_ENDS: Final = {
+    "EmergencyStop": frozenset({StopCommand.EMERGENCY_STOP, StopCommand.RESUME}),
+    "TrajectoryCommand": frozenset(
+        {
+            TrajectoryCommand.CLEAR_CURRENT,
+            TrajectoryCommand.CLEAR_ALL,
+            TrajectoryCommand.ABORT,
+        }
+    ),
+}
+"""What of 0x150 ends every target that stands."""
+
+Taken = tuple["Message | InvalidFrame", float, int]
+"""A frame as decoded, its monotonic time, and the length of its payload."""
+_Writer = Callable[[Mapping[str, float], float], None]
+
+
+class Telemetry:
+    """Fed by the thread that owns the bus; read by any thread.
+
+    It takes about a microsecond a frame. Nothing that a reader does holds up the bus thread.
+
+    A command stands until another one of its kind, its own or another host's, a stop or an abort:
+    its series then gets a row of NaN.
+
+    Args:
+        clock: Monotonic time in seconds, the same as of the frames.
+        keep_s: How long every sample is kept.
+
+    Attributes:
+        series: By name; see `armui.telemetry.quantities`.
+    """
+
+    def __init__(self, clock: Callable[[], float] = steady_s, keep_s: float = KEPT_S) -> None:
+        self._clock = clock
+        self.series: Mapping[str, Series] = {
+            record.name: Series(record.shape, keep_s) for record in RECORDS
+        }
+        self._choosing = threading.Lock()
+        self._codec: Codec | None = None
+        self._generation: Generation | None = None
+        self._from_others: dict[str, _Writer] = {}
+        self._own: dict[str, _Writer] = {}
+        self._standing: dict[Space, tuple[object, set[Series]]] = {
+            space: (None, set()) for space in Space
+        }
+        self._bitrate = DEFAULT_BITRATE
+        self._frames = self._bits = self._errors = 0
+        self._counted_s = -math.inf
+
+    def now_s(self) -> float:
+        """The present, by the clock of the samples."""
+        return self._clock()
+
+    @property
+    def bytes_kept(self) -> int:
+        """How much memory the samples take now."""
+        return sum(each.bytes_kept for each in self.series.values())
+
+    @property
+    def most_bytes(self) -> int:
+        """How much they take at most, whatever is heard."""
+        return sum(each.most_bytes for each in self.series.values())
+
+    def find(self, key: str) -> tuple[Quantity, Series]:
+        """A quantity and where it is kept.
+
+        Raises:
+            KeyError: There is none of this name.
+        """
+        quantity = QUANTITIES[key]
+        return quantity, self.series[quantity.series]
+
+    def latest(self, key: str) -> tuple[float, float] | None:
+        """When a quantity was last told, and its value; ``None`` if it never was."""
+        quantity, series = self.find(key)
+        return series.latest(quantity.field)
+
+    # What is known of the arm; any thread -----------------------------------------------------
+
+    def know_generation(self, generation: Generation | None) -> None:
+        """Which protocol the arm was found to speak; ``None``: what they share is kept alone."""
+        if generation is not self._generation:
+            with self._choosing:
+                self._generation = generation
+                self._choose()
+
+    # The bus thread ---------------------------------------------------------------------------
+
+    def on_open(self, bitrate: int | None) -> None:
+        """A device was opened: commands of before stand no more."""
+        self._bitrate = bitrate or DEFAULT_BITRATE
+        self._end_standing(self._clock())
+
+    def on_codec(self, codec: Codec) -> None:
+        """How frames are decoded from now on."""
+        with self._choosing:
+            self._codec = codec
+            self._choose()
+
+    def on_heard(self, batch: Sequence[Taken]) -> None:
+        """Frames that somebody else sent, in order."""
+        self._frames += len(batch)
+        find = self._from_others.get
+        for heard, at_s, length in batch:
+            self._bits += _FRAME_BITS + 8 * length
+            message = heard if isinstance(heard, Message) else heard.message
+            if message is None:
+                continue
+            writer = find(message.name)
+            if writer is not None:
+                writer(message.signals, at_s)
+
+    def on_error_frame(self) -> None:
+        """The adapter has reported an error on the bus."""
+        self._errors += 1
+
+    def on_sent(self, batch: Sequence[Taken]) -> None:
+        """Frames that this program has sent, in order."""
+        self._frames += len(batch)
+        for said, at_s, length in batch:
+            self._bits += _FRAME_BITS + 8 * length
+            writer = self._own.get(said.name) if isinstance(said, Message) else None
+            if writer is not None and isinstance(said, Message):
+                writer(said.signals, at_s)
+
+    def on_look(self, now_s: float) -> None:
+        """Called every few milliseconds while a device is open."""
+        passed_s = now_s - self._counted_s
+        if passed_s < _BUS_EVERY_S:
+            return
+        if passed_s < _PAUSE_S:
+            load_percent = 100.0 * self._bits / (passed_s * self._bitrate)
+            row = (self._frames / passed_s, load_percent, self._errors / passed_s)
+            self.series[BUS.name].write(now_s, row)
+        self._counted_s = now_s
+        self._frames = self._bits = self._errors = 0
+
+    # ------------------------------------------------------------------------------------------
+
+    def _choose(self) -> None:
+        """What becomes of each message, by codec and generation."""
+        codec = self._codec
+        if codec is None:
+            return
+        proven = codec.generation is self._generation
+        chosen: dict[Source, dict[str, _Writer]] = {source: {} for source in Source}
+        for record in RECORDS:
+            writer = self._writer(record, codec, proven=proven)
+            if writer is not None:
+                chosen[record.source][record.message] = writer
+        ends: dict[str, _Writer] = {
+            "MotionCommand": self._on_motion_command,
+            "MotorEnable": self._on_motor_enable,
+        }
+        self._own = chosen[Source.OWN] | ends
+        self._from_others = chosen[Source.ARM] | chosen[Source.OTHER] | ends
+
+    def _writer(self, record: Record, codec: Codec, *, proven: bool) -> _Writer | None:
+        row = None if record is BUS else row_of(record, codec, proven=proven)
+        if row is None:
+            return None
+        series = self.series[record.name]
+        if record.space is None:
+            return lambda signals, at_s: series.write(at_s, row(signals))
+        return self._command_writer(record, series, row)
+
+    def _command_writer(
+        self, record: Record, series: Series, row: Callable[[Mapping[str, float]], Row]
+    ) -> _Writer:
+        space = record.space or Space.MOTION
+        group = record.source, record.message.rstrip("0123456789")
+
+        def write(signals: Mapping[str, float], at_s: float) -> None:
+            standing, which = self._standing[space]
+            if standing != group:
+                self._end(space, at_s)
+                self._standing[space] = (group, {series})
+            else:
+                which.add(series)
+            series.write(at_s, row(signals))
+
+        return write
+
+    def _end(self, space: Space, at_s: float) -> None:
+        for series in self._standing[space][1]:
+            series.write(at_s, (math.nan,) * len(series.shape.fields))
+        self._standing[space] = (None, set())
+
+    def _end_standing(self, at_s: float) -> None:
+        for space in (Space.MOTION, Space.GRIPPER):
+            self._end(space, at_s)
+
+    def _on_motion_command(self, signals: Mapping[str, float], at_s: float) -> None:
+        if any(signals.get(name) in codes for name, codes in _ENDS.items()):
+            self._end_standing(at_s)
+
+    def _on_motor_enable(self, signals: Mapping[str, float], at_s: float) -> None:
+        if signals["Action"] == MotorAction.DISABLE:
+            self._end_standing(at_s)

@@ -1,0 +1,1 @@
+"""Watching the arm over time: curves."""

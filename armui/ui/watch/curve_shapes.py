@@ -1,0 +1,121 @@
+"""From series to the lines that are drawn: as many points as a screen can show, no more. Pure.
+
+A line is a pair of arrays: monotonic times in seconds, and figures. Where nothing was heard for
+half a second one line ends and another begins.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from armui.arm.state import FRESH_FOR_S
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from armui.telemetry.series import Envelope, Series
+
+Line = tuple["NDArray[np.float64]", "NDArray[np.float64]"]
+
+_SAMPLES_PER_PX: Final = 1.5
+"""So many samples a pixel are drawn one by one; of more only the extremes."""
+_BUCKETS_PER_PX: Final = 0.75
+
+
+def bucket_exponent(span_s: float, width_px: int) -> int:
+    """Buckets 2^this wide are hardly wider than a pixel."""
+    return math.ceil(math.log2(span_s / (_BUCKETS_PER_PX * max(width_px, 50))))
+
+
+def is_dense(series: Series, begin_s: float, end_s: float, width_px: int) -> bool:
+    """Whether there are too many samples to draw each of them."""
+    return series.count_between(begin_s, end_s) > _SAMPLES_PER_PX * max(width_px, 50)
+
+
+def sample_lines(
+    series: Series, fields: Sequence[str], begin_s: float, end_s: float
+) -> list[list[Line]]:
+    """Every sample from one time to another, for each field."""
+    samples = series.samples(begin_s, end_s, around=True)
+    times_s = samples["time_s"].astype(np.float64)
+    if series.shape.held:
+        return [_steps(times_s, samples[field].astype(np.float64), end_s) for field in fields]
+    breaks = np.flatnonzero(np.diff(times_s) > FRESH_FOR_S) + 1
+    return [_pieces(times_s, samples[field].astype(np.float64), breaks) for field in fields]
+
+
+def envelope_lines(envelope: Envelope, *, held: bool = False) -> list[list[Line]]:
+    """The extremes of buckets, for each field: a line that goes up and down once in two of them."""
+    width_s = 2.0**envelope.exponent
+    lines: list[list[Line]] = []
+    for low, high in zip(envelope.low, envelope.high, strict=True):
+        places = np.flatnonzero(~np.isnan(low))
+        if not places.size:
+            lines.append([])
+            continue
+        silent = np.diff(places) - 1
+        far = (silent > 0) & (held | (silent * width_s >= FRESH_FOR_S))
+        numbers = places + envelope.begin
+        times_s = np.repeat((numbers + 0.5) * width_s, 2)
+        figures = np.empty(times_s.size)
+        # the bucket's own number says which extreme comes first: nothing wriggles as it scrolls
+        downwards = (numbers & 1).astype(bool)
+        figures[0::2] = np.where(downwards, high[places], low[places])
+        figures[1::2] = np.where(downwards, low[places], high[places])
+        alone = _alone(far)
+        times_s[0::2][alone] -= width_s / 2
+        times_s[1::2][alone] += width_s / 2
+        breaks = 2 * (np.flatnonzero(far) + 1)
+        lines.append(_split(times_s, figures, breaks))
+    return lines
+
+
+def extent(lines: Sequence[Line]) -> tuple[float, float] | None:
+    """The smallest and the largest figure."""
+    ends = [(float(figures.min()), float(figures.max())) for _times, figures in lines]
+    return (min(low for low, _ in ends), max(high for _, high in ends)) if ends else None
+
+
+def _pieces(
+    times_s: NDArray[np.float64], figures: NDArray[np.float64], breaks: NDArray[np.intp]
+) -> list[Line]:
+    told = ~np.isnan(figures)
+    if not told.all():
+        numbers = np.cumsum(np.isin(np.arange(times_s.size), breaks))
+        times_s, figures, numbers = times_s[told], figures[told], numbers[told]
+        breaks = np.flatnonzero((np.diff(numbers) > 0) | (np.diff(times_s) > FRESH_FOR_S)) + 1
+    return _split(times_s, figures, breaks)
+
+
+def _split(
+    times_s: NDArray[np.float64], figures: NDArray[np.float64], breaks: NDArray[Any]
+) -> list[Line]:
+    if not times_s.size:
+        return []
+    if not breaks.size:
+        return [(times_s, figures)]
+    return list(zip(np.split(times_s, breaks), np.split(figures, breaks), strict=True))
+
+
+def _alone(far: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Which buckets have no neighbour on either side."""
+    left = np.concatenate(([True], far))
+    right = np.concatenate((far, [True]))
+    return left & right
+
+
+def _steps(times_s: NDArray[np.float64], figures: NDArray[np.float64], end_s: float) -> list[Line]:
+    """A figure that stands until the next one; NaN ends it."""
+    if not times_s.size:
+        return []
+    until_s = np.append(times_s[1:], max(end_s, float(times_s[-1])))
+    stepped_s = np.column_stack((times_s, until_s)).ravel()
+    stepped = np.repeat(figures, 2)
+    told = ~np.isnan(stepped)
+    ends = np.flatnonzero(np.diff(told.astype(np.int8))) + 1
+    pieces = _split(stepped_s, stepped, ends)
+    return [piece for piece in pieces if not np.isnan(piece[1][0])]

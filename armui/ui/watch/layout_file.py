@@ -1,0 +1,36 @@
+"""Where the operator's own plots are kept: a small file beside the settings."""
+
+from __future__ import annotations
+
+import stat
+from pathlib import Path
+from typing import Final
+
+from armui.system.atomic import write_whole
+
+_MOST_BYTES: Final = 1 << 16
+
+
+def path_beside(settings: Path) -> Path:
+    """The file that goes with a file of settings."""
+    return settings.with_name("plots.json")
+
+
+def read_text(path: Path) -> str:
+    """What is in it; nothing where it is missing, too large, or no text. Waits for a disk."""
+    try:
+        found = path.stat()
+        if not stat.S_ISREG(found.st_mode) or found.st_size > _MOST_BYTES:
+            return ""
+        return path.read_text(encoding="utf-8")
+    except (OSError, ValueError):
+        return ""
+
+
+def write_text(path: Path, text: str) -> None:
+    """Keep it. Waits for a disk.
+
+    Raises:
+        OSError: The disk or the folder does not allow it.
+    """
+    write_whole(path, text.encode())

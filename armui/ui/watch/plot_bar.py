@@ -1,0 +1,169 @@
+"""Above the plots: sets of them, the time shown, pause, cursors, saving."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QEvent, Signal
+from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QMenu, QPushButton, QToolButton, QWidget
+
+from armui.ui.watch.plot_layout import SETS
+from armui.ui.watch.time_frame import SPANS_S
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from armui.ui.watch.plot_board import PlotBoard
+
+_SETS: Final[Mapping[str, object]] = {
+    "follow": QT_TRANSLATE_NOOP("PlotBar", "Did it follow?"),
+    "hot": QT_TRANSLATE_NOOP("PlotBar", "What got hot?"),
+    "stop": QT_TRANSLATE_NOOP("PlotBar", "Why did it stop?"),
+    "tool": QT_TRANSLATE_NOOP("PlotBar", "Where was the tool?"),
+    "bus": QT_TRANSLATE_NOOP("PlotBar", "Is the bus well?"),
+}
+SAVES: Final = ("csv", "png", "svg", "copy_picture", "copy_values")
+
+
+class PlotBar(QWidget):
+    """Commands a board, and shows how it stands.
+
+    Args:
+        board: Whom.
+
+    Signals:
+        save_wanted: One of `SAVES`.
+    """
+
+    save_wanted = Signal(str)
+
+    def __init__(self, board: PlotBoard, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._board = board
+        self.sets = QComboBox()
+        self.sets.setObjectName("plot_sets")
+        self.spans = QComboBox()
+        self.spans.setObjectName("plot_span")
+        self.pause = self._button("plot_pause", checkable=True)
+        self.undo = self._button("plot_undo")
+        self.undo.setShortcut(QKeySequence(QKeySequence.StandardKey.Undo))
+        self.cursors = self._button("plot_cursors", checkable=True)
+        self.save = QToolButton()
+        self.save.setObjectName("plot_save")
+        self.save.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        menu = QMenu(self.save)
+        self.saves = {name: QAction(menu) for name in SAVES}
+        for name, action in self.saves.items():
+            action.setObjectName(f"plot_{name}")
+            action.triggered.connect(lambda _on=False, name=name: self.save_wanted.emit(name))
+            menu.addAction(action)
+        self.save.setMenu(menu)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(8)
+        for widget in (self.sets, self.spans, self.pause, self.undo, self.cursors):
+            row.addWidget(widget)
+        row.addStretch(1)
+        row.addWidget(self.save)
+        self.sets.activated.connect(self._on_set)
+        self.spans.activated.connect(self._on_span)
+        self.pause.clicked.connect(lambda on: board.pause(wanted=on))
+        self.undo.clicked.connect(board.undo)
+        self.cursors.clicked.connect(lambda on: board.show_cursors(wanted=on))
+        board.plots_changed.connect(self.refresh)
+        board.frame_changed.connect(self.refresh)
+        board.cursors_changed.connect(self.refresh)
+        self.retranslate_ui()
+
+    def _button(self, name: str, *, checkable: bool = False) -> QPushButton:
+        button = QPushButton()
+        button.setObjectName(name)
+        button.setCheckable(checkable)
+        button.setProperty("toggle", checkable)
+        button.setAutoDefault(False)
+        return button
+
+    def _on_set(self, _place: int) -> None:
+        name = self.sets.currentData()
+        if name in SETS:
+            self._board.show_plots(SETS[name])
+
+    def _on_span(self, _place: int) -> None:
+        span_s = self.spans.currentData()
+        if span_s is not None:
+            self._board.set_span(span_s)
+
+    def refresh(self) -> None:
+        """Show how the board stands."""
+        frame, name = self._board.frame, self._board.plot_layout.name
+        own = self.sets.findData("")
+        if name is None and own < 0:
+            self.sets.addItem(self.tr("Own arrangement"), "")
+        elif name is not None and own >= 0:
+            self.sets.removeItem(own)
+        self.sets.setCurrentIndex(self.sets.findData(name or ""))
+        self._show_span(frame.shown.span_s)
+        self.pause.setChecked(not frame.live)
+        self.pause.setText(self.tr("Pause") if frame.live else self.tr("Go on"))
+        self.undo.setEnabled(frame.can_undo)
+        self.cursors.setChecked(self._board.has_cursors)
+
+    def _show_span(self, span_s: float) -> None:
+        """One of the choices, or what the mouse has made of it."""
+        place = next(
+            (at for at, each in enumerate(SPANS_S) if abs(each - span_s) < each * 1e-6), None
+        )
+        if self.spans.count() > len(SPANS_S):
+            self.spans.removeItem(len(SPANS_S))
+        if place is None:
+            self.spans.addItem(_span_text(span_s), None)
+            place = len(SPANS_S)
+        self.spans.setCurrentIndex(place)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.sets.clear()
+        for name in SETS:
+            self.sets.addItem(QCoreApplication.translate("PlotBar", str(_SETS[name])), name)
+        self.sets.setToolTip(self.tr("Plots that answer a question"))
+        self.sets.setAccessibleName(self.sets.toolTip())
+        self.spans.clear()
+        for span_s in SPANS_S:
+            self.spans.addItem(_span_text(span_s), span_s)
+        self.spans.setToolTip(self.tr("How long a time is shown; the mouse wheel changes it, too"))
+        self.spans.setAccessibleName(self.tr("Time shown"))
+        self.undo.setText(self.tr("Undo zoom"))
+        self.undo.setToolTip(
+            self.tr("Drag a frame in a plot to zoom in. Back to what was shown before: Ctrl+Z")
+        )
+        self.undo.setShortcut(QKeySequence(QKeySequence.StandardKey.Undo))
+        self.cursors.setText(self.tr("Cursors"))
+        self.cursors.setToolTip(
+            self.tr("Two upright lines to be dragged; the table below tells the values at them")
+        )
+        self.save.setText(self.tr("Save"))
+        texts = {
+            "csv": self.tr("Values as CSV…"),
+            "png": self.tr("Picture as PNG…"),
+            "svg": self.tr("Picture as SVG…"),
+            "copy_picture": self.tr("Copy picture"),
+            "copy_values": self.tr("Copy values at the cursors"),
+        }
+        for name, text in texts.items():
+            self.saves[name].setText(text)
+        self.refresh()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        super().changeEvent(event)
+
+
+def _span_text(span_s: float) -> str:
+    if span_s >= 60.0:
+        minutes = span_s / 60.0
+        text = QCoreApplication.translate("PlotBar", "{count} min")
+        return text.format(count=f"{minutes:.3g}")
+    return QCoreApplication.translate("PlotBar", "{count} s").format(count=f"{span_s:.3g}")

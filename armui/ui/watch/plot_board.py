@@ -1,0 +1,384 @@
+"""The plots one below the other, all over the same time; drawn a dozen times a second."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QEvent, QPoint, Qt, QTimer, Signal
+from PySide6.QtWidgets import QFrame, QScrollArea, QVBoxLayout, QWidget
+
+from armui.telemetry.quantities import QUANTITIES
+from armui.ui.watch.curve_book import CurveBook
+from armui.ui.watch.curves_item import polygon
+from armui.ui.watch.drop_strip import DropStrip
+from armui.ui.watch.plot_layout import PlotLayout
+from armui.ui.watch.plot_pane import PlotPane
+from armui.ui.watch.time_frame import TimeFrame
+from armui.ui.watch.time_strip import TimeStrip
+from armui.ui.watch.wall_clock import clock_time
+
+if TYPE_CHECKING:
+    from PySide6.QtGui import QHideEvent, QResizeEvent, QShowEvent
+
+    from armui.telemetry.store import Telemetry
+    from armui.ui.watch.time_frame import Range
+
+PICTURE_MS: Final = 80
+"""Twelve pictures a second, fewer of a long time."""
+_STEP_PX: Final = 2.0
+_SLOWEST_MS: Final = 500
+_VALUES_EVERY_S: Final = 0.25
+"""So often for a look at the figures beside the names."""
+CURSORS: Final = 2
+_AT_ONCE_S: Final = 0.008
+"""So long plots are drawn before whatever else waits in the thread: a press, for one."""
+
+
+class PlotBoard(QWidget):
+    """Draws only what is seen; hidden it does nothing.
+
+    Args:
+        telemetry: Where the curves are kept.
+
+    Attributes:
+        plot_layout: Which curves stand in which plot.
+        frame: Which time is shown.
+        panes: The plots.
+        cursors_s: Monotonic times of the cursors; ``None``: not shown.
+        times: The times, below the plots.
+
+    Signals:
+        plots_changed: Other curves, or in other plots.
+        frame_changed: Another time, or running instead of standing still, or the other way round.
+        cursors_changed: The cursors are elsewhere.
+        refused: Something can't be added: ``"plots"`` or ``"curves"``, of which there are too many.
+        menu_wanted: A plot's place, the key under the mouse or ``None``, where on the screen.
+    """
+
+    plots_changed = Signal()
+    frame_changed = Signal()
+    cursors_changed = Signal()
+    refused = Signal(str)
+    menu_wanted = Signal(int, object, QPoint)
+
+    def __init__(self, telemetry: Telemetry, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._telemetry = telemetry
+        self.plot_layout = PlotLayout()
+        self.frame = TimeFrame()
+        self.panes: list[PlotPane] = []
+        self._book = CurveBook(telemetry, polygon)
+        self._picture_s = 0.0
+        self.cursors_s: list[float | None] = [None] * CURSORS
+        self._chosen = 0
+        self._valued_s = 0.0
+        self._dirty = True
+        self._waiting: list[PlotPane] = []
+        self._column = QWidget()
+        self._column.setObjectName("plot_column")
+        self._stack = QVBoxLayout(self._column)
+        self._stack.setContentsMargins(0, 0, 0, 0)
+        self._stack.setSpacing(4)
+        self.times = TimeStrip()
+        self._strip = DropStrip()
+        self._strip.dropped.connect(lambda keys, plot: self.take(keys, plot, None))
+        area = QScrollArea()
+        area.setWidgetResizable(True)
+        area.setFrameShape(QFrame.Shape.NoFrame)
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        area.setWidget(self._column)
+        self._area = area
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(4)
+        whole.addWidget(area, 1)
+        whole.addWidget(self.times)
+        whole.addWidget(self._strip)
+        self._timer = QTimer(self)
+        self._timer.setInterval(PICTURE_MS)
+        self._timer.timeout.connect(self._on_tick)
+        self._rebuild()
+
+    # What is drawn ----------------------------------------------------------------------------
+
+    @property
+    def chosen(self) -> int:
+        """The plot that a double click in the list adds to."""
+        return min(self._chosen, max(len(self.panes) - 1, 0))
+
+    def show_plots(self, plots: Sequence[Sequence[str]]) -> None:
+        """Show other plots."""
+        self.plot_layout.show(tuple(tuple(plot) for plot in plots))
+        self._after_change()
+
+    def take(self, keys: Sequence[str], source: int | None, place: int | None) -> None:
+        """Draw quantities in a plot; ``None``: in a new one. Those of a plot leave it."""
+        why_not = self.plot_layout.why_not(keys, place)
+        if why_not is not None:
+            self.refused.emit(why_not)
+            return
+        if source is None or source >= len(self.plot_layout.plots):
+            self.plot_layout.add(keys, place)
+        else:
+            for key in keys:
+                if key in self.plot_layout.plots[source]:
+                    self.plot_layout.move(key, source, place)
+        self._after_change()
+
+    def remove(self, place: int, key: str | None) -> None:
+        """Take a curve, or the whole plot, away."""
+        if key is None:
+            self.plot_layout.remove_plot(place)
+        else:
+            self.plot_layout.remove(place, key)
+        self._after_change()
+
+    def reveal(self, place: int) -> None:
+        """Choose a plot, and have it in sight."""
+        if place < len(self.panes):
+            self._choose(place)
+            self._area.ensureWidgetVisible(self.panes[place])
+        elif place < len(self.plot_layout.plots):
+            QTimer.singleShot(0, self, lambda: self.reveal(place))
+
+    def _after_change(self) -> None:
+        self.frame.forget_plots()
+        self._rebuild()
+        self.plots_changed.emit()
+        self.frame_changed.emit()
+
+    def _rebuild(self) -> None:
+        """Panes up to the first one that is another stay; the others are made one after another.
+
+        Each takes some milliseconds, between which the thread is free.
+        """
+        plots = self.plot_layout.plots
+        same = 0
+        for pane, keys in zip(self.panes, plots, strict=False):
+            if tuple(each.key for each in pane.quantities) != keys:
+                break
+            same += 1
+        for pane in self.panes[same:]:
+            pane.hide()
+            pane.deleteLater()
+        del self.panes[same:]
+        self._book.show(QUANTITIES[key] for plot in plots for key in plot)
+        self._build_next()
+
+    @property
+    def built(self) -> bool:
+        """Whether every plot is there."""
+        return len(self.panes) == len(self.plot_layout.plots)
+
+    def _build_next(self) -> None:
+        if not self.built:
+            place = len(self.panes)
+            pane = self._new_pane(place, self.plot_layout.plots[place])
+            self.panes.append(pane)
+            self._stack.insertWidget(place, pane, 1)
+            QTimer.singleShot(0, self, self._build_next)
+        self._choose(self.chosen)
+        self.draw_soon()
+
+    def _new_pane(self, place: int, keys: tuple[str, ...]) -> PlotPane:
+        pane = PlotPane(self._telemetry, self._book, place, keys)
+        box = pane.graph.box
+        pane.dropped.connect(lambda what, source: self.take(what, source, place))
+        pane.menu_wanted.connect(partial(self.menu_wanted.emit, place))
+        pane.pressed.connect(partial(self._choose, place))
+        box.framed.connect(partial(self._on_framed, place))
+        box.turned.connect(self._on_turned)
+        box.turned_height.connect(partial(self._on_turned_height, place))
+        box.panned.connect(self._on_panned)
+        box.cursor_dragged.connect(self._on_cursor_dragged)
+        box.clicked.connect(self._on_clicked)
+        box.let_go.connect(self.frame.settle)
+        return pane
+
+    def _choose(self, place: int) -> None:
+        self._chosen = place
+        for each, pane in enumerate(self.panes):
+            pane.set_chosen(wanted=each == place)
+
+    # Time -------------------------------------------------------------------------------------
+
+    def now_s(self) -> float:
+        """The present."""
+        return self._telemetry.now_s()
+
+    def edge_s(self) -> float:
+        """The monotonic time that counts as zero on the axis."""
+        return self.frame.edge_s(self.now_s())
+
+    def pause(self, *, wanted: bool) -> None:
+        """Stand still, or run with the present again."""
+        if wanted:
+            self.frame.pause(self.now_s())
+        else:
+            self.frame.resume()
+        self._frame_moved()
+
+    def set_span(self, span_s: float) -> None:
+        """Show so long a time."""
+        self.frame.set_span(span_s)
+        self._frame_moved()
+
+    def undo(self) -> None:
+        """Back to before the last zoom."""
+        self.frame.undo()
+        self._frame_moved()
+
+    def show_all_heights(self, place: int) -> None:
+        """Fit a plot's height to its curves again."""
+        self.frame.zoom_height(place, None)
+        self.frame.settle()
+        self._frame_moved()
+
+    def show_moment(self, at_s: float) -> None:
+        """Bring a monotonic time into sight, and put the first cursor there."""
+        self.frame.show_moment(self.now_s(), at_s)
+        self.cursors_s[0] = at_s
+        self._frame_moved()
+        self._cursors_moved()
+
+    def _on_framed(self, place: int, begin_s: float, end_s: float, heights: Range | None) -> None:
+        self.frame.zoom(self.now_s(), begin_s, end_s, place, heights)
+        self._frame_moved()
+
+    def _on_turned(self, factor: float, at_s: float) -> None:
+        self.frame.wheel(factor, at_s)
+        self._frame_moved()
+
+    def _on_turned_height(self, place: int, factor: float, at: float) -> None:
+        low, high = self.panes[place].heights
+        self.frame.zoom_height(place, (at - (at - low) * factor, at + (high - at) * factor))
+        self._frame_moved()
+
+    def _on_panned(self, by_s: float) -> None:
+        self.frame.pan(self.now_s(), by_s)
+        self._frame_moved()
+
+    def _frame_moved(self) -> None:
+        self.draw_soon()
+        self.frame_changed.emit()
+
+    # Cursors ----------------------------------------------------------------------------------
+
+    @property
+    def has_cursors(self) -> bool:
+        """Whether any is shown."""
+        return any(each is not None for each in self.cursors_s)
+
+    def show_cursors(self, *, wanted: bool) -> None:
+        """Put the cursors into the picture, or take them away."""
+        shown, edge_s = self.frame.shown, self.edge_s()
+        places = (shown.begin_s + shown.span_s / 3, shown.begin_s + 2 * shown.span_s / 3)
+        self.cursors_s = [edge_s + place if wanted else None for place in places]
+        self._cursors_moved()
+
+    def _on_cursor_dragged(self, number: int, at_s: float) -> None:
+        shown = self.frame.shown
+        self.cursors_s[number] = self.edge_s() + min(max(at_s, shown.begin_s), shown.end_s)
+        self._cursors_moved()
+
+    def _on_clicked(self, at_s: float) -> None:
+        """Bring the nearer cursor."""
+        at_s += self.edge_s()
+        near = [
+            (abs(each - at_s), number)
+            for number, each in enumerate(self.cursors_s)
+            if each is not None
+        ]
+        if near:
+            self.cursors_s[min(near)[1]] = at_s
+            self._cursors_moved()
+
+    def _cursors_moved(self) -> None:
+        self.draw_soon()
+        self.cursors_changed.emit()
+
+    # Drawing ----------------------------------------------------------------------------------
+
+    @property
+    def draws(self) -> bool:
+        """Whether it is drawing now."""
+        return self._timer.isActive()
+
+    def draw_soon(self) -> None:
+        """Something is to be seen that was not drawn yet."""
+        self._dirty = True
+        if self._timer.isActive() and self._timer.interval() > PICTURE_MS:
+            self._timer.start(PICTURE_MS)
+
+    def _period_ms(self) -> int:
+        """Until the curves have moved by two pixels: more pictures would show nothing new."""
+        width_px = self.panes[0].graph.width_px if self.panes else 1
+        period_ms = round(1e3 * _STEP_PX * self.frame.shown.span_s / width_px)
+        return min(max(period_ms, PICTURE_MS), _SLOWEST_MS)
+
+    def _on_tick(self) -> None:
+        if self.window().isMinimized():
+            return
+        now_s = self.now_s()
+        if self.frame.live or self._dirty:
+            self._dirty = False
+            self._waiting, self._picture_s = self._seen(), now_s
+            self._book.begin_picture()
+            self._draw_some()
+        self._timer.setInterval(self._period_ms())
+        if now_s - self._valued_s >= _VALUES_EVERY_S or now_s < self._valued_s:
+            self._valued_s = now_s
+            for pane in self._seen():
+                pane.show_values(now_s)
+
+    def _draw_some(self) -> None:
+        """Draw plots for a few milliseconds; others may have the thread before the next ones."""
+        began_s = time.perf_counter()
+        while self._waiting:
+            pane = self._waiting.pop(0)
+            if pane in self.panes:
+                self._draw_pane(pane, self._picture_s)
+            if self._waiting and time.perf_counter() - began_s > _AT_ONCE_S:
+                QTimer.singleShot(0, self, self._draw_some)
+                return
+
+    def draw(self, now_s: float) -> None:
+        """Draw the plots that are in sight, all at once."""
+        self._book.begin_picture()
+        for pane in self._seen():
+            self._draw_pane(pane, now_s)
+
+    def _draw_pane(self, pane: PlotPane, now_s: float) -> None:
+        shown, edge_s = self.frame.shown, self.frame.edge_s(now_s)
+        pane.advance(shown, edge_s, now_s, shown.ranges.get(self.panes.index(pane)))
+        pane.show_cursors(self.cursors_s, edge_s)
+        zero = "" if self.frame.live else clock_time(edge_s, now_s).partition(".")[0]
+        self.times.show_times((shown.begin_s, shown.end_s), pane.ends_px(self.times), zero)
+
+    def _seen(self) -> list[PlotPane]:
+        return [pane for pane in self.panes if not pane.visibleRegion().isEmpty()]
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Begin to draw."""
+        super().showEvent(event)
+        self.draw_soon()
+        self._timer.start()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Draw no more."""
+        super().hideEvent(event)
+        self._timer.stop()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Draw for the new width."""
+        super().resizeEvent(event)
+        self.draw_soon()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the colours."""
+        if event.type() == QEvent.Type.PaletteChange:
+            self.draw_soon()
+        super().changeEvent(event)

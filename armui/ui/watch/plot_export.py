@@ -1,0 +1,145 @@
+"""Saving and copying what the plots show; drawn and written in another thread."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from datetime import datetime, timedelta
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QGuiApplication, QImage
+from PySide6.QtWidgets import QWidget
+
+from armui.arm.refusal import Refusal
+from armui.control.events import Level
+from armui.telemetry.quantities import QUANTITIES
+from armui.ui import words
+from armui.ui.background import Job
+from armui.ui.dialogs.files import choose_file
+from armui.ui.watch import figure, value_table
+from armui.ui.watch.curves_item import CURSOR_NAMES
+from armui.ui.words import quantities as names
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.telemetry.store import Telemetry
+    from armui.ui.background import Background
+    from armui.ui.watch.plot_board import PlotBoard
+
+_FILTERS: Final = {"csv": "CSV (*.csv)", "png": "PNG (*.png)", "svg": "SVG (*.svg)"}
+
+
+class PlotExport(QObject):
+    """Files and clipboard.
+
+    Args:
+        controller: For the emergency stop in the file chooser.
+        board: What is shown.
+        background: Where it is drawn and written.
+        window: Whom the file chooser belongs to.
+
+    Signals:
+        said: What has become of it, and its :class:`Level`.
+    """
+
+    said = Signal(str, object)
+
+    def __init__(
+        self,
+        controller: ArmController,
+        board: PlotBoard,
+        background: Background,
+        window: QWidget,
+    ) -> None:
+        super().__init__(window)
+        self._controller = controller
+        self._telemetry: Telemetry = controller.telemetry
+        self._board = board
+        self._background = background
+        self._window = window
+
+    def save(self, kind: str) -> None:
+        """Let the operator say where to, and write it there; ``kind`` is csv, png or svg."""
+        now = datetime.now().astimezone()
+        choose_file(
+            self._window,
+            self._controller,
+            title=self.tr("Save the plots"),
+            name_filter=_FILTERS[kind],
+            on_chosen=partial(self.write, kind),
+            new_file=str(Path.home() / f"armui-{now:%Y%m%d-%H%M%S}.{kind}"),
+        )
+
+    def write(self, kind: str, path: Path) -> None:
+        """Write what is shown to a file."""
+        job = Job(partial(self._on_written, path))
+        if kind == "csv":
+            self._background.begin_here(job, self._write_csv(path))
+        else:
+            self._background.begin_here(job, figure.write, path, self.figure(), kind)
+
+    def copy_picture(self) -> None:
+        """Put a picture into the clipboard."""
+        self._background.begin_here(Job(self._on_drawn), figure.to_image, self.figure())
+
+    def copy_text(self, text: str) -> None:
+        """Put a table into the clipboard."""
+        QGuiApplication.clipboard().setText(text)
+        self.said.emit(self.tr("Copied"), Level.DONE)
+
+    def figure(self) -> figure.Figure:
+        """What is shown, copied: it may be drawn anywhere."""
+        board = self._board
+        now_s, shown = board.now_s(), board.frame.shown
+        edge_s = board.frame.edge_s(now_s)
+        plots = [pane.as_figure(shown, edge_s, now_s) for pane in board.panes]
+        cursors = [
+            (name, at_s - edge_s)
+            for name, at_s in zip(CURSOR_NAMES, board.cursors_s, strict=True)
+            if at_s is not None
+        ]
+        heading = f"{self._edge(edge_s, now_s):%Y-%m-%d %H:%M:%S}"
+        ends = (shown.begin_s, shown.end_s)
+        return figure.Figure(heading, plots, edge_s, *ends, cursors, self._window.font())
+
+    def _edge(self, edge_s: float, now_s: float) -> datetime:
+        """What the clock on the wall showed at a monotonic time."""
+        return datetime.now().astimezone() - timedelta(seconds=now_s - edge_s)
+
+    def _write_csv(self, path: Path) -> Callable[[], int]:
+        now_s, shown = self._board.now_s(), self._board.frame.shown
+        edge_s = self._board.frame.edge_s(now_s)
+        edge = self._edge(edge_s, now_s)
+        keys = dict.fromkeys(key for plot in self._board.plot_layout.plots for key in plot)
+        titles = [(key, _title(key)) for key in keys]
+        telemetry, call = self._telemetry, self._background.call
+        span = (edge_s + shown.begin_s, edge_s + shown.end_s)
+
+        def work() -> int:
+            table = value_table.columns(telemetry, titles, *span)
+            return call(value_table.write_csv, path, table, edge_s, edge)
+
+        return work
+
+    def _on_written(self, path: Path, result: int | Refusal | None) -> None:
+        if isinstance(result, Refusal):
+            text = self.tr("Not saved: {path}. {reason}")
+            text = text.format(path=path, reason=words.refusal(result))
+            self.said.emit(text, Level.FAULT)
+        else:
+            self.said.emit(self.tr("Saved: {path}").format(path=path), Level.DONE)
+
+    def _on_drawn(self, result: QImage | Refusal) -> None:
+        if isinstance(result, Refusal):
+            self.said.emit(words.refusal(result), Level.FAULT)
+            return
+        QGuiApplication.clipboard().setImage(result)
+        self.said.emit(self.tr("Copied"), Level.DONE)
+
+
+def _title(key: str) -> str:
+    what = QUANTITIES[key]
+    name = names.quantity(what)
+    return f"{name} [{what.unit}]" if what.unit else name

@@ -1,0 +1,241 @@
+"""One plot: its legend, its axes, its curves."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QEvent, QPoint, QRectF, Qt, Signal
+from PySide6.QtGui import QPolygonF
+from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
+
+from armui.arm.state import is_fresh
+from armui.telemetry.quantities import QUANTITIES
+from armui.ui.theme import DARK, colors_of
+from armui.ui.watch.carrying import from_mime
+from armui.ui.watch.curve_book import CurveBook
+from armui.ui.watch.curves_item import DrawnCurve
+from armui.ui.watch.figure import FigurePlot
+from armui.ui.watch.graph import Graph
+from armui.ui.watch.heights import AutoHeight, together
+from armui.ui.watch.legend import Entry, Legend
+from armui.ui.widgets import painting
+from armui.ui.words import quantities as names
+
+if TYPE_CHECKING:
+    from PySide6.QtGui import (
+        QContextMenuEvent,
+        QDragEnterEvent,
+        QDragMoveEvent,
+        QDropEvent,
+        QMouseEvent,
+        QPaintEvent,
+    )
+
+    from armui.telemetry.quantities import Quantity
+    from armui.telemetry.store import Telemetry
+    from armui.ui.watch.curve_shapes import Line
+    from armui.ui.watch.time_frame import Range, Shown
+
+_LIGHT_CURVES: Final = (
+    *("#1763d2", "#b35c00", "#18864a", "#8a3ffc", "#00808a", "#b0257f"),
+    *("#6b6b00", "#5f6b7c", "#0b3d91", "#7a4b1e", "#3f7d20", "#5b2a86"),
+)
+_DARK_CURVES: Final = (
+    *("#5a9cff", "#f0a050", "#45c47b", "#b98cff", "#35c8d6", "#f078c0"),
+    *("#cfcf50", "#98a5b6", "#9cc4ff", "#d8a878", "#a0d878", "#d0b0ff"),
+)
+"""Red is none of them: it means stop or fault."""
+
+LEAST_PX: Final = 60
+"""Of the curves; the legend takes as many lines as it needs."""
+
+
+class PlotPane(QWidget):
+    """Draws some quantities over a time it is given.
+
+    Args:
+        telemetry: Where they are kept.
+        book: Has the lines of its curves.
+        place: Which of the plots it is.
+        keys: Of the quantities.
+
+    Signals:
+        dropped: Keys of quantities that are to be drawn here, and the plot they come from or
+            ``None``.
+        menu_wanted: The key under the mouse or ``None``, and where on the screen.
+        pressed: It was clicked: it is the chosen one.
+    """
+
+    dropped = Signal(object, object)
+    menu_wanted = Signal(object, QPoint)
+    pressed = Signal()
+
+    def __init__(
+        self,
+        telemetry: Telemetry,
+        book: CurveBook[QPolygonF],
+        place: int,
+        keys: Sequence[str],
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName(f"plot_{place}")
+        self._telemetry = telemetry
+        self.quantities: tuple[Quantity, ...] = tuple(QUANTITIES[key] for key in keys)
+        self._book = book
+        self._height = AutoHeight(self.unit)
+        self._shown: Shown | None = None
+        self._chosen = False
+        self.heights: Range = (0.0, 1.0)
+        self.legend = Legend(place)
+        self.graph = Graph()
+        self.graph.setMinimumHeight(LEAST_PX)
+        self.setAcceptDrops(True)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(8, 4, 4, 2)
+        layout.setSpacing(0)
+        layout.addWidget(self.legend)
+        layout.addWidget(self.graph, 1)
+        self.graph.box.clicked.connect(lambda _at: self.pressed.emit())
+        self.legend.chosen.connect(lambda _key: self.pressed.emit())
+        self._take_colors()
+        self.show_values(telemetry.now_s())
+
+    @property
+    def unit(self) -> str:
+        """The unit of its curves, where they have one in common."""
+        units = {each.unit for each in self.quantities}
+        return next(iter(units)) if len(units) == 1 else ""
+
+    @property
+    def curve_colors(self) -> dict[str, str]:
+        """The colour of each quantity, by key."""
+        palette = _DARK_CURVES if colors_of(self) is DARK else _LIGHT_CURVES
+        return {
+            each.key: palette[place % len(palette)] for place, each in enumerate(self.quantities)
+        }
+
+    # Drawing ----------------------------------------------------------------------------------
+
+    def advance(self, shown: Shown, edge_s: float, now_s: float, heights: Range | None) -> None:
+        """Draw a time.
+
+        Args:
+            shown: Which, from its edge.
+            edge_s: Monotonic time of the edge.
+            now_s: The present.
+            heights: What of the figures is shown; ``None``: all of them.
+        """
+        begin_s, end_s = edge_s + shown.begin_s, min(edge_s + shown.end_s, now_s)
+        colors, curves, extents = self.curve_colors, [], []
+        for each in self.quantities:
+            pieces, extent = self._book.curve(
+                each, begin_s, max(end_s, begin_s), self.graph.width_px
+            )
+            curves.append(DrawnCurve(colors[each.key], pieces))
+            extents.append(extent)
+        codes = all(not each.unit for each in self.quantities)
+        self.heights = heights or self._height.fit(together(extents), codes=codes)
+        self.graph.show_range(shown.begin_s, shown.end_s, *self.heights, codes=codes)
+        self.graph.curves.show_curves(curves, edge_s)
+
+    def as_figure(self, shown: Shown, edge_s: float, now_s: float) -> FigurePlot:
+        """The same for a picture on paper."""
+        begin_s, end_s = edge_s + shown.begin_s, min(edge_s + shown.end_s, now_s)
+        book: CurveBook[Line] = CurveBook(self._telemetry, lambda times, figures: (times, figures))
+        book.show(self.quantities)
+        curves = [
+            book.curve(each, begin_s, max(end_s, begin_s), self.graph.width_px)[0]
+            for each in self.quantities
+        ]
+        colored = [
+            (entry.name, _LIGHT_CURVES[place % len(_LIGHT_CURVES)])
+            for place, entry in enumerate(self.legend.entries)
+        ]
+        return FigurePlot(colored, curves, self.heights, self.legend.title)
+
+    def show_values(self, now_s: float) -> None:
+        """The values now, beside the names."""
+        colors = self.curve_colors
+        entries = []
+        title, short = names.in_common(self.quantities)
+        for each, name in zip(self.quantities, short, strict=True):
+            latest = self._telemetry.series[each.series].latest(each.field)
+            at_s, value = latest or (None, None)
+            stale = not (each.held or is_fresh(at_s, now_s))
+            text = names.quantity_value(each, None if latest is None else value)
+            entries.append(Entry(each.key, name, colors[each.key], text, stale))
+        self.legend.show_entries(entries, title)
+
+    def show_cursors(self, at_s: Sequence[float | None], edge_s: float) -> None:
+        """Draw the cursors at monotonic times."""
+        self.graph.box.cursors = [None if each is None else each - edge_s for each in at_s]
+        self.graph.curves.show_cursors(at_s, colors_of(self).text)
+
+    def ends_px(self, of: QWidget) -> tuple[float, float]:
+        """Where the time begins and ends, in another widget."""
+        left = self.graph.mapFromScene(self.graph.box.sceneBoundingRect().topLeft())
+        begin = of.mapFromGlobal(self.graph.mapToGlobal(left)).x()
+        return float(begin), float(begin + self.graph.width_px)
+
+    # Qt's events ------------------------------------------------------------------------------
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        """What can be done with the plot, or with the curve under the mouse."""
+        key = self.legend.key_at(self.legend.mapFrom(self, event.pos()))
+        self.menu_wanted.emit(key, event.globalPos())
+        event.accept()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """It is the chosen one."""
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.pressed.emit()
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        """Quantities may be dropped here."""
+        if from_mime(event.mimeData())[0]:
+            event.acceptProposedAction()
+
+    def dragMoveEvent(self, event: QDragMoveEvent) -> None:
+        """As above."""
+        if from_mime(event.mimeData())[0]:
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """Draw them here."""
+        keys, plot = from_mime(event.mimeData())
+        if keys:
+            event.acceptProposedAction()
+            self.dropped.emit(keys, plot)
+
+    @property
+    def chosen(self) -> bool:
+        """Whether it is the one that is added to."""
+        return self._chosen
+
+    def set_chosen(self, *, wanted: bool) -> None:
+        """Show that it is the one that is added to, or is not."""
+        if wanted != self._chosen:
+            self._chosen = wanted
+            self.update()
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """A card, framed while it is the chosen one."""
+        colors = colors_of(self)
+        painter = painting.begin(self)
+        edge = colors.accent if self._chosen else colors.border
+        painting.panel(painter, QRectF(self.rect()), colors.surface, edge, 1)
+        painter.end()
+
+    def _take_colors(self) -> None:
+        self.graph.set_colors(colors_of(self))
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language and the colours."""
+        if event.type() == QEvent.Type.PaletteChange:
+            self._take_colors()
+        if event.type() in {QEvent.Type.PaletteChange, QEvent.Type.LanguageChange}:
+            self.show_values(self._telemetry.now_s())
+        super().changeEvent(event)

@@ -1,0 +1,205 @@
+"""The window 曲线: curves of everything heard and commanded in the last half hour."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QPoint, QSize, Qt, QTimer, Signal
+from PySide6.QtWidgets import QHBoxLayout, QMenu, QVBoxLayout, QWidget
+
+from armui.arm.refusal import Refusal
+from armui.control.events import Level
+from armui.ui.background import Job
+from armui.ui.dialogs.base import ArmDialog
+from armui.ui.watch import layout_file
+from armui.ui.watch.cursor_table import CursorTable
+from armui.ui.watch.plot_bar import PlotBar
+from armui.ui.watch.plot_board import PlotBoard
+from armui.ui.watch.plot_export import PlotExport
+from armui.ui.watch.plot_layout import MOST_CURVES, MOST_PLOTS, from_text, to_text
+from armui.ui.watch.quantity_list import QuantityList
+from armui.ui.widgets.message_line import MessageLine
+
+if TYPE_CHECKING:
+    from PySide6.QtGui import QHideEvent
+
+    from armui.control.arm_controller import ArmController
+    from armui.ui.background import Background
+
+_SIZE: Final = QSize(1180, 760)
+_KEEP_AFTER_MS: Final = 1000
+
+
+class PlotWindow(ArmDialog):
+    """Plots one below the other, beside a list of everything that can be drawn.
+
+    Args:
+        controller: Knows what was heard; for halt and emergency stop.
+        background: Where files are read and written.
+        settings: The file of the operator's settings: the plots are kept beside it.
+        parent: The main window.
+
+    Attributes:
+        board: The plots.
+    """
+
+    layout_read = Signal()
+
+    def __init__(
+        self,
+        controller: ArmController,
+        background: Background,
+        settings: Path,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(controller, parent)
+        self.setObjectName("plot_window")
+        self.setWindowFlags(Qt.WindowType.Window)
+        self._background = background
+        self._file = layout_file.path_beside(settings)
+        self._known = False
+        telemetry = controller.telemetry
+        self.board = PlotBoard(telemetry)
+        self.bar = PlotBar(self.board)
+        self.quantities = QuantityList(telemetry)
+        self.cursor_table = CursorTable(self.board, telemetry)
+        self._message = MessageLine()
+        self._message.setObjectName("plot_message")
+        self._message.hide()
+        self.export = PlotExport(controller, self.board, background, self)
+        self._keep_timer = QTimer(self, singleShot=True, interval=_KEEP_AFTER_MS)
+        self._lay_out()
+        self._connect()
+        self.retranslate_ui()
+        self.resize(_SIZE.boundedTo(self.screen().availableSize()))
+        self._read()
+
+    def _lay_out(self) -> None:
+        right = QVBoxLayout()
+        right.setSpacing(6)
+        right.addWidget(self.bar)
+        right.addWidget(self.board, 1)
+        right.addWidget(self.cursor_table)
+        right.addWidget(self._message)
+        row = QHBoxLayout()
+        row.setSpacing(12)
+        row.addWidget(self.quantities)
+        row.addLayout(right, 1)
+        self.body.addLayout(row, 1)
+
+    def _connect(self) -> None:
+        self.quantities.wanted.connect(lambda keys: self.board.take(keys, None, self.board.chosen))
+        self.board.refused.connect(self._on_refused)
+        self.board.menu_wanted.connect(self._open_menu)
+        self.board.plots_changed.connect(self._on_changed)
+        self.board.frame_changed.connect(self._on_changed)
+        self.bar.save_wanted.connect(self._on_save)
+        self.export.said.connect(self._say)
+        self._keep_timer.timeout.connect(self._keep)
+
+    # What others ask for ----------------------------------------------------------------------
+
+    def add_curves(self, keys: Sequence[str]) -> None:
+        """Have quantities drawn: where they are drawn already, or in a plot of their own."""
+        if not self._known:
+            self.layout_read.connect(
+                lambda: self.add_curves(keys), Qt.ConnectionType.SingleShotConnection
+            )
+            return
+        layout = self.board.plot_layout
+        missing = [key for key in keys if layout.find(key) is None]
+        if missing:
+            self.board.take(missing, None, None)
+        place = layout.find(keys[0]) if keys else None
+        if place is not None:
+            self.board.reveal(place)
+
+    def show_moment(self, at_s: float) -> None:
+        """Bring a monotonic time into sight, and put the first cursor there."""
+        self.board.show_moment(at_s)
+
+    # The layout -------------------------------------------------------------------------------
+
+    def _read(self) -> None:
+        self._background.begin_here(Job(self._on_read), layout_file.read_text, self._file)
+
+    def _on_read(self, text: str | Refusal) -> None:
+        kept = from_text(text) if isinstance(text, str) else None
+        if kept is not None:
+            plots, span_s = kept
+            self.board.show_plots(plots)
+            self.board.set_span(span_s)
+            self.board.frame.forget_plots()
+            self.bar.refresh()
+        self._known = True
+        self._keep_timer.stop()
+        self.layout_read.emit()
+
+    def _on_changed(self) -> None:
+        if self._known:
+            self._keep_timer.start()
+
+    def _keep(self) -> None:
+        frame = self.board.frame
+        text = to_text(self.board.plot_layout.plots, frame.shown.span_s)
+        job = Job(self._on_kept)
+        self._background.begin_here(job, layout_file.write_text, self._file, text)
+
+    def _on_kept(self, result: Refusal | None) -> None:
+        if isinstance(result, Refusal):
+            text = self.tr("The arrangement of the plots could not be kept: {text}")
+            self._say(text.format_map(result.params), Level.WARNING)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Keep the layout now."""
+        super().hideEvent(event)
+        if self._keep_timer.isActive():
+            self._keep_timer.stop()
+            self._keep()
+
+    # Menus ------------------------------------------------------------------------------------
+
+    def _open_menu(self, place: int, key: str | None, at: QPoint) -> None:
+        menu = QMenu(self)
+        menu.setObjectName("plot_menu")
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        if key is not None:
+            menu.addAction(self.tr("Remove curve"), lambda: self.board.remove(place, key))
+            menu.addAction(
+                self.tr("Into a plot of its own"), lambda: self.board.take([key], place, None)
+            )
+            menu.addSeparator()
+        menu.addAction(self.tr("Fit the height"), lambda: self.board.show_all_heights(place))
+        if self.board.frame.can_undo:
+            menu.addAction(self.tr("Undo zoom"), self.board.undo)
+        menu.addAction(self.tr("Remove plot"), lambda: self.board.remove(place, None))
+        menu.popup(at)
+
+    def _on_refused(self, what: str) -> None:
+        if what == "plots":
+            text = self.tr("There are {count} plots already: remove one first.")
+            count = MOST_PLOTS
+        else:
+            text = self.tr("A plot takes {count} curves, so that they can be told apart.")
+            count = MOST_CURVES
+        self._say(text.format(count=count), Level.WARNING)
+
+    def _say(self, text: str, level: Level) -> None:
+        self._message.show_message(text, level)
+        self._message.show()
+
+    def _on_save(self, what: str) -> None:
+        if what == "copy_picture":
+            self.export.copy_picture()
+        elif what == "copy_values":
+            if not self.board.has_cursors:
+                self.board.show_cursors(wanted=True)
+            self.export.copy_text(self.cursor_table.text())
+        else:
+            self.export.save(what)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.tr("Curves"))

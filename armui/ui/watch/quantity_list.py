@@ -1,0 +1,183 @@
+"""Everything that can be drawn, by groups; what is dragged from here becomes a curve."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QEvent, QModelIndex, QSortFilterProxyModel, Qt, QTimer, Signal
+from PySide6.QtGui import QColor, QStandardItem, QStandardItemModel
+from PySide6.QtWidgets import QAbstractItemView, QLineEdit, QTreeView, QVBoxLayout, QWidget
+
+from armui.telemetry.quantities import QUANTITIES, Source
+from armui.ui.theme import colors_of
+from armui.ui.watch.carrying import carry_away
+from armui.ui.words import quantities as names
+
+if TYPE_CHECKING:
+    from PySide6.QtGui import QHideEvent, QShowEvent
+
+    from armui.telemetry.store import Telemetry
+
+KEYS_ROLE: Final = Qt.ItemDataRole.UserRole
+"""The keys an entry stands for: of a group all of them."""
+_LOOK_MS: Final = 1000
+_WIDTH_PX: Final = 250
+
+
+class _Tree(QTreeView):
+    """What is dragged from it are keys."""
+
+    def startDrag(self, _actions: Qt.DropAction) -> None:  # noqa: N802 - the name Qt calls
+        """Carry away what is chosen, each once."""
+        keys: list[str] = []
+        for index in self.selectedIndexes():
+            keys += index.data(KEYS_ROLE) or ()
+        if keys:
+            carry_away(self, list(dict.fromkeys(keys)))
+
+
+class QuantityList(QWidget):
+    """A search field over a tree; what was never heard is muted.
+
+    Args:
+        telemetry: Knows what was heard.
+
+    Signals:
+        wanted: Keys that were double-clicked, or chosen with Enter.
+    """
+
+    wanted = Signal(object)
+
+    def __init__(self, telemetry: Telemetry, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._telemetry = telemetry
+        self._items: dict[str, QStandardItem] = {}
+        self._groups: list[tuple[QStandardItem, str]] = []
+        self.search = QLineEdit()
+        self.search.setObjectName("quantity_search")
+        self.search.setClearButtonEnabled(True)
+        self._model = QStandardItemModel(self)
+        self._shown = QSortFilterProxyModel(self)
+        self._shown.setSourceModel(self._model)
+        self._shown.setRecursiveFilteringEnabled(True)
+        self._shown.setAutoAcceptChildRows(True)
+        self._shown.setFilterCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
+        self.tree = _Tree()
+        self.tree.setObjectName("quantity_tree")
+        self.tree.setModel(self._shown)
+        self.tree.setHeaderHidden(True)
+        self.tree.setUniformRowHeights(True)
+        self.tree.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.tree.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        self.tree.setDragEnabled(True)
+        self.tree.setDragDropMode(QAbstractItemView.DragDropMode.DragOnly)
+        self.tree.setExpandsOnDoubleClick(False)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(6)
+        layout.addWidget(self.search)
+        layout.addWidget(self.tree, 1)
+        self.setFixedWidth(_WIDTH_PX)
+        self._fill()
+        self.search.textChanged.connect(self._on_search)
+        self.tree.activated.connect(self._on_activated)
+        self._timer = QTimer(self)
+        self._timer.setInterval(_LOOK_MS)
+        self._timer.timeout.connect(self.show_heard)
+        self.retranslate_ui()
+
+    def _fill(self) -> None:
+        """Source, kind, joint."""
+        tops: dict[Source, QStandardItem] = {}
+        kinds: dict[tuple[Source, str], QStandardItem] = {}
+        for each in QUANTITIES.values():
+            if each.source not in tops:
+                tops[each.source] = self._group("", each.source)
+                self._model.appendRow(tops[each.source])
+            parent = tops[each.source]
+            if each.number is not None:
+                place = (each.source, each.kind)
+                if place not in kinds:
+                    kinds[place] = self._group(each.key, each.source)
+                    parent.appendRow(kinds[place])
+                parent = kinds[place]
+                parent.setData([*parent.data(KEYS_ROLE), each.key], KEYS_ROLE)
+            item = QStandardItem()
+            item.setData([each.key], KEYS_ROLE)
+            self._items[each.key] = item
+            parent.appendRow(item)
+        for top in tops.values():
+            top.setFlags(Qt.ItemFlag.ItemIsEnabled)
+
+    def _group(self, first: str, source: Source) -> QStandardItem:
+        """An entry for several; `first` is one of them, or "" for a whole source."""
+        item = QStandardItem()
+        item.setData([], KEYS_ROLE)
+        self._groups.append((item, first or source.value))
+        return item
+
+    def retranslate_ui(self) -> None:
+        """Name everything in the operator's language."""
+        self.search.setPlaceholderText(self.tr("Search"))
+        self.tree.setAccessibleName(self.tr("Quantities"))
+        self.tree.setToolTip(self.tr("Drag into a plot, or double-click to add to the chosen one"))
+        for item, first in self._groups:
+            if first in QUANTITIES:
+                item.setText(names.quantity_kind(QUANTITIES[first]))
+            else:
+                item.setText(names.quantity_group(Source(first)))
+        for key, item in self._items.items():
+            item.setText(names.quantity(QUANTITIES[key]))
+            item.setToolTip(item.text())
+        self.tree.expandToDepth(0)
+        self.show_heard()
+
+    def show_heard(self) -> None:
+        """Mute what was never heard."""
+        colors = colors_of(self)
+        heard, never = QColor(colors.text), QColor(colors.faint)
+        said = {name: series.count > 0 for name, series in self._telemetry.series.items()}
+        for key, item in self._items.items():
+            color = heard if said[QUANTITIES[key].series] else never
+            if item.foreground().color() != color:
+                item.setForeground(color)
+
+    def index_of(self, key: str) -> QModelIndex:
+        """Where a quantity stands in the tree, opened up to it."""
+        index = self._shown.mapFromSource(self._items[key].index())
+        self.tree.expand(index.parent())
+        self.tree.scrollTo(index)
+        return index
+
+    def _on_search(self, text: str) -> None:
+        self._shown.setFilterFixedString(text)
+        if text:
+            self.tree.expandAll()
+        else:
+            self.tree.collapseAll()
+            self.tree.expandToDepth(0)
+
+    def _on_activated(self, index: QModelIndex) -> None:
+        keys: Iterable[str] = index.data(KEYS_ROLE) or ()
+        if keys:
+            self.wanted.emit(list(keys))
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Look now and then."""
+        super().showEvent(event)
+        self.show_heard()
+        self._timer.start()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Look no more."""
+        super().hideEvent(event)
+        self._timer.stop()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language and the colours."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        elif event.type() == QEvent.Type.PaletteChange:
+            self.show_heard()
+        super().changeEvent(event)

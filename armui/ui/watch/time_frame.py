@@ -1,0 +1,168 @@
+"""Which stretch of time the plots show, and how the operator came there: pure."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Final
+
+from armui.telemetry.series import KEPT_S
+
+SPANS_S: Final = (5.0, 10.0, 30.0, 60.0, 300.0, 1800.0)
+"""What the operator can choose at once."""
+FIRST_SPAN_S: Final = 30.0
+
+_SHORTEST_S: Final = 0.02
+_MOST_UNDONE: Final = 100
+
+Range = tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """What is shown.
+
+    Attributes:
+        edge_s: The moment that counts as zero on the time axis; ``None``: the present.
+        begin_s, end_s: The ends of the axis, in seconds from that moment.
+        ranges: Plots whose figures the operator has zoomed into, by their place.
+    """
+
+    edge_s: float | None = None
+    begin_s: float = -FIRST_SPAN_S
+    end_s: float = 0.0
+    ranges: Mapping[int, Range] = field(default_factory=dict)
+
+    @property
+    def span_s(self) -> float:
+        """How long it is."""
+        return self.end_s - self.begin_s
+
+
+class TimeFrame:
+    """Zoom, pause and undo; every plot shows the same time.
+
+    Times are those of the axis: seconds from the edge, before it negative. While it is live the
+    edge is the present, and the axis stands still while the curves run along it.
+    """
+
+    def __init__(self) -> None:
+        self._shown = Shown()
+        self._before: list[Shown] = []
+        self._stepping = False
+
+    @property
+    def shown(self) -> Shown:
+        """What is shown."""
+        return self._shown
+
+    @property
+    def live(self) -> bool:
+        """Whether it runs with the present."""
+        return self._shown.edge_s is None
+
+    @property
+    def can_undo(self) -> bool:
+        """Whether there is a zoom to be undone."""
+        return bool(self._before)
+
+    def edge_s(self, now_s: float) -> float:
+        """The moment that counts as zero."""
+        return now_s if self._shown.edge_s is None else self._shown.edge_s
+
+    def pause(self, now_s: float) -> None:
+        """Stand still."""
+        if self.live:
+            self._shown = replace(self._shown, edge_s=now_s)
+
+    def resume(self) -> None:
+        """Run with the present again, as long a time as is shown now; nothing is left to undo."""
+        self._shown = Shown(begin_s=-max(self._shown.span_s, SPANS_S[0]))
+        self._before.clear()
+
+    def set_span(self, span_s: float) -> None:
+        """Show so long a time, up to where it ended so far."""
+        span_s = min(max(span_s, _SHORTEST_S), KEPT_S)
+        self._go(replace(self._shown, begin_s=self._shown.end_s - span_s))
+
+    def zoom(
+        self,
+        now_s: float,
+        begin_s: float,
+        end_s: float,
+        plot: int = 0,
+        heights: Range | None = None,
+    ) -> None:
+        """Show a part of the time, and of one plot a part of its height; it stands still then."""
+        begin_s, end_s = min(begin_s, end_s), min(max(begin_s, end_s), 0.0)
+        if end_s - begin_s < _SHORTEST_S:
+            return
+        ranges = dict(self._shown.ranges)
+        if heights is not None and heights[0] < heights[1]:
+            ranges[plot] = heights
+        self._go(Shown(self.edge_s(now_s), begin_s, end_s, ranges))
+
+    def zoom_height(self, plot: int, heights: Range | None) -> None:
+        """Show a part of one plot's height; ``None``: all of it."""
+        ranges = {place: each for place, each in self._shown.ranges.items() if place != plot}
+        if heights is not None and heights[0] < heights[1]:
+            ranges[plot] = heights
+        self._go(replace(self._shown, ranges=ranges), stepping=True)
+
+    def wheel(self, factor: float, at_s: float) -> None:
+        """Show a longer or shorter time.
+
+        Args:
+            factor: By so much longer.
+            at_s: What stays where it is; while it runs that is the present.
+        """
+        shown = self._shown
+        shortest_s = SPANS_S[0] if self.live else _SHORTEST_S
+        span_s = min(max(shown.span_s * factor, shortest_s), KEPT_S)
+        if self.live:
+            begin_s, end_s = -span_s, 0.0
+        else:
+            factor = span_s / shown.span_s
+            begin_s = at_s - (at_s - shown.begin_s) * factor
+            end_s = min(begin_s + span_s, 0.0)
+            begin_s = end_s - span_s
+        self._go(replace(shown, begin_s=begin_s, end_s=end_s), stepping=True)
+
+    def pan(self, now_s: float, by_s: float) -> None:
+        """Look at another time; it stands still then."""
+        shown = self._shown
+        end_s = min(max(shown.end_s + by_s, shown.span_s - KEPT_S), 0.0)
+        moved = Shown(self.edge_s(now_s), end_s - shown.span_s, end_s, shown.ranges)
+        self._go(moved, stepping=True)
+
+    def show_moment(self, now_s: float, at_s: float) -> None:
+        """Bring a moment, by the clock of the samples, into the middle."""
+        edge_s = self.edge_s(now_s)
+        if not self._shown.begin_s <= at_s - edge_s <= self._shown.end_s:
+            span_s = self._shown.span_s
+            end_s = min(at_s - edge_s + span_s / 2, 0.0)
+            self._go(Shown(edge_s, end_s - span_s, end_s, self._shown.ranges))
+
+    def undo(self) -> None:
+        """Back to what was shown before the last zoom."""
+        if self._before:
+            self._shown = self._before.pop()
+            self._stepping = False
+
+    def forget_plots(self) -> None:
+        """The plots are others: what of their heights was chosen is over."""
+        self._shown = replace(self._shown, ranges={})
+        self._before.clear()
+
+    def settle(self) -> None:
+        """A gesture of several steps is over: the next one is undone by itself."""
+        self._stepping = False
+
+    def _go(self, shown: Shown, *, stepping: bool = False) -> None:
+        if shown == self._shown:
+            return
+        if not (stepping and self._stepping):
+            self._before.append(self._shown)
+            del self._before[:-_MOST_UNDONE]
+        self._stepping = stepping
+        self._shown = shown

@@ -1,0 +1,72 @@
+"""Right button on any figure: show it as a curve.
+
+A widget says which quantities it shows by :func:`tell_quantities`; one that shows several of them
+in different places has a method ``quantities_at``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final, Protocol, runtime_checkable
+
+from PySide6.QtCore import QCoreApplication, QObject, QPoint, Qt
+from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtWidgets import QMenu, QWidget
+
+_PROPERTY: Final = "quantities"
+
+
+@runtime_checkable
+class ManyFigures(Protocol):
+    """Shows several quantities in different places."""
+
+    def quantities_at(self, place: QPoint) -> Sequence[str]:
+        """The keys of those at a place of the widget."""
+
+
+@runtime_checkable
+class ShowsCurves(Protocol):
+    """Can show quantities as curves: the main window."""
+
+    def show_as_curves(self, keys: Sequence[str]) -> None:
+        """Show them."""
+
+
+def tell_quantities(widget: QWidget, *keys: str) -> None:
+    """Say which quantities a widget shows, by their keys (`armui.telemetry.quantities`)."""
+    widget.setProperty(_PROPERTY, list(keys))
+
+
+def quantities_under(window: QWidget, place: QPoint) -> list[str]:
+    """The keys of what is shown at a place of a window."""
+    widget = window.childAt(place) or window
+    while True:
+        keys: Sequence[str] = widget.property(_PROPERTY) or ()
+        if isinstance(widget, ManyFigures):
+            keys = widget.quantities_at(widget.mapFrom(window, place))
+        parent = widget.parentWidget()
+        if keys or widget is window or parent is None:
+            return list(keys)
+        widget = parent
+
+
+def offer_curves(window: QWidget, event: QContextMenuEvent) -> None:
+    """Open the menu of a figure, if there is one under the mouse."""
+    keys = quantities_under(window, event.pos())
+    shower = _shower(window)
+    if not keys or shower is None:
+        event.ignore()
+        return
+    event.accept()
+    menu = QMenu(window)
+    menu.setObjectName("curve_menu")
+    menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    text = QCoreApplication.translate("CurveMenu", "Show as curve")
+    menu.addAction(text, lambda: shower.show_as_curves(keys))
+    menu.popup(event.globalPos())
+
+
+def _shower(window: QObject | None) -> ShowsCurves | None:
+    while window is not None and not isinstance(window, ShowsCurves):
+        window = window.parent()
+    return window

@@ -1,0 +1,60 @@
+"""The window 曲线 in use."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QDialog
+
+from armui.ui.watch.plot_layout import SETS
+from armui.ui.watch.plot_window import PlotWindow
+from tests.app_driver import AppDriver
+
+SIZE_PX = (1180, 760)
+
+
+def _window(app_driver: AppDriver, name: str, span_s: float) -> PlotWindow:
+    """The window with one of its sets, running."""
+    app_driver.window.show_as_curves(())
+    window = app_driver.dialog(PlotWindow)
+    window.resize(*SIZE_PX)
+    board = window.board
+    app_driver.wait(lambda: window._known)
+    board.pause(wanted=False)
+    board.show_cursors(wanted=False)
+    board.show_plots(SETS[name])
+    board.set_span(span_s)
+    board.frame.forget_plots()
+    app_driver.wait(lambda: board.built)
+    return window
+
+
+def _drawn(app_driver: AppDriver, window: PlotWindow) -> QDialog:
+    window.bar.refresh()
+    app_driver.wait(lambda: window.board.panes[0].graph.width_px > 100)
+    window.board.draw(window.board.now_s())
+    for pane in window.board.panes:
+        pane.show_values(window.board.now_s())
+    return window
+
+
+def follow(app_driver: AppDriver) -> QDialog:
+    return _drawn(app_driver, _window(app_driver, "follow", 5.0))
+
+
+def why_stopped(app_driver: AppDriver) -> QDialog:
+    if app_driver.controller.telemetry.series["ArmStatus"].count < 800:  # once, in four pictures
+        app_driver.run(4.0)
+    return _drawn(app_driver, _window(app_driver, "stop", 10.0))
+
+
+def cursors(app_driver: AppDriver) -> QDialog:
+    window = _window(app_driver, "follow", 10.0)
+    board = window.board
+    board.show_plots((*SETS["follow"][:3], ("arm.motor_current.1", "arm.motor_current.2")))
+    board.frame.zoom(board.now_s(), -3.2, -0.4)
+    board.show_cursors(wanted=True)
+    app_driver.wait(lambda: board.built)
+    return _drawn(app_driver, window)
+
+
+def hot(app_driver: AppDriver) -> QDialog:
+    return _drawn(app_driver, _window(app_driver, "hot", 5.0))
