@@ -109,8 +109,8 @@ TESTS: dict[str, Judges] = {
     "armui/control/safety/hearing.py": Judges(
         ("tests/control/test_hearing.py",), ("tests/safety/test_s09*",)
     ),
-    "armui/control/safety/rest.py": Judges(
-        ("tests/control/test_rest.py",), ("tests/safety/test_s1[03]*",)
+    "armui/control/safety/standstill.py": Judges(
+        ("tests/control/test_standstill.py",), ("tests/safety/test_s1[03]*",)
     ),
     "armui/control/safety/interlocks.py": Judges(
         ("tests/control/test_interlocks.py",), ("tests/control/test_gates.py",)

@@ -11,26 +11,30 @@ from typing import Final
 
 from armui.arm.state import ArmState
 
-_DIFFERENT: Final = frozenset(
+_ALIKE: Final = frozenset(
     {
-        "gripper",
-        "drivers_fast",
-        "drivers_slow",
-        "limits",
-        "accelerations_deg_s2",
-        "end_limits",
-        "collision_levels",
-        "teaching_handle",
-        "end_motion",
+        "epoch",
+        "sequence",
+        "last_feedback_s",
+        "silences",
+        "status",
+        "joints_deg",
+        "pose",
+        "firmware",
+        "version_heard_s",
+        "status_heard_s",
+        "foreign_targets_s",
+        "frames",
+        "oddities",
     }
 )
-"""Other units, other bits, or frames that only one generation has."""
+"""All else has other units, other bits, or frames that only one generation has."""
 
 _NOTHING_HEARD: Final = ArmState()
 _UNKNOWN: Final = {
     field.name: getattr(_NOTHING_HEARD, field.name)
     for field in fields(ArmState)
-    if field.name in _DIFFERENT
+    if field.name not in _ALIKE
 }
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import Final, Generic, TypeVar
+from typing import Annotated, Final, Generic, TypeVar
 
 from armui.arm.gripper import GripperState
 from armui.arm.limits import JOINTS, JointLimits
@@ -121,10 +121,10 @@ class DriverSlow:
 class EndLimits:
     """What the end of the arm may do, 0x478."""
 
-    max_linear_speed_m_s: float
-    max_angular_speed_rad_s: float
-    max_linear_acceleration_m_s2: float
-    max_angular_acceleration_rad_s2: float
+    max_linear_speed_m_s: Annotated[float, "MaxLinearSpeed"]
+    max_angular_speed_rad_s: Annotated[float, "MaxAngularSpeed"]
+    max_linear_acceleration_m_s2: Annotated[float, "MaxLinearAcceleration"]
+    max_angular_acceleration_rad_s2: Annotated[float, "MaxAngularAcceleration"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,19 +137,26 @@ class TeachingHandleSettings:
         friction: 1–10.
     """
 
-    range_percent: float
-    stroke_limit_mm: float
-    friction: float
+    range_percent: Annotated[float, "TeachingRange"]
+    stroke_limit_mm: Annotated[float, "StrokeLimit"]
+    friction: Annotated[float, "Friction"]
 
 
 @dataclass(frozen=True, slots=True)
 class EndMotion:
     """A joint's part in the motion of the end, 0x481–0x486; sent only while switched on."""
 
-    linear_speed_m_s: float
-    angular_speed_rad_s: float
-    linear_acceleration_m_s2: float
-    angular_acceleration_rad_s2: float
+    linear_speed_m_s: Annotated[float, "LinearSpeed"]
+    angular_speed_rad_s: Annotated[float, "AngularSpeed"]
+    linear_acceleration_m_s2: Annotated[float, "LinearAcceleration"]
+    angular_acceleration_rad_s2: Annotated[float, "AngularAcceleration"]
+
+
+RECORDS: Final[Mapping[str, tuple[str, type]]] = {
+    "EndLimitFeedback": ("end_limits", EndLimits),
+    "TeachingFeedback": ("teaching_handle", TeachingHandleSettings),
+}
+"""Messages kept as they come: the field of :class:`ArmState`, and the record it holds."""
 
 
 _NOTHING: Final = (None, None, None, None, None, None)

@@ -15,19 +15,19 @@ from armui.arm.gripper import GripperState, gripper_of
 from armui.arm.limits import JOINTS, JointLimits
 from armui.arm.state import (
     FRESH_FOR_S,
+    RECORDS,
     ArmState,
     DriverFast,
     DriverSlow,
-    EndLimits,
     EndMotion,
     Reading,
     Six,
     Status,
-    TeachingHandleSettings,
 )
 from armui.arm.units import DEGREES_PER
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codec import Codec, InvalidFrame, Message
+from armui.protocol.message_fields import record_reader
 from armui.protocol.version import LONGEST, find_version, is_question
 
 _Signals = Mapping[str, float]
@@ -69,9 +69,8 @@ class Tracker:
         self._drivers_slow: list[Reading[DriverSlow] | None] = [None] * 6
         self._limits: list[Reading[JointLimits] | None] = [None] * 6
         self._accelerations: list[Reading[float] | None] = [None] * 6
-        self._end_limits: Reading[EndLimits] | None = None
         self._collision_levels: Reading[Six[int]] | None = None
-        self._teaching_handle: Reading[TeachingHandleSettings] | None = None
+        self._records: dict[str, Reading[Any]] = {}
         self._end_motion: list[Reading[EndMotion] | None] = [None] * 6
         self._version_bytes = bytearray()
         self._firmware: str | None = None
@@ -122,9 +121,7 @@ class Tracker:
             drivers_slow=_six(self._drivers_slow),
             limits=_six(self._limits),
             accelerations_deg_s2=_six(self._accelerations),
-            end_limits=self._end_limits,
             collision_levels=self._collision_levels,
-            teaching_handle=self._teaching_handle,
             end_motion=_six(self._end_motion),
             firmware=self._firmware,
             version_heard_s=self._version_heard_s,
@@ -132,6 +129,7 @@ class Tracker:
             foreign_targets_s=self._all_targets_s(),
             frames=self._frames,
             oddities=MappingProxyType(dict(self._oddities)),
+            **self._records,
         )
 
     # What each message changes ----------------------------------------------------------------
@@ -142,9 +140,7 @@ class Tracker:
             "GripperFeedback": self._on_gripper,
             "LimitFeedback": self._on_limits,
             "AccelerationFeedback": self._on_acceleration,
-            "EndLimitFeedback": self._on_end_limits,
             "CollisionFeedback": self._on_collision_levels,
-            "TeachingFeedback": self._on_teaching_handle,
             "FirmwareVersion": self._on_firmware,
             "JointFeedback12": _pair(self._joints, 0, "J1", "J2"),
             "JointFeedback34": _pair(self._joints, 2, "J3", "J4"),
@@ -153,6 +149,8 @@ class Tracker:
             "EndPose2": _pair(self._pose, 2, "Z", "RX"),
             "EndPose3": _pair(self._pose, 4, "RY", "RZ"),
         }
+        for message, (field, record) in RECORDS.items():
+            handlers[message] = self._record_handler(field, record)
         for joint in JOINTS:
             handlers[f"DriverFast{joint}"] = self._driver_fast_handler(joint)
             handlers[f"DriverSlow{joint}"] = self._driver_slow_handler(joint)
@@ -203,36 +201,23 @@ class Tracker:
         acceleration_deg_s2 = signals["MaxAcceleration"] * factor
         self._accelerations[int(signals["Joint"]) - 1] = Reading(acceleration_deg_s2, at_s)
 
-    def _on_end_limits(self, signals: _Signals, at_s: float) -> None:
-        limits = EndLimits(
-            max_linear_speed_m_s=signals["MaxLinearSpeed"],
-            max_angular_speed_rad_s=signals["MaxAngularSpeed"],
-            max_linear_acceleration_m_s2=signals["MaxLinearAcceleration"],
-            max_angular_acceleration_rad_s2=signals["MaxAngularAcceleration"],
-        )
-        self._end_limits = Reading(limits, at_s)
-
     def _on_collision_levels(self, signals: _Signals, at_s: float) -> None:
         levels: Six[int] = _six([int(signals[f"J{joint}"]) for joint in JOINTS])
         self._collision_levels = Reading(levels, at_s)
 
-    def _on_teaching_handle(self, signals: _Signals, at_s: float) -> None:
-        handle = TeachingHandleSettings(
-            range_percent=signals["TeachingRange"],
-            stroke_limit_mm=signals["StrokeLimit"],
-            friction=signals["Friction"],
-        )
-        self._teaching_handle = Reading(handle, at_s)
+    def _record_handler(self, field: str, record: type) -> Callable[[_Signals, float], None]:
+        read: Callable[[_Signals], object] = record_reader(record)
+
+        def on_record(signals: _Signals, at_s: float) -> None:
+            self._records[field] = Reading(read(signals), at_s)
+
+        return on_record
 
     def _end_motion_handler(self, joint: int) -> Callable[[_Signals, float], None]:
+        read = record_reader(EndMotion)
+
         def on_end_motion(signals: _Signals, at_s: float) -> None:
-            motion = EndMotion(
-                linear_speed_m_s=signals["LinearSpeed"],
-                angular_speed_rad_s=signals["AngularSpeed"],
-                linear_acceleration_m_s2=signals["LinearAcceleration"],
-                angular_acceleration_rad_s2=signals["AngularAcceleration"],
-            )
-            self._end_motion[joint - 1] = Reading(motion, at_s)
+            self._end_motion[joint - 1] = Reading(read(signals), at_s)
 
         return on_end_motion
 

@@ -24,7 +24,7 @@ from armui.control.motion.motion_command import (
 from armui.control.safety.hearing import limp, taught, why_silent
 from armui.control.safety.other_command import OtherCommand
 from armui.control.safety.overspeed import OverspeedWatch
-from armui.control.safety.rest import RestWatch
+from armui.control.safety.standstill import RestWatch
 from armui.protocol.codes import ArmStatusCode, ControlMode, MoveMode
 
 if TYPE_CHECKING:
@@ -72,6 +72,7 @@ class Authority:
         self._rest = RestWatch()
         self._overspeed = OverspeedWatch()
         self._seen: Observation | None = None
+        self._silent: Refusal | None = Refusal(RefusalCode.NOT_CONNECTED)
         self._cancelled_s: float | None = None
         self._zero_since_s = 0.0
         self._mode_sent: tuple[MoveMode, float] | None = None
@@ -88,7 +89,7 @@ class Authority:
 
     def observe(self, seen: Observation) -> None:
         """Take in what is known now; ends our command where something has ended it."""
-        self._seen = seen
+        self._seen, self._silent = seen, why_silent(seen.state, seen.now_s)
         state, now_s = seen.state, seen.now_s
         self._rest.observe(state, now_s)
         if self.other.observe(seen.traffic, seen.offsets, state, now_s, at_rest=self.at_rest):
@@ -120,7 +121,7 @@ class Authority:
     def mover(self) -> Mover:
         """Who moves the arm now."""
         seen = self._seen
-        if seen is None or not seen.online or why_silent(seen.state, seen.now_s) is not None:
+        if seen is None or not seen.online or self._silent is not None:
             return Mover.UNKNOWN
         no_power = limp(seen.state, seen.now_s)
         if no_power is not False:
@@ -139,8 +140,7 @@ class Authority:
 
     def why_silent(self) -> Refusal | None:
         """The feedback that a motion counts on and that is not heard, or ``None``."""
-        seen = self._seen
-        return why_silent(seen.state, seen.now_s) if seen else Refusal(RefusalCode.NOT_CONNECTED)
+        return self._silent
 
     def why_held(self) -> Refusal | None:
         """The motion that is held back in the arm, as a reason against another one."""
@@ -308,7 +308,7 @@ class Authority:
         self.other.reconnected()
         self.arm_percent = self._mode_sent = None
         self._rest.forget()
-        self._seen = None
+        self._seen, self._silent = None, Refusal(RefusalCode.NOT_CONNECTED)
 
     @property
     def _percent_shown(self) -> int | None:
@@ -331,7 +331,7 @@ class Authority:
             return None
         if self.other.last_s is not None and self.other.last_s >= command.sent_s:
             return End.OTHER_HOST
-        if why_silent(seen.state, seen.now_s) is not None:
+        if self._silent is not None:
             return End.SILENT
         return (
             self._what_arm_says(seen.state, command, seen.now_s)

@@ -7,6 +7,7 @@ from typing import IO, TYPE_CHECKING, BinaryIO, cast
 import can
 
 from armui.decode.entries import LogFrame, NotALogError, Unreadable, log_frame
+from armui.system.error_text import error_text
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -61,7 +62,7 @@ def read_blf_log(stream: IO[bytes]) -> Iterator[LogFrame | Unreadable]:
             break
         except Exception as error:  # noqa: BLE001 - damaged bytes raise whatever they hit
             broken_at = meter.position if meter.broken_at is None else meter.broken_at
-            reason = f"damaged here ({str(error) or type(error).__name__}), after {count} frames"
+            reason = f"damaged here ({error_text(error)}), after {count} frames"
             yield Unreadable(f"byte {broken_at}", reason)
             return
         count += 1

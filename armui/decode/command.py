@@ -17,6 +17,7 @@ from armui.decode.logs import read_log
 from armui.protocol.codec import Codec
 from armui.protocol.detect import GenerationDetector
 from armui.protocol.generation import Generation
+from armui.system.error_text import error_text
 
 if TYPE_CHECKING:
     import argparse
@@ -124,7 +125,7 @@ def _rereadable(path: Path) -> Iterator[Path]:
             with path.open("rb") as source, copy.open("wb") as target:
                 shutil.copyfileobj(source, target)
         except OSError as error:
-            raise NotALogError(error.strerror or str(error)) from error
+            raise NotALogError(error_text(error)) from error
         yield copy
 
 

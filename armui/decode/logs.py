@@ -9,6 +9,7 @@ from typing import IO, TYPE_CHECKING, cast
 from armui.decode.blf_logs import read_blf_log
 from armui.decode.entries import LogFrame, NotALogError, Unreadable
 from armui.decode.text_logs import TEXT_FORMATS, Lines, read_text_log
+from armui.system.error_text import error_text
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Iterator
@@ -45,7 +46,7 @@ def read_log(path: Path) -> Generator[LogFrame | Unreadable]:
                 lines = Lines(stream, log_format)
                 yield from _expect_frames(read_text_log(lines, log_format), suffix, lines)
     except OSError as error:
-        raise NotALogError(error.strerror or str(error)) from error
+        raise NotALogError(error_text(error)) from error
 
 
 def _log_suffix(path: Path) -> str:

@@ -134,7 +134,6 @@ def test_what_is_not_kept_makes_no_new_snapshot(hosts):
 KINDS = {
     "mode word": (OtherTraffic.mode_word, (0x151,)),
     "MIT setpoint": (OtherTraffic.mit_frames, tuple(range(0x15A, 0x160))),
-    "motion command": (OtherTraffic.motion_command, (0x150,)),
 }
 
 

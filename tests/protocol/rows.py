@@ -1,12 +1,15 @@
 """Frames worked out by hand from the protocol's tables, one row a message.
 
-A row is (identifier, payload, message, signals); signals that are 0 are left out. Numbers are
-big-endian and two's complement; the comments show how physical values become bytes.
+A row is (identifier, payload, message, signals); signals that are 0 are left out. A message that
+comes periodically, and not with the controller's or the drivers' feedback, says how often. Numbers
+are big-endian and two's complement; the comments show how physical values become bytes.
 """
 
 from __future__ import annotations
 
 from typing import NamedTuple
+
+from armui.protocol.generation import Generation
 
 
 class Row(NamedTuple):
@@ -14,6 +17,7 @@ class Row(NamedTuple):
     payload: str
     name: str
     signals: dict[str, float]
+    cycle_ms: int | None = None
 
     def __str__(self) -> str:
         return self.name
@@ -250,3 +254,5 @@ GENERATION_2 = [
         {"Byte0": 83, "Byte1": 45, "Byte2": 86, "Byte3": 49,
          "Byte4": 46, "Byte5": 54, "Byte6": 45, "Byte7": 51}),
 ]
+
+ROWS = {Generation.ONE: BOTH + GENERATION_1, Generation.TWO: BOTH + GENERATION_2}

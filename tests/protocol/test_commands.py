@@ -69,21 +69,14 @@ BY_HAND = {
     "query_trajectory_index": ["477 0300000000000000"],
     "query_teaching": ["477 0400000000000000"],
     "query_firmware": ["4AF 0100000000000000"],
-    # 150° = 1500 = 0x5DC; unchanged; 3 rad/s = 300 = 0x12C
-    "set_limits": ["474 0105DC7FFF012C00"],
-    # 5 rad/s² = 500 = 0x1F4
-    "set_joint_acceleration": ["475 0200AE01F4000000"],
     "set_joint_zero": ["475 03AE007FFF000000"],
     "clear_joint_error": ["475 0700007FFFAE0000"],
-    # 1.0 = 1000 = 0x3E8
-    "set_end_limits": ["479 03E87FFF7FFF03E8"],
     "reset_end_limits": ["477 0001000000000000"],
     "reset_joint_limits": ["477 0002000000000000"],
     "set_end_feedback": ["477 0000020000000000"],
     "set_load": ["477 000000AE02000000"],
-    "set_collision_levels": ["47A 0001020304080000"],
     # 150 % = 0x96, 100 mm = 0x64
-    "set_teaching": ["47D 9664050000000000"],
+    "set_parameters": ["47D 9664050000000000"],
     "set_linkage": ["470 FA10002000000000"],
     "set_bus_silence": ["422 0100000000000000"],
     "set_light": ["121 0102FFFF80000007"],
@@ -106,17 +99,12 @@ CALLS: dict[str, tuple[tuple[Any, ...], dict[str, Any]]] = {
     "disable_motors": ((3,), {}),
     "query_limits": ((1,), {}),
     "query_acceleration": ((6,), {}),
-    "set_limits": ((1,), {"max_angle_deg": 150, "min_angle_deg": None, "max_speed": 3}),
-    "set_joint_acceleration": ((2, 5), {}),
     "set_joint_zero": ((3,), {}),
-    "set_end_limits": ((), {
-        "max_linear_speed_m_s": 1, "max_angular_speed_rad_s": None,
-        "max_linear_acceleration_m_s2": None, "max_angular_acceleration_rad_s2": 1,
-    }),
     "set_end_feedback": ((), {"on": False}),
     "set_load": ((EndLoad.FULL,), {}),
-    "set_collision_levels": (([0, 1, 2, 3, 4, 8],), {}),
-    "set_teaching": ((), {"teaching_range_percent": 150, "stroke_limit_mm": 100, "friction": 5}),
+    "set_parameters": (
+        ("TeachingSetting", {"TeachingRange": 150, "StrokeLimit": 100, "Friction": 5}), {},
+    ),
     "set_linkage": (
         (LinkageRole.TEACHING_INPUT,), {"feedback_offset": 0x10, "target_offset": 0x20},
     ),
@@ -142,6 +130,26 @@ def test_generation_2(name):
     assert wire(getattr(commands, name)(TWO, *arguments, **keywords)) == BY_HAND[name]
 
 
+@pytest.mark.parametrize(
+    ("message", "joint", "values", "expected"),
+    [
+        # 150° = 1500 = 0x5DC; unchanged; 3 rad/s = 300 = 0x12C
+        ("LimitSetting", 1, {"MaxAngle": 150, "MinAngle": None, "MaxSpeed": 3},
+         "474 0105DC7FFF012C00"),
+        # 5 rad/s² = 500 = 0x1F4
+        ("JointSetting", 2, {"MaxAcceleration": 5}, "475 0200AE01F4000000"),
+        # 1.0 = 1000 = 0x3E8
+        ("EndLimitSetting", 0, {"MaxLinearSpeed": 1, "MaxAngularSpeed": None,
+                                "MaxLinearAcceleration": None, "MaxAngularAcceleration": 1},
+         "479 03E87FFF7FFF03E8"),
+        ("CollisionSetting", 0, {"J1": 0, "J2": 1, "J3": 2, "J4": 3, "J5": 4, "J6": 8},
+         "47A 0001020304080000"),
+    ],
+)  # fmt: skip
+def test_the_values_an_arm_keeps_are_set_by_message(message, joint, values, expected):
+    assert wire(commands.set_parameters(TWO, message, values, joint)) == [expected]
+
+
 def test_generation_1_has_its_own_gripper_lengths_and_codes():
     # 70° = 0x11170, 1.5 rad/s = 0x5DC
     gripper = commands.move_gripper_angle(ONE, angle_deg=70, speed_rad_s=1.5)
@@ -153,16 +161,19 @@ def test_generation_1_has_its_own_gripper_lengths_and_codes():
     assert wire(commands.set_end_feedback(ONE, on=False)) == ["477 0000000000000000"]
     assert wire(commands.set_joint_zero(ONE, 3)) == ["475 03AE000000000000"]
     # 150° = 0x5DC, -150° = 0xFA24, 3000 rpm = 0xBB8
-    limits = commands.set_limits(ONE, 1, max_angle_deg=150, min_angle_deg=-150, max_speed=3000)
+    values = {"MaxAngle": 150, "MinAngle": -150, "MaxSpeed": 3000}
+    limits = commands.set_parameters(ONE, "LimitSetting", values, 1)
     assert wire(limits) == ["474 0105DCFA240BB800"]
 
 
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda: commands.set_limits(
-            ONE, 1, max_angle_deg=None, min_angle_deg=0, max_speed=1), "LimitSetting.MaxAngle"),
-        (lambda: commands.set_joint_acceleration(ONE, 1, None), "JointSetting.MaxAcceleration"),
+        (lambda: commands.set_parameters(
+            ONE, "LimitSetting", {"MaxAngle": None, "MinAngle": 0, "MaxSpeed": 1}, 1),
+         "LimitSetting.MaxAngle"),
+        (lambda: commands.set_parameters(ONE, "JointSetting", {"MaxAcceleration": None}, 1),
+         "JointSetting.MaxAcceleration"),
         (lambda: commands.query_teaching(ONE), "ParameterCommand.Query cannot be 4"),
         (lambda: commands.query_firmware(ONE), "no message FirmwareVersion"),
         (lambda: commands.reset_joint_limits(ONE), "ParameterCommand.Reset cannot be 2"),
@@ -174,7 +185,7 @@ def test_generation_1_has_its_own_gripper_lengths_and_codes():
         (lambda: commands.move_gripper_angle(TWO, angle_deg=1, speed_rad_s=1), "no signal Angle"),
         (lambda: commands.trajectory_command(TWO, TrajectoryCommand.TRANSFER), "not documented"),
         (lambda: commands.move_joints(TWO, [0, 0], speed_percent=1), "wants 6 joint angles, not 2"),
-        (lambda: commands.set_collision_levels(TWO, [0] * 7), "wants 6 levels, not 7"),
+        (lambda: commands.set_parameters(TWO, "CollisionSetting", {"J7": 0}), "no signal J7"),
         (lambda: commands.enable_motors(TWO, 0), "MotorEnable.Joint cannot be 0"),
         (lambda: commands.query_limits(TWO, 7), "LimitQuery.Joint cannot be 7"),
         (lambda: commands.set_linkage(TWO, LinkageRole.UNCHANGED, feedback_offset=0x30),

@@ -8,9 +8,8 @@ from armui.protocol.codec import Codec, Message
 from armui.protocol.database import load_database
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from tests.protocol.rows import BOTH, GENERATION_1, GENERATION_2, Row
+from tests.protocol.rows import ROWS, Row
 
-ROWS = {Generation.ONE: BOTH + GENERATION_1, Generation.TWO: BOTH + GENERATION_2}
 CASES = [(generation, row) for generation, rows in ROWS.items() for row in rows]
 IDS = [f"gen{int(generation)}-{row}" for generation, row in CASES]
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
+from tests.protocol.rows import GENERATION_2
 
 BOTH = (Generation.ONE, Generation.TWO)
 
@@ -15,6 +16,11 @@ DISABLE = "471#0701000000000000"
 STOP = "150#0100000000000000"
 RESUME = "150#0200000000000000"
 STANDBY = "151#0000000000000000"
+
+# eight frames of the controller and six of the drivers at 200 Hz, six at 40 Hz, and what says its
+# own cycle time
+FRAMES_A_SECOND = 3040 + sum(1000 // row.cycle_ms for row in GENERATION_2 if row.cycle_ms)
+"""Of an arm of generation 2 at rest."""
 
 
 def frame(text: str) -> Frame:

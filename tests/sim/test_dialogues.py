@@ -14,7 +14,7 @@ from armui.protocol.codes import EndLoad
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.parameters.settings import Light
-from tests.sim.talk import BOTH, frame, heard, tell, text
+from tests.sim.talk import BOTH, FRAMES_A_SECOND, frame, heard, tell, text
 
 ONE, TWO = Generation.ONE, Generation.TWO
 
@@ -313,7 +313,7 @@ def test_silence_stops_the_feedback_but_not_the_time() -> None:
     assert arm.step(1.0) == []
     assert arm.time_s == 1.0
     tell(arm, "422#0000000000000000")
-    assert len(arm.step(1.0)) == 3040
+    assert len(arm.step(1.0)) == FRAMES_A_SECOND
 
 
 def test_light_and_load_are_kept() -> None:

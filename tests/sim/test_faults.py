@@ -11,7 +11,7 @@ from armui.sim.faults.faulty_link import FaultyLink
 from armui.sim.faults.schedule import FAULTS, Fault, FaultError, Faults, fault, read_fault
 from armui.sim.firmware import Firmware
 from tests.moments import now
-from tests.sim.talk import BOTH, ENABLE, RESUME, heard, mode, ready, target, tell
+from tests.sim.talk import BOTH, ENABLE, FRAMES_A_SECOND, RESUME, heard, mode, ready, target, tell
 
 ONE, TWO = Generation.ONE, Generation.TWO
 LEANING = (10.0, 110.0, -60.0, 5.0, 10.0, 15.0)
@@ -227,7 +227,7 @@ def test_stopped_feedback_still_answers() -> None:
     assert arm.step(1.0) == []
     assert tell(arm, "477#0200000000000000") == ["47B#0101010101010000"]
     faults.end(broken)
-    assert len(arm.step(1.0)) == 3040
+    assert len(arm.step(1.0)) == FRAMES_A_SECOND
 
 
 def test_planned_faults_begin_and_end_at_their_time() -> None:

@@ -11,7 +11,7 @@ from armui.sim.faults.faulty_link import FaultyLink
 from armui.sim.faults.schedule import read_fault
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
-from tests.sim.talk import ENABLE, frame
+from tests.sim.talk import ENABLE, FRAMES_A_SECOND, frame
 
 FRAMES = [Frame(0x151, bytes((number,) * 8)) for number in range(100)]
 
@@ -100,10 +100,10 @@ def test_faults_of_the_line_on_a_bus(fault: str, least: int, most: int) -> None:
             for _ in range(200):
                 node.poll(0.005)
             counts.append(count(host))
-        assert counts[0] == 3040
+        assert counts[0] == FRAMES_A_SECOND
         assert least <= counts[1] <= most
         # what was late comes, the rest is as before
-        assert 3000 <= counts[2] <= 3040 + 1520
+        assert FRAMES_A_SECOND - 40 <= counts[2] <= FRAMES_A_SECOND + 1520
         assert node.sent == sum(counts)
 
 

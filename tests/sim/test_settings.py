@@ -19,6 +19,7 @@ from tests.moments import now
 from tests.sim.talk import (
     BOTH,
     DISABLE,
+    FRAMES_A_SECOND,
     RESUME,
     STOP,
     heard,
@@ -256,7 +257,7 @@ def test_the_same_frames_with_end_motion_on() -> None:
 
     first = life()
     assert first == life()
-    assert len(first) == 3040 + 1200
+    assert len(first) == FRAMES_A_SECOND + 1200
 
 
 def test_end_motion_in_bytes() -> None:

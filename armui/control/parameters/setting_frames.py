@@ -54,35 +54,8 @@ def setting_frames(codec: Codec, batch: Batch, values: Values) -> list[Frame]:
         parameter.kind.signal.format(joint=parameter.joint): to_wire(codec, parameter, value)
         for parameter, value in values.items()
     }
-    match batch.group:
-        case Group.JOINT_LIMITS:
-            return commands.set_limits(
-                codec,
-                batch.joint,
-                max_angle_deg=signals["MaxAngle"],
-                min_angle_deg=signals["MinAngle"],
-                max_speed=signals["MaxSpeed"],
-            )
-        case Group.JOINT_ACCELERATION:
-            return commands.set_joint_acceleration(codec, batch.joint, signals["MaxAcceleration"])
-        case Group.END_LIMITS:
-            return commands.set_end_limits(
-                codec,
-                max_linear_speed_m_s=signals["MaxLinearSpeed"],
-                max_angular_speed_rad_s=signals["MaxAngularSpeed"],
-                max_linear_acceleration_m_s2=signals["MaxLinearAcceleration"],
-                max_angular_acceleration_rad_s2=signals["MaxAngularAcceleration"],
-            )
-        case Group.COLLISION:
-            levels = [round(level) for level in signals.values() if level is not None]
-            return commands.set_collision_levels(codec, levels)
-        case Group.TEACHING:
-            return commands.set_teaching(
-                codec,
-                teaching_range_percent=signals["TeachingRange"] or 0,
-                stroke_limit_mm=round(signals["StrokeLimit"] or 0),
-                friction=round(signals["Friction"] or 0),
-            )
+    message = batch.parameters()[0].kind.message
+    return commands.set_parameters(codec, message, signals, batch.joint)
 
 
 def can_leave_unchanged(codec: Codec, batch: Batch) -> bool:

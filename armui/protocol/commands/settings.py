@@ -16,56 +16,31 @@ from armui.protocol.codes import (
 from armui.protocol.commands.checks import exactly
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from armui.protocol.codec import Codec
     from armui.protocol.frame import Frame
 
 
-def set_limits(
-    codec: Codec,
-    joint: int,
-    *,
-    max_angle_deg: float | None,
-    min_angle_deg: float | None,
-    max_speed: float | None,
+def set_parameters(
+    codec: Codec, message: str, values: Mapping[str, float | None], joint: int = ALL_JOINTS
 ) -> list[Frame]:
-    """Sets a joint's angle and speed limits (0x474).
+    """Sets what one frame carries of the values an arm keeps (0x474, 0x475, 0x479, 0x47A, 0x47D).
 
     Args:
         codec: The arm's codec.
-        joint: 1–6.
-        max_angle_deg: None leaves it unchanged (generation 2).
-        min_angle_deg: None leaves it unchanged (generation 2).
-        max_speed: In rad/s (generation 2) or rpm (generation 1), as
-            `codec.unit("LimitSetting", "MaxSpeed")` says. None leaves it unchanged (generation 2).
+        message: ``LimitSetting``, ``JointSetting``, ``EndLimitSetting``, ``CollisionSetting`` or
+            ``TeachingSetting``.
+        values: By signal, in the unit that ``codec.unit(message, signal)`` says: generation 1 takes
+            rpm where generation 2 takes rad/s. None leaves a value unchanged (generation 2).
+        joint: 1–6, where the message is about one; 7 is all of them in ``JointSetting``.
     """
-    return [
-        codec.encode(
-            "LimitSetting",
-            Joint=joint,
-            MaxAngle=max_angle_deg,
-            MinAngle=min_angle_deg,
-            MaxSpeed=max_speed,
-        )
-    ]
-
-
-def set_joint_acceleration(codec: Codec, joint: int, max_acceleration: float | None) -> list[Frame]:
-    """Sets the acceleration limit of a joint, or of all with 7 (0x475).
-
-    Args:
-        codec: The arm's codec.
-        joint: 1–7.
-        max_acceleration: In rad/s² (generation 2) or rpm/s (generation 1), as
-            `codec.unit("JointSetting", "MaxAcceleration")` says. None leaves it unchanged
-            (generation 2).
-    """
-    return [
-        codec.encode(
-            "JointSetting", Joint=joint, AccelerationValid=VALID, MaxAcceleration=max_acceleration
-        )
-    ]
+    signals = dict(values)
+    if "Joint" in codec.signals(message):
+        signals["Joint"] = joint
+    if message == "JointSetting":
+        signals["AccelerationValid"] = VALID
+    return [codec.encode(message, **signals)]
 
 
 def set_joint_zero(codec: Codec, joint: int) -> list[Frame]:
@@ -76,26 +51,6 @@ def set_joint_zero(codec: Codec, joint: int) -> list[Frame]:
 def clear_joint_error(codec: Codec, joint: int = ALL_JOINTS) -> list[Frame]:
     """Clears the error of a joint, or of all with 7 (0x475)."""
     return [codec.encode("JointSetting", Joint=joint, ClearError=VALID)]
-
-
-def set_end_limits(
-    codec: Codec,
-    *,
-    max_linear_speed_m_s: float | None,
-    max_angular_speed_rad_s: float | None,
-    max_linear_acceleration_m_s2: float | None,
-    max_angular_acceleration_rad_s2: float | None,
-) -> list[Frame]:
-    """Sets the end's limits (0x479); None leaves one unchanged, in generation 2."""
-    return [
-        codec.encode(
-            "EndLimitSetting",
-            MaxLinearSpeed=max_linear_speed_m_s,
-            MaxAngularSpeed=max_angular_speed_rad_s,
-            MaxLinearAcceleration=max_linear_acceleration_m_s2,
-            MaxAngularAcceleration=max_angular_acceleration_rad_s2,
-        )
-    ]
 
 
 def reset_end_limits(codec: Codec) -> list[Frame]:
@@ -118,33 +73,6 @@ def set_end_feedback(codec: Codec, *, on: bool) -> list[Frame]:
 def set_load(codec: Codec, load: EndLoad) -> list[Frame]:
     """Tells the arm what it carries: nothing, half or the full payload (0x477)."""
     return [codec.encode("ParameterCommand", LoadValid=VALID, Load=load)]
-
-
-def set_collision_levels(codec: Codec, levels: Sequence[int]) -> list[Frame]:
-    """Sets the collision protection level of each joint, 0 (none) to 8 (0x47A)."""
-    values = exactly("CollisionSetting", levels, 6, "levels", "")
-    return [codec.encode("CollisionSetting", **{f"J{j}": v for j, v in enumerate(values, 1)})]
-
-
-def set_teaching(
-    codec: Codec, *, teaching_range_percent: float, stroke_limit_mm: int, friction: int
-) -> list[Frame]:
-    """Sets the teaching handle (0x47D, generation 2).
-
-    Args:
-        codec: The arm's codec.
-        teaching_range_percent: 100–200.
-        stroke_limit_mm: 0, 70 or 100.
-        friction: 1–10.
-    """
-    return [
-        codec.encode(
-            "TeachingSetting",
-            TeachingRange=teaching_range_percent,
-            StrokeLimit=stroke_limit_mm,
-            Friction=friction,
-        )
-    ]
 
 
 def set_linkage(

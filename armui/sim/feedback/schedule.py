@@ -13,18 +13,9 @@ TICK_NS: Final = 5_000_000
 """Frames leave on this grid: one burst of frames, one thread switch."""
 
 _NS_PER_MS: Final = 1_000_000
-_CONTROLLER: Final = (
-    "ArmStatus",
-    "EndPose1",
-    "EndPose2",
-    "EndPose3",
-    "JointFeedback12",
-    "JointFeedback34",
-    "JointFeedback56",
-    "GripperFeedback",
-)
 _PER_DRIVER: Final = ("DriverFast", "DriverSlow")
 _END_MOTION: Final = tuple(f"EndMotion{joint}" for joint in range(1, 7))
+_DRIVERS: Final = tuple(f"{kind}{joint}" for kind in _PER_DRIVER for joint in range(1, 7))
 
 
 @dataclass(slots=True)
@@ -40,8 +31,9 @@ class _Slot:
 class FeedbackSchedule:
     """The periodic feedback of one generation, with the cycle times of its DBC file.
 
-    The controller sends its eight frames as one burst, so that they belong together. The six
-    drivers send each for itself, spread over the period as far as the grid allows.
+    The controller sends all that has the same cycle time as one burst, so that it belongs
+    together. The six drivers send each for itself, spread over the period as far as the grid
+    allows.
 
     Attributes:
         end_motion: Whether 0x481–0x486 are on; they follow the controller's frames.
@@ -52,21 +44,17 @@ class FeedbackSchedule:
         database = load_database(generation)
         groups: dict[tuple[int, int, bool], list[str]] = {}
 
-        def add(name: str, part: int, parts: int) -> None:
-            cycle_time_ms = database.get_message_by_name(name).cycle_time
-            if not cycle_time_ms:
-                raise ValueError(f"{name} has no cycle time in the DBC file; give it one")
+        def add(name: str, cycle_time_ms: int, part: int = 1, parts: int = 1) -> None:
             period_ns = cycle_time_ms * _NS_PER_MS
             first_ns = -(-period_ns * part // (parts * TICK_NS)) * TICK_NS
             groups.setdefault((first_ns, period_ns, name in _END_MOTION), []).append(name)
 
-        for name in _CONTROLLER:
-            add(name, 1, 1)
-        for name in _END_MOTION:
-            add(name, 1, 1)
-        for kind in _PER_DRIVER:
-            for joint in range(1, 7):
-                add(f"{kind}{joint}", joint, 6)
+        periodic = {each.name: each.cycle_time for each in database.messages if each.cycle_time}
+        for name, cycle_time_ms in periodic.items():
+            if name not in _DRIVERS:
+                add(name, cycle_time_ms)
+        for name in _DRIVERS:
+            add(name, periodic[name], int(name[-1]), 6)
         self._slots = [
             _Slot(first_ns, period_ns, tuple(names), optional)
             for (first_ns, period_ns, optional), names in groups.items()

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Final, Protocol
 
 from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS, JOINTS, JointLimits
+from armui.arm.units import DEGREES_PER
 from armui.protocol.codec import Codec, InvalidFrame
 from armui.protocol.codes import (
     ALL_JOINTS,
@@ -18,7 +19,7 @@ from armui.protocol.codes import (
     SettingIndex,
 )
 from armui.protocol.frame import Frame
-from armui.sim.feedback.units import from_degrees, to_degrees
+from armui.protocol.message_fields import record_reader, signal_names
 from armui.sim.parameters.settings import (
     ArmSettingsRecord,
     HandleSettings,
@@ -37,6 +38,8 @@ _END_LIMIT_NAMES: Final = (
 _ROUNDING_GRACE: Final = 1.02
 """29 RPM on the bus are 28.65 RPM in the arm: what is read back may be written again."""
 
+_HANDLE_SIGNALS: Final = signal_names(HandleSettings)
+_read_handle: Final = record_reader(HandleSettings)
 _COLLISION_NAMES: Final = tuple(f"J{joint}" for joint in JOINTS)
 _ON_OFF: Final = ("On", "Off")
 _READS_ONLY: Final = frozenset({"LimitQuery", "LightControl"})
@@ -107,12 +110,10 @@ class ParameterServer:
         self.settings.limits[index] = JointLimits(
             limits["MinAngle"],
             limits["MaxAngle"],
-            to_degrees(limits["MaxSpeed"], self._codec.unit("LimitFeedback", "MaxSpeed")),
+            limits["MaxSpeed"] * self._degrees_per("LimitFeedback", "MaxSpeed"),
         )
-        self.settings.accelerations_deg_s2[index] = to_degrees(
-            acceleration["MaxAcceleration"],
-            self._codec.unit("AccelerationFeedback", "MaxAcceleration"),
-        )
+        unit_deg = self._degrees_per("AccelerationFeedback", "MaxAcceleration")
+        self.settings.accelerations_deg_s2[index] = acceleration["MaxAcceleration"] * unit_deg
         self._arm.settings_changed()
 
     def _read(self, arbitration_id: int, data: bytes) -> Signals:
@@ -205,15 +206,9 @@ class ParameterServer:
             levels = dict(zip(_COLLISION_NAMES, settings.collision_levels, strict=True))
             return [self._codec.encode("CollisionFeedback", **levels)]
         if query is ParameterQuery.TEACHING_SETTING:
-            handle = settings.teaching
-            return [
-                self._codec.encode(
-                    "TeachingFeedback",
-                    TeachingRange=handle.range_percent,
-                    StrokeLimit=handle.stroke_limit_mm,
-                    Friction=handle.friction,
-                )
-            ]
+            kept = settings.teaching._asdict()
+            values = {_HANDLE_SIGNALS[field]: value for field, value in kept.items()}
+            return [self._codec.encode("TeachingFeedback", **values)]
         return []
 
     def _end_limit_setting(self, signals: Signals) -> list[Frame]:
@@ -228,9 +223,8 @@ class ParameterServer:
         return [self.answer(SettingIndex.COLLISION_SETTING)]
 
     def _teaching_setting(self, signals: Signals) -> list[Frame]:
-        self.settings.teaching = HandleSettings(
-            int(signals["TeachingRange"]), int(signals["StrokeLimit"]), int(signals["Friction"])
-        )
+        whole = {name: int(value) for name, value in signals.items()}
+        self.settings.teaching = _read_handle(whole)
         return [self.answer(SettingIndex.TEACHING_SETTING)]
 
     def _light_control(self, signals: Signals) -> list[Frame]:
@@ -245,9 +239,12 @@ class ParameterServer:
         return self._codec.word(message, signal, signals[signal]) is not None
 
     def _outward(self, message: str, signal: str, value_deg: float) -> float:
-        return from_degrees(value_deg, self._codec.unit(message, signal))
+        return value_deg / self._degrees_per(message, signal)
+
+    def _degrees_per(self, message: str, signal: str) -> float:
+        return DEGREES_PER[self._codec.unit(message, signal)]
 
     def _inward(self, message: str, signal: str, signals: Signals, *, most: float) -> float:
         """A speed or acceleration in degrees; 0 when it is more than the motors can do."""
-        value_deg = to_degrees(signals[signal], self._codec.unit(message, signal))
+        value_deg = signals[signal] * self._degrees_per(message, signal)
         return min(value_deg, most) if value_deg <= most * _ROUNDING_GRACE else 0.0

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, fields
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS, JOINTS, JointLimits
 from armui.protocol.codes import EndLoad, LinkageRole
@@ -12,9 +12,9 @@ from armui.protocol.codes import EndLoad, LinkageRole
 class HandleSettings(NamedTuple):
     """How drag teaching feels, and the gripper's stroke (0x47D)."""
 
-    range_percent: int = 100
-    stroke_limit_mm: int = 70
-    friction: int = 1
+    range_percent: Annotated[int, "TeachingRange"] = 100
+    stroke_limit_mm: Annotated[int, "StrokeLimit"] = 70
+    friction: Annotated[int, "Friction"] = 1
 
 
 class Light(NamedTuple):

@@ -133,6 +133,11 @@ _REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "Refusal",
         "The joint angles are no longer heard from the arm. Check its power and the CAN cable.",
     ),
+    RefusalCode.HOLD_UNATTENDED: QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Jogging ended: held for {seconds} s without a movement of the mouse or another key. Let "
+        "go and press again; move the mouse a little while you hold it for long.",
+    ),
     RefusalCode.JOG_HELD_UP: QT_TRANSLATE_NOOP(
         "Refusal",
         "The program was held up for {value} ms. Let go and press again.",

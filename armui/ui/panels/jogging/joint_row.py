@@ -38,6 +38,8 @@ class JointRow(Translated, QWidget):
     held = Signal(int, int)
     """Jog until :attr:`let_go`: the joint, and +1 or −1."""
     let_go = Signal()
+    unattended = Signal()
+    """A held button was let go by itself: the operator gave no sign for too long."""
     edited = Signal(int)
     """The operator changed the target of the joint; nothing is sent."""
 
@@ -71,6 +73,7 @@ class JointRow(Translated, QWidget):
             button.repeated.connect(partial(self.repeated.emit, joint, direction))
             button.held.connect(partial(self.held.emit, joint, direction))
             button.let_go.connect(self.let_go)
+            button.unattended.connect(self.unattended)
         self.field.value_edited.connect(self._on_field_edited)
         self.slider.valueChanged.connect(self._on_slider_moved)
         self.show_target(None)

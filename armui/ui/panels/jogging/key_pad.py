@@ -10,6 +10,7 @@ from PySide6.QtGui import QFocusEvent, QHideEvent, QKeyEvent
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QVBoxLayout, QWidget
 
 from armui.ui.widgets.hold_guard import HoldGuard
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 DEAD_MAN_KEY: Final = Qt.Key.Key_Space
@@ -44,6 +45,8 @@ class KeyPad(Translated, QFrame):
     """A key of a direction went down: the place in ``keys``, and +1 or −1."""
     let_go = Signal()
     """The hold is over; comes once after each :attr:`pressed`."""
+    unattended = Signal()
+    """It ended because the operator gave no sign for too long."""
 
     def __init__(self, keys: Keys, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -58,9 +61,8 @@ class KeyPad(Translated, QFrame):
         self._continuous = False
         self._guard = HoldGuard(self)
         self._guard.lost.connect(self._forget)
-        self._hint = QLabel()
-        self._hint.setObjectName(f"{name}_hint")
-        self._hint.setWordWrap(True)
+        self._guard.unattended.connect(self.unattended)
+        self._hint = text_label(f"{name}_hint", wraps=True)
         grid = QGridLayout()
         grid.setHorizontalSpacing(18)
         grid.setVerticalSpacing(2)

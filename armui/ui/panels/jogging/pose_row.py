@@ -36,6 +36,8 @@ class PoseRow(Translated, QWidget):
     held = Signal(int, int)
     """Jog until :attr:`let_go`."""
     let_go = Signal()
+    unattended = Signal()
+    """A held button was let go by itself: the operator gave no sign for too long."""
     edited = Signal(int)
     """The operator changed the target; nothing is sent."""
 
@@ -68,6 +70,7 @@ class PoseRow(Translated, QWidget):
             button.repeated.connect(partial(self.repeated.emit, place, direction))
             button.held.connect(partial(self.held.emit, place, direction))
             button.let_go.connect(self.let_go)
+            button.unattended.connect(self.unattended)
         self.field.value_edited.connect(partial(self._on_edited, place))
         self.retranslate_ui()
 

@@ -21,6 +21,7 @@ class PoseRows(Translated, QWidget):
     repeated = Signal(int, int)
     held = Signal(int, int)
     let_go = Signal()
+    unattended = Signal()
     edited = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -49,6 +50,7 @@ class PoseRows(Translated, QWidget):
             row.repeated.connect(self.repeated)
             row.held.connect(self.held)
             row.let_go.connect(self.let_go)
+            row.unattended.connect(self.unattended)
             row.edited.connect(self.edited)
         self.retranslate_ui()
 

@@ -1,15 +1,16 @@
-"""Whether the joints stand still, judged by the angles the arm reports."""
+"""Whether the joints stand still: by the angles the arm reports, or the speeds of its drivers."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-from armui.arm.state import is_fresh
-
-if TYPE_CHECKING:
-    from armui.arm.state import ArmState
+from armui.arm.limits import JOINTS
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.arm.state import ArmState, is_fresh
+from armui.control.safety.interlocks import joint_list
 
 SETTLED_DEG: Final = 0.02
 SETTLED_S: Final = 0.3
@@ -18,6 +19,9 @@ SETTLED_S: Final = 0.3
 QUIET_DEG: Final = 0.03
 QUIET_S: Final = 0.03
 """Together 1 °/s: above the last digit's trembling, far below any motion that matters."""
+
+STILL_DEG_S: Final = 1.0
+"""Slower than this a joint stands still: drivers report a little noise at rest."""
 
 
 @dataclass(slots=True)
@@ -69,3 +73,34 @@ class RestWatch:
 
 def _apart(angles_deg: Sequence[float], others_deg: Sequence[float], within_deg: float) -> bool:
     return any(abs(a - b) > within_deg for a, b in zip(angles_deg, others_deg, strict=True))
+
+
+def why_moving(state: ArmState) -> Refusal | None:
+    """The joints that are measured to move, as a reason; one that tells nothing is no reason."""
+    moving = [
+        joint
+        for joint, speed in zip(JOINTS, _speeds_deg_s(state), strict=True)
+        if speed is not None and abs(speed) >= STILL_DEG_S
+    ]
+    return Refusal(RefusalCode.JOINTS_MOVING, {"joints": joint_list(moving)}) if moving else None
+
+
+def why_not_still(state: ArmState) -> Refusal | None:
+    """The same, and for each joint its speed must be known."""
+    speeds = zip(JOINTS, _speeds_deg_s(state), strict=True)
+    unknown = [joint for joint, speed in speeds if speed is None]
+    if unknown:
+        return Refusal(RefusalCode.SPEED_UNKNOWN, {"joints": joint_list(unknown)})
+    return why_moving(state)
+
+
+def _speeds_deg_s(state: ArmState) -> list[float | None]:
+    """Of each joint; ``None`` where its driver has not been heard beside the newest feedback."""
+    return [
+        heard.value.speed_deg_s
+        if heard is not None
+        and state.last_feedback_s is not None
+        and heard.fresh(state.last_feedback_s)
+        else None
+        for heard in state.drivers_fast
+    ]
