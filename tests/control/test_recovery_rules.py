@@ -122,7 +122,9 @@ def operating_state(state: ArmState, link=LinkState.ONLINE, **changes) -> Operat
     stopped = state.status is not None and state.status.value.arm_status == 1
     authority = changes.pop("authority", None) or Authority()
     traffic = changes.pop("traffic", OtherTraffic())
-    authority.observe(Observation(state, traffic, (0,), link is LinkState.ONLINE, NOW_S))
+    authority.observe(
+        Observation(state, traffic, (0,), link is LinkState.ONLINE, NOW_S, waiting=False)
+    )
     if (reason := authority.other.why_not()) is not None:
         since = datetime(2026, 1, 2, 3, 4, 5).astimezone()
         changes["other_host"] = OtherHostReport("0x151", since, 200, reason, True)

@@ -1,11 +1,19 @@
-"""When the joints stand still, judged by the angles the arm reports."""
+"""When the joints stand still, by the angles the arm reports or the speeds of its drivers."""
 
 from __future__ import annotations
 
 import pytest
 
-from armui.arm.state import ArmState, Reading
-from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.arm.state import ArmState, DriverFast, Reading
+from armui.control.safety.standstill import (
+    QUIET_DEG,
+    QUIET_S,
+    RestWatch,
+    why_moving,
+    why_not_still,
+)
 from tests.ui.arm_states import heard_six
 
 BEGIN_S = 0.25
@@ -130,3 +138,54 @@ def test_to_be_quiet_is_to_move_slower_than_a_degree_a_second(speed_deg_s, quiet
     joints.now_s += 0.03125
     joints.angles_deg[0] += speed_deg_s * 0.03125
     assert joints.look() is quiet
+
+
+# By the speeds of the drivers --------------------------------------------------------------------
+
+
+def speeds(values, age_s=0.0, heard_s: float | None = 2.0) -> ArmState:
+    """Drivers that tell speeds, heard so long before the newest feedback."""
+    fast = [
+        None if each is None else Reading(DriverFast(each, 0.0, None), 2.0 - age_s)
+        for each in values
+    ]
+    one, two, three, four, five, six = fast
+    return ArmState(last_feedback_s=heard_s, drivers_fast=(one, two, three, four, five, six))
+
+
+STILL = (0.0,) * 6
+
+
+@pytest.mark.parametrize(
+    ("values", "joints"),
+    [
+        (STILL, None),
+        ((0.99, -0.99, *STILL[2:]), None),
+        ((1.0, *STILL[1:]), "1"),
+        ((*STILL[:5], -1.0), "6"),
+        ((0.0, 20.0, 0.5, -30.0, None, None), "2, 4"),
+    ],
+)
+def test_joints_that_are_measured_to_move_are_named(values, joints):
+    refusal = why_moving(speeds(values))
+    expected = Refusal(RefusalCode.JOINTS_MOVING, {"joints": joints})
+    assert refusal == (None if joints is None else expected)
+
+
+def test_a_joint_that_tells_nothing_is_no_reason_unless_it_must_be_known():
+    state = speeds((20.0, None, 0.0, 0.0, 0.0, None))
+    assert why_moving(state).params == {"joints": "1"}
+    assert why_not_still(state) == Refusal(RefusalCode.SPEED_UNKNOWN, {"joints": "2, 6"})
+
+
+def test_all_speeds_known_the_joints_that_move_are_the_reason():
+    assert why_not_still(speeds(STILL)) is None
+    assert why_not_still(speeds((20.0, *STILL[1:]))).code == RefusalCode.JOINTS_MOVING
+
+
+@pytest.mark.parametrize(
+    ("age_s", "heard_s", "known"), [(0.5, 2.0, True), (0.51, 2.0, False), (0.0, None, False)]
+)
+def test_speeds_must_be_heard_beside_the_newest_feedback(age_s, heard_s, known):
+    refusal = why_not_still(speeds(STILL, age_s, heard_s))
+    assert (refusal is None) is known

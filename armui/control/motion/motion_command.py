@@ -107,4 +107,4 @@ class Observation:
     offsets: tuple[int, ...]
     online: bool
     now_s: float
-    waiting: bool = False
+    waiting: bool
