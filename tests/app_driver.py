@@ -2,6 +2,7 @@
 
 from concurrent.futures import Executor, Future
 from pathlib import Path
+from typing import Any, TypeVar
 
 from PySide6.QtCore import QEventLoop, QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
@@ -16,12 +17,14 @@ from armui.ui.widgets.hold_button import HoldButton
 from armui.viewport.client import PictureClient
 from tests.arm_rig import TIMEOUT_MS, ArmRig
 
+_Dialog = TypeVar("_Dialog", bound=QDialog)
+
 
 class AtOnce(Executor):
     """Does everything while it is being asked: nothing to wait for."""
 
     def submit(self, fn, /, *args, **kwargs):
-        done = Future()
+        done: Future[Any] = Future()
         try:
             done.set_result(fn(*args, **kwargs))
         except Exception as error:  # noqa: BLE001 - whatever it is, it is in the answer
@@ -36,7 +39,7 @@ class Slow(Executor):
         self.waiting = []
 
     def submit(self, fn, /, *args, **kwargs):
-        future = Future()
+        future: Future[Any] = Future()
         self.waiting.append((future, fn, args, kwargs))
         return future
 
@@ -102,8 +105,8 @@ class AppDriver(ArmRig):
         self.program.view.setVisible(draws)
         self.window.show()
 
-    def find(self, name: str) -> QWidget:
-        """A widget of the main window by its object name."""
+    def find(self, name: str) -> Any:
+        """A widget of the main window by its object name; the test knows its kind."""
         found = [
             widget
             for widget in self.window.findChildren(QWidget, name)
@@ -112,9 +115,10 @@ class AppDriver(ArmRig):
         assert len(found) == 1, f"{name}: {found}"
         return found[0]
 
-    def click(self, name_or_widget: str | QWidget) -> None:
-        """Press and release the left button over the middle of a widget."""
+    def click(self, name_or_widget: str | QWidget | None) -> None:
+        """Press and release the left button over the middle of a widget, which must be there."""
         widget = self.find(name_or_widget) if isinstance(name_or_widget, str) else name_or_widget
+        assert widget is not None
         QTest.mouseClick(widget, Qt.MouseButton.LeftButton, pos=_middle(widget))
 
     def press(self, widget: QWidget) -> None:
@@ -131,9 +135,10 @@ class AppDriver(ArmRig):
 
     def read(self, name: str) -> str:
         """The text a widget shows."""
-        return self.find(name).text()
+        text: str = self.find(name).text()
+        return text
 
-    def dialog(self, kind: type[QDialog]) -> QDialog:
+    def dialog(self, kind: type[_Dialog]) -> _Dialog:
         """The one dialog of a kind that is open."""
         found = [
             widget
@@ -184,7 +189,7 @@ class AppDriver(ArmRig):
         """Let Qt and the threads work until something is so."""
         loop = QEventLoop()
         timer = QTimer(interval=1)
-        timer.timeout.connect(lambda: condition() and loop.quit())
+        timer.timeout.connect(lambda: loop.quit() if condition() else None)
         deadline = QTimer(interval=TIMEOUT_MS, singleShot=True)
         deadline.timeout.connect(loop.quit)
         timer.start()

@@ -5,7 +5,7 @@ second of silence takes no half second, and nothing ever sleeps.
 """
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Protocol
 
@@ -15,6 +15,7 @@ from PySide6.QtCore import QCoreApplication, QDeadlineTimer
 
 from armui.arm.device import Device
 from armui.control.arm_controller import ArmController
+from armui.control.events import Notice
 from armui.control.operating_state import LinkState
 from armui.protocol.codec import Codec, Message
 from armui.protocol.frame import Frame
@@ -64,14 +65,14 @@ class ArmRig:
         self.controller = ArmController(
             self._open, [self.device], find=list, clock=lambda: self.time_s
         )
-        self.notices: list = []
+        self.notices: list[Notice] = []
         self.controller.noticed.connect(self.notices.append)
 
     @contextmanager
     def _open(self, device: Device) -> Iterator[can.BusABC]:
         if self.broken is not None:
             raise self.broken
-        with HostBus(device.channel) as bus:
+        with HostBus(str(device.channel)) as bus:
             self._listen_closely(bus)
             yield bus
 
@@ -91,6 +92,12 @@ class ArmRig:
     def plug_in(self) -> None:
         """The adapter is back."""
         self.broken = None
+
+    def lie(self, joints_deg: Sequence[float]) -> None:
+        """Let an arm that is not connected yet be found at these angles, in degrees."""
+        assert self.controller.operating_state.link is LinkState.NO_DEVICE
+        self.firmware = Firmware(self.firmware.generation, joints_deg=joints_deg)
+        self.node = Node(self.firmware, self._arm_bus)
 
     def connect(self) -> None:
         """Connect as an operator would, and wait until the arm has been asked everything."""

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import queue
 import threading
 import time
 from collections import deque
 from collections.abc import Collection
+from typing import cast
 
 import can
 from can.interfaces.virtual import VirtualBus
@@ -43,8 +45,9 @@ class HostBus(VirtualBus):
     def __init__(self, channel: str) -> None:
         super().__init__(channel=channel)
         self.channel.remove(self.queue)
-        self.queue = self._inbox = _Inbox()
-        self.channel.append(self._inbox)
+        self._inbox = _Inbox()
+        self.queue = cast("queue.Queue[can.Message]", self._inbox)  # it has what the others use
+        self.channel.append(self.queue)
 
     @property
     def is_open(self) -> bool:

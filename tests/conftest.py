@@ -6,7 +6,6 @@ import threading
 # Before Qt is loaded: tests need no display, and open no window on a desk that has one.
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
-import hypothesis
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent
 
@@ -14,12 +13,11 @@ from armui.protocol.generation import Generation
 from tests.app_driver import AppDriver, Slow
 from tests.arm_rig import ArmRig
 from tests.company import OtherHost
+from tests.examples import load_profile
 
 _ENDING_S = 2.0
 
-# how long an example takes says more of the computer's other work than of the code
-hypothesis.settings.register_profile("armui", deadline=None)
-hypothesis.settings.load_profile("armui")
+load_profile()
 
 
 @pytest.fixture(params=[Generation.ONE, Generation.TWO], ids=["gen1", "gen2"])

@@ -1,5 +1,7 @@
 """Trajectories that fill the library in pictures."""
 
+from typing import Any
+
 import numpy as np
 
 from armui.protocol.codes import MoveMode
@@ -7,7 +9,7 @@ from armui.trajectory.points.program import GripperOpening, LightAction, Traject
 from armui.trajectory.samples.recording import Recording
 
 
-def _joints(*angles_deg: float, **more: object) -> Waypoint:
+def _joints(*angles_deg: float, **more: Any) -> Waypoint:
     return Waypoint(MoveMode.MOVE_J, angles_deg, **more)
 
 

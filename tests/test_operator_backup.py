@@ -19,6 +19,7 @@ from armui.ui.dialogs.backup_model import FILED, HELD, NAME, STATE
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.widgets.message_line import MessageLine
 from tests.faulty_arm import HardOfHearing
+from tests.generations import ONE_IS_ENOUGH
 
 SETTINGS_IDS = {0x474, 0x475, 0x479, 0x47A, 0x47D}
 
@@ -30,7 +31,7 @@ def frame(arbitration_id, payload):
 @pytest.fixture
 def arm(any_desk):
     """Connected, 参数备份 open and the arm read."""
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.ear = HardOfHearing(any_desk.firmware)
     any_desk.click("menu_end_limits")
     settled(any_desk)
@@ -215,6 +216,7 @@ def test_what_the_arm_does_not_take_is_told_row_by_row(arm, tmp_path):
         (lambda text: text.replace('"version": 1', '"version": 99'), "format version 99"),
     ],
 )
+@ONE_IS_ENOUGH
 def test_a_file_that_is_wrong_is_refused_and_changes_nothing(arm, tmp_path, spoil, words):
     good, bad = tmp_path / "good.json", tmp_path / "bad.json"
     save(arm, good)
@@ -249,6 +251,7 @@ def test_a_file_of_the_other_generation_is_warned_about_and_of_use(arm, tmp_path
     assert ticks(arm) == (["Gripper stroke limit"] if second else [])
 
 
+@ONE_IS_ENOUGH
 def test_another_firmware_is_warned_about(arm, tmp_path):
     path = tmp_path / "mine.json"
     save(arm, path)
@@ -259,6 +262,7 @@ def test_another_firmware_is_warned_about(arm, tmp_path):
     assert "The file is from firmware S-V1.5-2" in said(arm)
 
 
+@ONE_IS_ENOUGH
 def test_reading_can_be_stopped(arm):
     arm.ear.deaf_to = {0x472, 0x477}
     arm.click(arm.box.read_button)
@@ -277,7 +281,7 @@ def test_reading_can_be_stopped(arm):
 
 
 def test_what_could_not_be_read_is_not_in_the_file_and_that_is_said(any_desk, tmp_path):
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.ear = HardOfHearing(any_desk.firmware)
     any_desk.ear.mute_on = {0x47B}
     any_desk.click("menu_end_limits")
@@ -289,6 +293,7 @@ def test_what_could_not_be_read_is_not_in_the_file_and_that_is_said(any_desk, tm
     assert "6 could not be read from the arm and are not in the file." in said(any_desk)
 
 
+@ONE_IS_ENOUGH
 def test_a_link_lost_half_way_through_reading(arm):
     arm.ear.deaf_to = {0x472}
     arm.click(arm.box.read_button)
@@ -301,6 +306,7 @@ def test_a_link_lost_half_way_through_reading(arm):
     assert not arm.box.restore_button.isEnabled()
 
 
+@ONE_IS_ENOUGH
 def test_a_folder_that_cannot_be_written_to_is_named(arm, tmp_path, monkeypatch):
     def disk_full(_file):
         raise OSError(errno.ENOSPC, "No space left on device")

@@ -8,11 +8,12 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
+from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.axes import AXES
-from armui.kinematics.kinematics import Kinematics, Pose, pose_to_matrix
-from armui.kinematics.poses import tool_pose
+from armui.kinematics.poses import Pose, pose_to_matrix, tool_pose
 from armui.protocol.frame import Frame
 from tests.control.jogger import BENT_DEG, bend, hold, rest_s
+from tests.generations import ONE_IS_ENOUGH
 
 BENT_POSE = Kinematics().forward(BENT_DEG)
 
@@ -55,6 +56,7 @@ def arm_hears(app_driver):
     return frames
 
 
+@ONE_IS_ENOUGH
 def test_the_measured_pose_is_shown_and_fills_the_fields(bent):
     for name, value in zip(AXES, BENT_POSE, strict=True):
         assert float(bent.read(f"pose_field_{name}")) == pytest.approx(value, abs=0.002)
@@ -85,6 +87,7 @@ def test_a_pose_is_sent_and_reached(bent, button, mode):
     assert bent.read("pose_measured_X") == "300.000 mm"
 
 
+@ONE_IS_ENOUGH
 def test_out_of_reach_is_refused_and_says_by_how_much(bent):
     bent.type_into("pose_field_X", "900")
     bent.click("move_p_button")
@@ -99,6 +102,7 @@ def test_out_of_reach_is_refused_and_says_by_how_much(bent):
     assert "Not sent" in bent.read("notice_label")
 
 
+@ONE_IS_ENOUGH
 def test_beyond_a_limit_names_the_joint_and_the_limit(bent):
     bent.type_into("pose_field_X", "-200")
     bent.type_into("pose_field_Y", "-20")
@@ -108,6 +112,7 @@ def test_beyond_a_limit_names_the_joint_and_the_limit(bent):
     assert "beyond its limits of" in bent.read("pose_message")
 
 
+@ONE_IS_ENOUGH
 def test_a_line_is_looked_at_over_its_whole_length(bent):
     bent.type_into("pose_field_Y", "-250")
     bent.type_into("pose_field_X", "-120")
@@ -117,6 +122,7 @@ def test_a_line_is_looked_at_over_its_whole_length(bent):
     assert "of the way" in bent.read("pose_message") or "limits" in bent.read("pose_message")
 
 
+@ONE_IS_ENOUGH
 def test_what_is_no_figure_is_marked_and_not_sent(bent):
     bent.type_into("pose_field_RX", "abc")
     bent.click("move_p_button")
@@ -126,6 +132,7 @@ def test_what_is_no_figure_is_marked_and_not_sent(bent):
     assert bent.read("pose_message") == ""
 
 
+@ONE_IS_ENOUGH
 def test_a_step_along_the_base_and_one_along_the_tool(bent):
     bent.find("tool_step").setCurrentIndex(3)
     bent.click("pose_plus_Z")
@@ -139,6 +146,7 @@ def test_a_step_along_the_base_and_one_along_the_tool(bent):
     assert apart_mm(bent, start[:3, 3] - 10.0 * start[:3, 2]) < 0.01
 
 
+@ONE_IS_ENOUGH
 def test_two_steps_at_once_add_up(bent):
     bent.find("tool_step").setCurrentIndex(3)
     bent.click("pose_plus_Y")
@@ -162,6 +170,7 @@ def test_holding_moves_straight_and_letting_go_stops(bent):
     assert rest_s(bent) <= 0.1
 
 
+@ONE_IS_ENOUGH
 def test_keys_jog_the_tool(bent):
     box = bent.find("tool_step")
     box.setCurrentIndex(box.count() - 1)
@@ -175,6 +184,7 @@ def test_keys_jog_the_tool(bent):
     assert rest_s(bent) <= 0.1
 
 
+@ONE_IS_ENOUGH
 def test_with_a_tool_the_panel_speaks_of_its_tip_and_the_arm_of_its_flange(bent):
     bent.type_into("tool_field_Z", "80")
     assert bent.read("point_label") == "Tool centre point"
@@ -188,6 +198,7 @@ def test_with_a_tool_the_panel_speaks_of_its_tip_and_the_arm_of_its_flange(bent)
     assert flange(bent)[:2] == pytest.approx(BENT_POSE[:2], abs=0.01)
 
 
+@ONE_IS_ENOUGH
 def test_a_tool_that_cannot_be_is_refused(bent):
     bent.type_into("tool_field_X", "700")
     assert "Tool centre point: 700" in bent.read("pose_message")
@@ -225,6 +236,7 @@ def test_an_arc_through_three_captured_poses(bent):
     assert bent.firmware.joints_deg == pytest.approx((40.0, *BENT_DEG[1:]), abs=0.02)
 
 
+@ONE_IS_ENOUGH
 def test_three_poses_in_one_place_are_no_arc(bent):
     for point in ("start", "middle", "end"):
         bent.click(f"capture_{point}")
@@ -242,6 +254,7 @@ def test_what_the_arm_itself_refuses_is_shown(bent):
     assert "The arm itself refuses" in bent.read("pose_message")
 
 
+@ONE_IS_ENOUGH
 def test_an_arm_in_emergency_stop_gets_no_pose(bent):
     bent.controller.emergency_stop()
     bent.run_until(lambda: "stop_confirmed" in bent.codes())
@@ -252,6 +265,7 @@ def test_an_arm_in_emergency_stop_gets_no_pose(bent):
     assert "emergency stop" in bent.read("pose_message")
 
 
+@ONE_IS_ENOUGH
 def test_a_link_lost_half_way_ends_a_jog_and_is_said(bent):
     box = bent.find("tool_step")
     box.setCurrentIndex(box.count() - 1)
@@ -273,6 +287,7 @@ def test_a_link_lost_half_way_ends_a_jog_and_is_said(bent):
     assert bent.firmware.joints_deg == before
 
 
+@ONE_IS_ENOUGH
 def test_the_fields_go_along_with_a_step_until_something_is_typed(bent):
     bent.find("tool_step").setCurrentIndex(3)
     bent.click("pose_plus_Z")

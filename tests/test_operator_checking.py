@@ -1,6 +1,7 @@
 """A check takes its time; nothing comes of one that the operator no longer wants."""
 
 import math
+from typing import Any
 
 import pytest
 from PySide6.QtWidgets import QListWidget, QPushButton, QWidget
@@ -178,7 +179,7 @@ def test_a_check_in_a_process_of_its_own(qapp, request, tmp_path):
     Library(app_driver.library_folder).save(Trajectory("Test", points=(to_here(),) * 3))
     app_driver.click("library_button")
     app_driver.dialog(LibraryWindow).open_trajectory("Test")
-    window = app_driver.dialog(EditorWindow)
+    window: Any = app_driver.dialog(EditorWindow)
     app_driver.click(window.findChild(QWidget, "editor_check"))
     app_driver.wait(window.findChild(QWidget, "findings_title").isVisible)
     assert window.findChild(QWidget, "run_text").text() == ""

@@ -6,13 +6,14 @@ from armui.protocol.codes import EndLoad
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from tests.faulty_arm import HardOfHearing
+from tests.generations import ONE_IS_ENOUGH
 
 FIGURE = "linear_speed_m_s_2"
 
 
 @pytest.fixture
 def load(any_desk):
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.click("menu_end_load")
     any_desk.ear = HardOfHearing(any_desk.firmware)
     return any_desk
@@ -43,6 +44,7 @@ def test_a_load_is_told_and_answered(load, name, code):
     assert "cannot be asked" in message(load)
 
 
+@ONE_IS_ENOUGH
 def test_without_a_choice_nothing_is_sent(load):
     load.click("load_confirm_button")
     load.run(0.2)
@@ -50,6 +52,7 @@ def test_without_a_choice_nothing_is_sent(load):
     assert message(load) == "No end load is chosen. Choose one first."
 
 
+@ONE_IS_ENOUGH
 def test_no_answer(load):
     load.ear.deaf_to = {0x477}
     load.click("load_full")
@@ -94,6 +97,7 @@ def test_an_arm_that_answers_and_says_nothing(load):
     assert load.read("end_feedback_state") == "Not heard"
 
 
+@ONE_IS_ENOUGH
 def test_without_an_arm(any_desk):
     any_desk.click("menu_end_load")
     for name in ("load_confirm_button", "end_feedback_button"):

@@ -15,6 +15,8 @@ from armui.ui.trajectory.editor.editor_window import EditorWindow
 from armui.ui.trajectory.library.library_window import LibraryWindow
 from tests.control.under_way import BACK, OUT, RUNS, joint_jog, motion_paused, phase, to
 from tests.faulty_arm import HardOfHearing
+from tests.generations import ONE_IS_ENOUGH
+from tests.moments import now
 
 ABORT = Frame(0x150, bytes.fromhex("00 06 00 00 00 00 00 00"))
 STOP = Frame(0x150, bytes.fromhex("01 00 00 00 00 00 00 00"))
@@ -71,6 +73,7 @@ def test_what_would_disturb_a_run_is_off_and_says_why(ready):
     assert phase(ready) is RunPhase.DWELLING
 
 
+@ONE_IS_ENOUGH
 def test_the_speed_at_the_top_is_not_that_of_a_run(ready):
     begun(ready, "run_paused")
     for name in ("speed_slider", "speed_field"):
@@ -81,6 +84,7 @@ def test_the_speed_at_the_top_is_not_that_of_a_run(ready):
     assert RUNNING not in ready.find("speed_field").toolTip()
 
 
+@ONE_IS_ENOUGH
 def test_disabling_and_stopping_stay_on(ready):
     begun(ready, "run_dwelling")
     ready.click("menu_motor")
@@ -95,6 +99,7 @@ def test_disabling_and_stopping_stay_on(ready):
 
 
 @pytest.mark.parametrize("how", RUNS)
+@ONE_IS_ENOUGH
 def test_closing_ends_a_run_in_good_order(ready, how):
     begun(ready, how)
     ready.window.close()
@@ -110,6 +115,7 @@ def test_closing_ends_a_run_in_good_order(ready, how):
     assert STOP not in ready.ear.heard
 
 
+@ONE_IS_ENOUGH
 def test_the_run_goes_on_when_the_question_is_declined(ready):
     begun(ready, "run_moving")
     ready.window.close()
@@ -118,6 +124,7 @@ def test_the_run_goes_on_when_the_question_is_declined(ready):
     assert ready.window.isVisible()
 
 
+@ONE_IS_ENOUGH
 def test_a_stop_pressed_meanwhile_keeps_the_window(ready):
     begun(ready, "run_moving")
     ready.window.close()
@@ -127,6 +134,7 @@ def test_a_stop_pressed_meanwhile_keeps_the_window(ready):
     assert ready.window.isVisible()
 
 
+@ONE_IS_ENOUGH
 def test_a_stop_that_is_not_confirmed_is_not_left_without_a_question(ready):
     ready.ear.deaf_to = {0x150}
     ready.click("stop_button")
@@ -138,6 +146,7 @@ def test_a_stop_that_is_not_confirmed_is_not_left_without_a_question(ready):
     assert not ready.window.isVisible()
 
 
+@ONE_IS_ENOUGH
 def test_closing_drops_a_motion_that_is_paused(ready):
     motion_paused(ready)
     ready.window.close()
@@ -148,6 +157,7 @@ def test_closing_drops_a_motion_that_is_paused(ready):
     assert ready.ear.heard[-1] == ABORT
 
 
+@ONE_IS_ENOUGH
 def test_closing_ends_a_jog_without_a_question(any_desk):
     joint_jog(any_desk)
     any_desk.window.close()
@@ -155,6 +165,7 @@ def test_closing_ends_a_jog_without_a_question(any_desk):
 
 
 @pytest.mark.parametrize("how", ["run_dwelling", "run_paused", "replay_moving"])
+@ONE_IS_ENOUGH
 def test_disconnecting_ends_a_run_in_good_order(ready, how):
     begun(ready, how)
     ready.click("communication_button")
@@ -179,11 +190,11 @@ def test_after_a_new_zero_nothing_old_is_gone_on_with(ready):
     ready.controller.player.stop()
     ready.run_until(lambda: not ready.controller.player.running)
     assert ready.read("target_field_1")
-    assert ready.controller.player.progress.phase is RunPhase.STOPPED
+    assert now(ready.controller.player.progress.phase) is RunPhase.STOPPED
     ready.run(0.3)
     assert ready.controller.zeroing.set_zero(1) is None
     ready.run_until(lambda: "zero_set_joint" in ready.codes())
-    assert ready.controller.player.progress.phase is RunPhase.IDLE
+    assert now(ready.controller.player.progress.phase) is RunPhase.IDLE
     assert not editor.findChild(QWidget, "run_resume").isVisible()
     assert [ready.read(f"target_field_{joint}") for joint in range(1, 7)] == [""] * 6
     ready.ear.heard.clear()

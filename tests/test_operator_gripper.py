@@ -9,11 +9,12 @@ from armui.protocol.generation import Generation
 from armui.sim.mechanics.gripper import GripperError
 from armui.ui.dialogs.confirm import ConfirmDialog
 from tests.faulty_arm import FaultyDrivers, HardOfHearing
+from tests.generations import ONE_IS_ENOUGH
 
 
 @pytest.fixture
 def grip(any_desk, generation):
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.click("menu_gripper")
     any_desk.run(0.3)
     any_desk.ear = HardOfHearing(any_desk.firmware)
@@ -25,7 +26,7 @@ def grip(any_desk, generation):
 
 @pytest.fixture
 def grip2(app_driver):
-    app_driver.connect_by_hand()
+    app_driver.connect()
     app_driver.click("menu_gripper")
     app_driver.run(0.3)
     app_driver.ear = HardOfHearing(app_driver.firmware)
@@ -107,6 +108,7 @@ def test_beyond_the_stroke_it_is_refused(grip2):
     assert "Torque: “much” is not a number" in message(grip2)
 
 
+@ONE_IS_ENOUGH
 def test_enable_holds_and_disable_asks(grip):
     grip.click("gripper_enable_button")
     grip.run(0.3)
@@ -159,6 +161,7 @@ def test_an_arm_without_a_gripper(grip):
     feedback.mend()
 
 
+@ONE_IS_ENOUGH
 def test_one_that_does_not_hear(grip):
     grip.ear.deaf_to = {0x159}
     grip.type_into(f"gripper_{grip.travel}_field", "30")
@@ -168,6 +171,7 @@ def test_one_that_does_not_hear(grip):
     assert "instead of 30.000" in message(grip)
 
 
+@ONE_IS_ENOUGH
 def test_in_a_stop_nothing_can_be_sent(grip):
     grip.click("stop_button")
     grip.run_until(lambda: "stop_confirmed" in grip.codes())
@@ -177,6 +181,7 @@ def test_in_a_stop_nothing_can_be_sent(grip):
     assert "emergency stop" in message(grip)
 
 
+@ONE_IS_ENOUGH
 def test_before_an_arm_is_heard(any_desk):
     any_desk.click("menu_gripper")
     assert any_desk.read("gripper_opening_measured") == "—"
@@ -185,6 +190,7 @@ def test_before_an_arm_is_heard(any_desk):
     assert "No arm is connected" in message(any_desk)
 
 
+@ONE_IS_ENOUGH
 def test_the_chinese_words(grip):
     grip.store.change(language="zh")
     grip.step()

@@ -14,7 +14,7 @@ def settled(app_driver):
 
 
 def at(app_driver):
-    app_driver.connect_by_hand()
+    app_driver.connect()
     app_driver.ear = HardOfHearing(app_driver.firmware)
     app_driver.click("menu_gripper_settings")
     settled(app_driver)

@@ -7,6 +7,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox
 
 from tests.control.jogger import TICK_S, bend, hold, rest_s
+from tests.generations import ONE_IS_ENOUGH
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -113,6 +114,7 @@ ENDS = (
 
 
 @pytest.mark.parametrize("end", ENDS, ids=lambda end: end.__name__)
+@ONE_IS_ENOUGH
 def test_whatever_takes_the_button_away_stops_the_arm(ready, end):
     button = press(ready)
     end(ready, button)
@@ -126,6 +128,7 @@ def test_whatever_takes_the_button_away_stops_the_arm(ready, end):
     assert angles(ready) == before
 
 
+@ONE_IS_ENOUGH
 def test_a_pointer_that_comes_back_does_not_begin_anew(ready):
     button = press(ready)
     leave(ready, button)
@@ -140,6 +143,7 @@ def test_a_pointer_that_comes_back_does_not_begin_anew(ready):
     assert not ready.controller.jogging.active
 
 
+@ONE_IS_ENOUGH
 def test_the_field_goes_along_and_the_others_stay(ready):
     ready.type_into("target_field_2", "33")
     button = press(ready)
@@ -191,6 +195,7 @@ def key_up(pad, key):
     QTest.keyRelease(pad, key)
 
 
+@ONE_IS_ENOUGH
 def test_no_key_moves_anything_before_it_is_switched_on(ready):
     ready.window.setFocus()
     assert not ready.find("jog_key_pad").isVisible()
@@ -200,6 +205,7 @@ def test_no_key_moves_anything_before_it_is_switched_on(ready):
     assert ready.heard() == []
 
 
+@ONE_IS_ENOUGH
 def test_a_direction_alone_moves_nothing(ready, pad):
     key_down(pad, Qt.Key.Key_Q)
     hold(ready, 0.1)
@@ -221,6 +227,7 @@ def test_a_direction_alone_moves_nothing(ready, pad):
     ],
     ids=["key", "dead man", "second key", "focus", "other window", "minimised", "other panel"],
 )
+@ONE_IS_ENOUGH
 def test_whatever_ends_the_keys_stops_the_arm(ready, pad, end):
     before = angles(ready)
     key_down(pad, Qt.Key.Key_Space)
@@ -236,6 +243,7 @@ def test_whatever_ends_the_keys_stops_the_arm(ready, pad, end):
     assert angles(ready) == place
 
 
+@ONE_IS_ENOUGH
 def test_the_keyboard_s_own_repetition_counts_for_nothing(ready, pad):
     key_down(pad, Qt.Key.Key_Space)
     key_down(pad, Qt.Key.Key_A)
@@ -253,6 +261,7 @@ def _repeated(kind, key):
     return QKeyEvent(kind, key, Qt.KeyboardModifier.NoModifier, "", True)
 
 
+@ONE_IS_ENOUGH
 def test_the_stop_key_stops_while_keys_are_held(ready, pad):
     key_down(pad, Qt.Key.Key_Space)
     key_down(pad, Qt.Key.Key_Q)
@@ -262,6 +271,7 @@ def test_the_stop_key_stops_while_keys_are_held(ready, pad):
     ready.run_until(lambda: "stop_confirmed" in ready.codes())
 
 
+@ONE_IS_ENOUGH
 def test_with_a_step_chosen_a_key_is_one_step(ready, pad):
     ready.find("jog_step").setCurrentIndex(1)
     pad.setFocus()
@@ -271,6 +281,7 @@ def test_with_a_step_chosen_a_key_is_one_step(ready, pad):
     assert angles(ready)[5] == 19.0
 
 
+@ONE_IS_ENOUGH
 def test_an_arm_that_cannot_move_says_so_on_the_pad(ready, pad):
     ready.controller.emergency_stop()
     ready.run_until(lambda: "stop_confirmed" in ready.codes())

@@ -13,6 +13,7 @@ from armui.protocol.generation import Generation
 from armui.ui.dialogs.joint_status import JointStatusDialog
 from armui.ui.widgets.message_line import MessageLine
 from tests.faulty_arm import FaultyDrivers
+from tests.generations import ONE_IS_ENOUGH
 
 ROWS = {
     Generation.ONE: [
@@ -152,6 +153,7 @@ def test_a_joint_the_controller_cannot_talk_to(ready):
     assert button(ready).state_text == "Normal"
 
 
+@ONE_IS_ENOUGH
 def test_disabled_motors_are_said_in_the_table_and_in_the_button(any_desk):
     any_desk.connect()
     table = Table(any_desk)
@@ -160,6 +162,7 @@ def test_disabled_motors_are_said_in_the_table_and_in_the_button(any_desk):
     assert button(any_desk).state_text == "Disabled"
 
 
+@ONE_IS_ENOUGH
 def test_the_figures_stand_beside_the_words(ready):
     table = Table(ready)
     ready.step()
@@ -178,6 +181,7 @@ def test_a_silent_driver_is_stale_and_the_button_names_it(ready):
     assert button(ready).state_text == "Unknown J4"
 
 
+@ONE_IS_ENOUGH
 def test_a_silent_arm_is_offline_and_its_table_stale(ready):
     table = Table(ready)
     ready.powered = False
@@ -191,6 +195,7 @@ def test_a_silent_arm_is_offline_and_its_table_stale(ready):
     assert table.dialog.clear_buttons[0].isEnabled()
 
 
+@ONE_IS_ENOUGH
 def test_disconnecting_leaves_nothing_standing(ready):
     table = Table(ready)
     ready.controller.disconnect_device()
@@ -210,6 +215,7 @@ def test_connecting_accuses_no_arm_of_bits_of_the_other_generation(any_desk):
     assert seen[-1] is StatusVerdict.DISABLED
 
 
+@ONE_IS_ENOUGH
 def test_a_hidden_window_does_no_work_and_catches_up(ready):
     table = Table(ready)
     table.dialog.close()
@@ -221,6 +227,7 @@ def test_a_hidden_window_does_no_work_and_catches_up(ready):
     assert table.read("Supply voltage:", 2) == "Too low"
 
 
+@ONE_IS_ENOUGH
 def test_the_window_stays_open_beside_the_work(ready):
     table = Table(ready)
     ready.click("jog_plus_1")
@@ -287,6 +294,7 @@ def test_clearing_an_error_sends_it_and_waits_for_the_arms_answer(ready):
     assert ready.codes()[-2:] == ["clear_error_sent", "clear_error_answered"]
 
 
+@ONE_IS_ENOUGH
 def test_no_answer_within_a_second_is_said(ready):
     table = Table(ready)
     ready.firmware.on_frame = lambda _frame: []
@@ -298,6 +306,7 @@ def test_no_answer_within_a_second_is_said(ready):
     assert message(table).startswith("Joint 6: the arm did not confirm")
 
 
+@ONE_IS_ENOUGH
 def test_one_error_at_a_time(ready):
     table = Table(ready)
     ready.click(table.dialog.clear_buttons[0])
@@ -307,6 +316,7 @@ def test_one_error_at_a_time(ready):
     assert len(ready.heard()) == 1
 
 
+@ONE_IS_ENOUGH
 def test_a_stopped_arm_may_be_asked_too(ready):
     ready.controller.emergency_stop()
     ready.run_until(lambda: "stop_confirmed" in ready.codes())
@@ -320,6 +330,7 @@ def test_an_answer_to_nothing_is_no_answer(ready):
     assert not {"clear_error_answered", "clear_error_unanswered"} & set(ready.codes())
 
 
+@ONE_IS_ENOUGH
 def test_after_disconnecting_no_answer_is_missed(ready):
     assert ready.controller.joint_errors.clear(1) is None
     ready.controller.disconnect_device()

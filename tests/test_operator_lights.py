@@ -8,6 +8,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
 from armui.protocol.frame import Frame
+from tests.generations import ONE_IS_ENOUGH
 
 
 def light(payload):
@@ -17,7 +18,7 @@ def light(payload):
 @pytest.fixture
 def lit(any_desk):
     """Connected, motors off, the light panel open."""
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.click("menu_light")
     any_desk.heard()
     return any_desk
@@ -49,6 +50,7 @@ def test_one_lamp(lit):
     assert "lamp 12 of joint 1" in lit.read("notice_label")
 
 
+@ONE_IS_ENOUGH
 def test_a_grey_value_out_of_range_is_refused_where_it_was_typed(lit):
     lit.type_into("blue_field", "256")
     lit.click("light_confirm_button")
@@ -58,6 +60,7 @@ def test_a_grey_value_out_of_range_is_refused_where_it_was_typed(lit):
     assert "Not sent" in lit.read("notice_label")
 
 
+@ONE_IS_ENOUGH
 def test_the_values_are_kept_while_another_panel_is_used(lit):
     lit.click("light_joint_5")
     lit.type_into("green_field", "3")
@@ -74,6 +77,7 @@ def test_the_values_are_kept_while_another_panel_is_used(lit):
     assert lit.read("light_confirm_button") == "Confirm"
 
 
+@ONE_IS_ENOUGH
 def test_an_arm_that_falls_silent_gets_no_light(lit):
     lit.powered = False
     lit.run(0.6)
@@ -88,6 +92,7 @@ def test_an_arm_that_falls_silent_gets_no_light(lit):
     assert lit.read("light_message") == ""
 
 
+@ONE_IS_ENOUGH
 def test_a_link_picked_in_3d_chooses_the_joint(lit):
     lit.program.view.joint_picked.emit(4)
     lit.click("light_confirm_button")
@@ -95,6 +100,7 @@ def test_a_link_picked_in_3d_chooses_the_joint(lit):
     assert lit.heard() == [light("01 04 FF FF FF FF 00 00")]
 
 
+@ONE_IS_ENOUGH
 def test_a_device_unplugged_half_way_gets_no_light_and_comes_back(lit):
     lit.click("light_confirm_button")
     lit.step()

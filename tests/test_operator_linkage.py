@@ -6,11 +6,12 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.ui.dialogs.confirm import ConfirmDialog
 from tests.faulty_arm import HardOfHearing
+from tests.generations import ONE_IS_ENOUGH
 
 
 @pytest.fixture
 def link(any_desk):
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.click("menu_linkage")
     any_desk.ear = HardOfHearing(any_desk.firmware)
     return any_desk
@@ -61,6 +62,7 @@ def test_a_teaching_input_is_explained_and_led_back(link):
     assert not link.firmware.leads
 
 
+@ONE_IS_ENOUGH
 def test_no_answer_is_said(link):
     link.ear.deaf_to = {0x470}
     choose(link, "feedback", 1)
@@ -71,6 +73,7 @@ def test_no_answer_is_said(link):
     assert link.read("linkage_in_use").startswith("In use: feedback 0x2A1")
 
 
+@ONE_IS_ENOUGH
 def test_cancelled_nothing_is_sent(link):
     link.click("linkage_input")
     link.click("linkage_confirm_button")
@@ -79,6 +82,7 @@ def test_cancelled_nothing_is_sent(link):
     assert sent(link) == []
 
 
+@ONE_IS_ENOUGH
 def test_without_an_arm(any_desk):
     any_desk.click("menu_linkage")
     assert not any_desk.find("linkage_confirm_button").isEnabled()
@@ -86,6 +90,7 @@ def test_without_an_arm(any_desk):
     assert any_desk.read("linkage_in_use") == "In use: —"
 
 
+@ONE_IS_ENOUGH
 def test_the_makers_words(link):
     link.store.change(language="zh")
     link.step()

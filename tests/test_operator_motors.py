@@ -8,13 +8,14 @@ from PySide6.QtWidgets import QApplication
 from armui.protocol.frame import Frame
 from armui.ui.dialogs.confirm import ConfirmDialog
 from tests.faulty_arm import FaultyDrivers, HardOfHearing
+from tests.generations import ONE_IS_ENOUGH
 
 JOINTS = range(1, 7)
 
 
 @pytest.fixture
 def motors(any_desk):
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.click("menu_motor")
     any_desk.ear = HardOfHearing(any_desk.firmware)
     return any_desk
@@ -72,6 +73,7 @@ def test_all_motors_on_and_off(motors):
 
 
 @pytest.mark.parametrize("name", ["disable_motor_2", "zero_motor_2", "zero_motor_7"])
+@ONE_IS_ENOUGH
 def test_neither_a_double_click_nor_letting_go_early_does_it(motors, name):
     motors.click("enable_motor_7")
     motors.run(0.4)
@@ -134,6 +136,7 @@ def test_an_arm_that_does_not_answer_says_so(motors):
     assert "did not confirm within a second" in message(motors)
 
 
+@ONE_IS_ENOUGH
 def test_the_figures_beside_and_when_they_are_old(motors):
     motors.run(0.2)
     driver = motors.controller.state.drivers_slow[2].value
@@ -151,6 +154,7 @@ def test_the_figures_beside_and_when_they_are_old(motors):
     drivers.mend()
 
 
+@ONE_IS_ENOUGH
 def test_nothing_is_made_up_before_an_arm_is_heard(any_desk):
     any_desk.click("menu_motor")
     assert powers(any_desk) == ["—"] * 6
@@ -161,6 +165,7 @@ def test_nothing_is_made_up_before_an_arm_is_heard(any_desk):
         assert "No arm is connected" in button.toolTip()
 
 
+@ONE_IS_ENOUGH
 def test_in_an_emergency_stop_only_errors_can_be_cleared(motors):
     motors.click("stop_button")
     motors.run_until(lambda: "stop_confirmed" in motors.codes())
@@ -172,6 +177,7 @@ def test_in_an_emergency_stop_only_errors_can_be_cleared(motors):
     assert "emergency stop" in message(motors)
 
 
+@ONE_IS_ENOUGH
 def test_a_stop_during_the_question_keeps_it_from_acting(motors):
     motors.click("zero_motor_1")
     motors.click(motors.dialog(ConfirmDialog).stop_button)
@@ -182,6 +188,7 @@ def test_a_stop_during_the_question_keeps_it_from_acting(motors):
     assert "emergency stop" in message(motors)
 
 
+@ONE_IS_ENOUGH
 def test_the_manuals_words(motors):
     motors.store.change(language="zh")
     motors.step()
@@ -202,6 +209,7 @@ def test_the_manuals_words(motors):
         QApplication.processEvents()
 
 
+@ONE_IS_ENOUGH
 def test_a_link_picked_in_3d_leads_to_its_motor(motors):
     motors.window.activateWindow()
     motors.program.view.joint_picked.emit(5)

@@ -4,8 +4,9 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
+from armui.protocol.codes import MoveMode
 from armui.trajectory.library.store import Library
-from armui.trajectory.points.program import MoveMode, Trajectory, Waypoint
+from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.trajectory.editor.editor_window import EditorWindow
 from armui.ui.trajectory.library.library_window import LibraryWindow
 from armui.viewport.path_picture import NOTHING

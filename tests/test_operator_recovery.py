@@ -11,6 +11,7 @@ from armui.protocol.frame import Frame
 from armui.sim.faults.schedule import fault
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
+from tests.generations import ONE_IS_ENOUGH
 from tests.test_operator import ENABLE, RESUME, STOP
 
 
@@ -33,7 +34,7 @@ def reads(app_driver, text):
 
 @pytest.fixture
 def online(any_desk):
-    any_desk.connect_by_hand()
+    any_desk.connect()
     reads(any_desk, "motors are off")
     any_desk.heard()
     return any_desk
@@ -47,6 +48,7 @@ def ready(online):
     return online
 
 
+@ONE_IS_ENOUGH
 def test_an_arm_just_connected_is_enabled_from_the_line(online):
     press(online, "Enable")
     reads(online, "Ready")
@@ -140,6 +142,7 @@ def test_a_reset_is_asked_about_and_then_led_to_its_end(ready):
     reads(ready, "Ready")
 
 
+@ONE_IS_ENOUGH
 def test_an_arm_that_falls_silent(ready):
     ready.powered = False
     reads(ready, "Check its power, the CAN cable and the bit rate")
@@ -189,6 +192,7 @@ def test_left_over_drag_teaching_is_left_step_by_step(ready):
     assert ready.firmware.control_mode is ControlMode.STANDBY
 
 
+@ONE_IS_ENOUGH
 def test_a_double_click_takes_one_step_only(ready):
     ready.node.faults.start(broken := fault("overcurrent", 3))
     reads(ready, "Overcurrent, joint 3")
@@ -205,6 +209,7 @@ def test_a_double_click_takes_one_step_only(ready):
     reads(ready, "Ready")
 
 
+@ONE_IS_ENOUGH
 def test_nothing_moves_in_the_window_when_a_fault_comes_and_goes(ready):
     places = {
         name: ready.find(name).mapTo(ready.window, ready.find(name).rect().center())

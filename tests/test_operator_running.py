@@ -13,6 +13,7 @@ from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.trajectory.editor.editor_window import EditorWindow
 from armui.ui.trajectory.library.library_window import LibraryWindow
+from tests.generations import ONE_IS_ENOUGH
 
 OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
 BACK = (-15.0, 30.0, -30.0, -10.0, 30.0, -20.0)
@@ -126,6 +127,7 @@ def test_in_a_loop_until_it_is_ended_and_on_from_there(app_driver):
     assert operator.progress.cycles == 0
 
 
+@ONE_IS_ENOUGH
 def test_a_pause_holds_the_arm(any_desk):
     operator = Operator(any_desk, to(OUT), to(BACK))
     operator.send()

@@ -9,6 +9,7 @@ from armui.protocol.codes import ArmStatusCode, ControlMode
 from armui.protocol.frame import Frame
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.panels.teaching.teaching_exit_steps import TeachingExitSteps
+from tests.generations import ONE_IS_ENOUGH
 
 THERE_DEG = (10.0, 40.0, -30.0, 0.0, 0.0, 0.0)
 HOME_DEG = (0.0,) * 6
@@ -53,7 +54,7 @@ def due(app_driver):
 
 @pytest.fixture
 def enabled(any_desk):
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.enable_by_hand()
     any_desk.click("menu_teaching")
     any_desk.heard()
@@ -111,6 +112,7 @@ def test_a_replay_is_paused_continued_and_terminated(taught):
     assert taught.heard() == [teach(3), teach(4), teach(5), teach(6)]
 
 
+@ONE_IS_ENOUGH
 def test_the_start_of_the_recording_is_reached(taught):
     give(taught, "move_to_start")
     phase(taught, "Moving along")
@@ -119,6 +121,7 @@ def test_the_start_of_the_recording_is_reached(taught):
     assert taught.firmware.joints_deg == pytest.approx(HOME_DEG)
 
 
+@ONE_IS_ENOUGH
 def test_a_command_the_arm_does_not_follow_is_said(taught):
     taught.firmware.teaching.recording.clear()
     give(taught, "run_recording")
@@ -130,6 +133,7 @@ def test_a_command_the_arm_does_not_follow_is_said(taught):
     assert "run_recording" in usable(taught)
 
 
+@ONE_IS_ENOUGH
 def test_the_end_of_a_recording_is_asked_for_again(enabled):
     give(enabled, "start_recording")
     phase(enabled, "Recording")
@@ -141,8 +145,9 @@ def test_the_end_of_a_recording_is_asked_for_again(enabled):
     del enabled.firmware.teaching.command
 
 
+@ONE_IS_ENOUGH
 def test_motors_off_or_a_stop_keep_teaching_away_and_say_why(any_desk):
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.click("menu_teaching")
     any_desk.run(0.2)
     assert usable(any_desk) == set()
@@ -155,6 +160,7 @@ def test_motors_off_or_a_stop_keep_teaching_away_and_say_why(any_desk):
     assert "emergency stop" in any_desk.find("plan_continue").toolTip()
 
 
+@ONE_IS_ENOUGH
 def test_a_link_lost_half_way_ends_the_waiting(enabled):
     enabled.firmware.teaching.command = lambda _command: None
     give(enabled, "start_recording")
@@ -202,6 +208,7 @@ def test_the_way_out_one_step_at_a_time(taught):
     assert app_driver.controller.operating_state.cannot_move is None
 
 
+@ONE_IS_ENOUGH
 def test_motions_are_paused_continued_and_cleared(enabled):
     assert not enabled.find("plan_pause").isEnabled()
     assert "nothing to pause" in enabled.find("plan_pause").toolTip()
@@ -229,6 +236,7 @@ def test_motions_are_paused_continued_and_cleared(enabled):
     assert enabled.read("teaching_message") == ""
 
 
+@ONE_IS_ENOUGH
 def test_the_way_out_is_not_shown_to_an_arm_that_was_only_stopped(enabled):
     enabled.click("stop_button")
     enabled.run(0.3)

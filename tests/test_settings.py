@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -234,7 +235,7 @@ def test_a_tool_is_kept_and_read_back(path: Path) -> None:
         ("tool", "tool"),
     ],
 )
-def test_a_tool_that_cannot_be_is_refused(path: Path, tool: object, named: str) -> None:
+def test_a_tool_that_cannot_be_is_refused(path: Path, tool: Any, named: str) -> None:
     store = SettingsStore(path)
 
     refusal = store.change(tool=tool)

@@ -153,6 +153,7 @@ def test_meshes_are_named_by_relative_paths_that_exist():
     names = [mesh.get("filename") for mesh in ET.parse(URDF / "piper.urdf").iter("mesh")]
     assert len(names) == 19
     for name in names:
+        assert name is not None
         assert not Path(name).is_absolute()
         assert "://" not in name
         assert (URDF / name).is_file()

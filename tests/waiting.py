@@ -11,7 +11,7 @@ def wait_until(condition: Callable[[], object], limit_ms: int = LIMIT_MS) -> Non
     """Let Qt and the threads work until something is so."""
     loop = QEventLoop()
     look = QTimer(interval=2)
-    look.timeout.connect(lambda: condition() and loop.quit())
+    look.timeout.connect(lambda: loop.quit() if condition() else None)
     limit = QTimer(interval=limit_ms, singleShot=True)
     limit.timeout.connect(loop.quit)
     look.start()

@@ -77,7 +77,7 @@ class InvalidFrame(NamedTuple):
 class Codec:
     """Speaks one generation of the protocol with one arm's identifier offsets.
 
-    It holds no state between calls; one codec may be used from several threads.
+    What was said before changes nothing; one codec may be used from several threads.
 
     Attributes:
         generation: The protocol spoken.
@@ -90,26 +90,23 @@ class Codec:
         layouts = _layouts(generation)
         self._by_name = {layout.name: layout for layout in layouts}
         self._by_wire_id = {addressing.to_wire(layout.arbitration_id): layout for layout in layouts}
+        self._latest: dict[int, tuple[bytes, Message | InvalidFrame]] = {}
 
     def decode(self, frame: Frame) -> Message | InvalidFrame:
-        """What a frame says.
+        """What a frame says; who reads it leaves it as it is.
 
-        Never raises, whatever the frame holds: it runs on the thread that owns the bus.
+        Never raises, whatever the frame holds: it runs on the thread that owns the bus. An arm
+        repeats most of what it says, and the same bytes say the same: they are decoded once.
         """
-        arbitration_id, data = frame
-        layout = self._by_wire_id.get(arbitration_id)
+        latest = self._latest.get(frame.arbitration_id)
+        if latest is not None and latest[0] == frame.data:
+            return latest[1]
+        layout = self._by_wire_id.get(frame.arbitration_id)
         if layout is None:
-            return self._unknown_id(arbitration_id)
-        if len(data) != layout.length:
-            if len(data) not in layout.lengths:
-                return _wrong_length(layout, frame)
-            data = data[: layout.length].ljust(layout.length, b"\0")
-        # neither words nor scaled by cantools: see MessageLayout.scale
-        values = layout.unpack(data, False, False)
-        for name, legal in layout.checked:
-            if values[name] not in legal:
-                return _outside_table(layout, arbitration_id, values)
-        return Message(layout.name, layout.scale(values))
+            return self._unknown_id(frame.arbitration_id)
+        heard = _decoded(layout, frame)
+        self._latest[frame.arbitration_id] = frame.data, heard
+        return heard
 
     def encode(self, name: str, **signals: float | None) -> Frame:
         """The frame that says this.
@@ -246,6 +243,20 @@ class Codec:
 def _layouts(generation: Generation) -> tuple[MessageLayout, ...]:
     """Every message of a generation, prepared once: a codec is made for each arm and handshake."""
     return tuple(message_layout(message) for message in load_database(generation).messages)
+
+
+def _decoded(layout: MessageLayout, frame: Frame) -> Message | InvalidFrame:
+    arbitration_id, data = frame
+    if len(data) != layout.length:
+        if len(data) not in layout.lengths:
+            return _wrong_length(layout, frame)
+        data = data[: layout.length].ljust(layout.length, b"\0")
+    # neither words nor scaled by cantools: see MessageLayout.scale
+    values = layout.unpack(data, False, False)
+    for name, legal in layout.checked:
+        if values[name] not in legal:
+            return _outside_table(layout, arbitration_id, values)
+    return Message(layout.name, layout.scale(values))
 
 
 def _wrong_length(layout: MessageLayout, frame: Frame) -> InvalidFrame:

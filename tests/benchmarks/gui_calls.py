@@ -14,6 +14,8 @@ import tempfile
 import time
 from pathlib import Path
 
+from tests.benchmarks.other_arm import BUS
+
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 import can
@@ -61,7 +63,7 @@ def main() -> None:
     with (
         tempfile.TemporaryDirectory() as folder,
         rig.helper("-m", "tests.benchmarks.other_arm", str(FRAMES_PER_S)),
-        rig.window(app, Path(folder), lambda _device: can.Bus(**rig.BUS), rig.UDP),
+        rig.window(app, Path(folder), lambda _device: can.Bus(**BUS), rig.UDP),
     ):
         rig.run_for(1.0)
         app.is_noting = True

@@ -11,6 +11,7 @@ import itertools
 import select
 import sys
 import time
+from typing import Any
 
 import can
 
@@ -18,7 +19,7 @@ from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from tests.sim.talk import ENABLE, frame, mode, target
 
-BUS = {"interface": "udp_multicast", "channel": "239.74.211.9", "port": 43519}
+BUS: dict[str, Any] = {"interface": "udp_multicast", "channel": "239.74.211.9", "port": 43519}
 PERIOD_S = 0.005
 ENDS_DEG = ((60, 90, -60, 40, 30, 60), (-60, 40, -90, -40, -30, -60))
 

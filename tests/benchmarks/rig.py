@@ -7,7 +7,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
@@ -18,6 +18,7 @@ from PySide6.QtWidgets import QApplication
 
 from armui.app import _SWITCH_INTERVAL_S, Program, keep_from_collector
 from armui.arm.device import Device
+from armui.bus.worker import Opener
 from armui.control.arm_controller import ArmController
 from armui.control.operating_state import LinkState
 from armui.settings import SettingsStore
@@ -59,9 +60,7 @@ def all_cores_busy() -> Iterator[None]:
 
 
 @contextmanager
-def window(
-    app: QApplication, folder: Path, open_bus: Callable[[Device], object], device: Device
-) -> Iterator[Program]:
+def window(app: QApplication, folder: Path, open_bus: Opener, device: Device) -> Iterator[Program]:
     """The program as the operator has it, connected, with the picture on the screen."""
     before = sys.getswitchinterval()
     sys.setswitchinterval(_SWITCH_INTERVAL_S)
@@ -153,7 +152,7 @@ def spread(name: str, values_ms: list[float]) -> str:
     )
 
 
-def memory_mb(pid: int) -> float:
+def memory_mb(pid: int | None) -> float:
     """What a process takes, shared memory in equal shares (Linux)."""
     for line in Path(f"/proc/{pid}/smaps_rollup").read_text().splitlines():
         if line.startswith("Pss:"):

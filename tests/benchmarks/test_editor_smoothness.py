@@ -9,6 +9,7 @@ slow.
 import gc
 import sys
 import time
+from typing import Any
 
 import pytest
 from PySide6.QtCore import QAbstractTableModel, QEventLoop, QModelIndex, Qt, QTimer
@@ -86,7 +87,7 @@ class Pulse:
         began = time.perf_counter()
         look = QTimer(interval=20)
         look.timeout.connect(
-            lambda: time.perf_counter() - began > idle_ms / 1e3 and until() and loop.quit()
+            lambda: loop.quit() if time.perf_counter() - began > idle_ms / 1e3 and until() else None
         )
         self._longest_s, self._last = 0.0, began
         self._timer.start()
@@ -119,8 +120,13 @@ def editor(qapp, tmp_path):
     store = SettingsStore(tmp_path / "settings.json")
     program = Program(qapp, store, controller, HelperProcess(), tmp_path)
     pulse = Pulse()
-    drawn = []
-    program.view.first_frame_shown.connect(lambda: drawn.append(gc.freeze()))
+    drawn: list[Any] = []
+
+    def on_drawn() -> None:
+        gc.freeze()
+        drawn.append(True)
+
+    program.view.first_frame_shown.connect(on_drawn)
     program.window.show()
     controller.connect_device(SIMULATED[0])
     pulse.during(program.window.open_library_window, 500, lambda: drawn)

@@ -6,6 +6,7 @@ the key to what the picture shows later.
 
 import time
 from collections import deque
+from typing import Any
 
 import can
 import numpy as np
@@ -38,7 +39,7 @@ class Stamps:
         self._program, self._sent_s = program, sent_s
         self._key_of_sequence = {}
         self._told_s, self._heard_s, self._folded_s = {}, {}, {}
-        self._pictured_s = deque(maxlen=100)
+        self._pictured_s: deque[Any] = deque(maxlen=100)
         tracker = program.controller._connection._worker._tracker
         picture = tracker.picture
 
@@ -48,7 +49,9 @@ class Stamps:
             return state
 
         tracker.picture = timed_picture
-        self.stages_ms = {name: [] for name in ("bus", "fold", "tick", "draw", "paint", "all")}
+        self.stages_ms: dict[Any, Any] = {
+            name: [] for name in ("bus", "fold", "tick", "draw", "paint", "all")
+        }
         program.controller.state_changed.connect(self._on_state)
         client = program.view._client
         self._frame_used = client.frame_used

@@ -10,9 +10,11 @@ import itertools
 import os
 import sys
 import threading
+from functools import partial
 
 import can
 import pytest
+from can.interfaces.virtual import VirtualBus
 
 from armui.arm.device import Device
 from tests.benchmarks import rig
@@ -45,6 +47,10 @@ class Feeder(threading.Thread):
             self.sent += 1
 
 
+def _has_sent(feeder: Feeder, frames: float) -> bool:
+    return feeder.sent >= frames
+
+
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 @pytest.mark.timeout(3600)
 def test_memory(qapp, tmp_path, capsys, benchmark):
@@ -52,14 +58,15 @@ def test_memory(qapp, tmp_path, capsys, benchmark):
     device = Device("virtual", CHANNEL, None, simulated=True, generation=2)
     with (
         can.Bus(interface="virtual", channel=CHANNEL) as arm_side,
-        can.Bus(interface="virtual", channel=CHANNEL) as host_side,
+        VirtualBus(CHANNEL) as host_side,
     ):
         feeder = Feeder(arm_side, host_side.queue)
         feeder.start()
         with rig.window(qapp, tmp_path, lambda _device: host_side, device) as program:
             mb = []
             for minutes in (EARLY_MINUTES, MINUTES):
-                wait_until(lambda m=minutes: feeder.sent >= m * FRAMES_A_MINUTE, 3_000_000)
+                frames = minutes * FRAMES_A_MINUTE
+                wait_until(partial(_has_sent, feeder, frames), 3_000_000)
                 mb.append(rig.memory_mb(pid))
             picture_mb = rig.memory_mb(program.view._client.pid)
             feeder.ending.set()

@@ -16,7 +16,7 @@ from ruckig import InputParameter, Ruckig
 from ruckig import Trajectory as JointPlan
 
 from armui.arm.reach import check_path, check_pose
-from armui.kinematics.kinematics import Pose, pose_to_matrix
+from armui.kinematics.poses import Pose, pose_to_matrix
 from armui.kinematics.tool_path import Line
 from armui.trajectory.planning.check import check
 from armui.trajectory.planning.timing import plan_path
@@ -45,7 +45,7 @@ def mixed_program() -> Trajectory:
     for _ in range(POINTS // 2):
         here = draw.uniform((-60, 40, -100, -30, 15, -30), (60, 90, -50, 30, 50, 30)).tolist()
         points.append(joint(*here, speed=50))
-        points.append(line(pose_near(here, draw.uniform(-30, 30, 3)), speed=50))
+        points.append(line(pose_near(here, draw.uniform(-30, 30, 3).tolist()), speed=50))
     return replace(run(*points), name="mixed")
 
 
@@ -66,7 +66,8 @@ def best_s(work: Callable[[], object]) -> float:
 def by_ruckig(points: tuple[Waypoint, ...]) -> float:
     """The running time of the same motions, planned one by one."""
     planner, plan = Ruckig(6), JointPlan(6)
-    total_s, before = 0.0, START
+    total_s = 0.0
+    before: tuple[float, ...] = START
     for point in points:
         request = InputParameter(6)
         request.current_position, request.target_position = list(before), list(point.target)

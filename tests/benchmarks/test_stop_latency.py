@@ -19,6 +19,7 @@ import sys
 import threading
 import time
 from contextlib import ExitStack, contextmanager
+from typing import Any
 
 import can
 import numpy as np
@@ -34,6 +35,7 @@ from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
 from tests.benchmarks import rig
+from tests.benchmarks.other_arm import BUS
 from tests.waiting import wait_until
 
 PRESSES = int(os.environ.get("STOP_PRESSES", "200"))
@@ -80,7 +82,7 @@ class Mouse(threading.Thread):
         super().__init__(name="mouse")
         self._buttons = buttons
         self._random = random.Random(4)
-        self.pressed_s = {button: [] for button in buttons}
+        self.pressed_s: dict[Any, Any] = {button: [] for button in buttons}
         self.seen = threading.Event()
 
     def run(self):
@@ -110,7 +112,7 @@ def keep_moving(firmware, codec, stopping):
 
 
 def udp_bus(_device):
-    return can.Bus(**rig.BUS)
+    return can.Bus(**BUS)
 
 
 @contextmanager
@@ -203,7 +205,8 @@ def press_again_and_again(qapp, program, sent_s):
     ids=lambda way: way.__name__,
 )
 def test_stop_latency(qapp, tmp_path, capsys, benchmark, arm, load):
-    sent_s, pictures = [], []
+    sent_s: list[float] = []
+    pictures: list[Any] = []
     with ExitStack() as stack:
         open_bus, device = stack.enter_context(arm())
         program = stack.enter_context(

@@ -8,6 +8,7 @@ A benchmark states; it fails only where no picture comes at all.
 
 import statistics
 import time
+from typing import Any
 
 import pytest
 import pyvista as pv
@@ -78,7 +79,7 @@ class MovedMeshes(Ours):
 
 def milliseconds_a_frame(ways):
     """Median time of a frame of each way; rounds take turns, so a busy moment hits them all."""
-    times = {name: [] for name in ways}
+    times: dict[Any, Any] = {name: [] for name in ways}
     for round_number in range(ROUNDS + 1):
         for name, way in ways.items():
             for frame in range(FRAMES_A_ROUND):

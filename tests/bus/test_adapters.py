@@ -6,7 +6,6 @@ import pytest
 
 from armui.arm.device import Device
 from armui.arm.refusal_codes import RefusalCode
-from armui.bus import adapters
 from armui.bus.adapters import explain, find_devices, open_bus
 
 CAN0 = Device("socketcan", "can0", None)
@@ -63,7 +62,7 @@ def test_the_search_is_quiet_and_survives_a_backend_that_fails(monkeypatch, capf
             return [{"interface": "gs_usb", "channel": "candle", "bus": 1, "address": 4}]
         return []
 
-    monkeypatch.setattr(adapters.can, "detect_available_configs", detect)
+    monkeypatch.setattr("can.detect_available_configs", detect)
     found = find_devices()
     assert [(device.interface, device.channel, device.bitrate) for device in found] == [
         ("gs_usb", "candle", 1_000_000),

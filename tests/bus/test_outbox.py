@@ -2,6 +2,7 @@
 
 import errno
 import threading
+from typing import Any
 
 import can
 import pytest
@@ -72,7 +73,7 @@ def test_the_stop_cuts_into_a_row_of_frames_being_sent(outbox, wire):
             presser.start()
             pressers.append(presser)
 
-    pressers = []
+    pressers: list[Any] = []
     wire.on_send = press_stop_after_the_first
     outbox.put(frames(1, 2))
     outbox.send_waiting()

@@ -2,6 +2,7 @@
 
 import socket
 import sys
+from typing import cast
 
 import can
 import pytest
@@ -14,11 +15,15 @@ linux = pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells")
 class SocketBus:
     """As much of a bus as the queue looks at."""
 
-    def __init__(self, fileno):
+    def __init__(self, fileno: int) -> None:
         self._fileno = fileno
 
     def fileno(self):
         return self._fileno
+
+
+def bus_of(receiving: socket.socket) -> can.BusABC:
+    return cast("can.BusABC", SocketBus(receiving.fileno()))
 
 
 @pytest.fixture
@@ -54,7 +59,7 @@ def received(receiving):
 def test_it_is_made_longer(sockets):
     before = sockets[0].getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF)
     queue = ReceiveQueue()
-    queue.attach(SocketBus(sockets[0].fileno()))
+    queue.attach(bus_of(sockets[0]))
     assert sockets[0].getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF) > before
     queue.detach()
 
@@ -62,7 +67,7 @@ def test_it_is_made_longer(sockets):
 @linux
 def test_each_frame_lost_is_counted(sockets):
     queue = ReceiveQueue()
-    queue.attach(SocketBus(sockets[0].fileno()))
+    queue.attach(bus_of(sockets[0]))
     queue.look(0.0)
     assert queue.dropped == 0
     sent = 4 * sockets[0].getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF) // 8192
@@ -79,7 +84,7 @@ def test_each_frame_lost_is_counted(sockets):
 def test_what_was_lost_before_it_was_opened_does_not_count(sockets):
     overfill(*sockets)
     queue = ReceiveQueue()
-    queue.attach(SocketBus(sockets[0].fileno()))
+    queue.attach(bus_of(sockets[0]))
     queue.look(0.0)
     assert queue.dropped == 0
     queue.detach()
@@ -89,7 +94,7 @@ def test_what_was_lost_before_it_was_opened_does_not_count(sockets):
 def test_the_bus_goes_on_when_the_queue_lets_go(sockets):
     receiving, sending = sockets
     queue = ReceiveQueue()
-    queue.attach(SocketBus(receiving.fileno()))
+    queue.attach(bus_of(receiving))
     queue.detach()
     sending.send(b"frame")
     assert receiving.recv(10) == b"frame"

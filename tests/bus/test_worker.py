@@ -2,6 +2,7 @@
 
 import errno
 from contextlib import contextmanager
+from typing import Any
 
 import can
 import pytest
@@ -25,7 +26,7 @@ class Rig:
     def __init__(self, channel, qtbot):
         self.qtbot = qtbot
         self.channel = channel
-        self.reports = []
+        self.reports: list[Any] = []
         self.failures = []
         self.lost = False
         self.bus = None
@@ -80,7 +81,7 @@ def test_frames_reach_the_arm_in_order(rig):
 
 
 def test_answers_are_delivered_one_by_one(rig):
-    answers = []
+    answers: list[Any] = []
     rig.worker.answered.connect(answers.append)
     rig.start()
     for _ in range(3):

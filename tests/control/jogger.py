@@ -14,10 +14,12 @@ LOOK_S = 0.002
 RESTED_DEG_S = 0.01
 BENT_DEG = (10.0, 70.0, -60.0, 15.0, 40.0, 20.0)
 """Away from every limit and every singular pose."""
+NEAR_DEG = 0.5
 
 
 def bend(rig: ArmRig, angles_deg=BENT_DEG) -> None:
-    """Enable the arm and bring it to a comfortable pose."""
+    """Enable an arm that lies near a comfortable pose, and bring it there."""
+    rig.lie([angle - NEAR_DEG for angle in angles_deg])
     rig.ready()
     rig.controller.motion.set_speed_percent(100)
     assert rig.controller.motion.send_joints(angles_deg) is None

@@ -12,6 +12,7 @@ from armui.control.operating_state import LinkState, StopState
 from armui.protocol.codes import ControlMode
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from tests.moments import now
 
 STOP = Frame(0x150, bytes.fromhex("01 00 00 00 00 00 00 00"))
 RESUME = Frame(0x150, bytes.fromhex("02 00 00 00 00 00 00 00"))
@@ -180,7 +181,7 @@ def test_stop_resume_enable_and_on(any_bench):
     rig.run(0.5)
     rig.heard()
     rig.controller.emergency_stop()
-    assert rig.controller.operating_state.stop is StopState.REQUESTED
+    assert now(rig.controller.operating_state.stop) is StopState.REQUESTED
     assert rig.heard() == [STOP]  # on the bus before emergency_stop() came back
     rig.run_until(lambda: rig.controller.operating_state.stop is StopState.STOPPED)
     assert rig.firmware.stopped
@@ -237,9 +238,9 @@ def test_a_silent_arm_is_offline_after_half_a_second_and_moves_no_more(rig):
     rig.ready()
     rig.powered = False
     rig.run(0.44)
-    assert rig.controller.operating_state.link is LinkState.ONLINE
+    assert now(rig.controller.operating_state.link) is LinkState.ONLINE
     rig.run(0.12)
-    assert rig.controller.operating_state.link is LinkState.OFFLINE
+    assert now(rig.controller.operating_state.link) is LinkState.OFFLINE
     assert rig.controller.operating_state.enabled == (None,) * 6
     assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.OFFLINE
     rig.powered = True

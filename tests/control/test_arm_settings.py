@@ -8,7 +8,7 @@ import pytest
 from armui.arm.limits import FACTORY_LIMITS
 from armui.arm.parameters import Batch, Group, Parameter, all_batches, heard
 from armui.arm.refusal_codes import RefusalCode
-from armui.control.parameters.arm_settings import CellState
+from armui.control.parameters.setting_cell import CellState
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from tests.faulty_arm import HardOfHearing

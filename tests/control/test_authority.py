@@ -13,6 +13,8 @@ from armui.arm.state import ArmState, DriverSlow, Reading, Status
 from armui.control.authority import Authority
 from armui.control.motion.motion_command import CommandKind, End, Hold, Mover, Observation
 from armui.protocol.codes import ArmStatusCode, ControlMode, MoveMode
+from tests.moments import now
+from tests.ui.arm_states import heard_six
 
 START_S = 100.0
 HERE = (0.0, 10.0, -10.0, 0.0, 0.0, 0.0)
@@ -52,7 +54,7 @@ class Arm:
         self.offsets = (0,)
         self.authority = Authority()
         self._status = Reading(self.status, self.now_s)
-        self._joints = tuple(Reading(each, self.now_s) for each in HERE)
+        self._joints = heard_six(HERE, self.now_s)
         self.wait(0.5)
 
     def look(self) -> None:
@@ -61,7 +63,7 @@ class Arm:
         if "status" not in self.silent:
             self._status = Reading(self.status, now_s)
         if "joints" not in self.silent:
-            self._joints = tuple(Reading(each, now_s) for each in self.joints_deg)
+            self._joints = heard_six(self.joints_deg, now_s)
         driver = Reading(replace(DRIVER, enabled=self.enabled), now_s)
         limits = None if self.limits is None else Reading(self.limits, now_s)
         state = ArmState(
@@ -116,10 +118,10 @@ def test_at_rest_with_nobody_a_step_starts_where_the_arm_is(arm):
 def test_a_command_is_ours_under_way_and_when_it_has_arrived(arm):
     arm.send()
     arm.wait(0.1)
-    assert arm.authority.mover is Mover.OURS
+    assert now(arm.authority.mover) is Mover.OURS
     assert arm.authority.joint_base_deg() == THERE
     arm.arrive()
-    assert arm.authority.mover is Mover.NOBODY
+    assert now(arm.authority.mover) is Mover.NOBODY
     assert arm.authority.joint_base_deg() == THERE
 
 

@@ -3,13 +3,14 @@
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from armui.arm.limits import JointLimits
+from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, JointLimits
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import Reading
-from armui.control.motion.jog_pace import FACTORY_ACCELERATION_DEG_S2, REST_S, accelerations, pace
+from armui.control.motion.jog_pace import REST_S, accelerations, pace
 from armui.control.motion.jog_path import JointJog, JointJogPath
 from armui.control.motion.jog_stream import JogStream
 from armui.sim.mechanics.powered_joints import JointMotion
+from tests.examples import examples
 
 BASE_DEG = (0.0, 90.0, -90.0, 0.0, 0.0, 0.0)
 
@@ -21,7 +22,7 @@ class Arm:
         self.motion = JointMotion(BASE_DEG)
         self.limits = limits
         self.accelerations = (acceleration,) * 6
-        self.seen = [BASE_DEG] * (age + 1)
+        self.seen: list[tuple[float, ...]] = [BASE_DEG] * (age + 1)
 
     @property
     def measured_deg(self):
@@ -44,7 +45,7 @@ class Arm:
         raise AssertionError("it never rests")
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(
     ticks_ms=st.lists(st.integers(4, 40), min_size=1, max_size=60),
     percent=st.integers(1, 100),

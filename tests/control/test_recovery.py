@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 from armui.arm.refusal_codes import RefusalCode
@@ -259,7 +261,7 @@ def test_power_comes_back_to_a_joint_and_no_motor_is_switched_on_unasked(rig):
 
 def test_connecting_and_leaving_is_followed(rig):
     assert step_of(rig).kind is StepKind.NO_DEVICE
-    steps = []
+    steps: list[Any] = []
     rig.controller.step_changed.connect(steps.append)
     rig.connect()
     until(rig, StepKind.MOTORS_OFF)

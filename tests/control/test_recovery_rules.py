@@ -6,6 +6,7 @@ import itertools
 from collections.abc import Iterator
 from dataclasses import replace
 from datetime import datetime
+from typing import Any
 
 import pytest
 
@@ -31,6 +32,7 @@ from armui.control.safety.recovery_steps import Action, Step, StepKind
 from armui.protocol.codes import ArmStatusCode, ControlMode, TeachingState
 from armui.protocol.generation import Generation
 from armui.ui import words
+from tests.ui.arm_states import heard_six
 
 NOW_S = 100.0
 FALSE = (False,) * 6
@@ -53,7 +55,7 @@ HEALTHY = DriverSlow(
     collision_protection=False,
     stall_protection=False,
 )
-PROTECTIONS = (
+PROTECTIONS: tuple[dict[str, Any], ...] = (
     {},
     {"undervoltage": True},
     {"motor_overtemperature": True},
@@ -67,7 +69,11 @@ PROTECTIONS = (
 ENABLED = ((True,) * 6, FALSE, (True, False, True, True, True, True), (None, *(True,) * 5))
 CONTROL_MODES = (*ControlMode, UNKNOWN_CODE)
 STATUSES = (*ArmStatusCode, UNKNOWN_CODE)
-FLAGS = ({}, {"communication_fault": JOINT_2}, {"limit_exceeded": JOINT_2})
+FLAGS: tuple[dict[str, Any], ...] = (
+    {},
+    {"communication_fault": JOINT_2},
+    {"limit_exceeded": JOINT_2},
+)
 POSES_DEG = ((0.0,) * 6, (0.0, 40.0, 0.0, 0.0, 0.0, 0.0))
 STOPS = (
     # stop, unconfirmed, busy; how a stop stands while the arm's own status is not «stopped»
@@ -97,17 +103,18 @@ def status(**changes) -> Status:
 
 def arm(heard: Status, enabled=ENABLED[0], protection=None, pose_deg=POSES_DEG[0]) -> ArmState:
     """An arm heard just now; joint 2 has the protection, ``None`` in enabled says nothing."""
-    drivers = [
+    one, two, *others = (
         None if on is None else Reading(replace(HEALTHY, enabled=on), NOW_S) for on in enabled
-    ]
-    if protection and drivers[1] is not None:
-        drivers[1] = Reading(replace(drivers[1].value, **protection), NOW_S)
+    )
+    if protection and two is not None:
+        two = Reading(replace(two.value, **protection), NOW_S)
+    three, four, five, six = others
     return ArmState(
         sequence=1,
         last_feedback_s=NOW_S,
         status=Reading(heard, NOW_S),
-        joints_deg=tuple(Reading(angle, NOW_S) for angle in pose_deg),
-        drivers_slow=tuple(drivers),
+        joints_deg=heard_six(pose_deg, NOW_S),
+        drivers_slow=(one, two, three, four, five, six),
     )
 
 

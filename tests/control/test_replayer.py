@@ -48,7 +48,12 @@ def test_the_arm_follows_the_recording(ready):
     assert ready.firmware.joints_deg == pytest.approx(recording.joints_deg[0], abs=0.1)
     began_s = ready.time_s
     path = []
-    ready.run_until(lambda: path.append(ready.firmware.joints_deg) or over(ready)())
+
+    def followed():
+        path.append(ready.firmware.joints_deg)
+        return over(ready)()
+
+    ready.run_until(followed)
     assert (phase(ready), ready.controller.replayer.progress.reason) == (RunPhase.DONE, None)
     assert 4.0 <= ready.time_s - began_s <= 5.0
     assert ready.firmware.joints_deg == pytest.approx(recording.joints_deg[-1], abs=0.1)
@@ -63,7 +68,12 @@ def test_a_factor_changes_the_time_and_not_the_way(ready):
     ready.run_until(lambda: replayer.progress.done > 0.0)
     began_s = ready.time_s
     path = []
-    ready.run_until(lambda: path.append(ready.firmware.joints_deg[0]) or over(ready)())
+
+    def followed():
+        path.append(ready.firmware.joints_deg[0])
+        return over(ready)()
+
+    ready.run_until(followed)
     assert 8.0 <= ready.time_s - began_s <= 9.0
     assert max(path) == pytest.approx(10.0, abs=0.3)
 

@@ -8,6 +8,7 @@ import json
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import can
 
@@ -50,12 +51,12 @@ def decode(path: Path, *options: str) -> int:
     return run(parser.parse_args([*options, str(path)]))
 
 
-def objects(capsys) -> tuple[list[dict], str]:
+def objects(capsys) -> tuple[list[dict[str, Any]], str]:
     output = capsys.readouterr()
     return [json.loads(line) for line in output.out.splitlines()], output.err
 
 
-def in_process(*arguments: str, **keywords) -> subprocess.Popen:
+def in_process(*arguments: str, **keywords) -> subprocess.Popen[Any]:
     code = (
         "import argparse, sys; from armui.decode import add_arguments, run; "
         "p = argparse.ArgumentParser(); add_arguments(p); sys.exit(run(p.parse_args()))"

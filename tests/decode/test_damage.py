@@ -25,6 +25,7 @@ from tests.decode.logs import (
     objects,
     record,
 )
+from tests.examples import examples
 
 # --- damaged lines ----------------------------------------------------------------------------
 
@@ -115,7 +116,7 @@ def test_events_and_comments_of_asc_and_trc_are_no_damage(tmp_path, capsys):
 @pytest.mark.parametrize("suffix", [*TEXT_SUFFIXES, ".blf", ".log.gz", ".blf.gz"])
 @settings(
     suppress_health_check=[HealthCheck.function_scoped_fixture],
-    max_examples=25,
+    max_examples=examples(25),
     deadline=None,
     derandomize=True,
 )

@@ -50,7 +50,7 @@ def connect_failed(app_driver: AppDriver) -> QDialog:
     return connect(app_driver)
 
 
-def settings(app_driver: AppDriver) -> QDialog:
+def settings(app_driver: AppDriver) -> SettingsDialog:
     app_driver.window.open_settings_dialog()
     return app_driver.dialog(SettingsDialog)
 
@@ -58,6 +58,7 @@ def settings(app_driver: AppDriver) -> QDialog:
 def settings_refused(app_driver: AppDriver) -> QDialog:
     dialog = settings(app_driver)
     field = dialog.findChild(QLineEdit)
+    assert field is not None
     field.setFocus()
     field.selectAll()
     QTest.keyClicks(field, "99")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtWidgets import QDialog
 
 from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.widgets.hold_button import HoldButton
 from tests.app_driver import AppDriver
 from tests.gallery_scenes import arm
 
@@ -98,6 +99,7 @@ def hold_zero(app_driver: AppDriver) -> QDialog:
     app_driver.click("zero_motor_2")
     dialog = app_driver.dialog(ConfirmDialog)
     app_driver.press(dialog.action_button)
+    assert isinstance(dialog.action_button, HoldButton)
     progress = dialog.action_button.progress
     progress.setCurrentTime(progress.duration() * 2 // 3)
     progress.pause()

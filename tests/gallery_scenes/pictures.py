@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
-from typing import Final
+from typing import Any, Final
 
 from PySide6.QtCore import (
     QCoreApplication,
@@ -27,6 +27,7 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QWidget
 
 from armui.protocol.generation import Generation
+from armui.settings import Language, ThemeName
 from armui.ui.shell.operation_area import OperationArea
 from armui.viewport.client import PictureClient
 from tests.app_driver import AppDriver
@@ -48,8 +49,8 @@ class Looks:
         sizes: Of the window, in pixels.
     """
 
-    languages: tuple[str, ...] = ("zh", "en")
-    themes: tuple[str, ...] = ("light", "dark")
+    languages: tuple[Language, ...] = ("zh", "en")
+    themes: tuple[ThemeName, ...] = ("light", "dark")
     sizes: tuple[tuple[int, int], ...] = ((1280, 800), (1920, 1080))
 
 
@@ -131,7 +132,7 @@ class _WindowPictures:
             for panel, widget in _panels(window).items():
                 yield f"panel-{panel}-{scene.name}-{look}", widget
 
-    def _change(self, size: tuple[int, int], theme: str) -> None:
+    def _change(self, size: tuple[int, int], theme: ThemeName) -> None:
         """Take another size and theme, and wait for the 3D picture of them."""
         self._desk.window.resize(*size)
         self._desk.store.change(theme=theme)
@@ -195,7 +196,7 @@ class _StoppedClock(dt.datetime):
     """Noon of one day: two galleries show the same times."""
 
     @classmethod
-    def now(cls, tz: dt.tzinfo | None = None) -> dt.datetime:
+    def now(cls, tz: dt.tzinfo | None = None) -> Any:
         return _NOON if tz is None else _NOON.astimezone(tz)
 
 
@@ -203,7 +204,7 @@ def _stop_the_clock() -> None:
     """Put the stopped clock in the place of `datetime` in every module of the program."""
     for name, module in list(sys.modules.items()):
         if name.startswith("armui.") and getattr(module, "datetime", None) is dt.datetime:
-            module.datetime = _StoppedClock
+            setattr(module, "datetime", _StoppedClock)  # noqa: B010 - mypy knows no such attribute
 
 
 class _SlotErrors:

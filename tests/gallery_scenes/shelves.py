@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDialog, QWidget
+from PySide6.QtWidgets import QDialog, QLineEdit, QWidget
 
 from armui.trajectory import files
 from armui.trajectory.library.store import Library
@@ -32,16 +32,17 @@ def empty(app_driver: AppDriver) -> QDialog:
 def not_found(app_driver: AppDriver) -> QDialog:
     """A search for what is not there."""
     window = library(app_driver)
-    search = window.findChild(QWidget, "library_search")
+    search = window.findChild(QLineEdit, "library_search")
+    assert search is not None
     search.clear()
     QTest.keyClicks(search, "welding")
     return window
 
 
-def deleted(app_driver: AppDriver) -> QDialog:
+def deleted(app_driver: AppDriver) -> LibraryWindow:
     """Two deletions that can be undone, and a trajectory that was never saved."""
     window = library(app_driver)
-    window.findChild(QWidget, "library_search").clear()
+    window.findChild(QLineEdit, "library_search").clear()
     shelf = Library(app_driver.library_folder)
     trials = () if shelf.recently_deleted() else SHELF[:2]
     for number, content in enumerate(trials, start=1):
@@ -63,7 +64,7 @@ def bin_(app_driver: AppDriver) -> QDialog:
     return app_driver.dialog(BinDialog)
 
 
-def imported(app_driver: AppDriver) -> QDialog:
+def imported(app_driver: AppDriver) -> LibraryWindow:
     """Files of which some are broken, one is a table, and one has a name that is taken."""
     window = library(app_driver)
     shelf = Library(app_driver.library_folder)

@@ -20,7 +20,7 @@ from tests.app_driver import AppDriver
 from tests.sample_trajectories import SHELF
 
 
-def library(app_driver: AppDriver) -> QDialog:
+def library(app_driver: AppDriver) -> LibraryWindow:
     """Four trajectories, one of them checked; the simulated arm never runs them."""
     library = Library(app_driver.library_folder)
     if not library.entries():
@@ -33,7 +33,7 @@ def library(app_driver: AppDriver) -> QDialog:
     return window
 
 
-def editor(app_driver: AppDriver) -> QDialog:
+def editor(app_driver: AppDriver) -> EditorWindow:
     library(app_driver).open_trajectory("Pick and place")
     return app_driver.dialog(EditorWindow)
 

@@ -5,6 +5,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QTableWidget, QWidget
 
 from armui.trajectory.library.store import Library
+from armui.trajectory.points.program import Trajectory
 from armui.ui.trajectory.editor.editor_window import EditorWindow
 from armui.ui.trajectory.library.bin_dialog import BinDialog
 from tests.operator_library.actions import POINT, FileStore
@@ -126,7 +127,9 @@ def test_nothing_deleted_is_said(shelf):
 def test_what_was_deleted_in_an_earlier_run_is_brought_back(app_driver):
     earlier = Library(app_driver.library_folder)
     shelf = FileStore(app_driver, "one", "three", "two")
-    earlier.save_draft("never saved", earlier.load("two"))
+    two = earlier.load("two")
+    assert isinstance(two, Trajectory)
+    earlier.save_draft("never saved", two)
     earlier.delete(["one", "three"])
     earlier.delete(["never saved"])
     bin_ = Bin(shelf)

@@ -2,6 +2,7 @@
 
 from PySide6.QtWidgets import QWidget
 
+from armui.trajectory.points.program import Trajectory
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.trajectory.editor.editor_window import EditorWindow
 from tests.operator_library.actions import POINT, FileStore
@@ -10,7 +11,9 @@ from tests.operator_library.actions import POINT, FileStore
 def lost(app_driver):
     """A library whose trajectory `one` has only unsaved changes left."""
     shelf = FileStore(app_driver, "one", "three")
-    shelf.library.save_draft("one", shelf.library.load("three"))
+    three = shelf.library.load("three")
+    assert isinstance(three, Trajectory)
+    shelf.library.save_draft("one", three)
     (app_driver.library_folder / "one.log").unlink()
     shelf.window.refresh()
     return shelf

@@ -14,7 +14,7 @@ def frame(arbitration_id, payload):
 
 
 def at(app_driver, panel):
-    app_driver.connect_by_hand()
+    app_driver.connect()
     app_driver.ear = HardOfHearing(app_driver.firmware)
     app_driver.click(f"menu_{panel}")
     settled(app_driver)

@@ -9,6 +9,8 @@ from armui.control.operating_state import LinkState
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.shell.unsaved import UnsavedQuestion
+from tests.generations import ONE_IS_ENOUGH
+from tests.moments import now
 from tests.operator_settings.panels import note, questions, sent, settled
 
 
@@ -29,6 +31,7 @@ def save(app_driver):
     app_driver.click(asked(app_driver).save_button)
 
 
+@ONE_IS_ENOUGH
 def test_leaving_with_unsaved_changes_asks(end):
     end.click("end_limits_edit_button")
     end.type_into("max_linear_speed_m_s", "0.5")
@@ -49,6 +52,7 @@ def test_leaving_with_unsaved_changes_asks(end):
     assert sent(end)[0].arbitration_id == 0x477
 
 
+@ONE_IS_ENOUGH
 def test_leaving_without_changes_does_not_ask(end):
     end.click("end_limits_edit_button")
     end.click("menu_motion")
@@ -56,6 +60,7 @@ def test_leaving_without_changes_does_not_ask(end):
     assert end.find("send_button").isVisible()
 
 
+@ONE_IS_ENOUGH
 def test_closing_the_window_with_unsaved_changes_asks(end):
     end.click("end_limits_edit_button")
     end.type_into("max_linear_speed_m_s", "0.5")
@@ -65,6 +70,7 @@ def test_closing_the_window_with_unsaved_changes_asks(end):
     assert not end.window.isVisible()
 
 
+@ONE_IS_ENOUGH
 def test_disconnecting_with_unsaved_changes_asks(end):
     end.click("end_limits_edit_button")
     end.type_into("max_linear_speed_m_s", "0.5")
@@ -72,10 +78,10 @@ def test_disconnecting_with_unsaved_changes_asks(end):
     dialog = end.dialog(ConnectDialog)
     end.click(dialog.disconnect_button)
     end.dialog(ConfirmDialog).reject()
-    assert end.controller.operating_state.link is LinkState.ONLINE
+    assert now(end.controller.operating_state.link) is LinkState.ONLINE
     end.click(dialog.disconnect_button)
     end.confirm()
-    assert end.controller.operating_state.link is LinkState.NO_DEVICE
+    assert now(end.controller.operating_state.link) is LinkState.NO_DEVICE
     assert end.read("max_linear_speed_m_s") == ""
     assert note(end, "max_linear_speed_m_s") == "not read"
 
@@ -121,6 +127,7 @@ def test_a_value_the_arm_does_not_take_keeps_the_panel_with_the_reason(joints):
     assert joints.find("menu_joint_settings").isChecked()
 
 
+@ONE_IS_ENOUGH
 def test_an_arm_that_does_not_answer_keeps_the_panel(slower):
     slower.ear.deaf_to = {0x479}
     slower.click("menu_motion")
@@ -132,6 +139,7 @@ def test_an_arm_that_does_not_answer_keeps_the_panel(slower):
     assert slower.read("max_linear_speed_m_s") == "0.500"
 
 
+@ONE_IS_ENOUGH
 def test_a_link_lost_while_saving_keeps_the_panel(slower):
     slower.ear.deaf_to = {0x479}
     slower.click("menu_motion")
@@ -144,6 +152,7 @@ def test_a_link_lost_while_saving_keeps_the_panel(slower):
     assert "device is gone" in slower.read("end_limits_message")
 
 
+@ONE_IS_ENOUGH
 def test_what_cannot_be_saved_is_said_at_the_button(joints):
     joints.click("joint_settings_edit_button")
     joints.type_into("max_angle_deg_1", "400")
@@ -161,6 +170,7 @@ def test_what_cannot_be_saved_is_said_at_the_button(joints):
     assert not asked(joints).save_button.isEnabled()
 
 
+@ONE_IS_ENOUGH
 def test_switching_the_detection_off_is_asked_about_here_too(collision):
     collision.click("collision_edit_button")
     collision.click("collision_level_2_level_0")
@@ -179,6 +189,7 @@ def test_switching_the_detection_off_is_asked_about_here_too(collision):
     assert collision.firmware.settings.collision_levels == (1, 0, 1, 1, 1, 1)
 
 
+@ONE_IS_ENOUGH
 def test_the_window_closes_once_it_is_saved(slower):
     assert not slower.window.close()
     save(slower)
@@ -188,16 +199,18 @@ def test_the_window_closes_once_it_is_saved(slower):
     assert slower.firmware.settings.end_limits[0] == 0.5
 
 
+@ONE_IS_ENOUGH
 def test_the_arm_is_disconnected_once_it_is_saved(slower):
     slower.click("communication_button")
     slower.click(slower.dialog(ConnectDialog).disconnect_button)
     save(slower)
-    assert slower.controller.operating_state.link is LinkState.ONLINE
+    assert now(slower.controller.operating_state.link) is LinkState.ONLINE
     settled(slower)
     slower.wait(lambda: slower.controller.operating_state.link is LinkState.NO_DEVICE)
     assert slower.firmware.settings.end_limits[0] == 0.5
 
 
+@ONE_IS_ENOUGH
 def test_it_stays_connected_if_it_is_not_saved_and_shows_why(slower):
     slower.ear.deaf_to = {0x479}
     slower.click("communication_button")
@@ -209,6 +222,7 @@ def test_it_stays_connected_if_it_is_not_saved_and_shows_why(slower):
     assert "did not answer (0x476)" in slower.read("end_limits_message")
 
 
+@ONE_IS_ENOUGH
 def test_a_question_that_has_become_idle_is_withdrawn(slower):
     slower.click("menu_motion")
     slower.click("end_limits_cancel_button")

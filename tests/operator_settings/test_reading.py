@@ -2,11 +2,12 @@
 
 from armui.protocol.generation import Generation
 from tests.faulty_arm import HardOfHearing
+from tests.generations import ONE_IS_ENOUGH
 from tests.operator_settings.panels import generation, note, notes, settled
 
 
 def test_what_the_arm_holds_is_read_when_the_panel_opens(any_desk):
-    any_desk.connect_by_hand()
+    any_desk.connect()
     any_desk.firmware.settings.accelerations_deg_s2[3] = 60.0
     any_desk.ear = HardOfHearing(any_desk.firmware)
     any_desk.click("menu_joint_settings")
@@ -25,19 +26,21 @@ def test_what_the_arm_holds_is_read_when_the_panel_opens(any_desk):
     assert len(asked) == 12
 
 
+@ONE_IS_ENOUGH
 def test_nothing_can_be_typed_before_edit_is_pressed(joints):
     joints.type_into("max_angle_deg_2", "170")
     assert joints.read("max_angle_deg_2") == "180.0"
     assert not joints.find("joint_settings_cancel_button").isVisible()
 
 
+@ONE_IS_ENOUGH
 def test_without_an_arm_there_are_no_figures_and_a_reason(any_desk):
     any_desk.click("menu_joint_settings")
     assert any_desk.read("max_angle_deg_1") == ""
     assert notes(any_desk) == {"not read"}
     assert "No arm is connected" in any_desk.read("joint_settings_message")
     assert not any_desk.find("joint_settings_edit_button").isEnabled()
-    any_desk.connect_by_hand()
+    any_desk.connect()
     settled(any_desk)
     assert any_desk.read("max_angle_deg_1") == "150.0"  # read by itself, now that it is there
     assert any_desk.read("joint_settings_message") == ""

@@ -9,6 +9,7 @@ from PySide6.QtTest import QTest
 
 from armui.control.operating_state import LinkState
 from armui.protocol.generation import Generation
+from tests.generations import ONE_IS_ENOUGH
 from tests.operator_settings.panels import (
     frame,
     generation,
@@ -85,6 +86,7 @@ def test_an_arm_that_neither_answers_nor_takes_it(end):
     assert end.read("end_limits_message") == ""
 
 
+@ONE_IS_ENOUGH
 def test_a_link_lost_half_way(joints):
     joints.ear.deaf_to = {0x474, 0x472}
     joints.click("joint_settings_edit_button")
@@ -119,6 +121,7 @@ def test_a_link_lost_half_way(joints):
         ("max_angle_deg_5", "-80", "Joint 5: the min. angle -70.000° must be below the max."),
     ],
 )
+@ONE_IS_ENOUGH
 def test_what_cannot_be_is_said_at_the_cell_and_not_sent(joints, name, text, said):
     joints.click("joint_settings_edit_button")
     joints.type_into(name, text or " ")
@@ -133,6 +136,7 @@ def test_what_cannot_be_is_said_at_the_cell_and_not_sent(joints, name, text, sai
     assert sent(joints) == []
 
 
+@ONE_IS_ENOUGH
 def test_typing_what_is_there_already_changes_nothing(joints):
     joints.click("joint_settings_edit_button")
     joints.type_into("max_angle_deg_2", "170")
@@ -142,6 +146,7 @@ def test_typing_what_is_there_already_changes_nothing(joints):
     assert "Nothing has been changed" in joints.find("joint_settings_save_button").toolTip()
 
 
+@ONE_IS_ENOUGH
 def test_escape_gives_up_and_ctrl_enter_saves(end):
     end.window.activateWindow()
     end.wait(end.window.isActiveWindow)
@@ -157,6 +162,7 @@ def test_escape_gives_up_and_ctrl_enter_saves(end):
     assert end.firmware.settings.end_limits[1] == 2.0
 
 
+@ONE_IS_ENOUGH
 def test_tab_goes_down_the_columns(joints):
     joints.window.activateWindow()
     joints.wait(joints.window.isActiveWindow)

@@ -78,7 +78,12 @@ def test_short_and_padded_forms_say_the_same(generation, payload):
 
 def test_linkage_setting_of_four_bytes_in_generation_2():
     decoded = TWO.decode(frame(0x470, "FA 10 20 10"))
-    expected = {"Role": 0xFA, "FeedbackOffset": 0x10, "ControlOffset": 0x20, "TargetOffset": 0x10}
+    expected: dict[str, float] = {
+        "Role": 0xFA,
+        "FeedbackOffset": 0x10,
+        "ControlOffset": 0x20,
+        "TargetOffset": 0x10,
+    }
     assert decoded == Message("LinkageSetting", expected)
 
 
@@ -226,7 +231,7 @@ def test_out_of_range_is_never_clamped(generation, data):
 @pytest.mark.parametrize("value", [np.float64(1.5), np.float32(1.5), 1.5])
 def test_takes_the_numbers_of_numpy(value):
     # 1.5° = 1500 = 0x5DC
-    sent = TWO.encode("JointTarget12", J1=value, J2=np.int64(-1))
+    sent = TWO.encode("JointTarget12", J1=value, J2=np.int64(-1))  # type: ignore[arg-type]
     assert sent == frame(0x155, "00 00 05 DC FF FF FC 18")
 
 

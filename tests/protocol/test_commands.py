@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+from typing import Any
 
 import pytest
 
@@ -80,7 +81,7 @@ BY_HAND = {
     "set_bus_silence": ["422 0100000000000000"],
     "set_light": ["121 0102FFFF80000007"],
 }  # fmt: skip
-CALLS = {
+CALLS: dict[str, tuple[tuple[Any, ...], dict[str, Any]]] = {
     "trajectory_command": ((TrajectoryCommand.ABORT,), {}),
     "teaching_command": ((TeachingState.START_RECORDING,), {}),
     "set_mode": ((), {

@@ -74,6 +74,8 @@ def test_ranges_lie_within_the_bits_and_are_whole_for_angles_and_positions():
     for generation, message, signal in SIGNALS:
         low = -(2 ** (signal.length - 1)) if signal.is_signed else 0
         high = low + 2**signal.length - 1
+        assert signal.minimum is not None
+        assert signal.maximum is not None
         raw_low = round((signal.minimum - signal.offset) / signal.scale)
         raw_high = round((signal.maximum - signal.offset) / signal.scale)
         where = (generation, message.name, signal.name)
@@ -156,4 +158,5 @@ def test_a_host_may_not_ask_for_what_only_the_arm_reports():
     for generation in Generation:
         mode = load_database(generation).get_message_by_name("ModeControl")
         choices = mode.get_signal_by_name("ControlMode").choices
+        assert choices is not None
         assert sorted(choices) == [0, 1, 2, 3, 4] + ([7] if generation is Generation.TWO else [])

@@ -8,6 +8,7 @@ holds a thread for as long as the test likes, so the old faults took forever her
 import threading
 import time
 from contextlib import contextmanager
+from typing import Any, cast
 
 import can
 import pytest
@@ -70,7 +71,7 @@ class Rig:
 
     def __init__(self, kind, channel, qtbot, **options):
         self.arm = can.Bus(interface="virtual", channel=channel)
-        self.reports = []
+        self.reports: list[Any] = []
         self.bus = None
         self._kind = kind
         self.worker = BusWorker(
@@ -199,7 +200,7 @@ class Wire:
 
 def test_no_interleaving_of_a_stop_and_a_send_loses_either(monkeypatch):
     """The queue is emptied by a stop between taking a frame and noting that it is out."""
-    wire, outbox = Wire(), Outbox()
+    wire, outbox = cast("Any", Wire()), Outbox()
     outbox.attach(wire)
 
     def stop_meanwhile():
@@ -216,7 +217,7 @@ def test_no_interleaving_of_a_stop_and_a_send_loses_either(monkeypatch):
 
 
 def test_many_stops_among_many_frames_lose_none():
-    wire, outbox = Wire(), Outbox()
+    wire, outbox = cast("Any", Wire()), Outbox()
     outbox.attach(wire)
     ending = threading.Event()
 

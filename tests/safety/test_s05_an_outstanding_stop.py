@@ -11,6 +11,7 @@ from armui.control.operating_state import LinkState, StopState
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.ui.widgets.stop_button import StopButton
 from tests.faulty_arm import HardOfHearing
+from tests.moments import now
 
 GONE = can.CanOperationError("gone", error_code=errno.ENODEV)
 
@@ -46,10 +47,10 @@ def test_it_goes_out_by_itself_on_a_new_connection_to_the_same_device(moving, qt
     rig.controller.emergency_stop()
     pass_time(rig, 5.0)
     reconnect(rig)
-    assert rig.controller.operating_state.stop is StopState.REQUESTED
+    assert now(rig.controller.operating_state.stop) is StopState.REQUESTED
     rig.run_until(lambda: rig.firmware.stopped)
     rig.run_until(lambda: "stop_confirmed" in rig.codes())
-    assert rig.controller.operating_state.stop is StopState.STOPPED
+    assert now(rig.controller.operating_state.stop) is StopState.STOPPED
 
 
 def test_after_ten_seconds_the_operator_is_asked(moving, qtbot):

@@ -4,6 +4,7 @@ from contextlib import contextmanager
 
 import can
 import pytest
+from can.interfaces.virtual import VirtualBus
 
 from armui.arm.device import Device
 from armui.bus.worker import BusWorker
@@ -16,17 +17,18 @@ ANGLES = can.Message(arbitration_id=0x2A5, data=bytes(8), is_extended_id=False)
 SLEEP_S = 7200.0
 
 
-class StalledBus:
+class StalledBus(VirtualBus):
     """A bus with a backlog: the reader was held up by its driver before it came to look."""
 
     def __init__(self, frames):
+        super().__init__("stalled")
         self.frames = frames
         self.stalled = False
 
     def recv(self, timeout=None):
         return self.frames.pop(0) if self.frames else None
 
-    def send(self, message, timeout=None):
+    def send(self, msg, timeout=None):
         """Takes three seconds the first time."""
 
 
@@ -56,6 +58,7 @@ def test_frames_of_a_backlog_are_not_dated_now(qapp, clock):
     worker._receive_burst(bus)
     worker._state = worker._tracker.picture()
     assert worker.state.last_feedback_s == 1003.0
+    bus.shutdown()
     assert worker.state.silences == 1
 
 

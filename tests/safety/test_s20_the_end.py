@@ -12,7 +12,7 @@ from armui.arm.device import Device
 from armui.control.arm_controller import ArmController
 from armui.control.operating_state import LinkState
 from armui.ui.dialogs.close_question import CloseQuestion
-from tests.app_driver import TIMEOUT_MS
+from tests.arm_rig import TIMEOUT_MS
 
 FAR = (60.0, 60.0, -60.0, 0.0, 0.0, 0.0)
 ABORT = bytes([0, 6, 0, 0, 0, 0, 0, 0])  # 0x150 byte 1: the trajectory command 6, end it

@@ -3,6 +3,7 @@
 And what was deleted outlives a clock that is set wrong.
 """
 
+import time
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 
@@ -131,7 +132,7 @@ class Clock(datetime):
 @pytest.fixture
 def clock(monkeypatch):
     monkeypatch.setattr(library_bin, "datetime", Clock)
-    monkeypatch.setattr(library_bin.time, "time_ns", lambda: round(Clock.at.timestamp() * 1e9))
+    monkeypatch.setattr(time, "time_ns", lambda: round(Clock.at.timestamp() * 1e9))
     Clock.at = datetime(2026, 6, 1, tzinfo=UTC)
     return Clock
 

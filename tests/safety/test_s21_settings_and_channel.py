@@ -13,6 +13,7 @@ from filelock import FileLock
 
 from armui.arm.device import Device
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.events import Notice
 from armui.control.link.neighbours import Neighbours
 from armui.control.operating_state import OperatingState
 from armui.settings import SettingsStore, _lock_path
@@ -108,12 +109,12 @@ def test_a_program_that_was_killed_is_not_there(tmp_path):
 @pytest.fixture
 def two(qapp, tmp_path):
     controllers = [FakeController(), FakeController()]
-    told = [[], []]
+    told: list[list[Notice]] = [[], []]
     for controller, notices in zip(controllers, told, strict=True):
         controller.noticed.connect(notices.append)
     files = [tmp_path / "one.json", tmp_path / "other.json"]
     programs = [
-        Neighbours(controller, file, tmp_path / "run", LOOK_S)
+        Neighbours(controller.as_real, file, tmp_path / "run", LOOK_S)
         for controller, file in zip(controllers, files, strict=True)
     ]
     yield controllers, told
@@ -138,11 +139,14 @@ def test_each_says_that_the_other_is_on_the_channel(two, qtbot):
 
 
 def test_each_says_that_the_other_has_the_settings_file(qapp, qtbot, tmp_path):
-    controllers, told = [FakeController(), FakeController()], [[], []]
+    controllers = [FakeController(), FakeController()]
+    told: list[list[Notice]] = [[], []]
     programs = []
     for controller, notices in zip(controllers, told, strict=True):
         controller.noticed.connect(notices.append)
-        programs.append(Neighbours(controller, tmp_path / "s.json", tmp_path / "run", LOOK_S))
+        programs.append(
+            Neighbours(controller.as_real, tmp_path / "s.json", tmp_path / "run", LOOK_S)
+        )
     qtbot.waitUntil(lambda: all(told))
     assert [[n.code for n in each] for each in told] == [["settings_shared"]] * 2
     for program in programs:

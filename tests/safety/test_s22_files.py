@@ -4,6 +4,7 @@ import contextlib
 import json
 import os
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -19,6 +20,7 @@ from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.trajectory.samples.recording import Recording
 from armui.viewport.errors import SceneError
+from tests.examples import examples
 
 POINTS = Trajectory("a", "", (Waypoint(MoveMode.MOVE_J, (0.0, 10.0, -20.0, 0.0, 0.0, 0.0)),))
 SAMPLES = Recording("r", "", np.arange(24.0).reshape(3, 8))
@@ -70,7 +72,7 @@ _JSON = st.recursive(
 _FIELDS = st.sampled_from(["language", "theme", "jog_step_deg", "urdf_path", "tool"])
 
 
-@settings(max_examples=200, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=examples(200), suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.dictionaries(_FIELDS, _JSON) | _JSON)
 def test_any_json(tmp_path, value):
     path = tmp_path / "settings.json"
@@ -83,7 +85,7 @@ def test_any_json(tmp_path, value):
     assert SettingsStore(path).settings == store.settings
 
 
-@settings(max_examples=200, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=examples(200), suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.binary(max_size=400))
 def test_any_bytes(tmp_path, content):
     path = tmp_path / "settings.json"
@@ -97,7 +99,7 @@ INDEXES = {
     "no_utf8": b"\xff",
     "401_digits": b'{"version": 1, "files": {"a.log": [1' + b"0" * 400 + b", 0, 0, {}]}}",
 }
-WRONG = {
+WRONG: dict[str, list[Any]] = {
     "name": [5, None, ["a"], "\ud800"],
     "kind": ["bogus", None, 7],
     "count": ["3", None, -1, 10**400, 1.5],
@@ -134,14 +136,14 @@ def test_an_index_with_one_wrong_field_is_made_anew(tmp_path, field, value):
     assert (entry.name, entry.kind, entry.count, entry.damage) == ("a", "points", 1, None)
 
 
-@settings(max_examples=300)
+@settings(max_examples=examples(300))
 @given(st.binary(max_size=300))
 def test_any_bytes_are_a_trajectory_or_a_reason(content):
     with contextlib.suppress(TrajectoryFileError):
         files.read_bytes(content, "a")
 
 
-@settings(max_examples=300)
+@settings(max_examples=examples(300))
 @given(st.data())
 def test_any_damage_to_a_sound_file_is_a_trajectory_or_a_reason(data):
     content = bytearray(data.draw(st.sampled_from(SOUND)))
@@ -152,7 +154,7 @@ def test_any_damage_to_a_sound_file_is_a_trajectory_or_a_reason(data):
         files.read_bytes(bytes(content), "a")
 
 
-@settings(max_examples=100, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=examples(100), suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.binary(max_size=300))
 def test_any_draft(tmp_path, content):
     (tmp_path / "a.draft").write_bytes(content)

@@ -3,6 +3,9 @@
 import logging
 import sys
 import threading
+from logging.handlers import QueueHandler
+from queue import Queue
+from typing import Any
 
 import pytest
 from PySide6.QtCore import QObject, QThread, Signal
@@ -30,7 +33,7 @@ class Breaks(QObject):
 @pytest.fixture
 def told(monkeypatch):
     """Hooks in place, as in the program, and what they told; pytest-qt's own come back after."""
-    heard = []
+    heard: list[Any] = []
     handler = failures.FailureHandler(heard.append)
     logger = logging.getLogger("armui")
     logger.addHandler(handler)
@@ -98,7 +101,10 @@ def test_the_log_rotates(tmp_path):
         for number in range(300):
             logging.getLogger("armui.test").warning("%d %s", number, "x" * 20_000)
             if number % 100 == 99:
-                logging.getLogger("armui").handlers[-1].queue.join()
+                handler = logging.getLogger("armui").handlers[-1]
+                assert isinstance(handler, QueueHandler)
+                assert isinstance(handler.queue, Queue)
+                handler.queue.join()
     names = sorted(path.name for path in tmp_path.iterdir())
     assert names == ["armui.log", *(f"armui.log.{n}" for n in (1, 2, 3, 4))]
     assert sum(path.stat().st_size for path in tmp_path.iterdir()) < 5_100_000
@@ -189,7 +195,12 @@ def test_the_program_runs_with_hooks_and_a_log(tmp_path, monkeypatch):
     seen = []
     before = sys.excepthook
     monkeypatch.setattr("armui.system.paths.logs", lambda: tmp_path / "logs")
-    monkeypatch.setattr("armui.app._run", lambda _options: seen.append(sys.excepthook) or 7)
+
+    def run(_options):
+        seen.append(sys.excepthook)
+        return 7
+
+    monkeypatch.setattr("armui.app._run", run)
     assert app.run(StartOptions()) == 7
     assert seen[0] is not before
     assert sys.excepthook is before

@@ -3,6 +3,7 @@
 import os
 import signal
 import sys
+from typing import Any
 
 import numpy as np
 import pytest
@@ -59,7 +60,7 @@ def drawing(qapp, request, tmp_path, pictures):
 @pytest.fixture
 def lost(drawing):
     """Every loss of the picture's process."""
-    losses = []
+    losses: list[Any] = []
     drawing.program.view._client.lost.connect(losses.append)
     return losses
 

@@ -114,7 +114,12 @@ def test_it_reaches_an_arm_whose_control_offset_is_not_proven(any_bench):
 def test_what_waits_to_be_sent_is_dropped(rig):
     rig.ready()
     held = []
-    rig._host_bus.send = lambda *_args, **_kwargs: held.append(1) or _full()
+
+    def hold_up(*_args, **_kwargs):
+        held.append(1)
+        _full()
+
+    rig._host_bus.send = hold_up
     rig.controller.motion.send_joints((10.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     rig.controller.halt_and_hold()
     del rig._host_bus.send

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QCheckBox
 from armui.control.events import Level
 from armui.control.operating_state import StopState
 from armui.ui.dialogs.settings import SettingsDialog
+from tests.moments import now
 from tests.sim.talk import RESUME
 
 
@@ -56,8 +57,8 @@ def test_another_hosts_stop_may_be_undone_by_it(rig, other_host):
 
 
 def test_the_setting_is_off_until_the_operator_chooses_it(app_driver):
-    assert app_driver.store.settings.stop_again is False
+    assert now(app_driver.store.settings.stop_again) is False
     app_driver.window.open_settings_dialog()
     app_driver.click(app_driver.dialog(SettingsDialog).findChild(QCheckBox, "stop_again_box"))
-    assert app_driver.store.settings.stop_again is True
+    assert now(app_driver.store.settings.stop_again) is True
     assert app_driver.controller._stop.stop_again is True

@@ -10,6 +10,7 @@ from armui.protocol.generation import Generation
 from armui.sim.faults.faulty_link import FaultyLink
 from armui.sim.faults.schedule import FAULTS, Fault, FaultError, Faults, fault, read_fault
 from armui.sim.firmware import Firmware
+from tests.moments import now
 from tests.sim.talk import BOTH, ENABLE, FRAMES_A_SECOND, RESUME, heard, mode, ready, target, tell
 
 ONE, TWO = Generation.ONE, Generation.TWO
@@ -143,13 +144,13 @@ def test_a_collision_is_kept_until_cleared(remedy: str) -> None:
     arm.step(0.01)
     faults.end(broken)
     arm.step(1.0)
-    assert arm.status is ArmStatusCode.COLLISION
+    assert now(arm.status) is ArmStatusCode.COLLISION
     assert arm.enabled == (True,) * 6
     tell(arm, "475#0100000000AE0000")  # joint 1 is not the one
-    assert arm.status is ArmStatusCode.COLLISION
+    assert now(arm.status) is ArmStatusCode.COLLISION
     tell(arm, remedy)
     arm.step(0.1)
-    assert arm.status is ArmStatusCode.NORMAL
+    assert now(arm.status) is ArmStatusCode.NORMAL
 
 
 @pytest.mark.parametrize("level", range(9))
@@ -296,7 +297,7 @@ def test_every_fault_leaves_no_trace_when_it_has_ended_and_errors_are_cleared(
     faults.start(broken)
     arm.step(0.5)
     faults.end(broken)
-    arm.step(60.0)
+    arm.step(60.0 if "temperature" in name else 5.0)  # what is hot cools in its own time
     tell(arm, RESUME, ENABLE)
     arm.step(0.1)
     assert told(arm) == ("00", "00", [FINE[generation]] * 6)

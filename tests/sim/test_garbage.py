@@ -14,6 +14,7 @@ from armui.protocol.codec import Codec, InvalidFrame
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
+from tests.examples import examples
 from tests.sim.talk import frame, heard, tell
 
 HOST_IDS = [
@@ -67,7 +68,7 @@ def codec_of(generation: Generation, addressing: Addressing) -> Codec:
     return Codec(generation, addressing)
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 @given(st.sampled_from(Generation), talk)
 def test_the_arm_never_raises_and_always_tells_valid_frames(
     generation: Generation, said: list[tuple[Frame, float]]
@@ -81,7 +82,7 @@ def test_the_arm_never_raises_and_always_tells_valid_frames(
             assert not isinstance(codec.decode(answer), InvalidFrame), answer
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 @given(st.sampled_from(Generation), st.lists(any_frame, max_size=100))
 def test_frames_of_no_meaning_leave_the_arm_at_home(
     generation: Generation, frames: list[Frame]
@@ -115,9 +116,9 @@ def test_half_a_million_frames_of_garbage_leave_the_arm_running_and_truthful(
     assert not [each for each in told if isinstance(codec.decode(each), InvalidFrame)]
     assert sum(arm.ignored.values()) > 400_000
     home = Firmware(generation, flash=arm.flash)
-    for each in ("150#0200000000000000", "422#0000000000000000", "470#FC00000000000000"):
+    for line in ("150#0200000000000000", "422#0000000000000000", "470#FC00000000000000"):
         for offset in (0x00, 0x10, 0x20):
-            identifier, data = frame(each)
+            identifier, data = frame(line)
             moved = identifier + offset if identifier == 0x150 else identifier
             arm.on_frame(Frame(moved, data))
     assert arm.addressing == Addressing()

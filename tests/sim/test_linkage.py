@@ -11,6 +11,7 @@ from armui.protocol.codes import ControlMode, LinkageRole, MotionState
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
+from tests.moments import now
 from tests.sim.talk import BOTH, RESUME, STANDBY, STOP, heard, mode, ready, target, tell, text
 
 ONE, TWO = Generation.ONE, Generation.TWO
@@ -176,11 +177,11 @@ def test_a_hand_moves_no_arm_that_holds_its_joints_and_none_beyond_its_stops() -
     arm = ready()
     arm.hand_guiding.push((10.0, 0, 0, 0, 0, 0))
     arm.step(1.0)
-    assert arm.joints_deg == HOME
+    assert now(arm.joints_deg) == HOME
     arm = leader()
     arm.hand_guiding.push((0.0, -10.0, 0, 0, 0, 100.0))
     arm.step(2.0)
-    assert arm.joints_deg == (0, 0, 0, 0, 0, 120.0)
+    assert now(arm.joints_deg) == (0, 0, 0, 0, 0, 120.0)
     arm.hand_guiding.let_go()
     arm.step(1.0)
     assert arm.joints_deg == (0, 0, 0, 0, 0, 120.0)

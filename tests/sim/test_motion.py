@@ -11,6 +11,8 @@ from hypothesis import strategies as st
 
 from armui.arm.limits import FACTORY_LIMITS
 from armui.sim.mechanics.powered_joints import SLOWEST_DEG_S, JointMotion, MotionError
+from tests.examples import examples
+from tests.moments import now
 
 STEP_S = 0.001
 SPEED = math.degrees(3.0)
@@ -36,7 +38,7 @@ def test_a_long_motion_takes_the_time_of_a_trapezoid() -> None:
     motion = JointMotion((0.0,) * 6)
     motion.move_to((150.0, 0, 0, 0, 0, 0), SPEEDS, ACCELERATIONS)
     assert duration_s(motion) == pytest.approx(150.0 / SPEED + SPEED / ACCELERATION, abs=STEP_S)
-    assert motion.positions_deg == (150.0, 0, 0, 0, 0, 0)
+    assert now(motion.positions_deg) == (150.0, 0, 0, 0, 0, 0)
     assert motion.speeds_deg_s == (0.0,) * 6
 
 
@@ -56,7 +58,7 @@ def test_joints_start_and_arrive_together() -> None:
     assert all(a != b for a, b in zip(before[:3], motion.positions_deg[:3], strict=True))
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(
     st.lists(st.tuples(angles, st.integers(1, 100), st.integers(1, 900)), min_size=1, max_size=5)
 )
@@ -81,7 +83,7 @@ def test_speed_and_acceleration_stay_within_limits_and_joints_within_range(
         assert max(path) <= limits.max_deg + 1e-6
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(angles, angles, st.integers(1, 1500))
 def test_the_last_target_is_reached_exactly(
     first: tuple[float, ...], last: tuple[float, ...], steps: int
@@ -95,7 +97,7 @@ def test_the_last_target_is_reached_exactly(
     assert motion.positions_deg == last
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40), deadline=None)
 @given(
     st.lists(
         st.tuples(
@@ -129,7 +131,7 @@ def test_a_joint_that_has_just_the_way_to_brake_is_planned_again() -> None:
     assert motion.positions_deg[0] == 8.53
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 @given(angles, st.lists(st.integers(-1, 1), min_size=200, max_size=200))
 def test_planning_anew_every_5_ms_reaches_the_target_too(
     goal: tuple[float, ...], jitters: list[int]

@@ -9,6 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from armui.sim.motion.path_profile import PathProfile
+from tests.examples import examples
+from tests.moments import now
 
 STEP_S = 0.001
 
@@ -41,9 +43,9 @@ def test_it_does_not_run_unasked_and_a_halted_one_stays() -> None:
     rail = PathProfile(10.0, 25.0)
     rail.advance(1.0)
     assert rail.position == 0.0
-    assert not rail.moving
+    assert not now(rail.moving)
     rail.run(5.0)
-    assert rail.moving
+    assert now(rail.moving)
     rail.advance(0.5)
     halted_at = rail.position + rail.speed**2 / 50.0
     rail.run(0.0)
@@ -55,7 +57,7 @@ def test_it_does_not_run_unasked_and_a_halted_one_stays() -> None:
     assert rail.at_end
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 @given(
     st.floats(0.001, 2000.0),
     st.floats(0.1, 5000.0),

@@ -22,12 +22,13 @@ from typing import IO, Any, NamedTuple
 import can
 import pytest
 
-from armui.kinematics.kinematics import Kinematics
+from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import ArmStatusCode, EndLoad, MotionState
 from armui.protocol.generation import Generation
 from armui.sim.faults.schedule import Fault, fault
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
+from tests.moments import now
 
 WITHIN_S = 20.0
 ROOT = Path(__file__).parents[2]
@@ -302,12 +303,12 @@ def test_stop_and_reset(arm: Node, sdk: Sdk) -> None:
     sdk.until_reads("GetArmStatus", "arm_status", {"motion_status": MotionState.NOT_REACHED})
     sdk("EmergencyStop", 0x01)
     sdk.until_reads("GetArmStatus", "arm_status", {"arm_status": ArmStatusCode.EMERGENCY_STOP})
-    assert firmware.stopped
+    assert now(firmware.stopped)
     until(lambda: sdk("GetArmEnableStatus") == [False] * 6, "the motors are off")
     assert firmware.joints_deg[0] < 140.0
     sdk("ResetPiper")
     sdk.until_reads("GetArmStatus", "arm_status", {"arm_status": 0, "ctrl_mode": 0})
-    assert not firmware.stopped
+    assert not now(firmware.stopped)
     enable(sdk)
     assert firmware.enabled == (True,) * 6
 

@@ -7,13 +7,15 @@ from itertools import pairwise
 
 import pytest
 
-from armui.kinematics.kinematics import Geometry, Kinematics
+from armui.kinematics.arm_kinematics import Kinematics
+from armui.kinematics.geometry import Geometry
 from armui.protocol.codec import Codec, Message
 from armui.protocol.codes import ArmStatusCode, EndLoad
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.parameters.settings import Light
+from tests.moments import now
 from tests.sim.talk import (
     BOTH,
     DISABLE,
@@ -122,13 +124,13 @@ def test_without_the_mark_no_zero_is_set() -> None:
 def test_clearing_errors_clears_the_joint_that_was_sent_too_far() -> None:
     arm = ready()
     tell(arm, mode(50), *target(151.0, 0, 0, 0, 0, 0))
-    assert arm.status is ArmStatusCode.TARGET_BEYOND_LIMIT
+    assert now(arm.status) is ArmStatusCode.TARGET_BEYOND_LIMIT
     # byte 6 means nothing; joint 2 is not the one
     assert tell(arm, "475#010000000000AE00") == ["476#7500000000000000"]
     assert tell(arm, "475#0200000000AE0000") == ["476#7500000000000000"]
-    assert arm.status is ArmStatusCode.TARGET_BEYOND_LIMIT
+    assert now(arm.status) is ArmStatusCode.TARGET_BEYOND_LIMIT
     assert tell(arm, "475#0100000000AE0000") == ["476#7500000000000000"]
-    assert arm.status is ArmStatusCode.NORMAL
+    assert now(arm.status) is ArmStatusCode.NORMAL
     assert arm.enabled == (True,) * 6
 
 

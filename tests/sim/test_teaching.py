@@ -8,6 +8,7 @@ import pytest
 from armui.protocol.codes import ArmStatusCode, ControlMode, MotionState
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
+from tests.moments import now
 from tests.sim.talk import BOTH, DISABLE, ENABLE, RESUME, STOP, mode, ready, status_bytes, tell
 
 TWO = Generation.TWO
@@ -154,11 +155,11 @@ def test_drag_teaching_is_left_by_a_reset_near_the_rest_pose_only() -> None:
     tell(arm, TO_START)
     until_reached(arm)
     tell(arm, mode(50))
-    assert arm.control_mode is ControlMode.TEACHING
+    assert now(arm.control_mode) is ControlMode.TEACHING
     tell(arm, STOP)
     arm.step(1.0)
     tell(arm, RESUME)
-    assert arm.control_mode is ControlMode.STANDBY
+    assert now(arm.control_mode) is ControlMode.STANDBY
     tell(arm, ENABLE, mode(50))
     assert arm.control_mode is ControlMode.CAN_CONTROL
 
@@ -166,11 +167,11 @@ def test_drag_teaching_is_left_by_a_reset_near_the_rest_pose_only() -> None:
 def test_a_reset_far_from_the_rest_pose_does_not_leave_drag_teaching() -> None:
     arm = taught()
     tell(arm, STOP, RESUME, ENABLE, mode(50))
-    assert arm.control_mode is ControlMode.TEACHING
+    assert now(arm.control_mode) is ControlMode.TEACHING
     tell(arm, TO_START)
     until_reached(arm)
     tell(arm, STOP, RESUME)
-    assert arm.control_mode is ControlMode.STANDBY
+    assert now(arm.control_mode) is ControlMode.STANDBY
 
 
 @pytest.mark.parametrize("line", [STOP, DISABLE])
@@ -189,7 +190,7 @@ def test_a_stop_or_a_cut_of_the_power_ends_a_replay(line: str) -> None:
 def test_a_power_cycle_forgets_the_recording_and_drag_teaching() -> None:
     arm = taught()
     arm.power_cycle()
-    assert arm.control_mode is ControlMode.STANDBY
+    assert now(arm.control_mode) is ControlMode.STANDBY
     tell(arm, ENABLE, mode(50))
-    assert arm.control_mode is ControlMode.CAN_CONTROL
+    assert now(arm.control_mode) is ControlMode.CAN_CONTROL
     assert arm.teaching.recording == []

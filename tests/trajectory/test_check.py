@@ -7,9 +7,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
+import numpy.typing as npt
 import pytest
 
-from armui.kinematics.batch import skeletons
+from armui.kinematics.forward import links
 from armui.trajectory.planning.check import Report, check
 from armui.trajectory.planning.collision import collisions, segment_distances
 from armui.trajectory.planning.findings import SEVERITIES, Severity
@@ -27,9 +28,10 @@ def checked(*points: Waypoint, start: Sequence[float] = HERE) -> Report:
     return check(run(*points), ARM, start)
 
 
-def recording(times_s: Sequence[float], joints_deg: Sequence[Sequence[float]]) -> Recording:
-    grip = np.full((len(times_s), 1), math.nan)
-    return Recording("r", samples=np.hstack((np.array([times_s]).T, joints_deg, grip)))
+def recording(times_s: npt.ArrayLike, joints_deg: npt.ArrayLike) -> Recording:
+    times, joints = np.array([times_s]).T, np.array(joints_deg)
+    grip = np.full((len(times), 1), math.nan)
+    return Recording("r", samples=np.hstack((times, joints, grip)))
 
 
 ACROSS = pose_near(HERE, (60, -150, 40), 8.0)
@@ -173,10 +175,10 @@ def test_the_hand_in_the_base_is_an_error() -> None:
     low, high = (-150, 0, -170, -100, -70, -120), (150, 180, 0, 100, 70, 120)
     joints = draw.uniform(low, high, (60_000, 6))
 
-    hits = collisions(KINEMATICS, joints, 140.0)
+    hits = collisions(KINEMATICS.geometry, joints, 140.0)
 
     assert len(hits) < 3000
-    bones = skeletons(KINEMATICS, joints)
+    bones = links(KINEMATICS.geometry, joints)
     tips = bones.flange + 140.0 * bones.hand
     inside = (np.hypot(tips[:, 0], tips[:, 1]) < 30) & (tips[:, 2] > 10) & (tips[:, 2] < 120)
     assert inside.any()
@@ -191,13 +193,13 @@ def test_the_hand_in_the_base_is_an_error() -> None:
 def test_the_arm_at_rest_and_at_work_touches_nothing() -> None:
     poses = np.array([(0,) * 6, (0, 90, -90, 0, 0, 0), HERE, (90, 60, -80, -20, 40, 60)], float)
 
-    assert collisions(KINEMATICS, poses, 140.0) == {}
-    assert collisions(KINEMATICS, poses, 0.0) == {}
+    assert collisions(KINEMATICS.geometry, poses, 140.0) == {}
+    assert collisions(KINEMATICS.geometry, poses, 0.0) == {}
 
 
 def test_a_collision_on_the_way_is_found_though_both_ends_are_free() -> None:
     start, end = (-16, 81, -2, 51, 31, 59), (9, 93, -7, -63, 70, 117)
-    assert collisions(KINEMATICS, np.array([start, end], dtype=float), 140.0) == {}
+    assert collisions(KINEMATICS.geometry, np.array([start, end], dtype=float), 140.0) == {}
 
     report = checked(joint(*start), joint(*end), start=start)
 

@@ -16,6 +16,7 @@ from armui.trajectory.columns import ColumnMapping, Quantity, TableColumn
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.points.program import GripperOpening, Trajectory
 from armui.trajectory.samples.recording import Recording
+from tests.examples import examples
 
 JOINTS = [f"J{joint}" for joint in range(1, 7)]
 
@@ -264,7 +265,7 @@ def outcome(call, *arguments):
         return error
 
 
-@settings(max_examples=300)
+@settings(max_examples=examples(100))
 @given(st.text(max_size=80) | WIDE)
 def test_any_text_is_read_or_refused(text):
     result = outcome(columns.sniff, text)

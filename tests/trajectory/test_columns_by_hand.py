@@ -12,6 +12,7 @@ from armui.trajectory.columns import Dialect, Encoding
 from armui.trajectory.columns.encodings import decode_as, guess_encoding
 from armui.trajectory.columns.model import DECIMALS, DELIMITERS
 from armui.trajectory.files import TrajectoryFileError
+from tests.examples import examples
 
 ROW = "1,5;2;3\n"
 
@@ -145,7 +146,7 @@ def outcome(call, *arguments):
         return error
 
 
-@settings(max_examples=200)
+@settings(max_examples=examples(100))
 @given(
     st.binary(max_size=120) | st.text("0123456789.,;\t| -#é时\n", max_size=120).map(str.encode),
     st.none() | st.sampled_from(list(Encoding)),

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from armui.arm.refusal import Refusal
-from armui.kinematics.kinematics import Kinematics
+from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.planning.convert import to_move
@@ -135,7 +135,10 @@ def test_another_kind_of_motion_keeps_the_place():
     before = tuple(model.forward((0.0, 60.0, -60.0, 0.0, 30.0, 0.0)))
 
     line = to_move(joint, MoveMode.MOVE_L, model, joint.target, before)
+    assert isinstance(line, Waypoint)
     arc = to_move(line, MoveMode.MOVE_C, model, joint.target, before)
+    assert isinstance(arc, Waypoint)
+    assert arc.middle is not None
     back = to_move(arc, MoveMode.MOVE_J, model, joint.target, before)
 
     assert line.target == pytest.approx(tuple(model.forward(joint.target)))

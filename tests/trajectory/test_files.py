@@ -17,6 +17,7 @@ from armui.trajectory import files
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.points.program import GripperOpening, LightAction, Trajectory, Waypoint
 from armui.trajectory.samples.recording import Recording
+from tests.examples import examples
 from tests.trajectory.strategies import RECORDINGS, TRAJECTORIES
 
 TEXT_FORMATS = (".log", ".csv", ".json")
@@ -195,7 +196,7 @@ def survives(data: bytes) -> None:
         assert error.reason.code not in str(error)
 
 
-@settings(max_examples=300)
+@settings(max_examples=examples(100))
 @given(st.binary(max_size=200))
 def test_random_bytes_raise_nothing_else(data):
     survives(data)
@@ -205,7 +206,7 @@ BEGINNINGS = (b"armui trajectory 1\n\nJ ", b"armui recording 1\n\n", b'{"format"
               b"PK\x03\x04", b"0.1,0,0,0,0,0,0\n", b"\xff\xfe")  # fmt: skip
 
 
-@settings(max_examples=300)
+@settings(max_examples=examples(100))
 @given(st.sampled_from(BEGINNINGS), st.binary(max_size=100))
 def test_random_ends_raise_nothing_else(beginning, data):
     survives(beginning + data)

@@ -14,7 +14,7 @@ from hypothesis import given
 from armui.arm.limits import FACTORY_LIMITS
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.kinematics.kinematics import Kinematics
+from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
 from armui.trajectory.planning.convert import to_joints, to_pose
 from armui.trajectory.points import search
@@ -93,7 +93,9 @@ def test_a_refusal_names_value_limits_and_unit():
                        ("a\nb", "text_bad"), ("\udfff", "text_bad")]
 )  # fmt: skip
 def test_a_name_must_be_one(name, code):
-    assert check_trajectory(Trajectory(name))[1].code == code
+    found = check_trajectory(Trajectory(name))
+    assert found is not None
+    assert found[1].code == code
 
 
 @pytest.mark.parametrize(
@@ -108,6 +110,7 @@ def test_a_sample_that_cannot_be_is_refused_by_row(row, column, value, code):
     assert check_recording(Recording("r", samples=samples)) is None
     samples[row, column] = value
     found = check_recording(Recording("r", samples=samples))
+    assert found is not None
     assert (found[0], found[1].code) == (row + 1, code)
 
 
@@ -117,6 +120,7 @@ def test_a_sample_that_cannot_be_is_refused_by_row(row, column, value, code):
 @pytest.mark.parametrize("move", [MoveMode.MOVE_P, MoveMode.MOVE_L])
 def test_joints_become_a_pose_and_the_same_joints_again(move):
     as_pose = to_pose(POINT, KINEMATICS, move)
+    assert isinstance(as_pose, Waypoint)
     assert as_pose.move is move
     assert as_pose.note == POINT.note
     back = to_joints(as_pose, KINEMATICS, HERE)
@@ -126,6 +130,7 @@ def test_joints_become_a_pose_and_the_same_joints_again(move):
 
 def test_a_way_within_the_limits_goes_before_a_nearer_one():
     as_pose = to_pose(POINT, KINEMATICS)
+    assert isinstance(as_pose, Waypoint)
     ways = KINEMATICS.inverse(KINEMATICS.forward(HERE), HERE)
     beyond = next(way for way in ways if abs(way[3]) > 100.0)
     assert to_joints(as_pose, KINEMATICS, beyond).target == pytest.approx(beyond)

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from armui.control.run import replayer
-from armui.kinematics.kinematics import Geometry, Kinematics
+from armui.kinematics.arm_kinematics import Kinematics
+from armui.kinematics.geometry import Geometry
 from armui.kinematics.tool_path import Line
 from armui.protocol.codes import MotionState, MoveMode
 from armui.protocol.generation import Generation
@@ -91,8 +92,8 @@ def test_many_lines_take_as_long_as_planned() -> None:
     draw = np.random.default_rng(4)
     points = []
     for _ in range(25):
-        here = draw.uniform((-60, 40, -100, -30, 15, -30), (60, 90, -50, 30, 45, 30))
-        points += [joint(*here), line(pose_near(here, draw.uniform(-40, 40, 3)), speed=40)]
+        here = draw.uniform((-60, 40, -100, -30, 15, -30), (60, 90, -50, 30, 45, 30)).tolist()
+        points += [joint(*here), line(pose_near(here, draw.uniform(-40, 40, 3).tolist()), speed=40)]
 
     path = plan_path(run(*points), ARM, HERE)
     tracks = driven(HERE, points)
@@ -181,7 +182,7 @@ def test_a_point_out_of_reach_is_left_out_and_named() -> None:
         ("out_of_reach", 1),
         ("out_of_reach", 3),
     ]
-    assert path.problems[0].params["missing"] > 100.0
+    assert path.problems[0].params["missing"] > 100.0  # type: ignore[operator]
     assert path.expected_s[1] == path.expected_s[3] == 0.0
     assert set(path.rows.tolist()) == {0, 2}
     alone = plan_path(run(line(ACROSS)), ARM, HERE)

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, TypeVar
 
 from armui.arm.device import Device
-from armui.arm.state import ArmState, Reading, Status
+from armui.arm.state import ArmState, Reading, Six, Status
 from armui.control.operating_state import LinkState, OperatingState
+
+T = TypeVar("T")
 
 NOW_S = 100.0
 SIX_FALSE = (False,) * 6
@@ -30,6 +32,12 @@ def status(**changes: Any) -> Status:
     return replace(normal, **changes)
 
 
+def heard_six(values: Iterable[T], at_s: float = NOW_S) -> Six[Reading[T] | None]:
+    """One value for each joint, heard at one time."""
+    one, two, three, four, five, six = (Reading(value, at_s) for value in values)
+    return one, two, three, four, five, six
+
+
 def arm_state(
     angles_deg: Sequence[float] = (0.0,) * 6,
     at_s: float = NOW_S,
@@ -42,8 +50,8 @@ def arm_state(
         sequence=sequence,
         last_feedback_s=at_s,
         status=Reading(status(**status_changes), at_s),
-        joints_deg=tuple(Reading(angle, at_s) for angle in angles_deg),
-        pose=tuple(Reading(value, at_s) for value in pose),
+        joints_deg=heard_six(angles_deg, at_s),
+        pose=heard_six(pose, at_s),
     )
 
 

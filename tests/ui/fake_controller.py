@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
 
 from PySide6.QtCore import QObject, Signal
 
@@ -15,12 +15,16 @@ from armui.arm.state import ArmState
 from armui.control.devices.gripper_ranges import Figures, figures_of
 from armui.control.devices.teaching_phase import why_not
 from armui.control.events import Level
+from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.operating_state import OperatingState
 from armui.control.parameters.setting_cell import SettingCellState
 from armui.control.parameters.setting_checks import Changes
 from armui.control.safety.recovery_steps import Action, Step, StepKind
 from armui.protocol.codes import ALL_JOINTS, LinkageRole, TeachingState, TrajectoryCommand
 from tests.ui.arm_states import arm_state, operating_state
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
 
 
 class FakeController(QObject):
@@ -53,6 +57,11 @@ class FakeController(QObject):
         self.gripper = FakeGripper(self)
         self.linkage = FakeLinkage(self)
 
+    @property
+    def as_real(self) -> ArmController:
+        """For a window, which names the kind it asks; see `what_windows_ask.both_are`."""
+        return cast("ArmController", self)
+
     # what a test makes it show
 
     def hear(self, state: ArmState) -> None:
@@ -82,8 +91,8 @@ class FakeController(QObject):
     def disconnect_device(self) -> None:
         self.calls.append(("disconnect_device",))
 
-    def end_motion(self) -> None:
-        self.calls.append(("end_motion",))
+    def end_motion(self, *, single: bool = False) -> None:
+        self.calls.append(("end_motion", "single") if single else ("end_motion",))
 
     def emergency_stop(self) -> None:
         self.calls.append(("emergency_stop",))
@@ -165,7 +174,7 @@ class FakeJogging:
         self._controller = controller
         self.active = False
 
-    def start(self, jog: Any) -> Refusal | None:
+    def start(self, jog: JointJog | ToolJog) -> Refusal | None:
         refusal = self._controller._asked("jog_start", jog)
         self.active = refusal is None
         return refusal
@@ -241,7 +250,7 @@ class FakePlannedMotion:
         self._controller = controller
         self.paused = False
 
-    def why_not(self, _command: TrajectoryCommand) -> Refusal | None:
+    def why_not(self, command: TrajectoryCommand) -> Refusal | None:
         return self._controller.operating_state.unreachable
 
     def command(self, command: TrajectoryCommand) -> Refusal | None:
@@ -259,11 +268,11 @@ class FakeRecovery:
         self.step = step
         self._controller.step_changed.emit(step)
 
-    def why_not(self, _step: Step) -> Refusal | None:
+    def why_not(self, step: Step, action: Action | None = None) -> Refusal | None:
         return self._controller.operating_state.occupied
 
-    def act(self, step: Step) -> Refusal | None:
-        return self._controller._asked("act", step)
+    def act(self, step: Step, action: Action | None = None) -> Refusal | None:
+        return self._controller._asked("act", step, *(() if action is None else (action,)))
 
 
 class FakeZeroing:
@@ -288,7 +297,15 @@ class FakeLinkage:
     def __init__(self, controller: FakeController) -> None:
         self._controller = controller
 
-    def set(self, role: LinkageRole, **offsets: int) -> Refusal | None:
+    def set(
+        self,
+        role: LinkageRole,
+        *,
+        feedback_offset: int = 0,
+        control_offset: int = 0,
+        target_offset: int = 0,
+    ) -> Refusal | None:
+        offsets = (feedback_offset, control_offset, target_offset)
         return self._controller._asked("set_linkage", role, offsets)
 
     def release(self) -> Refusal | None:

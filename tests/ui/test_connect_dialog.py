@@ -38,7 +38,7 @@ def translator(qapp: QApplication) -> Iterator[Translator]:
 
 @pytest.fixture
 def connect(qtbot: QtBot, controller: FakeController) -> ConnectDialog:
-    dialog = ConnectDialog(controller)
+    dialog = ConnectDialog(controller.as_real)
     shown(qtbot, dialog)
     controller.devices_found.emit(FOUND)
     return dialog

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication, QDialog, QLabel, QWidget
 from pytestqt.qtbot import QtBot
 
@@ -22,7 +21,7 @@ from armui.ui.dialogs.help import HelpDialog
 from armui.ui.dialogs.joint_status import JointStatusDialog
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.theme import Theme, apply_theme
-from armui.ui.translation import Translator
+from armui.ui.translation import Language, Translator
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.stop_shortcut import StopShortcut
 from tests.ui.arm_states import operating_state
@@ -47,17 +46,17 @@ def translator(qapp: QApplication) -> Iterator[Translator]:
 MakeDialog = Callable[[FakeController, SettingsStore], QDialog]
 
 DIALOGS: dict[str, MakeDialog] = {
-    "connect": lambda controller, _store: ConnectDialog(controller),
-    "settings": lambda controller, store: SettingsDialog(store, controller),
-    "help": lambda controller, _store: HelpDialog(controller),
+    "connect": lambda controller, _store: ConnectDialog(controller.as_real),
+    "settings": lambda controller, store: SettingsDialog(store, controller.as_real),
+    "help": lambda controller, _store: HelpDialog(controller.as_real),
     "joint status": lambda controller, _store: JointStatusDialog(
-        controller, JointMonitor(controller, parent=controller)
+        controller.as_real, JointMonitor(controller.as_real, parent=controller.as_real)
     ),
     "confirm": lambda controller, _store: ConfirmDialog(
-        controller, title="Title", text="Text", action_label="Do it"
+        controller.as_real, title="Title", text="Text", action_label="Do it"
     ),
     "file": lambda controller, _store: FileDialog(
-        controller, title="Title", name_filter="Robot description (*.urdf)"
+        controller.as_real, title="Title", name_filter="Robot description (*.urdf)"
     ),
 }
 
@@ -83,7 +82,7 @@ def test_the_stop_acts_when_it_is_pressed_down(
 def test_the_stop_key_works_in_it(
     qtbot: QtBot, qapp: QApplication, controller: FakeController, dialog: QDialog
 ) -> None:
-    shortcut = StopShortcut(qapp, controller)
+    shortcut = StopShortcut(qapp, controller.as_real)
     qtbot.keyPress(dialog.focusWidget() or dialog, Qt.Key.Key_F12)
     qapp.removeEventFilter(shortcut)
     shortcut.deleteLater()
@@ -147,7 +146,7 @@ def test_no_word_is_cut_off(
     controller: FakeController,
     store: SettingsStore,
     translator: Translator,
-    language: str,
+    language: Language,
 ) -> None:
     translator.set_language(language)
     for name in ("connect", "settings", "help", "confirm"):
@@ -162,7 +161,7 @@ def test_no_word_is_cut_off(
 
 
 def test_opening_again_brings_it_to_the_front(qtbot: QtBot, controller: FakeController) -> None:
-    dialog = ArmDialog(controller)
+    dialog = ArmDialog(controller.as_real)
     shown(qtbot, dialog)
     dialog.open()
 
@@ -180,7 +179,7 @@ def asked(qtbot: QtBot, controller: FakeController) -> tuple[ConfirmDialog, list
     parent.show()
     dialog = confirm(
         parent,
-        controller,
+        controller.as_real,
         title="Disable the motors",
         text="The arm will drop.",
         action_label="Disable",
@@ -188,7 +187,7 @@ def asked(qtbot: QtBot, controller: FakeController) -> tuple[ConfirmDialog, list
     )
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, False)
     # the tests look at it after it has closed
-    dialog.kept_parent = parent
+    dialog.kept_parent = parent  # type: ignore[attr-defined]
     return dialog, answers
 
 
@@ -233,7 +232,7 @@ def test_asked_again_the_older_question_is_withdrawn(
     def ask(answer: str) -> ConfirmDialog:
         return confirm(
             parent,
-            controller,
+            controller.as_real,
             title="Same",
             text="",
             action_label="Yes",
@@ -265,7 +264,7 @@ def test_its_sign_follows_the_theme(
 ) -> None:
     dialog, _answers = asked
 
-    def ink() -> set[QColor]:
+    def ink() -> set[str]:
         image = dialog.findChildren(QLabel)[1].pixmap().toImage()
         return {
             image.pixelColor(x, y).name()
@@ -288,7 +287,7 @@ def test_the_help_names_what_the_3d_area_can_do(
     qtbot: QtBot, controller: FakeController, translator: Translator
 ) -> None:
     translator.set_language("zh")
-    dialog = HelpDialog(controller)
+    dialog = HelpDialog(controller.as_real)
     shown(qtbot, dialog)
     text = words_of(dialog)
 
@@ -303,7 +302,7 @@ def test_the_help_needs_no_scrolling(
 ) -> None:
     for language in ("zh", "en"):
         translator.set_language(language)
-        dialog = HelpDialog(controller)
+        dialog = HelpDialog(controller.as_real)
         shown(qtbot, dialog)
         assert dialog.area.verticalScrollBar().maximum() == 0
         assert dialog.height() <= 720
@@ -312,13 +311,14 @@ def test_the_help_needs_no_scrolling(
 def test_a_chosen_file_is_handed_over(
     qtbot: QtBot, controller: FakeController, tmp_path: Path
 ) -> None:
-    parent, chosen = QWidget(), []
+    parent = QWidget()
+    chosen: list[Path] = []
     qtbot.addWidget(parent)
     file = tmp_path / "arm.urdf"
     file.touch()
     chooser = choose_file(
         parent,
-        controller,
+        controller.as_real,
         title="Choose",
         name_filter="Robot description (*.urdf)",
         on_chosen=chosen.append,

@@ -20,7 +20,7 @@ def test_there_is_a_word_for_every_part_of_the_arm() -> None:
 
 
 @pytest.mark.parametrize("code", sorted(SEVERITIES))
-def test_a_finding_reads_as_sentences(qapp: QApplication, code: str) -> None:
+def test_a_finding_reads_as_sentences(qapp: QApplication, code: FindingCode) -> None:
     text = words.finding(Finding(code))
 
     assert text.endswith(".")

@@ -1,5 +1,7 @@
 """A button that wants to be held: what fills its ring, and what begins anew."""
 
+from typing import Any
+
 import pytest
 from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtGui import QKeyEvent
@@ -17,13 +19,13 @@ def button(qtbot, controller):
     window = QWidget()
     qtbot.addWidget(window)
     layout = QVBoxLayout(window)
-    button = HoldButton("Disable")
+    button: Any = HoldButton("Disable")
+    button.count = 0
     layout.addWidget(button)
     window.show()
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
     button.setFocus()
-    button.count = 0
     button.owner = window  # Python would delete it
 
     def on_held():
@@ -124,7 +126,7 @@ def question(qtbot, controller):
     qtbot.addWidget(window)
     window.show()
     said = []
-    dialog = confirm(
+    dialog: Any = confirm(
         window,
         controller,
         title="Sure?",

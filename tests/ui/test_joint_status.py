@@ -24,10 +24,10 @@ from armui.ui.dialogs.joint_status import JointStatusDialog
 from armui.ui.dialogs.joint_status_model import CELL_ROLE, CellView, JointStatusModel
 from armui.ui.shell.joint_status_button import JointStatusButton
 from armui.ui.theme import DARK, LIGHT, Colors
-from armui.ui.translation import LANGUAGES, Translator
+from armui.ui.translation import LANGUAGES, Language, Translator
 from armui.ui.widgets import state_mark
 from armui.ui.widgets.state_mark import Mark
-from tests.ui.arm_states import NOW_S, arm_state, operating_state
+from tests.ui.arm_states import NOW_S, arm_state, heard_six, operating_state
 from tests.ui.dialog_reading import message, shown
 from tests.ui.fake_controller import FakeController
 
@@ -58,7 +58,7 @@ def arm(at_s: float = NOW_S, slow: dict[int, DriverSlow] | None = None) -> ArmSt
     fast = Reading(DriverFast(speed_deg_s=-0.04, current_a=1.236, position_deg=None), at_s)
     return replace(
         arm_state(at_s=at_s),
-        drivers_slow=tuple(Reading(given.get(joint, WELL), at_s) for joint in range(1, 7)),
+        drivers_slow=heard_six((given.get(joint, WELL) for joint in range(1, 7)), at_s),
         drivers_fast=(fast,) * 6,
     )
 
@@ -80,7 +80,7 @@ def clock() -> Clock:
 
 @pytest.fixture
 def monitor(controller: FakeController, clock: Clock) -> JointMonitor:
-    monitor = JointMonitor(controller, clock, controller)
+    monitor = JointMonitor(controller.as_real, clock, controller.as_real)
     controller.be(operating_state(generation=Generation.ONE))
     return monitor
 
@@ -101,7 +101,7 @@ def button(qtbot: QtBot, monitor: JointMonitor) -> JointStatusButton:
 
 @pytest.fixture
 def dialog(qtbot: QtBot, controller: FakeController, monitor: JointMonitor) -> JointStatusDialog:
-    dialog = JointStatusDialog(controller, monitor)
+    dialog = JointStatusDialog(controller.as_real, monitor)
     shown(qtbot, dialog)
     return dialog
 
@@ -227,7 +227,10 @@ def test_the_buttons_stand_under_their_columns(dialog: JointStatusDialog) -> Non
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_the_table_needs_no_scrolling(
-    controller: FakeController, dialog: JointStatusDialog, translator: Translator, language: str
+    controller: FakeController,
+    dialog: JointStatusDialog,
+    translator: Translator,
+    language: Language,
 ) -> None:
     controller.hear(arm())
     translator.set_language(language)

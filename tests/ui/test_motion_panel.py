@@ -2,7 +2,7 @@
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox, QLineEdit, QPushButton, QSlider
+from PySide6.QtWidgets import QComboBox, QLineEdit, QPushButton
 
 from armui.arm.device import Device
 from armui.arm.limits import FACTORY_LIMITS, JointLimits
@@ -13,6 +13,7 @@ from armui.control.operating_state import LinkState
 from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.value_label import ValueLabel
 from tests.ui.arm_states import NOW_S, arm_state, operating_state
 
@@ -41,8 +42,8 @@ def measured(panel, joint) -> ValueLabel:
     return panel.findChild(ValueLabel, f"measured_{joint}")
 
 
-def slider(panel, joint) -> QSlider:
-    return panel.findChild(QSlider, f"target_slider_{joint}")
+def slider(panel, joint) -> TrackSlider:
+    return panel.findChild(TrackSlider, f"target_slider_{joint}")
 
 
 def push(panel, name) -> QPushButton:
@@ -190,7 +191,7 @@ def test_jog_step_can_be_chosen(panel, controller, qtbot):
 
 def test_held_button_repeats_until_let_go(panel, controller, qtbot):
     controller.be_ready(ANGLES)
-    button = push(panel, "jog_plus_1")
+    button = panel.findChild(JogButton, "jog_plus_1")
     qtbot.mousePress(button, LEFT)
     qtbot.waitUntil(lambda: len(controller.calls) >= 3)
     qtbot.mouseRelease(button, LEFT)
@@ -201,7 +202,7 @@ def test_held_button_repeats_until_let_go(panel, controller, qtbot):
 def test_held_button_waits_for_a_lagging_arm(panel, controller, qtbot):
     controller.be_ready(ANGLES)
     controller.motion.lagging = True
-    button = push(panel, "jog_plus_1")
+    button = panel.findChild(JogButton, "jog_plus_1")
     qtbot.mousePress(button, LEFT)
     with qtbot.waitSignal(button.repeated):
         pass

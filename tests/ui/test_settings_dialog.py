@@ -14,6 +14,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.settings import SettingsStore
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.dialogs.settings import SettingsDialog
+from tests.moments import now
 from tests.ui.dialog_reading import message, shown, words_of
 from tests.ui.fake_controller import FakeController
 
@@ -27,7 +28,7 @@ def store(tmp_path: Path) -> SettingsStore:
 
 @pytest.fixture
 def preferences(qtbot: QtBot, controller: FakeController, store: SettingsStore) -> SettingsDialog:
-    dialog = SettingsDialog(store, controller)
+    dialog = SettingsDialog(store, controller.as_real)
     shown(qtbot, dialog)
     return dialog
 
@@ -120,10 +121,10 @@ def test_a_robot_description_is_chosen_and_taken_back(
     chooser.selectFile(str(file))
     qtbot.keyClick(chooser, Qt.Key.Key_Return)
 
-    assert store.settings.urdf_path == str(file)
+    assert now(store.settings.urdf_path) == str(file)
     assert str(file) in words_of(preferences)
     qtbot.mouseClick(preferences.built_in_button, LEFT)
-    assert store.settings.urdf_path is None
+    assert now(store.settings.urdf_path) is None
     assert "Built-in model of the PiPER" in words_of(preferences)
 
 
@@ -153,7 +154,7 @@ def test_settings_that_cannot_be_saved_say_so(
 ) -> None:
     in_the_way = tmp_path / "file"
     in_the_way.touch()
-    dialog = SettingsDialog(SettingsStore(in_the_way / "settings.json"), controller)
+    dialog = SettingsDialog(SettingsStore(in_the_way / "settings.json"), controller.as_real)
     shown(qtbot, dialog)
     qtbot.keyClick(dialog.theme_box, Qt.Key.Key_Down)
 
@@ -165,7 +166,7 @@ def test_a_broken_settings_file_is_told_at_the_first_opening(
 ) -> None:
     path = tmp_path / "settings.json"
     path.write_text("{")
-    dialog = SettingsDialog(SettingsStore(path), controller)
+    dialog = SettingsDialog(SettingsStore(path), controller.as_real)
     shown(qtbot, dialog)
 
     assert "settings.json.broken" in message(dialog)

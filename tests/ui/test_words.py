@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import string
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from datetime import datetime
+from pathlib import Path
 
 import pytest
 from PySide6.QtWidgets import QApplication
@@ -19,7 +20,7 @@ from armui.settings import SettingsStore, check
 from armui.trajectory import columns, files
 from armui.trajectory.points.program import GripperOpening, Waypoint, check_point
 from armui.ui import words
-from armui.ui.translation import LANGUAGES, Translator
+from armui.ui.translation import LANGUAGES, Language, Translator
 from armui.ui.words import notices, refusals
 
 AT = datetime(2026, 1, 2, 3, 4, 5).astimezone()
@@ -37,7 +38,7 @@ def chinese(translator: Translator) -> None:
     translator.set_language("zh")
 
 
-def notice(code: str, **params: object) -> str:
+def notice(code: EventCode, **params: object) -> str:
     return words.notice(Notice(AT, Level.INFO, code, params))
 
 
@@ -69,7 +70,9 @@ def test_there_is_a_sentence_for_every_refusal() -> None:
 
 @pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize("code", sorted(refusals.CODES))
-def test_a_refusal_reads_as_sentences(translator: Translator, language: str, code: str) -> None:
+def test_a_refusal_reads_as_sentences(
+    translator: Translator, language: Language, code: RefusalCode
+) -> None:
     translator.set_language(language)
 
     text = words.refusal(Refusal(code))
@@ -82,7 +85,9 @@ def test_a_refusal_reads_as_sentences(translator: Translator, language: str, cod
 
 @pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize("code", sorted(EventCode))
-def test_a_notice_reads_as_words(translator: Translator, language: str, code: str) -> None:
+def test_a_notice_reads_as_words(
+    translator: Translator, language: Language, code: EventCode
+) -> None:
     translator.set_language(language)
 
     text = notice(code)
@@ -93,8 +98,8 @@ def test_a_notice_reads_as_words(translator: Translator, language: str, code: st
 
 
 def test_what_nobody_foresaw_is_still_said(qapp: QApplication) -> None:
-    assert words.refusal(Refusal("odd", {"a": 1})) == "Not possible now: odd(a=1)."
-    assert notice("odd") == "Event: odd"
+    picture = Refusal(RefusalCode.NO_OPENGL, {"a": 1})
+    assert words.refusal(picture) == "Not possible now: no_opengl(a=1)."
 
 
 # Files -------------------------------------------------------------------------------------------
@@ -201,14 +206,16 @@ def test_a_simulated_arm_has_a_name_in_the_operators_language(chinese: None) -> 
 @pytest.mark.parametrize(
     ("code", "danger"),
     [
-        ("disable_sent", "机械臂会下落，请扶住机械臂"),
-        ("resume_sent", "机械臂会下落，请扶住机械臂"),
-        ("stop_sent", "请扶住机械臂"),
-        ("stop_unconfirmed", "请切断其电源"),
-        ("stop_not_sent", "请切断其电源"),
+        (EventCode.DISABLE_SENT, "机械臂会下落，请扶住机械臂"),
+        (EventCode.RESUME_SENT, "机械臂会下落，请扶住机械臂"),
+        (EventCode.STOP_SENT, "请扶住机械臂"),
+        (EventCode.STOP_UNCONFIRMED, "请切断其电源"),
+        (EventCode.STOP_NOT_SENT, "请切断其电源"),
     ],
 )
-def test_physical_danger_is_said_in_plain_words(chinese: None, code: str, danger: str) -> None:
+def test_physical_danger_is_said_in_plain_words(
+    chinese: None, code: EventCode, danger: str
+) -> None:
     assert danger in notice(code)
 
 
@@ -216,7 +223,7 @@ def test_physical_danger_is_said_in_plain_words(chinese: None, code: str, danger
 
 
 def test_every_reason_the_settings_give_fills_its_sentence(
-    translator: Translator, tmp_path: pytest.TempPathFactory
+    translator: Translator, tmp_path: Path
 ) -> None:
     broken = tmp_path / "settings.json"
     broken.write_text("{")
@@ -234,7 +241,9 @@ def test_every_reason_the_settings_give_fills_its_sentence(
 
 
 def test_a_setting_that_is_not_possible_is_named(chinese: None) -> None:
-    assert words.refusal(check("theme", "pink")) == "设置项“主题”：“pink”无效，已使用默认值。"
+    refused = check("theme", "pink")
+    assert refused is not None
+    assert words.refusal(refused) == "设置项“主题”：“pink”无效，已使用默认值。"
 
 
 # 0x2A1 --------------------------------------------------------------------------------------------
@@ -285,7 +294,8 @@ TEACHING = {
     0x06: "终止执行",
     0x07: "运动到轨迹起点",
 }
-TABLES = {
+Word = Callable[[int], str]
+TABLES: dict[Word, dict[int, str]] = {
     words.control_mode: CONTROL_MODES,
     words.arm_status: ARM_STATUSES,
     words.move_mode: MOVE_MODES,
@@ -294,14 +304,14 @@ TABLES = {
 
 
 @pytest.mark.parametrize("word", TABLES, ids=lambda word: word.__name__)
-def test_the_codes_of_the_status_in_the_protocols_words(chinese: None, word: object) -> None:
+def test_the_codes_of_the_status_in_the_protocols_words(chinese: None, word: Word) -> None:
     table: Mapping[int, str] = TABLES[word]
 
     assert {code: word(code) for code in table} == table
 
 
 @pytest.mark.parametrize("word", [*TABLES, words.control_mode_short])
-def test_no_two_codes_share_a_word_in_english(qapp: QApplication, word: object) -> None:
+def test_no_two_codes_share_a_word_in_english(qapp: QApplication, word: Word) -> None:
     table = TABLES.get(word, CONTROL_MODES)
     spoken = {word(code) for code in table}
 
@@ -310,7 +320,7 @@ def test_no_two_codes_share_a_word_in_english(qapp: QApplication, word: object) 
 
 
 @pytest.mark.parametrize("word", [*TABLES, words.control_mode_short])
-def test_codes_of_no_table_are_shown_as_numbers(translator: Translator, word: object) -> None:
+def test_codes_of_no_table_are_shown_as_numbers(translator: Translator, word: Word) -> None:
     assert word(0x2F) == "unknown (0x2F)"
     translator.set_language("zh")
     assert word(0x2F) == "未知 (0x2F)"

@@ -10,7 +10,7 @@ from armui.viewport.process import main, urdf_file
 def without_opengl(connection) -> None:
     """As on a computer without a graphics driver: VTK's last resort, and no library for it."""
     os.environ["VTK_DEFAULT_OPENGL_WINDOW"] = "vtkOSOpenGLRenderWindow"
-    ctypes.util.find_library = lambda _name: None
+    ctypes.util.find_library = lambda name: None
     main.run(connection)
 
 

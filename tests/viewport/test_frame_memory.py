@@ -1,8 +1,10 @@
 """Memory that two processes share."""
 
+import os
 import subprocess
 import sys
 from multiprocessing.shared_memory import SharedMemory
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
@@ -36,8 +38,8 @@ def test_a_size_is_kept_while_it_suits():
 
 def test_more_than_there_is_is_refused(monkeypatch):
     room = SimpleNamespace(f_blocks=1, f_bavail=10, f_frsize=4096)
-    monkeypatch.setattr(frame_memory.os, "statvfs", lambda _path: room, raising=False)
-    monkeypatch.setattr(frame_memory, "_PLACE", frame_memory.Path("/"))
+    monkeypatch.setattr(os, "statvfs", lambda _path: room, raising=False)
+    monkeypatch.setattr(frame_memory, "_PLACE", Path("/"))
     with pytest.raises(OSError, match="shared memory"):
         FrameMemory.create(1_000_000)
 

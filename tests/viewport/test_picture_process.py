@@ -4,6 +4,7 @@ import os
 import signal
 import sys
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -38,7 +39,7 @@ def no_thread_outlives_the_test():
 @pytest.fixture
 def losses(view):
     """Every loss of the process."""
-    lost = []
+    lost: list[Any] = []
     view._client.lost.connect(lost.append)
     yield lost
     view._client.lost.disconnect(lost.append)
@@ -100,7 +101,7 @@ def test_the_model_comes_back_though_its_file_is_gone(view, losses, tmp_path):
 def test_a_question_is_not_asked_again_of_the_next_process(view, losses, qtbot):
     with qtbot.waitSignal(view._client.joint_picked, timeout=LIMIT_MS):
         qtbot.mouseDClick(view, Qt.MouseButton.LeftButton, pos=QPoint(440, 10))
-    answers = []
+    answers: list[Any] = []
     view._client.joint_picked.connect(answers.append)
     os.kill(view._client.pid, signal.SIGKILL)
     wait_until(lambda: losses)
@@ -253,6 +254,7 @@ def test_shutdown_ends_the_process_whatever_it_is_doing(qtbot):
     view.show()
     wait_until(lambda: view._client.pid is not None)  # still loading
     pid = view._client.pid
+    assert pid is not None
     view.shutdown()
     with pytest.raises(ProcessLookupError):
         os.kill(pid, 0)

@@ -1,5 +1,7 @@
 """A path, its marks and a ghost beside the arm, pixel by pixel."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
@@ -123,7 +125,7 @@ def test_a_click_on_a_mark_tells_its_row_and_a_drag_does_not(view, qtbot):
     with qtbot.waitSignal(view.mark_picked, timeout=LIMIT_MS) as picked:
         qtbot.mouseClick(view, Qt.MouseButton.LeftButton, pos=at)
     assert picked.args == [1]
-    rows = []
+    rows: list[Any] = []
     view.mark_picked.connect(rows.append)
     qtbot.mousePress(view, Qt.MouseButton.LeftButton, pos=at - QPoint(60, 0))
     qtbot.mouseRelease(view, Qt.MouseButton.LeftButton, pos=at)

@@ -1,5 +1,7 @@
 """Two views, one after the other, with one process for their pictures."""
 
+from functools import partial
+
 from armui.viewport.client import PictureClient
 from armui.viewport.view import ArmView
 from tests.viewport.pinhole import HEIGHT, WIDTH
@@ -15,7 +17,7 @@ def test_each_gets_its_own_first_picture(qtbot):
         view.resize(WIDTH, HEIGHT)
         view.set_joints((0.0,) * 6, 0.0)
         view.show()
-        wait_until(lambda view=view: view.is_settled)
+        wait_until(partial(getattr, view, "is_settled"))
         images.append(view._picture.image.copy())
         pids.append(client.pid)
         view.shutdown()

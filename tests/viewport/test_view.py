@@ -2,7 +2,9 @@
 
 import subprocess
 import sys
+import time
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,6 +16,8 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.system.paths import URDF
 from armui.viewport.camera import HOME_CAMERA
+from armui.viewport.client import PictureClient
+from armui.viewport.hud import Hud
 from armui.viewport.palette import DARK
 from armui.viewport.process.urdf_file import load_robot
 from armui.viewport.view import ArmView
@@ -176,7 +180,7 @@ def test_another_robot_is_shown_a_broken_one_told_and_ours_comes_back(view, qtbo
     broken = write_arm(tmp_path, hinges=2, name="broken.urdf")
     with qtbot.waitSignal(view.load_failed, timeout=LIMIT_MS) as failed:
         view.set_robot(broken)
-    expected = {"path": str(broken), "found": 2, "wanted": 6}
+    expected: dict[str, str | int] = {"path": str(broken), "found": 2, "wanted": 6}
     assert failed.args == [Refusal(RefusalCode.URDF_JOINT_COUNT, expected)]
     settle(view, qtbot)
     before = image_of(view)
@@ -228,7 +232,7 @@ def test_a_picture_for_small_pixels_has_more_of_them(view, qtbot):
 
 def test_a_covered_view_has_no_more_drawn_than_it_can_hold(view, qtbot):
     """Three images fit into the memory: the one on the screen must not be drawn over."""
-    frames = []
+    frames: list[Any] = []
     view._client.frame_ready.connect(frames.append)
     view.setUpdatesEnabled(False)  # nothing is painted: no picture is used
     shown = view._picture.frame
@@ -265,3 +269,19 @@ def test_importing_the_view_imports_nothing_slow():
         [sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=60
     )
     assert result.returncode == 0, result.stderr
+
+
+def test_figures_wait_for_the_picture_of_the_same_moment_but_not_for_long(view, qtbot, monkeypatch):
+    painted, paint = [], Hud.paint
+
+    def noted(hud, *args):
+        painted.append(time.monotonic())
+        paint(hud, *args)
+
+    monkeypatch.setattr(Hud, "paint", noted)
+    monkeypatch.setattr(PictureClient, "is_settled", False)
+    monkeypatch.setattr(PictureClient, "show", lambda _client, _state: None)  # none ever comes
+    began_s = time.monotonic()
+    view.set_pose((6.0, 5.0, 4.0, 3.0, 2.0, time.monotonic()))
+    qtbot.wait_until(lambda: bool(painted), timeout=LIMIT_MS)
+    assert painted[0] - began_s >= 0.03

@@ -6,6 +6,7 @@ import logging
 import sys
 import threading
 from collections.abc import Callable
+from types import TracebackType
 from typing import Final
 
 import can
@@ -18,6 +19,7 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from tests.arm_rig import ArmRig
+from tests.arm_rig_bus import HostBus
 from tests.company import OtherHost
 from tests.safety.fuzz.lockstep import LockstepWorker
 from tests.safety.fuzz.traffic import Sender, Traffic
@@ -71,30 +73,34 @@ class World(ArmRig):
         self.watch: Callable[[], None] = _look_away
         self._log = _Errors(self.errors)
         logging.getLogger().addHandler(self._log)
-        armui.bus.worker.BusWorker = LockstepWorker
+        setattr(armui.bus.worker, "BusWorker", LockstepWorker)  # noqa: B010 - mypy takes no other
         self._copy = can.Message.__deepcopy__
-        can.Message.__deepcopy__ = _itself
+        setattr(can.Message, "__deepcopy__", _itself)  # noqa: B010 - mypy takes no other
         self._hooks = sys.excepthook, threading.excepthook
         sys.excepthook = lambda kind, error, trace: self.errors.append(_line(error, trace))
         threading.excepthook = lambda args: self.errors.append(
             _line(args.exc_value, args.exc_traceback)
         )
 
-    def _listen_closely(self, bus: can.BusABC) -> None:
+    def _listen_closely(self, bus: HostBus) -> None:
         send, receive = bus.send, bus.recv
 
-        def noted(message: can.Message, timeout: float | None = None) -> None:
-            self.traffic.note(Sender.US, Frame(message.arbitration_id, bytes(message.data)))
-            send(message, timeout)
+        def noted(msg: can.Message, timeout: float | None = None) -> None:
+            self.traffic.note(Sender.US, Frame(msg.arbitration_id, bytes(msg.data)))
+            send(msg, timeout)
+
+        def at_once(timeout: float | None = None) -> can.Message | None:
+            return receive(0)  # what there is is there
 
         bus.send = noted
-        bus.recv = lambda _=None: receive(0)  # what there is is there
+        bus.recv = at_once
         self._host_bus = bus
 
     def _settle(self) -> None:
         """Until nothing is on its way any more, in either direction."""
         worker = self.controller._connection._worker
         for _ in range(_MOST_ROUNDS):
+            assert worker is None or isinstance(worker, LockstepWorker)
             if worker is None or not worker.pump():
                 break
         QCoreApplication.processEvents()
@@ -153,7 +159,7 @@ class World(ArmRig):
         logging.getLogger().removeHandler(self._log)
         self.other.close()
         super().close()
-        armui.bus.worker.BusWorker = BusWorker
+        setattr(armui.bus.worker, "BusWorker", BusWorker)  # noqa: B010 - mypy takes no other
         can.Message.__deepcopy__ = self._copy
 
 
@@ -179,11 +185,12 @@ class _Errors(logging.Handler):
         self._errors.append(f"{record.getMessage()}: {_line(error, trace)}")
 
 
-def _line(error: BaseException | None, trace: object) -> str:
+def _line(error: BaseException | None, trace: TracebackType | None) -> str:
     """An exception and where it came from."""
     place = trace
-    while getattr(place, "tb_next", None) is not None:
+    while place is not None and place.tb_next is not None:
         place = place.tb_next
-    frame = getattr(place, "tb_frame", None)
-    where = f" at {frame.f_code.co_filename.rsplit('/', 1)[-1]}:{place.tb_lineno}" if frame else ""
+    where = ""
+    if place is not None:
+        where = f" at {place.tb_frame.f_code.co_filename.rsplit('/', 1)[-1]}:{place.tb_lineno}"
     return f"{type(error).__name__}: {error}{where}"

@@ -8,7 +8,6 @@ import pytest
 from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory import files
 from armui.trajectory.files import TrajectoryFileError
-from armui.trajectory.library import store as library
 from tests.trajectory.library.contents import (
     damage,
     names,
@@ -42,7 +41,12 @@ def test_a_listing_opens_only_what_is_new(shelf, folder, monkeypatch):
     shelf.save(recording())
     read = []
     load = files.load
-    monkeypatch.setattr(library.files, "load", lambda path: read.append(path.name) or load(path))
+
+    def noted(path):
+        read.append(path.name)
+        return load(path)
+
+    monkeypatch.setattr(files, "load", noted)
     again = opened(folder)
     assert len(again.entries()) == 2
     assert read == []

@@ -7,6 +7,7 @@ from hypothesis import given, settings
 
 from armui.trajectory.library.file_names import file_stem, folded, free_stem
 from armui.trajectory.points.program import LONGEST_NAME, check_name
+from tests.examples import examples
 from tests.trajectory.library.contents import names, opened, shown, trajectory
 from tests.trajectory.strategies import NAME, TEXT
 
@@ -28,7 +29,7 @@ def test_every_name_finds_its_file_even_where_case_counts_nothing(shelf, folder)
     assert len(stems) == len(ODD_NAMES)
 
 
-@settings(max_examples=200)
+@settings(max_examples=examples(100))
 @given(TEXT | NAME)
 def test_a_file_name_is_one_everywhere(name):
     stem = file_stem(name)

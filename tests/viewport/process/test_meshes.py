@@ -48,6 +48,7 @@ def test_the_whole_arm_is_light_enough_to_draw(committed):
 
 def test_the_committed_files_are_what_the_script_makes(committed):
     spec = importlib.util.spec_from_file_location("make_meshes", URDF / "make_meshes.py")
+    assert spec is not None
     script = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(script)
     made = script.all_meshes()

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from armui.kinematics.kinematics import Matrix, Pose, pose_to_matrix
+from armui.kinematics.poses import Matrix, Pose, pose_to_matrix
 from armui.kinematics.tool_path import Arc, ArcError, Line
 
 SHARES = np.linspace(0.0, 1.0, 101)
@@ -42,10 +42,10 @@ def test_a_line_is_straight_and_the_hand_turns_evenly() -> None:
 def test_an_arc_goes_over_its_middle(
     middle: tuple[float, ...], end: tuple[float, ...], length: float
 ) -> None:
-    points = [(10, 0, 0), middle, end]
-    turns = [(0, 0, 0), (10, 0, 5), (20, 30, 10)]
+    points: list[tuple[float, ...]] = [(10, 0, 0), middle, end]
+    turns: list[tuple[float, ...]] = [(0, 0, 0), (10, 0, 5), (20, 30, 10)]
     start, between, last = (
-        pose_to_matrix(Pose(*point, *turn)) for point, turn in zip(points, turns, strict=True)
+        pose_to_matrix(Pose(*(point + turn))) for point, turn in zip(points, turns, strict=True)
     )
     arc = Arc(start, between, last)
     assert arc.length_mm == pytest.approx(length)
@@ -70,4 +70,4 @@ def test_an_arc_goes_over_its_middle(
 )
 def test_no_arc_through_points_on_a_line(points: list[tuple[float, ...]]) -> None:
     with pytest.raises(ArcError):
-        Arc(*(pose_to_matrix(Pose(*point, 0, 0, 0)) for point in points))
+        Arc(*(pose_to_matrix(Pose(*(*point, 0.0, 0.0, 0.0))) for point in points))
