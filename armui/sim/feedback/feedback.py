@@ -1,4 +1,4 @@
-"""The frames with which the arm tells how it is."""
+"""Makes the periodic feedback frames."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from armui.sim.mechanics.powered_joints import SixValues
 
 
 class _Parts(Protocol):
-    """What the feedback is about."""
+    """The parts of the arm that the feedback reports."""
 
     condition: Condition
     mechanics: Mechanics

@@ -1,6 +1,6 @@
 """From degrees to the units in which a generation reports an angle, speed or acceleration.
 
-Which unit a signal has stands in the DBC file; here is only what the units mean.
+The DBC file says which unit a signal has; this module converts.
 """
 
 from __future__ import annotations
