@@ -11,7 +11,6 @@ from __future__ import annotations
 import contextlib
 import errno
 import json
-import math
 import stat
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, fields, replace
@@ -20,10 +19,12 @@ from typing import Any, Final, Literal, TypedDict, Unpack, get_args
 
 import platformdirs
 
+from armui.arm.json_fields import finite
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.system import paths
 from armui.system.atomic import write_whole
+from armui.system.error_text import error_text
 
 Language = Literal["zh", "en"]
 ThemeName = Literal["light", "dark", "system"]
@@ -122,19 +123,12 @@ def _is_path(value: object) -> bool:
 
 
 def _check_jog_step(value: object) -> Refusal | None:
-    if isinstance(value, bool) or not isinstance(value, int | float):
+    figure = finite(value)
+    if figure is None:
         return Refusal(RefusalCode.JOG_STEP_NOT_A_NUMBER, {"value": _shown(value)})
-    if isinstance(value, float) and not math.isfinite(value):
-        return Refusal(RefusalCode.JOG_STEP_NOT_A_NUMBER, {"value": str(value)})
-    if not JOG_STEP_MIN_DEG <= value <= JOG_STEP_MAX_DEG:
-        try:
-            figure: float | str = float(value)
-        except OverflowError:
-            figure = _shown(value)
-        return Refusal(
-            RefusalCode.JOG_STEP_OUT_OF_RANGE,
-            {"value": figure, "minimum": JOG_STEP_MIN_DEG, "maximum": JOG_STEP_MAX_DEG},
-        )
+    if not JOG_STEP_MIN_DEG <= figure <= JOG_STEP_MAX_DEG:
+        bounds = {"minimum": JOG_STEP_MIN_DEG, "maximum": JOG_STEP_MAX_DEG}
+        return Refusal(RefusalCode.JOG_STEP_OUT_OF_RANGE, {"value": figure, **bounds})
     return None
 
 
@@ -144,8 +138,8 @@ def _check_tool(value: object) -> Refusal | None:
     if len(figures) != len(_TOOL_LONGEST):
         figures = [value] * len(_TOOL_LONGEST)
     for figure, longest in zip(figures, _TOOL_LONGEST, strict=True):
-        good = isinstance(figure, int | float) and not isinstance(figure, bool)
-        if not good or not abs(figure) <= longest:
+        size = finite(figure)
+        if size is None or abs(size) > longest:
             return Refusal(
                 RefusalCode.TOOL_NOT_POSSIBLE,
                 {"value": _shown(figure), "maximum": round(TOOL_LONGEST_MM)},
@@ -224,12 +218,12 @@ class SettingsStore:
                 in_file = _entries(self._path)
                 kept = asdict(self._kept)
                 entries = kept | in_file | {name: kept[name] for name in choices}
-                write_whole(self._path, json.dumps(entries, indent=2) + "\n")
+                self._path.parent.mkdir(parents=True, exist_ok=True)
+                write_whole(self._path, f"{json.dumps(entries, indent=2)}\n".encode())
         except Timeout:
             return Refusal(RefusalCode.SETTINGS_IN_USE, params)
         except (OSError, ValueError, RecursionError) as error:
-            text = getattr(error, "strerror", None) or str(error)
-            return Refusal(RefusalCode.SETTINGS_NOT_SAVED, params | {"text": text})
+            return Refusal(RefusalCode.SETTINGS_NOT_SAVED, params | {"text": error_text(error)})
         return None
 
 
@@ -278,7 +272,7 @@ def _read(path: Path) -> tuple[Settings, tuple[Refusal, ...]]:
     except FileNotFoundError:
         return Settings(), ()
     except OSError as error:
-        params = {"path": str(path), "text": error.strerror or str(error)}
+        params = {"path": str(path), "text": error_text(error)}
         return Settings(), (Refusal(RefusalCode.SETTINGS_UNREADABLE, params),)
     except (ValueError, RecursionError):
         return Settings(), (_put_aside(path),)
@@ -309,6 +303,6 @@ def _put_aside(path: Path) -> Refusal:
     try:
         path.replace(kept)
     except OSError as error:
-        params = {"path": str(path), "text": error.strerror or str(error)}
+        params = {"path": str(path), "text": error_text(error)}
         return Refusal(RefusalCode.SETTINGS_UNREADABLE, params)
     return Refusal(RefusalCode.SETTINGS_BROKEN, {"kept": str(kept)})

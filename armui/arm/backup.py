@@ -7,12 +7,13 @@ What is broken, truncated or foreign is refused with the place where it is wrong
 from __future__ import annotations
 
 import json
-import math
-from collections.abc import Mapping
+import sys
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
-from typing import Any, Final
+from typing import Final
 
+from armui.arm.json_fields import FieldError, FieldProblem, Fields
 from armui.arm.limits import JOINTS
 from armui.arm.parameters import KINDS, Group, Parameter
 from armui.arm.refusal import Refusal
@@ -49,14 +50,6 @@ class Backup:
     values: Mapping[Parameter, float]
 
 
-class _WrongError(Exception):
-    """What is wrong with a file; never leaves this module."""
-
-    def __init__(self, code: RefusalCode, **params: float | str) -> None:
-        super().__init__(code)
-        self.refusal = Refusal(code, params)
-
-
 def to_text(backup: Backup) -> str:
     """A backup as the text of its file."""
     head = {
@@ -91,120 +84,81 @@ def _row(parameter: Parameter, value: float) -> dict[str, float | int | str]:
 def from_text(text: str) -> Backup | Refusal:
     """The backup in the text of a file, or what is wrong with it and where."""
     try:
-        return _backup(_object(_parsed(text), ""))
-    except _WrongError as wrong:
-        return wrong.refusal
-
-
-def _parsed(text: str) -> object:
-    try:
-        return json.loads(text)
+        entries = json.loads(text)
     except json.JSONDecodeError as error:
-        raise _WrongError(
-            RefusalCode.BACKUP_NO_JSON, line=error.lineno, column=error.colno
-        ) from error
-    except (RecursionError, ValueError) as error:  # thousands of brackets, or of digits
-        raise _WrongError(RefusalCode.BACKUP_FOREIGN) from error
-
-
-def _backup(entries: Mapping[str, Any]) -> Backup:
-    if entries.get("format") != FORMAT:
-        raise _WrongError(RefusalCode.BACKUP_FOREIGN)
+        return Refusal(RefusalCode.BACKUP_NO_JSON, {"line": error.lineno, "column": error.colno})
+    except (RecursionError, ValueError):  # thousands of brackets, or of digits
+        return Refusal(RefusalCode.BACKUP_FOREIGN)
+    if not isinstance(entries, dict) or entries.get("format") != FORMAT:
+        return Refusal(RefusalCode.BACKUP_FOREIGN)
     version = entries.get("version")
     if version != VERSION or isinstance(version, bool):
-        raise _WrongError(RefusalCode.BACKUP_VERSION, version=str(version), known=VERSION)
-    arm = _object(_field(entries, "arm"), "arm")
-    generation = _field(arm, "generation", "arm.")
-    if isinstance(generation, bool) or generation not in _GENERATIONS:
-        raise _bad("arm.generation", generation)
-    firmware = arm.get("firmware")
+        return Refusal(RefusalCode.BACKUP_VERSION, {"version": str(version), "known": VERSION})
+    try:
+        return _backup(Fields(entries))
+    except FieldError as error:
+        if error.problem is FieldProblem.MISSING:
+            return Refusal(RefusalCode.BACKUP_FIELD_MISSING, {"field": error.place})
+        bad = {"field": error.place, "value": _shortened(error.value)}
+        return error.reason or Refusal(RefusalCode.BACKUP_FIELD_BAD, bad)
+
+
+def _backup(entries: Fields) -> Backup:
+    arm = entries.object("arm")
+    rows = list(entries.objects("parameters"))
     return Backup(
-        saved_at=_time(_field(entries, "saved_at")),
-        program=_text(_field(entries, "program"), "program"),
-        generation=int(generation),
-        firmware=None if firmware is None else _text(firmware, "arm.firmware"),
-        device=_text(_field(arm, "device", "arm."), "arm.device"),
-        values=_values(_field(entries, "parameters")),
+        saved_at=_time(entries),
+        program=entries.text("program"),
+        generation=arm.whole("generation", allowed=_GENERATIONS),
+        firmware=arm.maybe_text("firmware"),
+        device=arm.text("device"),
+        values=_values(entries, rows),
     )
 
 
-def _values(rows: object) -> Mapping[Parameter, float]:
-    if not isinstance(rows, list):
-        raise _bad("parameters", rows)
+def _values(entries: Fields, rows: Sequence[Fields]) -> Mapping[Parameter, float]:
     if not rows:
-        raise _WrongError(RefusalCode.BACKUP_EMPTY)
+        raise entries.wrong("parameters", Refusal(RefusalCode.BACKUP_EMPTY))
     values: dict[Parameter, float] = {}
-    for place, entries in enumerate(rows, start=1):
-        where = f"parameters[{place}]"
-        row = _object(entries, where)
-        parameter = _parameter(row, f"{where}.")
+    for place, row in enumerate(rows, start=1):
+        parameter = _parameter(row)
         if parameter in values:
-            raise _WrongError(RefusalCode.BACKUP_TWICE, field=where, parameter=parameter.name)
-        values[parameter] = _value(row, parameter, f"{where}.")
+            where = {"field": f"parameters[{place}]", "parameter": parameter.name}
+            raise row.wrong("name", Refusal(RefusalCode.BACKUP_TWICE, where))
+        values[parameter] = _value(row, parameter)
     return values
 
 
-def _parameter(row: Mapping[str, Any], where: str) -> Parameter:
-    name = _field(row, "name", where)
-    if not isinstance(name, str) or name not in KINDS:
-        raise _bad(f"{where}name", name)
-    joint = row.get("joint", 0)
+def _parameter(row: Fields) -> Parameter:
+    name = row.text("name")
+    if name not in KINDS:
+        raise row.bad("name", "max_angle_deg")
     joints = JOINTS if KINDS[name].group in _OF_EACH_JOINT else (0,)
-    if isinstance(joint, bool) or not isinstance(joint, int) or joint not in joints:
-        raise _bad(f"{where}joint", joint)
-    return Parameter(name, joint)
+    return Parameter(name, row.whole("joint", 0, joints))
 
 
-def _value(row: Mapping[str, Any], parameter: Parameter, where: str) -> float:
-    unit = _field(row, "unit", where)
-    if unit != parameter.kind.unit:
-        raise _bad(f"{where}unit", unit)
-    value = _field(row, "value", where)
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        raise _bad(f"{where}value", value)
+def _value(row: Fields, parameter: Parameter) -> float:
+    if row.text("unit") != parameter.kind.unit:
+        raise row.bad("unit", parameter.kind.unit)
+    return row.number("value")
+
+
+def _time(entries: Fields) -> datetime:
     try:
-        figure = float(value)
-    except OverflowError as error:
-        raise _bad(f"{where}value", "10^308…") from error
-    if not math.isfinite(figure):
-        raise _bad(f"{where}value", value)
-    return figure
-
-
-def _time(text: object) -> datetime:
-    try:
-        time = datetime.fromisoformat(_text(text, "saved_at"))
+        time = datetime.fromisoformat(entries.text("saved_at"))
     except ValueError as error:
-        raise _bad("saved_at", text) from error
+        raise entries.bad("saved_at", "2026-01-02T03:04:05+00:00") from error
     if time.tzinfo is None:
-        raise _bad("saved_at", text)
+        raise entries.bad("saved_at", "2026-01-02T03:04:05+00:00")
     return time
 
 
-def _field(entries: Mapping[str, Any], name: str, where: str = "") -> Any:
-    if name not in entries:
-        raise _WrongError(RefusalCode.BACKUP_FIELD_MISSING, field=f"{where}{name}")
-    return entries[name]
-
-
-def _object(value: object, where: str) -> Mapping[str, Any]:
-    if isinstance(value, dict):
-        return value
-    raise _WrongError(RefusalCode.BACKUP_FOREIGN) if not where else _bad(where, value)
-
-
-def _text(value: object, where: str) -> str:
-    if isinstance(value, str):
-        return value
-    raise _bad(where, value)
-
-
-def _bad(where: str, value: object) -> _WrongError:
-    return _WrongError(RefusalCode.BACKUP_FIELD_BAD, field=where, value=_shortened(str(value)))
-
-
-def _shortened(text: str) -> str:
+def _shortened(value: object) -> str:
+    if isinstance(value, int) and abs(value) > _LARGEST:
+        return "10^308…"
+    text = str(value)
     return text if len(text) <= _LONGEST_QUOTE else f"{text[:_LONGEST_QUOTE]}…"
 
 
 _LONGEST_QUOTE: Final = 40
+_LARGEST: Final = sys.float_info.max

@@ -80,10 +80,6 @@ class OtherTraffic:
         mine.update(_SPEEDS_AND_POSITIONS, _CHANGES)
         return tuple(self.series[each] for each in sorted(self.series) if each in mine)
 
-    def last_motion_s(self, offsets: tuple[int, ...]) -> float | None:
-        """When the last frame of :meth:`motion` was heard."""
-        return max((each.last_s for each in self.motion(offsets)), default=None)
-
     def mode_word(self, offsets: tuple[int, ...]) -> FrameSeries | None:
         """The newest 0x151 of another host."""
         return self._newest(_MODE + offset for offset in offsets)
@@ -96,10 +92,6 @@ class OtherTraffic:
         """The newest setpoint in CPV mode (0x181–0x187) of another host."""
         return self._newest(_SPEEDS_AND_POSITIONS)
 
-    def motion_command(self, offsets: tuple[int, ...]) -> FrameSeries | None:
-        """The newest 0x150 of another host: stop, resume, pause, drag teaching."""
-        return self._newest(_MOTION_BASE[0] + offset for offset in offsets)
-
     def leads(self, offsets: tuple[int, ...]) -> bool:
         """Whether these are the frames of a leader arm (0x470), or of a program that acts as one.
 
@@ -107,7 +99,7 @@ class OtherTraffic:
         """
         for offset in offsets:
             wanted = {each + offset for each in _LEADER}
-            series = [each for each in self.motion((offset,)) if each.count > 0]
+            series = self.motion((offset,))
             counts = [each.count for each in series]
             if {each.arbitration_id for each in series} != wanted:
                 continue

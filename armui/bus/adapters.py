@@ -14,6 +14,7 @@ import can
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.system.error_text import error_text
 
 _SEARCH_S: Final = 5.0
 
@@ -91,7 +92,7 @@ def explain(device: Device, error: BaseException) -> Refusal:
         if isinstance(cause, can.CanInterfaceNotImplementedError | ImportError):
             package = _PACKAGES.get(device.interface, device.interface)
             return Refusal(RefusalCode.BUS_BACKEND_MISSING, {**params, "package": package})
-    text = str(error) or type(error).__name__
+    text = error_text(error)
     lowered = text.lower()
     for words, code in _CODE_OF_WORDS:
         if any(word in lowered for word in words):

@@ -24,7 +24,7 @@ from armui.control.motion.motion_command import (
 from armui.control.safety.hearing import limp, taught, why_silent
 from armui.control.safety.other_command import OtherCommand
 from armui.control.safety.overspeed import OverspeedWatch
-from armui.control.safety.rest import RestWatch
+from armui.control.safety.standstill import RestWatch
 from armui.protocol.codes import ArmStatusCode, ControlMode, MoveMode
 
 if TYPE_CHECKING:
@@ -72,10 +72,11 @@ class Authority:
         self._rest = RestWatch()
         self._overspeed = OverspeedWatch()
         self._seen: Observation | None = None
+        self._silent: Refusal | None = Refusal(RefusalCode.NOT_CONNECTED)
         self._cancelled_s: float | None = None
         self._zero_since_s = 0.0
         self._mode_sent: tuple[MoveMode, float] | None = None
-        self._limits: tuple[JointLimits | None, ...] = (None,) * 6
+        self._limits: tuple[JointLimits | None, ...] = ()
         self.other = OtherCommand()
         self.command: MotionCommand | None = None
         self.ended: End | None = None
@@ -88,7 +89,7 @@ class Authority:
 
     def observe(self, seen: Observation) -> None:
         """Take in what is known now; ends our command where something has ended it."""
-        self._seen = seen
+        self._seen, self._silent = seen, why_silent(seen.state, seen.now_s)
         state, now_s = seen.state, seen.now_s
         self._rest.observe(state, now_s)
         if self.other.observe(seen.traffic, seen.offsets, state, now_s, at_rest=self.at_rest):
@@ -114,16 +115,13 @@ class Authority:
         seen, command = self._seen, self.command
         if seen is None or command is None:
             return False
-        if seen.now_s - command.sent_s < _TAKEN_IN_S:
-            return True
-        status = seen.state.status
-        return status is not None and not status.value.reached and not self.at_rest
+        return seen.now_s - command.sent_s < _TAKEN_IN_S or self._moves
 
     @property
     def mover(self) -> Mover:
         """Who moves the arm now."""
         seen = self._seen
-        if seen is None or not seen.online or why_silent(seen.state, seen.now_s) is not None:
+        if seen is None or not seen.online or self._silent is not None:
             return Mover.UNKNOWN
         no_power = limp(seen.state, seen.now_s)
         if no_power is not False:
@@ -142,8 +140,7 @@ class Authority:
 
     def why_silent(self) -> Refusal | None:
         """The feedback that a motion counts on and that is not heard, or ``None``."""
-        seen = self._seen
-        return why_silent(seen.state, seen.now_s) if seen else Refusal(RefusalCode.NOT_CONNECTED)
+        return self._silent
 
     def why_held(self) -> Refusal | None:
         """The motion that is held back in the arm, as a reason against another one."""
@@ -258,14 +255,15 @@ class Authority:
 
     def told_percent(self, percent: int) -> None:
         """Note that another speed percentage was sent."""
-        moves = self.under_way or self._moves_unasked
         self.arm_percent = percent
-        if percent == 0 and moves and self._seen is not None:
+        seen = self._seen
+        if percent > 0:
+            if self.command is not None:
+                self.command = replace(self.command, speed_percent=percent)
+                self._overspeed.restart()
+        elif seen is not None and (self.under_way or self._moves):
             self.holds |= {Hold.SPEED_ZERO}
-            self._zero_since_s = self._seen.now_s
-        if self.command is not None and percent > 0:
-            self.command = replace(self.command, speed_percent=percent)
-            self._overspeed.restart()
+            self._zero_since_s = seen.now_s
 
     def paused(self) -> None:
         """Note that a pause was sent (0x150 byte 1 = 1)."""
@@ -310,7 +308,7 @@ class Authority:
         self.other.reconnected()
         self.arm_percent = self._mode_sent = None
         self._rest.forget()
-        self._seen = None
+        self._seen, self._silent = None, Refusal(RefusalCode.NOT_CONNECTED)
 
     @property
     def _percent_shown(self) -> int | None:
@@ -321,7 +319,8 @@ class Authority:
         return command.speed_percent
 
     @property
-    def _moves_unasked(self) -> bool:
+    def _moves(self) -> bool:
+        """Whether the arm says that it has not reached its target, and is measured to move."""
         seen = self._seen
         status = None if seen is None else seen.state.status
         return status is not None and not status.value.reached and not self.at_rest
@@ -332,7 +331,7 @@ class Authority:
             return None
         if self.other.last_s is not None and self.other.last_s >= command.sent_s:
             return End.OTHER_HOST
-        if why_silent(seen.state, seen.now_s) is not None:
+        if self._silent is not None:
             return End.SILENT
         return (
             self._what_arm_says(seen.state, command, seen.now_s)
@@ -395,5 +394,5 @@ class Authority:
         since_s = now_s - self._cancelled_s
         if self.other.commands or (self.at_rest and since_s >= _REST_SHOWS_S):
             self._cancelled_s, self.cancel_unheeded = None, False
-        elif now_s - self._cancelled_s > _CANCEL_WITHIN_S:
+        elif since_s > _CANCEL_WITHIN_S:
             self.cancel_unheeded = True

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Final, NamedTuple, TypeVar
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -29,10 +29,6 @@ class Pose(NamedTuple):
     rx_deg: float
     ry_deg: float
     rz_deg: float
-
-
-NO_TOOL: Final = Pose(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-"""The tool centre point is the flange's."""
 
 
 def pose_to_matrix(pose: Sequence[float] | Matrix) -> Matrix:

@@ -11,7 +11,15 @@ from collections.abc import Iterator
 from typing import Any, Final
 
 _PACKAGES: Final = (
-    *("armui.arm", "armui.protocol", "armui.trajectory", "armui.bus", "armui.control", "armui.ui"),
+    *(
+        "armui.arm",
+        "armui.kinematics",
+        "armui.protocol",
+        "armui.trajectory",
+        "armui.bus",
+        "armui.control",
+        "armui.ui",
+    ),
 )
 _OTHERS: Final = (
     "filelock",

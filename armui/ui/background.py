@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.system.error_text import error_text
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor, Future
@@ -73,4 +74,4 @@ class Background(QObject):
         if error is None:
             job.then(done.result())
         else:
-            job.then(Refusal(RefusalCode.WORK_FAILED, {"text": str(error) or type(error).__name__}))
+            job.then(Refusal(RefusalCode.WORK_FAILED, {"text": error_text(error)}))

@@ -249,6 +249,7 @@ class ArmView(QWidget):
         self._picture = picture
         self._is_frame_new = True
         self._lost = None
+        self._figures_wait.stop()
         self.update()
         if is_first:
             self.first_frame_shown.emit()
@@ -311,7 +312,6 @@ class ArmView(QWidget):
             painter.setOpacity(FADED_OPACITY if notice else 1.0)
             self._paint_picture(painter, image)
             painter.setOpacity(1.0)
-        self._figures_wait.stop()
         self._hud_painter.paint(painter, self._hud, palette, self.font())
         if notice:
             paint_plate(painter, self.rect(), notice, palette)

@@ -1,4 +1,6 @@
-"""The ten longest calls of the GUI thread: ``python -m tests.benchmarks.gui_calls SECONDS``.
+"""The ten longest calls of the GUI thread, and what it works in all.
+
+    python -m tests.benchmarks.gui_calls SECONDS [FRAMES_PER_S]
 
 The whole program with the simulated arm in a process of its own, moving and drawn. Each event that
 Qt delivers is timed, with the processor time of the GUI thread beside it: on a busy computer a call
@@ -25,7 +27,7 @@ from PySide6.QtWidgets import QApplication
 from tests.benchmarks import rig
 
 SHOWN = 10
-FRAMES_PER_S = 3000
+FRAMES_PER_S = "3000"
 
 
 class TimedApplication(QApplication):
@@ -59,15 +61,18 @@ def _name(receiver: QObject) -> str:
 
 def main() -> None:
     """Run, then print the table."""
+    frames_per_s = sys.argv[2] if len(sys.argv) > 2 else FRAMES_PER_S
     app = TimedApplication()
     with (
         tempfile.TemporaryDirectory() as folder,
-        rig.helper("-m", "tests.benchmarks.other_arm", str(FRAMES_PER_S)),
+        rig.helper("-m", "tests.benchmarks.other_arm", frames_per_s),
         rig.window(app, Path(folder), lambda _device: can.Bus(**BUS), rig.UDP),
     ):
         rig.run_for(1.0)
         app.is_noting = True
+        worked_s = time.thread_time()
         rig.run_for(float(sys.argv[1]))
+        worked_s = time.thread_time() - worked_s
         app.is_noting = False
     slowest = sorted(app.calls.items(), key=lambda item: max(c for _, c in item[1]), reverse=True)
     print(f"{'worst ms':>9} {'cpu ms':>7} {'median':>7} {'times':>6}  call")
@@ -77,6 +82,8 @@ def main() -> None:
         print(
             f"{1e3 * wall_s:9.2f} {1e3 * cpu_s:7.2f} {1e3 * median_s:7.2f} {len(spent):6}  {name}"
         )
+    share = 100.0 * worked_s / float(sys.argv[1])
+    print(f"{frames_per_s} frames/s: the GUI thread works {share:.1f} % of the time")
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
 
 

@@ -13,7 +13,7 @@ import time
 import numpy as np
 import pytest
 
-from armui.control import assessment, assessment_inputs
+from armui.control.assessment_inputs import Assessor
 from armui.control.authority import Authority
 from armui.control.motion.jog_path import JointJog
 from armui.protocol.codec import Codec
@@ -89,13 +89,17 @@ def held_jog(controller):
 @pytest.mark.timeout(300)
 def test_tick(qapp, monkeypatch, capsys, benchmark):
     observed = Counted(Authority.observe)
-    assessed = Counted(assessment.assess)
+    assessed = Counted(Assessor.assess)
 
     def observe(authority, seen):
         observed(authority, seen)
 
     monkeypatch.setattr(Authority, "observe", observe)
-    monkeypatch.setattr(assessment_inputs, "assess", assessed)
+
+    def assess(assessor):
+        return assessed(assessor)
+
+    monkeypatch.setattr(Assessor, "assess", assess)
     rig = ArmRig("benchmark-tick")
     lines = []
     try:

@@ -106,7 +106,7 @@ def test_a_host_that_repeats_itself_wears_no_flash() -> None:
         (b"\xff" * 64, "can't decode byte"),
         (b"[" * 100_000, "not JSON"),
         (b"{}", "not a settings file of format 1"),
-        (b'{"format": 1}', "limits is not a list of 6"),
+        (b'{"format": 1}', "teaching is missing"),
     ],
 )
 def test_a_broken_file_is_kept_aside(tmp_path: Path, content: bytes, reason: str) -> None:
@@ -191,18 +191,18 @@ def test_text_and_back() -> None:
 @pytest.mark.parametrize(
     ("part", "value", "reason"),
     [
-        ("collision_levels", [1, 1, 1, 1, 1, 9], "collision_levels holds 9"),
-        ("collision_levels", [1, 1, 1, 1, 1, True], "collision_levels holds True"),
+        ("collision_levels", [1, 1, 1, 1, 1, 9], "collision_levels.6. holds 9"),
+        ("collision_levels", [1, 1, 1, 1, 1, True], "collision_levels.6. holds True"),
         ("load", 3, "load holds 3"),
         ("load", None, "load holds None"),
-        ("zeros_deg", [0, 0, 0, 0, 0, "1"], "zeros_deg holds '1'"),
-        ("zeros_deg", [0, 0, 0, 0, 0, float("nan")], "zeros_deg holds nan"),
-        ("end_limits", [1, 1, 1], "end_limits is not a list of 4"),
-        ("limits", [1] * 6, "limits is missing or no object"),
-        ("limits", [{"min_deg": 1, "max_deg": 2}] * 6, "max_speed_deg_s holds None"),
+        ("zeros_deg", [0, 0, 0, 0, 0, "1"], "zeros_deg holds .*'1'"),
+        ("zeros_deg", [0, 0, 0, 0, 0, float("nan")], "zeros_deg holds .*nan"),
+        ("end_limits", [1, 1, 1], "end_limits holds .* where .4 "),
+        ("limits", [1] * 6, "limits.1. holds 1 where"),
+        ("limits", [{"min_deg": 1, "max_deg": 2}] * 6, "limits.1..max_speed_deg_s is missing"),
         ("teaching", {"range_percent": 99}, "range_percent holds 99"),
         ("linkage", {"role": 0xFC, "feedback_offset": 5}, "feedback_offset holds 5"),
-        ("linkage", None, "linkage is missing"),
+        ("linkage", None, "linkage holds None"),
         ("format", 2, "not a settings file"),
     ],
 )

@@ -18,7 +18,7 @@ from armui.control.devices import teaching_phase
 from armui.control.events import EventCode
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.control.safety.interlocks import joint_list, why_no_command
-from armui.control.safety.joint_speeds import why_not_still
+from armui.control.safety.standstill import why_not_still
 from armui.protocol import commands
 from armui.protocol.codes import ALL_JOINTS, SettingIndex
 

@@ -23,7 +23,7 @@ from armui.control.motion.jog_pace import accelerations, pace
 from armui.control.motion.jog_path import JogPath, JointJog, JointJogPath, ToolJog, ToolJogPath
 from armui.control.motion.jog_stream import JogStream
 from armui.control.motion.motion_command import CommandKind, MotionCommand
-from armui.control.safety.rest import QUIET_DEG, QUIET_S, RestWatch
+from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
 from armui.kinematics.axes import AXES
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode

@@ -26,7 +26,7 @@ from armui.control.parameters.setting_checks import (
 )
 from armui.control.parameters.setting_frames import INDEX, query_frames, setting_frames
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
-from armui.control.safety.joint_speeds import why_moving
+from armui.control.safety.standstill import why_moving
 from armui.protocol import commands
 from armui.protocol.codes import SettingIndex
 from armui.protocol.generation import Generation

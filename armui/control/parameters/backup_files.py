@@ -15,6 +15,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.protocol.generation import Generation
 from armui.system.atomic import write_whole
+from armui.system.error_text import error_text
 
 _LARGEST_BYTES: Final = 1_000_000
 """A backup has a few thousand; anything like this is another file."""
@@ -29,17 +30,17 @@ def read_backup(path: Path) -> Backup | Refusal:
     except UnicodeDecodeError:
         return Refusal(RefusalCode.BACKUP_FOREIGN)
     except OSError as error:
-        text = error.strerror or str(error)
-        return Refusal(RefusalCode.BACKUP_UNREADABLE, {"path": str(path), "text": text})
+        figures = {"path": str(path), "text": error_text(error)}
+        return Refusal(RefusalCode.BACKUP_UNREADABLE, figures)
 
 
 def write_backup(path: Path, backup: Backup) -> Refusal | None:
     """Keep a backup in a file; ``None``, or why it could not be written."""
     try:
-        write_whole(path, to_text(backup))
+        write_whole(path, to_text(backup).encode())
     except OSError as error:
-        text = error.strerror or str(error)
-        return Refusal(RefusalCode.BACKUP_NOT_WRITTEN, {"path": str(path), "text": text})
+        figures = {"path": str(path), "text": error_text(error)}
+        return Refusal(RefusalCode.BACKUP_NOT_WRITTEN, figures)
     return None
 
 

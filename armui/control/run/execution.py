@@ -12,7 +12,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
 from armui.control.run.progress import OVER, Progress, RunPhase
 from armui.control.run.run_end import cut_short, cut_short_for
-from armui.control.safety.rest import RestWatch
+from armui.control.safety.standstill import RestWatch
 
 if TYPE_CHECKING:
     from armui.protocol.codec import Codec

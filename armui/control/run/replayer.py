@@ -135,13 +135,7 @@ class Replayer(Execution):
         """Set out for the first sample, slowly: the arm may stand anywhere."""
         self._since_s = self._context.clock()
         self._watch = ArrivalWatch(Waypoint(MoveMode.MOVE_J, replay.first_deg), self._since_s)
-        sent = self._context.send_motion(
-            CommandKind.RUN,
-            commands.move_joints(self._codec, replay.first_deg, speed_percent=_APPROACH_PERCENT),
-            move_mode=MoveMode.MOVE_J,
-            speed_percent=_APPROACH_PERCENT,
-            joints_deg=replay.first_deg,
-        )
+        sent = self._send_first(replay, CommandKind.RUN, _APPROACH_PERCENT)
         if isinstance(sent, Refusal):
             self._fail(sent)
             return
@@ -163,18 +157,24 @@ class Replayer(Execution):
         replay = self._replay
         if replay is None:
             return
-        sent = self._context.send_motion(
-            CommandKind.REPLAY,
-            commands.move_joints(self._codec, replay.first_deg, speed_percent=_FULL_PERCENT),
-            move_mode=MoveMode.MOVE_J,
-            speed_percent=_FULL_PERCENT,
-            joints_deg=replay.first_deg,
-        )
+        sent = self._send_first(replay, CommandKind.REPLAY, _FULL_PERCENT)
         if isinstance(sent, Refusal):
             self._fail(sent)
             return
         self._command, self._watch = sent, None
         self._since_s, self._at_s = now_s, 0.0
+
+    def _send_first(
+        self, replay: Replay, kind: CommandKind, speed_percent: int
+    ) -> MotionCommand | Refusal:
+        """The first sample as a target of all joints."""
+        return self._context.send_motion(
+            kind,
+            commands.move_joints(self._codec, replay.first_deg, speed_percent=speed_percent),
+            move_mode=MoveMode.MOVE_J,
+            speed_percent=speed_percent,
+            joints_deg=replay.first_deg,
+        )
 
     def _why_late(self) -> Refusal | None:
         """Why a stream of targets does not go on after a long pause of the program."""

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable
 from functools import partial
-from typing import Protocol
+from typing import Final, Protocol
 
 from armui.arm.limits import JOINTS
+from armui.arm.units import DEGREES_PER
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.poses import Pose
 from armui.protocol.codec import Codec
@@ -17,11 +18,13 @@ from armui.sim.condition import Condition
 from armui.sim.faults.alarms import Alarm
 from armui.sim.feedback.end_motion import end_motion
 from armui.sim.feedback.frame_cache import FrameCache
-from armui.sim.feedback.units import from_degrees
 from armui.sim.mechanics.drivers import Drivers
 from armui.sim.mechanics.gripper import GripperError, SimulatedGripper
 from armui.sim.mechanics.mechanics import Mechanics
 from armui.sim.mechanics.powered_joints import SixValues
+
+_DEGREES_PER: Final = {**DEGREES_PER, "pulse": 360.0 / 65536.0}
+"""With the encoder's pulses; the protocol text gives no number of them a turn, this is assumed."""
 
 
 class _Parts(Protocol):
@@ -43,8 +46,8 @@ class Feedback:
         self._kinematics = arm.kinematics
         self._posed_at: SixValues = ()
         self._pose = Pose(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-        self._speed_unit = codec.unit("DriverFast1", "Speed")
-        self._position_unit = codec.unit("DriverFast1", "Position")
+        self._speed_unit_deg = _DEGREES_PER[codec.unit("DriverFast1", "Speed")]
+        self._position_unit_deg = _DEGREES_PER[codec.unit("DriverFast1", "Position")]
         self._first_generation = codec.generation is Generation.ONE
         self._makers: dict[str, Callable[[], Frame]] = {
             "ArmStatus": self._arm_status,
@@ -121,9 +124,9 @@ class Feedback:
         current_a = self._arm.drivers.currents_a[index]
         return self._cache.frame(
             f"DriverFast{joint}",
-            Speed=from_degrees(mechanics.speeds_deg_s[index], self._speed_unit),
+            Speed=mechanics.speeds_deg_s[index] / self._speed_unit_deg,
             Current=abs(current_a) if self._first_generation else current_a,
-            Position=from_degrees(mechanics.positions_deg[index], self._position_unit),
+            Position=mechanics.positions_deg[index] / self._position_unit_deg,
         )
 
     def _driver_slow(self, joint: int) -> Frame:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
 from pathlib import Path
 from typing import Protocol
 
 from armui.sim.parameters.settings import ArmSettingsRecord
 from armui.sim.parameters.settings_text import SettingsTextError, from_text, to_text
+from armui.system.atomic import write_whole
+from armui.system.error_text import error_text
 
 
 class Flash(Protocol):
@@ -80,7 +80,7 @@ class FileFlash:
         except FileNotFoundError:
             return ArmSettingsRecord()
         except OSError as error:
-            self.trouble = f"cannot read {self.path}, factory values in use: {error.strerror}"
+            self.trouble = f"cannot read {self.path}, factory values in use: {error_text(error)}"
             return ArmSettingsRecord()
         except (UnicodeDecodeError, SettingsTextError) as error:
             self._put_aside(str(error))
@@ -94,9 +94,9 @@ class FileFlash:
         if text == self._kept:
             return
         try:
-            _replace(self.path, text)
+            write_whole(self.path, text.encode())
         except OSError as error:
-            self.trouble = f"cannot write {self.path}: {error.strerror}"
+            self.trouble = f"cannot write {self.path}: {error_text(error)}"
             return
         self._kept = text
         self.trouble = ""
@@ -106,25 +106,7 @@ class FileFlash:
         try:
             self.path.replace(aside)
         except OSError as error:
-            reason = f"{reason}; it could not be kept as {aside.name}: {error.strerror}"
+            reason = f"{reason}; it could not be kept as {aside.name}: {error_text(error)}"
         else:
             reason = f"{reason}; kept as {aside.name}"
         self.trouble = f"{self.path} is broken, factory values in use: {reason}"
-
-
-def _replace(path: Path, text: str) -> None:
-    """Writes a new file beside the old one and renames it over it.
-
-    Raises:
-        OSError: The folder or the disk does not allow it; the old file is untouched.
-    """
-    handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        Path(name).replace(path)
-    except OSError:
-        Path(name).unlink(missing_ok=True)
-        raise

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Final, Protocol
 
 from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS, JOINTS, JointLimits
+from armui.arm.units import DEGREES_PER
 from armui.protocol.codec import Codec, InvalidFrame
 from armui.protocol.codes import (
     ALL_JOINTS,
@@ -19,7 +20,6 @@ from armui.protocol.codes import (
 )
 from armui.protocol.frame import Frame
 from armui.protocol.message_fields import record_reader, signal_names
-from armui.sim.feedback.units import from_degrees, to_degrees
 from armui.sim.parameters.settings import (
     ArmSettingsRecord,
     HandleSettings,
@@ -110,12 +110,10 @@ class ParameterServer:
         self.settings.limits[index] = JointLimits(
             limits["MinAngle"],
             limits["MaxAngle"],
-            to_degrees(limits["MaxSpeed"], self._codec.unit("LimitFeedback", "MaxSpeed")),
+            limits["MaxSpeed"] * self._degrees_per("LimitFeedback", "MaxSpeed"),
         )
-        self.settings.accelerations_deg_s2[index] = to_degrees(
-            acceleration["MaxAcceleration"],
-            self._codec.unit("AccelerationFeedback", "MaxAcceleration"),
-        )
+        unit_deg = self._degrees_per("AccelerationFeedback", "MaxAcceleration")
+        self.settings.accelerations_deg_s2[index] = acceleration["MaxAcceleration"] * unit_deg
         self._arm.settings_changed()
 
     def _read(self, arbitration_id: int, data: bytes) -> Signals:
@@ -241,9 +239,12 @@ class ParameterServer:
         return self._codec.word(message, signal, signals[signal]) is not None
 
     def _outward(self, message: str, signal: str, value_deg: float) -> float:
-        return from_degrees(value_deg, self._codec.unit(message, signal))
+        return value_deg / self._degrees_per(message, signal)
+
+    def _degrees_per(self, message: str, signal: str) -> float:
+        return DEGREES_PER[self._codec.unit(message, signal)]
 
     def _inward(self, message: str, signal: str, signals: Signals, *, most: float) -> float:
         """A speed or acceleration in degrees; 0 when it is more than the motors can do."""
-        value_deg = to_degrees(signals[signal], self._codec.unit(message, signal))
+        value_deg = signals[signal] * self._degrees_per(message, signal)
         return min(value_deg, most) if value_deg <= most * _ROUNDING_GRACE else 0.0

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Sequence
 from dataclasses import asdict
-from typing import Any, Final
+from typing import Final
 
+from armui.arm.json_fields import FieldError, Fields
 from armui.arm.limits import JOINTS, JointLimits
 from armui.arm.parameters import KINDS, Group, ParameterKind
 from armui.protocol.addressing import OFFSETS
@@ -55,65 +55,44 @@ def from_text(text: str) -> ArmSettingsRecord:
         raise SettingsTextError(f"not JSON: {error}") from error
     if not isinstance(record, dict) or record.get("format") != _FORMAT:
         raise SettingsTextError(f"not a settings file of format {_FORMAT}")
+    try:
+        return _settings(Fields(record))
+    except FieldError as error:
+        raise SettingsTextError(str(error)) from error
+
+
+def _settings(record: Fields) -> ArmSettingsRecord:
+    joints = (len(JOINTS),)
+    teaching = _teaching(record.object("teaching"))
+    linkage = record.object("linkage")
     return ArmSettingsRecord(
-        limits=[_limits(each) for each in _items(record, "limits", len(JOINTS))],
-        accelerations_deg_s2=_numbers(record, "accelerations_deg_s2", len(JOINTS)),
-        end_limits=tuple(_numbers(record, "end_limits", _END_LIMITS)),
-        collision_levels=tuple(
-            _whole("collision_levels", level, range(_HIGHEST_LEVEL + 1))
-            for level in _items(record, "collision_levels", len(JOINTS))
+        limits=[
+            JointLimits(*(each.number(name) for name in ("min_deg", "max_deg", "max_speed_deg_s")))
+            for each in record.objects("limits", len(JOINTS))
+        ],
+        accelerations_deg_s2=list(record.numbers("accelerations_deg_s2", joints)),
+        end_limits=record.numbers("end_limits", (_END_LIMITS,)),
+        collision_levels=record.wholes("collision_levels", len(JOINTS), range(_HIGHEST_LEVEL + 1)),
+        load=EndLoad(record.whole("load", allowed=_LOADS)),
+        teaching=teaching,
+        linkage=LinkageSettings(
+            LinkageRole(linkage.whole("role", allowed=list(LinkageRole))),
+            *(
+                linkage.whole(name, allowed=OFFSETS)
+                for name in ("feedback_offset", "control_offset", "target_offset")
+            ),
         ),
-        load=EndLoad(_whole("load", record.get("load"), _LOADS)),
-        teaching=_teaching(record.get("teaching")),
-        linkage=_linkage(record.get("linkage")),
-        zeros_deg=_numbers(record, "zeros_deg", len(JOINTS)),
+        zeros_deg=list(record.numbers("zeros_deg", joints)),
     )
 
 
-def _items(record: dict[str, Any], name: str, count: int) -> list[Any]:
-    items = record.get(name)
-    if not isinstance(items, list) or len(items) != count:
-        raise SettingsTextError(f"{name} is not a list of {count}")
-    return items
-
-
-def _numbers(record: dict[str, Any], name: str, count: int) -> list[float]:
-    return [_number(name, item) for item in _items(record, name, count)]
-
-
-def _number(name: str, item: object) -> float:
-    if isinstance(item, bool) or not isinstance(item, int | float) or not math.isfinite(item):
-        raise SettingsTextError(f"{name} holds {item!r}, which is no number")
-    return float(item)
-
-
-def _whole(name: str, item: object, allowed: Sequence[int]) -> int:
-    if isinstance(item, bool) or not isinstance(item, int) or item not in allowed:
-        raise SettingsTextError(f"{name} holds {item!r}, which is none of its values")
-    return item
-
-
-def _fields(name: str, item: object) -> dict[str, object]:
-    if not isinstance(item, dict):
-        raise SettingsTextError(f"{name} is missing or no object")
-    return item
-
-
-def _limits(item: object) -> JointLimits:
-    fields = _fields("limits", item)
-    return JointLimits(
-        *(_number(name, fields.get(name)) for name in ("min_deg", "max_deg", "max_speed_deg_s"))
-    )
-
-
-def _teaching(item: object) -> HandleSettings:
+def _teaching(fields: Fields) -> HandleSettings:
     """A field that is not there is newer than the text: it has the factory's value."""
-    fields = _fields("teaching", item)
     signals, factory = signal_names(HandleSettings), HandleSettings()._asdict()
     kinds = {kind.signal: kind for kind in KINDS.values() if kind.group is Group.TEACHING}
     return HandleSettings(
         **{
-            name: _whole(name, fields.get(name, first), _allowed(kinds[signals[name]]))
+            name: fields.whole(name, first, _allowed(kinds[signals[name]]))
             for name, first in factory.items()
         }
     )
@@ -122,15 +101,3 @@ def _teaching(item: object) -> HandleSettings:
 def _allowed(kind: ParameterKind) -> Sequence[int]:
     choices = [int(choice) for choice in kind.choices]
     return choices or range(int(kind.minimum), int(kind.maximum) + 1)
-
-
-def _linkage(item: object) -> LinkageSettings:
-    fields = _fields("linkage", item)
-    role = LinkageRole(_whole("role", fields.get("role"), list(LinkageRole)))
-    return LinkageSettings(
-        role,
-        *(
-            _whole(name, fields.get(name), OFFSETS)
-            for name in ("feedback_offset", "control_offset", "target_offset")
-        ),
-    )

@@ -6,11 +6,12 @@ import contextlib
 import errno
 import os
 import stat
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Final
 
 from armui.arm.refusal_codes import RefusalCode
+from armui.system.error_text import error_text
 from armui.trajectory.files import csv_file, json_file, log_file, maker_csv, npz_file
 from armui.trajectory.files.errors import TrajectoryFileError, broken
 from armui.trajectory.files.model import LARGEST_BYTES, Content, UnwritableError
@@ -22,7 +23,6 @@ __all__ = [
     "Content",
     "TrajectoryFileError",
     "UnwritableError",
-    "import_files",
     "is_ours",
     "load",
     "load_bytes",
@@ -120,26 +120,8 @@ def _named(path: Path) -> Iterator[None]:
     except TrajectoryFileError as error:
         raise TrajectoryFileError(error.reason, error.line, error.column, path.name) from error
     except OSError as error:
-        text = error.strerror or str(error)
-        reason = broken(RefusalCode.FILE_UNREADABLE, text=text).reason
+        reason = broken(RefusalCode.FILE_UNREADABLE, text=error_text(error)).reason
         raise TrajectoryFileError(reason, file=path.name) from error
-
-
-def import_files(paths: Iterable[Path]) -> tuple[list[Content], list[TrajectoryFileError]]:
-    """What several files hold; a broken one keeps none of the others back.
-
-    Returns:
-        What was read, and what is wrong with the files that could not be: each error names its
-        file, and line, column and reason.
-    """
-    contents: list[Content] = []
-    errors: list[TrajectoryFileError] = []
-    for path in paths:
-        try:
-            contents.append(load(path))
-        except TrajectoryFileError as error:
-            errors.append(error)
-    return contents, errors
 
 
 def read_bytes(data: bytes, name: str) -> Content:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Final
 
+from armui.arm.json_fields import FieldError, FieldProblem
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 
@@ -51,6 +52,16 @@ _WORDS: Final[Mapping[RefusalCode, str]] = {
     RefusalCode.NAME_TOO_LONG: "the name has {value} characters; up to {maximum} are kept",
 }
 """Every reason in English; the user interface has its own sentences for the same codes."""
+
+
+def field_refusal(error: FieldError) -> Refusal:
+    """What is wrong with a field, as a `TrajectoryFileError` says it."""
+    if error.problem is FieldProblem.MISSING:
+        return Refusal(RefusalCode.JSON_FIELD_MISSING, {"field": error.name})
+    if error.problem is FieldProblem.UNKNOWN:
+        return Refusal(RefusalCode.JSON_FIELD_UNKNOWN, {"value": error.name[:60]})
+    bad = {"field": error.name, "expected": error.expected}
+    return error.reason or Refusal(RefusalCode.JSON_FIELD_BAD, bad)
 
 
 class TrajectoryFileError(Exception):

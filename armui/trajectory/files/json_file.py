@@ -9,9 +9,9 @@ from typing import Any, Final
 
 import numpy as np
 
+from armui.arm.json_fields import FieldError, FieldProblem, Fields
 from armui.arm.refusal_codes import RefusalCode
-from armui.trajectory.files.errors import TrajectoryFileError, broken
-from armui.trajectory.files.json_fields import FieldError, Fields
+from armui.trajectory.files.errors import TrajectoryFileError, broken, field_refusal
 from armui.trajectory.files.json_places import place_of
 from armui.trajectory.files.log_points import LETTER_OF, LETTERS
 from armui.trajectory.files.model import VERSION, Content, parse_time, verified, verify
@@ -78,10 +78,10 @@ def read(text: str, name: str) -> Content:
     except (RecursionError, ValueError) as error:  # nested too deep; a number of 5000 digits
         raise broken(RefusalCode.JSON_BAD, text=str(error)) from error
     try:
-        return _content(Fields(whole, ()), name)
+        return _content(Fields(whole), name)
     except FieldError as error:
         line, column = place_of(text, error.path)
-        raise TrajectoryFileError(error.reason, line, column) from error
+        raise TrajectoryFileError(field_refusal(error), line, column) from error
 
 
 def _dump(value: object) -> str:
@@ -145,15 +145,15 @@ def _point(item: Fields) -> Waypoint:
         item.numbers("middle", (6,)) if move.name == "MOVE_C" else None,
         item.whole("speed_percent", 30),
         item.number("dwell_s", 0.0),
-        _gripper(item.object("gripper")),
-        _light(item.object("light")),
+        _gripper(item.maybe_object("gripper")),
+        _light(item.maybe_object("light")),
         item.text("note", ""),
         item.texts("comments"),
     )
     item.nothing_else()
     reason = check_point(point)
     if reason is not None:
-        raise FieldError(reason, item.path)
+        raise FieldError(FieldProblem.BAD, item.path, reason=reason)
     return point
 
 

@@ -6,7 +6,7 @@ import json
 from collections.abc import Callable
 from typing import Any
 
-from armui.trajectory.files.json_fields import Path
+from armui.arm.json_fields import Path
 
 _Scan = Callable[[str, int], tuple[Any, int]]
 

@@ -12,9 +12,9 @@ from typing import BinaryIO, Final
 
 import numpy as np
 
+from armui.arm.json_fields import FieldError, Fields
 from armui.arm.refusal_codes import RefusalCode
-from armui.trajectory.files.errors import TrajectoryFileError, broken
-from armui.trajectory.files.json_fields import FieldError, Fields
+from armui.trajectory.files.errors import TrajectoryFileError, broken, field_refusal
 from armui.trajectory.files.model import LARGEST_BYTES, Content, parse_time, verified, verify
 from armui.trajectory.samples.recording import COLUMN_COUNT, Recording
 
@@ -52,13 +52,13 @@ def read(data: bytes) -> Content:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             header = _array(_member(archive, _HEADER))
             samples = _array(_member(archive, _SAMPLES))
-        fields = Fields(json.loads(str(header)), ())
+        fields = Fields(json.loads(str(header)))
         name, note = fields.text("name"), fields.text("note")
         modified = parse_time(fields.text("modified"), 0, 0)
     except TrajectoryFileError:
         raise
     except FieldError as error:
-        raise TrajectoryFileError(error.reason) from error
+        raise TrajectoryFileError(field_refusal(error)) from error
     except Exception as error:  # zipfile and numpy raise a dozen kinds on damaged archives
         raise broken(RefusalCode.FILE_DAMAGED, text=str(error)) from error
     if samples.ndim != 2 or samples.shape[1] != COLUMN_COUNT or samples.dtype.kind != "f":
@@ -71,7 +71,7 @@ def name_in(file: BinaryIO) -> str | None:
     try:
         with zipfile.ZipFile(file) as archive:
             header = json.loads(str(_array(_member(archive, _HEADER))))
-        return Fields(header, ()).text("name") or None
+        return Fields(header).text("name") or None
     except Exception:  # noqa: BLE001 - as above: a dozen kinds
         return None
 

@@ -12,7 +12,7 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Final
 
-from armui.trajectory.atomic import sync_folder
+from armui.system.atomic import sync_folder
 from armui.trajectory.library.drafts import is_draft
 from armui.trajectory.library.file_names import folded, free_stem
 from armui.trajectory.library.index import IndexEntry

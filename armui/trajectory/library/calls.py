@@ -6,8 +6,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Final
 
+from armui.system.atomic import write_whole
 from armui.trajectory import files
-from armui.trajectory.atomic import write_whole
 from armui.trajectory.files import Content
 from armui.trajectory.library.index import IndexEntry, entry_of
 from armui.trajectory.samples.recording import Recording

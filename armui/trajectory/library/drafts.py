@@ -12,7 +12,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
 
-from armui.trajectory.atomic import sync_folder, write_whole
+from armui.system.atomic import sync_folder, write_whole
 from armui.trajectory.files import log_file
 from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.library.calls import Call, call_directly, entry_by, load_by

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.system.error_text import error_text
 
 
 class LibraryError(Exception):
@@ -32,5 +33,5 @@ def on_disk(code: RefusalCode, name: str) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        text = error.strerror or str(error)
-        raise LibraryError(Refusal(code, {"name": name, "text": text})) from error
+        refusal = Refusal(code, {"name": name, "text": error_text(error)})
+        raise LibraryError(refusal) from error

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any, Final, Literal, NamedTuple, get_args
 
 from armui.arm.refusal import Refusal
-from armui.trajectory.atomic import write_whole
+from armui.system.atomic import write_whole
 from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.samples.recording import Recording
 

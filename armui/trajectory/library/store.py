@@ -16,8 +16,8 @@ from typing import Final
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.system.atomic import remove_abandoned
 from armui.trajectory import files
-from armui.trajectory.atomic import remove_abandoned
 from armui.trajectory.files import Content, TrajectoryFileError, UnwritableError
 from armui.trajectory.files.errors import broken
 from armui.trajectory.library.bin import Bin, Deleted

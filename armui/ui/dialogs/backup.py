@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QHBoxLayout,
     QHeaderView,
-    QLabel,
     QProgressBar,
     QPushButton,
     QTableView,
@@ -38,6 +37,7 @@ from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.files import choose_file
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -75,9 +75,7 @@ class BackupDialog(ArmDialog):
     def _build(self) -> None:
         self._message = MessageLine()
         self._message.setObjectName("backup_message")
-        self._origin = QLabel()
-        self._origin.setObjectName("backup_origin")
-        self._origin.setWordWrap(True)
+        self._origin = text_label("backup_origin", wraps=True)
         self.table = QTableView()
         self.table.setModel(self._shown)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)

@@ -5,10 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.stop_button import StopButton
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
@@ -35,10 +36,7 @@ class ArmDialog(Translated, QDialog):
     ) -> None:
         super().__init__(parent)
         self.setModal(False)
-        self._heading = QLabel()
-        self._heading.setProperty("rank", "title")
-        self._heading.setTextFormat(Qt.TextFormat.PlainText)
-        self._heading.setWordWrap(True)
+        self._heading = text_label(rank="title", wraps=True, plain=True)
         self.halt_button = HaltButton(controller, self)
         self.stop_button = StopButton(controller, self)
 

@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
     QHeaderView,
-    QLabel,
     QPushButton,
     QSizePolicy,
     QTableView,
@@ -29,6 +28,7 @@ from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.joint_status_cell import JointCellDelegate, cell_width
 from armui.ui.dialogs.joint_status_model import JointStatusModel
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -97,8 +97,7 @@ class JointStatusDialog(ArmDialog):
         down.setHighlightSections(False)
         down.setSectionsClickable(False)
         down.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self._corner_label = QLabel()
-        self._corner_label.setProperty("rank", "muted")
+        self._corner_label = text_label(rank="muted")
         self._corner_label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._table.setCornerButtonEnabled(False)
         corner = self._table.findChild(QAbstractButton)
@@ -129,11 +128,7 @@ class JointStatusDialog(ArmDialog):
         self.body.addLayout(table_and_buttons)
 
     def _build_footer(self) -> None:
-        self._detail = QLabel()
-        self._detail.setObjectName("joint_status_detail")
-        self._detail.setProperty("rank", "muted")
-        self._detail.setTextFormat(Qt.TextFormat.PlainText)
-        self._detail.setWordWrap(True)
+        self._detail = text_label("joint_status_detail", rank="muted", wraps=True, plain=True)
         self.close_button = QPushButton()
         self.close_button.setDefault(True)
         self.close_button.clicked.connect(self.close)

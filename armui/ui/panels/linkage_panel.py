@@ -26,6 +26,7 @@ from armui.ui.dialogs.confirm import confirm
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -52,21 +53,15 @@ class LinkagePanel(Panel):
         }
         self._labels = {name: QLabel() for name in _BASES}
         self._boxes = {name: QComboBox() for name in _BASES}
-        self._in_use = QLabel()
-        self._in_use.setObjectName("linkage_in_use")
-        self._in_use.setWordWrap(True)
-        self._teaching = QLabel()
-        self._teaching.setObjectName("linkage_teaching_input")
-        self._teaching.setWordWrap(True)
+        self._in_use = text_label("linkage_in_use", wraps=True)
+        self._teaching = text_label("linkage_teaching_input", wraps=True)
         self._back = QPushButton()
         self._back.setObjectName("linkage_back_button")
         self._confirm = QPushButton()
         self._confirm.setObjectName("linkage_confirm_button")
         self._confirm.setProperty("primary", True)
         self._confirm.setMinimumHeight(38)
-        self._note = QLabel()
-        self._note.setProperty("rank", "muted")
-        self._note.setWordWrap(True)
+        self._note = text_label(rank="muted", wraps=True)
         self._lay_out()
         self._confirm.clicked.connect(self._ask)
         self._back.clicked.connect(lambda: self._accepted(controller.linkage.release()))

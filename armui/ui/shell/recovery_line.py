@@ -17,6 +17,7 @@ from armui.ui.dialogs.confirm import confirm
 from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import icons, painting
 from armui.ui.widgets.hold_button import HoldButton
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
@@ -67,10 +68,7 @@ class RecoveryLine(Translated, QWidget):
         self._pressed = self._step
         self._icon = QLabel()
         self._icon.setFixedWidth(_ICON_PX)
-        self._text = QLabel()
-        self._text.setObjectName("recovery_text")
-        self._text.setWordWrap(True)
-        self._text.setTextFormat(Qt.TextFormat.PlainText)
+        self._text = text_label("recovery_text", wraps=True, plain=True)
         self._text.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
         self._button = StepButton()
         self._button.setObjectName("recovery_button")

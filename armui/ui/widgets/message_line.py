@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 from armui.control.events import Level
 from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import icons, painting
+from armui.ui.widgets.text_label import text_label
 
 _ICON_PX: Final = 20
 _SIDE_PX: Final = 12
@@ -29,9 +30,7 @@ class MessageLine(QWidget):
         self._level = Level.INFO
         self._icon = QLabel()
         self._icon.setFixedWidth(_ICON_PX)
-        self._label = QLabel()
-        self._label.setWordWrap(True)
-        self._label.setTextFormat(Qt.TextFormat.PlainText)
+        self._label = text_label(wraps=True, plain=True)
         self._label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(_SIDE_PX, _TOP_PX, _SIDE_PX, _TOP_PX)

@@ -33,7 +33,6 @@ class Scene:
 
     Attributes:
         camera: where the picture is taken from; assign the result of its `orbit`, `pan` or `zoom`.
-        frames_drawn: pictures made so far.
 
     Raises:
         SceneError: this computer can't draw.
@@ -61,7 +60,6 @@ class Scene:
         self._picker = vtkCellPicker()
         self._picker.SetTolerance(0.0)
         self.camera = HOME_CAMERA
-        self.frames_drawn = 0
         self._stage.scale_lines(pixel_ratio)
         self._stage.paint(palette)
 
@@ -169,7 +167,6 @@ class Scene:
         """
         self._aim()
         self._canvas.renderer.SetUseFXAA(smooth)
-        self.frames_drawn += 1
         return self._canvas.draw()
 
     def pick(self, x_px: float, y_px: float) -> int | None:

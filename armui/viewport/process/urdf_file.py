@@ -21,6 +21,7 @@ import trimesh
 import yourdfpy
 
 from armui.arm.refusal_codes import RefusalCode
+from armui.system.error_text import error_text
 from armui.viewport.errors import SceneError
 from armui.viewport.process.robot import (
     ARM_JOINT_COUNT,
@@ -92,7 +93,7 @@ def _content(path: Path) -> bytes:
     except FileNotFoundError as error:
         raise SceneError(RefusalCode.URDF_MISSING, path=str(path)) from error
     except OSError as error:
-        text = error.strerror or str(error)
+        text = error_text(error)
         raise SceneError(RefusalCode.URDF_UNREADABLE, path=str(path), text=text) from error
     except (ET.ParseError, LookupError, ValueError) as error:  # also an encoding nobody knows
         raise SceneError(RefusalCode.URDF_NOT_XML, path=str(path), text=str(error)) from error

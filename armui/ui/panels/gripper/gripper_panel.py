@@ -31,6 +31,7 @@ from armui.ui.panels.panel import Panel
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.state_mark import Mark
+from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -55,16 +56,10 @@ class GripperPanel(Panel):
         self._mark = PowerMark()
         self._power = QLabel()
         self._power.setObjectName("gripper_power")
-        self._faults = QLabel()
-        self._faults.setObjectName("gripper_faults")
-        self._faults.setProperty("rank", "fault")
-        self._faults.setWordWrap(True)
+        self._faults = text_label("gripper_faults", rank="fault", wraps=True)
         self._rows = QVBoxLayout()
         self._rows.setSpacing(10)
-        self._stroke_note = QLabel()
-        self._stroke_note.setObjectName("gripper_stroke_note")
-        self._stroke_note.setProperty("rank", "muted")
-        self._stroke_note.setWordWrap(True)
+        self._stroke_note = text_label("gripper_stroke_note", rank="muted", wraps=True)
         self._send = QPushButton()
         self._send.setObjectName("gripper_send_button")
         self._send.setShortcut(QKeySequence(_SEND_KEY))

@@ -10,6 +10,7 @@ from PySide6.QtGui import QFocusEvent, QHideEvent, QKeyEvent
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QVBoxLayout, QWidget
 
 from armui.ui.widgets.hold_guard import HoldGuard
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 DEAD_MAN_KEY: Final = Qt.Key.Key_Space
@@ -61,9 +62,7 @@ class KeyPad(Translated, QFrame):
         self._guard = HoldGuard(self)
         self._guard.lost.connect(self._forget)
         self._guard.unattended.connect(self.unattended)
-        self._hint = QLabel()
-        self._hint.setObjectName(f"{name}_hint")
-        self._hint.setWordWrap(True)
+        self._hint = text_label(f"{name}_hint", wraps=True)
         grid = QGridLayout()
         grid.setHorizontalSpacing(18)
         grid.setVerticalSpacing(2)

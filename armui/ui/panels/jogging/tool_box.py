@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 from armui.kinematics.axes import AXES, LINEAR_AXES
 from armui.ui import format as fmt
 from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 
@@ -21,9 +22,7 @@ class ToolBox(Translated, QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._title = QLabel()
-        self._title.setProperty("rank", "muted")
-        self._title.setWordWrap(True)
+        self._title = text_label(rank="muted", wraps=True)
         self._fields = [FigureField(fmt.DECIMALS) for _ in AXES]
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)

@@ -34,6 +34,7 @@ from armui.ui.panels.panel import Panel
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.track_slider import TrackSlider
 
 if TYPE_CHECKING:
@@ -84,10 +85,7 @@ class LightPanel(Panel):
         self._confirm.setShortcut(QKeySequence(_CONFIRM_KEY))
         self._confirm.setProperty("primary", True)
         self._confirm.setMinimumHeight(38)
-        self._note = QLabel()
-        self._note.setObjectName("light_note")
-        self._note.setProperty("rank", "muted")
-        self._note.setWordWrap(True)
+        self._note = text_label("light_note", rank="muted", wraps=True)
         self._lay_out()
         self._connect()
         self._show_color(QColor(FULL, FULL, FULL))

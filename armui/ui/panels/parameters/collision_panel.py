@@ -13,6 +13,7 @@ from armui.ui import format as fmt
 from armui.ui.panels.parameters.level_cell import LevelCell, LevelRow
 from armui.ui.panels.parameters.parameter_panel import ParameterPanel
 from armui.ui.panels.parameters.setting_cell import SettingCell
+from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -38,10 +39,7 @@ class CollisionPanel(ParameterPanel):
         self._all_label = QLabel()
         self._all = LevelRow(_LEVELS, "collision_all")
         self._all.chosen.connect(self._on_all_chosen)
-        self._note = QLabel()
-        self._note.setObjectName("collision_note")
-        self._note.setProperty("rank", "muted")
-        self._note.setWordWrap(True)
+        self._note = text_label("collision_note", rank="muted", wraps=True)
         card = QFrame()
         grid = QGridLayout(card)
         grid.setContentsMargins(12, 12, 12, 10)

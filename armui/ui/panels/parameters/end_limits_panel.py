@@ -2,31 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING
-
-from PySide6.QtWidgets import QWidget
-
 from armui.arm.parameters import Group
 from armui.arm.refusal import Refusal
 from armui.ui.panels.parameters.listed_parameters import ListedParameters
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 
 class EndLimitsPanel(ListedParameters):
     """Four limits of the end, and 【初始化】."""
 
-    def __init__(
-        self,
-        controller: ArmController,
-        open_backup: Callable[[], object],
-        parent: QWidget | None = None,
-    ) -> None:
-        super().__init__(
-            controller, "end_limits", Group.END_LIMITS, open_backup, can_reset=True, parent=parent
-        )
+    name = "end_limits"
+    group = Group.END_LIMITS
+    can_reset = True
 
     def title(self) -> str:
         """配速设置."""

@@ -31,6 +31,7 @@ from armui.ui import words
 from armui.ui.freshness import is_stale
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.value_label import ValueLabel
 
 if TYPE_CHECKING:
@@ -58,9 +59,7 @@ class EndLoadPanel(Panel):
         self._notice: Notice | None = None
         self._reporting: bool | None = None
         self._loads = QButtonGroup(self)
-        self._note = QLabel()
-        self._note.setProperty("rank", "muted")
-        self._note.setWordWrap(True)
+        self._note = text_label(rank="muted", wraps=True)
         self._send = QPushButton()
         self._send.setObjectName("load_confirm_button")
         self._send.setProperty("primary", True)

@@ -2,36 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING
-
-from PySide6.QtWidgets import QWidget
-
 from armui.arm.parameters import Group
 from armui.ui.panels.parameters.listed_parameters import ListedParameters
 from armui.ui.panels.parameters.setting_cell import SettingCell
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 
 class GripperSettingsPanel(ListedParameters):
     """Three values; the arm has no factory reset for them."""
 
-    def __init__(
-        self,
-        controller: ArmController,
-        open_backup: Callable[[], object],
-        parent: QWidget | None = None,
-    ) -> None:
-        super().__init__(
-            controller,
-            "gripper_settings",
-            Group.TEACHING,
-            open_backup,
-            can_reset=False,
-            parent=parent,
-        )
+    name = "gripper_settings"
+    group = Group.TEACHING
+    can_reset = False
 
     def title(self) -> str:
         """夹爪设置."""

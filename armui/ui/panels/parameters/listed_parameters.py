@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, ClassVar, Final
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
@@ -25,26 +25,28 @@ class ListedParameters(ParameterPanel):
 
     Args:
         controller: Whom to ask.
+        open_backup: Opens 参数备份.
+
+    Attributes:
         name: For the names of the buttons.
         group: What is listed.
-        open_backup: Opens 参数备份.
         can_reset: Whether there is a 【初始化】.
     """
+
+    name: ClassVar[str]
+    group: ClassVar[Group]
+    can_reset: ClassVar[bool]
 
     def __init__(
         self,
         controller: ArmController,
-        name: str,
-        group: Group,
         open_backup: Callable[[], object],
-        *,
-        can_reset: bool,
         parent: QWidget | None = None,
     ) -> None:
-        cells = [
-            FigureCell(parameter, parameter.kind.unit) for parameter in Batch(group).parameters()
-        ]
-        super().__init__(controller, name, cells, open_backup, can_reset=can_reset, parent=parent)
+        cells = [FigureCell(each, each.kind.unit) for each in Batch(self.group).parameters()]
+        super().__init__(
+            controller, self.name, cells, open_backup, can_reset=self.can_reset, parent=parent
+        )
         self._labels = {cell.parameter.name: QLabel() for cell in cells}
         card = QFrame()
         grid = QGridLayout(card)

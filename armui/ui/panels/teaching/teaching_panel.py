@@ -23,6 +23,7 @@ from armui.ui.panels.teaching.teaching_exit_steps import TeachingExitSteps
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.hold_button import HoldButton
+from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -59,12 +60,8 @@ class TeachingPanel(Panel):
         self._unanswered: Notice | None = None
         self._shown: tuple[object, ...] | None = None
         self._state_label = QLabel()
-        self._state = QLabel()
-        self._state.setObjectName("teaching_state")
-        self._state.setWordWrap(True)
-        self._phase = QLabel()
-        self._phase.setObjectName("teaching_phase")
-        self._phase.setProperty("rank", "muted")
+        self._state = text_label("teaching_state", wraps=True)
+        self._phase = text_label("teaching_phase", rank="muted")
         self._note = _label("muted")
         self._teaching_exit_steps = TeachingExitSteps()
         self._plan_label = QLabel()

@@ -7,13 +7,14 @@ from typing import Final
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLineEdit, QPushButton, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.trajectory.points import search
 from armui.trajectory.points.cells import figure
 from armui.trajectory.points.program import JOINT_NAMES, POSE_NAMES, Waypoint
 from armui.ui import words
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 _NOTE: Final = "note"
@@ -43,9 +44,7 @@ class FindBar(Translated, QWidget):
         self._wanted.setObjectName("find_text")
         self._by = QLineEdit()
         self._by.setObjectName("replace_text")
-        self._result = QLabel()
-        self._result.setObjectName("find_result")
-        self._result.setProperty("rank", "muted")
+        self._result = text_label("find_result", rank="muted")
         self._next, self._previous = QPushButton(), QPushButton()
         self._replace, self._replace_all, self._close = QPushButton(), QPushButton(), QPushButton()
         buttons = {

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QSize, Signal
-from PySide6.QtWidgets import QAbstractItemView, QLabel, QPushButton, QTableWidgetItem, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QPushButton, QTableWidgetItem, QWidget
 
 from armui.control.events import Level
 from armui.trajectory.library.bin import KEPT
@@ -14,6 +14,7 @@ from armui.trajectory.library.store import Deleted
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.plain_table import plain_table
+from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -39,10 +40,7 @@ class BinDialog(ArmDialog):
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(controller, parent)
         self._deleted: Sequence[Deleted] = ()
-        self._text = QLabel()
-        self._text.setObjectName("bin_text")
-        self._text.setProperty("rank", "muted")
-        self._text.setWordWrap(True)
+        self._text = text_label("bin_text", rank="muted", wraps=True)
         self._table = plain_table("bin_table", 3, wide=0)
         self._table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self._table.setWordWrap(False)

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from armui.system.atomic import write_whole
+from armui.system.error_text import error_text
 from armui.trajectory import files
-from armui.trajectory.atomic import write_whole
 from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.library.file_names import file_stem
 from armui.trajectory.library.store import Library, LibraryError
@@ -88,8 +89,7 @@ def write_one(content: Content, path: Path) -> Problem | None:
     try:
         write_whole(path, files.to_bytes(content, path.suffix))
     except (OSError, ValueError) as error:
-        text = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        return path.name, text
+        return path.name, error_text(error)
     return None
 
 

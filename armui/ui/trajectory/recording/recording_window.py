@@ -27,6 +27,7 @@ from armui.ui.trajectory.running.run_options import RunOptions
 from armui.ui.trajectory.text import duration
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -107,9 +108,7 @@ class RecordingWindow(ArmDialog):
         self._to = _field("record_to", 3, "s")
         self._tolerance = _field("record_tolerance", 3, "°")
         self._tolerance.step = 0.1
-        self._kept = QLabel()
-        self._kept.setObjectName("record_kept")
-        self._kept.setProperty("rank", "muted")
+        self._kept = text_label("record_kept", rank="muted")
         self._labels = [QLabel() for _ in range(4)]
         self._message = MessageLine()
         self._message.setObjectName("record_message")

@@ -160,10 +160,6 @@ class RunStrip(Translated, QWidget):
             widget.setVisible(not recording)
         self._show_usable()
 
-    def begin_with(self, row: int) -> None:
-        """Let the next run begin with a row."""
-        self._first.setValue(row + 1)
-
     def check(self) -> None:
         """Check what would be run; :attr:`checked` tells how it ended."""
         self._check(self._options(), lambda checked: self.checked.emit(checked, None))

@@ -30,6 +30,7 @@ from armui.ui.trajectory.table_import.columns_table import ColumnsTable
 from armui.ui.trajectory.table_import.dialect_bar import BuildBar
 from armui.ui.trajectory.table_import.table_import import TableImport
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -83,11 +84,7 @@ class ColumnsDialog(ArmDialog):
         self._name.setFocus()
 
     def _make_widgets(self) -> None:
-        self._source = QLabel()
-        self._source.setObjectName("columns_source")
-        self._source.setProperty("rank", "muted")
-        self._source.setTextFormat(Qt.TextFormat.PlainText)
-        self._source.setWordWrap(True)
+        self._source = text_label("columns_source", rank="muted", wraps=True, plain=True)
         self._moves = QComboBox()
         self._moves.setObjectName("columns_move")
         self._moves.addItems([""] * len(_MOVES))

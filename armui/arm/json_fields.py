@@ -1,0 +1,211 @@
+"""The fields of a JSON object, each asked for with the type it must have."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Collection, Iterator
+from typing import Any
+
+from armui.arm.refusal import Refusal
+
+Path = tuple[str | int, ...]
+"""Keys and indices that lead from the whole file to a value."""
+
+
+class FieldProblem(enum.Enum):
+    """What can be wrong with a field."""
+
+    MISSING = "is missing"
+    BAD = "is not what it should be"
+    UNKNOWN = "is unknown"
+
+
+class FieldError(Exception):
+    """A field that is missing or wrong.
+
+    Attributes:
+        problem: What is wrong with it.
+        path: To the field.
+        value: What it holds; ``None`` for one that is missing.
+        expected: What should have been there, as an example.
+        reason: Of its own, where the type alone is not to blame.
+    """
+
+    def __init__(
+        self,
+        problem: FieldProblem,
+        path: Path,
+        value: object = None,
+        expected: str = "",
+        reason: Refusal | None = None,
+    ) -> None:
+        super().__init__(problem, path, value, expected, reason)
+        self.problem = problem
+        self.path = path
+        self.value = value
+        self.expected = expected
+        self.reason = reason
+
+    @property
+    def name(self) -> str:
+        """The field's name, or that of the list it stands in."""
+        return next((step for step in reversed(self.path) if isinstance(step, str)), "{}")
+
+    @property
+    def place(self) -> str:
+        """The way to the field, as ``arm.parameters[1].value``."""
+        steps = (f".{step}" if isinstance(step, str) else f"[{step + 1}]" for step in self.path)
+        return "".join(steps).removeprefix(".")
+
+    def __str__(self) -> str:
+        if self.problem is not FieldProblem.BAD:
+            return f"{self.place} {self.problem.value}"
+        return f"{self.place} holds {self.value!r} where {self.expected} belongs"
+
+
+class Fields:
+    """One JSON object; it knows which of its fields nobody has asked for.
+
+    All methods that read a field raise `FieldError`.
+    """
+
+    def __init__(self, value: object, path: Path = ()) -> None:
+        self.path = path
+        if not isinstance(value, dict):
+            raise FieldError(FieldProblem.BAD, path, value, "{…}")
+        self._values: dict[str, Any] = value
+        self._asked: set[str] = set()
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._values
+
+    def bad(self, name: str, expected: str) -> FieldError:
+        """The error that says what should have been there."""
+        return FieldError(FieldProblem.BAD, (*self.path, name), self._values.get(name), expected)
+
+    def wrong(self, name: str, reason: Refusal) -> FieldError:
+        """The error of a field that has a reason of its own."""
+        path = (*self.path, name)
+        return FieldError(FieldProblem.BAD, path, self._values.get(name), reason=reason)
+
+    def text(self, name: str, default: str | None = None) -> str:
+        """A text."""
+        value = self._value(name, default)
+        if not isinstance(value, str):
+            raise self.bad(name, "“…”")
+        return value
+
+    def maybe_text(self, name: str) -> str | None:
+        """A text, or ``None`` where there is none, or null."""
+        self._asked.add(name)
+        return None if self._values.get(name) is None else self.text(name)
+
+    def number(self, name: str, default: float | None = None) -> float:
+        """A finite number."""
+        value = finite(self._value(name, default))
+        if value is None:
+            raise self.bad(name, "0.0")
+        return value
+
+    def whole(
+        self, name: str, default: int | None = None, allowed: Collection[int] | None = None
+    ) -> int:
+        """A whole number, one of those allowed if they are given."""
+        value = self._value(name, default)
+        if not _is_whole(value, allowed):
+            raise self.bad(name, _example(allowed))
+        return int(value)
+
+    def wholes(self, name: str, count: int, allowed: Collection[int]) -> tuple[int, ...]:
+        """A list of so many whole numbers."""
+        values = self._list(name, count)
+        for index, value in enumerate(values):
+            if not _is_whole(value, allowed):
+                path = (*self.path, name, index)
+                raise FieldError(FieldProblem.BAD, path, value, _example(allowed))
+        return tuple(values)
+
+    def numbers(self, name: str, counts: tuple[int, ...]) -> tuple[float, ...]:
+        """A list of numbers, as many as one of the counts says."""
+        values = _numbers(self._value(name, None), counts)
+        if values is None:
+            raise self.bad(name, f"[{' / '.join(map(str, counts))} × 0.0]")
+        return values
+
+    def number_lists(self, name: str, counts: tuple[int, ...]) -> Iterator[tuple[float, ...]]:
+        """Each of a list of such lists."""
+        for index, value in enumerate(self._list(name)):
+            values = _numbers(value, counts)
+            if values is None:
+                expected = f"[{' / '.join(map(str, counts))} × 0.0]"
+                path = (*self.path, name, index)
+                raise FieldError(FieldProblem.BAD, path, value, expected)
+            yield values
+
+    def texts(self, name: str) -> tuple[str, ...]:
+        """A list of texts; none where it is missing."""
+        values = self._list(name) if name in self._values else []
+        if not all(isinstance(value, str) for value in values):
+            raise self.bad(name, "[“…”, …]")
+        return tuple(values)
+
+    def object(self, name: str) -> Fields:
+        """An object within."""
+        return Fields(self._value(name, None), (*self.path, name))
+
+    def maybe_object(self, name: str) -> Fields | None:
+        """An object within, or ``None`` where there is none, or null."""
+        self._asked.add(name)
+        return None if self._values.get(name) is None else self.object(name)
+
+    def objects(self, name: str, count: int | None = None) -> Iterator[Fields]:
+        """Each of a list of objects, so many if it is said how many."""
+        for index, value in enumerate(self._list(name, count)):
+            yield Fields(value, (*self.path, name, index))
+
+    def nothing_else(self) -> None:
+        """Makes sure that every field has been asked for: a misspelt one is no default."""
+        left = self._values.keys() - self._asked
+        if left:
+            raise FieldError(FieldProblem.UNKNOWN, (*self.path, min(left)))
+
+    def _list(self, name: str, count: int | None = None) -> list[Any]:
+        value = self._value(name, None)
+        if not isinstance(value, list) or count not in (None, len(value)):
+            raise self.bad(name, "[…]" if count is None else f"a list of {count}")
+        return value
+
+    def _value(self, name: str, default: Any) -> Any:
+        self._asked.add(name)
+        value = self._values.get(name, default)
+        if value is None and name not in self._values:
+            raise FieldError(FieldProblem.MISSING, (*self.path, name))
+        return value
+
+
+def finite(value: object) -> float | None:
+    """A finite number, or ``None`` where a value is none: truth values are not, nor is text."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return None
+    try:
+        result = float(value)
+    except OverflowError:
+        return None
+    return result if result - result == 0.0 else None
+
+
+def _is_whole(value: object, allowed: Collection[int] | None) -> bool:
+    if isinstance(value, bool) or not isinstance(value, int):
+        return False
+    return allowed is None or value in allowed
+
+
+def _example(allowed: Collection[int] | None) -> str:
+    return "0" if allowed is None else f"one of {', '.join(map(str, allowed))}"
+
+
+def _numbers(values: object, counts: tuple[int, ...]) -> tuple[float, ...] | None:
+    if not isinstance(values, list) or len(values) not in counts:
+        return None
+    numbers = tuple([finite(value) for value in values])
+    return None if None in numbers else numbers  # type: ignore[return-value]  # no None is left

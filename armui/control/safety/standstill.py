@@ -1,0 +1,106 @@
+"""Whether the joints stand still: by the angles the arm reports, or the speeds of its drivers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from armui.arm.limits import JOINTS
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.arm.state import ArmState, is_fresh
+from armui.control.safety.interlocks import joint_list
+
+SETTLED_DEG: Final = 0.02
+SETTLED_S: Final = 0.3
+"""An arm whose joints have not moved so far for so long is at rest."""
+
+QUIET_DEG: Final = 0.03
+QUIET_S: Final = 0.03
+"""Together 1 °/s: above the last digit's trembling, far below any motion that matters."""
+
+STILL_DEG_S: Final = 1.0
+"""Slower than this a joint stands still: drivers report a little noise at rest."""
+
+
+@dataclass(slots=True)
+class _Standing:
+    """Where the joints stand, since when, and when they were last measured there."""
+
+    angles_deg: Sequence[float]
+    since_s: float
+    measured_s: float
+
+
+class RestWatch:
+    """Compares the measured angles over time.
+
+    Args:
+        within_deg: How far a joint may move and still count as standing.
+        for_s: How long.
+    """
+
+    def __init__(self, within_deg: float = SETTLED_DEG, for_s: float = SETTLED_S) -> None:
+        self._within_deg = within_deg
+        self._for_s = for_s
+        self._standing: _Standing | None = None
+
+    def observe(self, state: ArmState, now_s: float) -> None:
+        """Take in what is measured; angles that are not fresh are none."""
+        angles_deg = state.angles_deg()
+        # the angle heard longest ago tells when the arm was measured
+        measured_s = min((each.at_s for each in state.joints_deg if each is not None), default=None)
+        if angles_deg is None or measured_s is None or not is_fresh(measured_s, now_s):
+            self.forget()
+            return
+        standing = self._standing
+        if standing is None or _apart(angles_deg, standing.angles_deg, self._within_deg):
+            self._standing = _Standing(angles_deg, measured_s, measured_s)
+        else:
+            standing.measured_s = measured_s
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether no joint has moved of late."""
+        standing = self._standing
+        return standing is not None and standing.measured_s - standing.since_s >= self._for_s
+
+    def forget(self) -> None:
+        """Nothing is known any more."""
+        self._standing = None
+
+
+def _apart(angles_deg: Sequence[float], others_deg: Sequence[float], within_deg: float) -> bool:
+    return any(abs(a - b) > within_deg for a, b in zip(angles_deg, others_deg, strict=True))
+
+
+def why_moving(state: ArmState) -> Refusal | None:
+    """The joints that are measured to move, as a reason; one that tells nothing is no reason."""
+    moving = [
+        joint
+        for joint, speed in zip(JOINTS, _speeds_deg_s(state), strict=True)
+        if speed is not None and abs(speed) >= STILL_DEG_S
+    ]
+    return Refusal(RefusalCode.JOINTS_MOVING, {"joints": joint_list(moving)}) if moving else None
+
+
+def why_not_still(state: ArmState) -> Refusal | None:
+    """The same, and for each joint its speed must be known."""
+    speeds = zip(JOINTS, _speeds_deg_s(state), strict=True)
+    unknown = [joint for joint, speed in speeds if speed is None]
+    if unknown:
+        return Refusal(RefusalCode.SPEED_UNKNOWN, {"joints": joint_list(unknown)})
+    return why_moving(state)
+
+
+def _speeds_deg_s(state: ArmState) -> list[float | None]:
+    """Of each joint; ``None`` where its driver has not been heard beside the newest feedback."""
+    return [
+        heard.value.speed_deg_s
+        if heard is not None
+        and state.last_feedback_s is not None
+        and heard.fresh(state.last_feedback_s)
+        else None
+        for heard in state.drivers_fast
+    ]
