@@ -254,7 +254,7 @@ class Authority:
         return self.command
 
     def told_percent(self, percent: int) -> None:
-        """The arm has been told another speed percentage."""
+        """Note that another speed percentage was sent."""
         self.arm_percent = percent
         seen = self._seen
         if percent > 0:
@@ -266,11 +266,11 @@ class Authority:
             self._zero_since_s = seen.now_s
 
     def paused(self) -> None:
-        """The arm was told to hold its motion back (0x150 byte 1 = 1)."""
+        """Note that a pause was sent (0x150 byte 1 = 1)."""
         self.holds |= {Hold.PAUSE}
 
     def went_on(self, now_s: float) -> None:
-        """The arm was told to go on with what was held back."""
+        """Note that the arm was told to continue a motion that was held back."""
         self.holds = frozenset()
         if self.command is not None:
             self.command = replace(self.command, sent_s=now_s)
@@ -282,7 +282,7 @@ class Authority:
         self._cancelled_s, self.cancel_unheeded = now_s, False
 
     def end(self, reason: End) -> None:
-        """Our target is none to start from any more."""
+        """Ends our command: no step starts from its target any more."""
         self._end(reason)
         if reason in {End.STOPPED, End.DISABLED, End.FORGOTTEN}:
             self.holds = frozenset()

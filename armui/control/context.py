@@ -1,4 +1,4 @@
-"""What each part of the controller is given: the way to the arm, and what is known of it."""
+"""What each part of the controller is given: the connection, and what is known of the arm."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class Tell(Protocol):
-    """Tells the operator something: the code of a notice and its figures."""
+    """Tells the operator an event: its code and its figures."""
 
     def __call__(self, code: EventCode, **params: object) -> None: ...  # noqa: D102 - said above
 

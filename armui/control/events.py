@@ -14,7 +14,7 @@ from typing import Final
 
 
 class Level(enum.Enum):
-    """How much a notice matters."""
+    """How grave an event is."""
 
     INFO = enum.auto()
     DONE = enum.auto()

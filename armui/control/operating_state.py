@@ -1,4 +1,4 @@
-"""What the operator can do now, and why not: one frozen picture for every button."""
+"""What the operator can do now, and why not: one frozen state that every button reads."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The parts of the controller, each having its turn; one that fails takes no other with it."""
+"""Calls the parts of the controller in turn; one that fails does not stop the others."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _LOG = logging.getLogger(__name__)
 
 
 class Parts:
-    """Has every part act, whatever becomes of the others: a stop must reach all of them.
+    """Calls every part even when another fails: a stop must reach all of them.
 
     A part that fails is tried again the next time, for what it was doing may have been the reason.
     Its first failure is told to the operator, every one is logged.

@@ -1,4 +1,4 @@
-"""What the controller knows of itself and tells in 0x2A1."""
+"""The modes, flags and faults that the controller reports in 0x2A1."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ class Condition:
 
     @property
     def status(self) -> ArmStatusCode:
-        """The one code 0x2A1 byte 1 has room for: the gravest."""
+        """The status code of 0x2A1 byte 1: the gravest of those that apply."""
         if self.stopped:
             return ArmStatusCode.EMERGENCY_STOP
         if any(self.communication_fault):
@@ -83,11 +83,11 @@ class Condition:
 
     @property
     def hindered(self) -> bool:
-        """Whether a joint is in no state to move."""
+        """Whether a fault keeps a joint from moving."""
         return self.alarms.any or any(self.communication_fault)
 
     def clear_errors(self) -> None:
-        """What a resume clears; what is still broken stays told."""
+        """Clears errors as a resume does; an error whose cause is still there stays."""
         self.stopped = False
         self.alarms.clear(range(JOINT_COUNT))
         self.accept_target()
@@ -95,7 +95,7 @@ class Condition:
         self.direct = False
 
     def start_anew(self) -> None:
-        """What a power cycle does; what is still broken stays told."""
+        """Goes back to the state after a power cycle; an error whose cause is still there stays."""
         self.clear_errors()
         self.control_mode = ControlMode.STANDBY
         self.move_mode = MoveMode.MOVE_P

@@ -1,4 +1,4 @@
-"""The arm's controller: obeys frames, lets time pass, tells how it is.
+"""The simulated arm's controller: takes frames, advances in time, returns the frames it sends.
 
 No clock, no thread, no bus: `on_frame` and `step` are all there is. Behaviour follows the
 protocol text and what is known of the maker's firmware.

@@ -110,7 +110,7 @@ class Node:
         self._send(to_send)
 
     def start(self) -> None:
-        """Starts the thread that lets the arm live in real time.
+        """Starts the thread that runs the arm in real time.
 
         Raises:
             RuntimeError: It runs already.

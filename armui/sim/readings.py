@@ -1,4 +1,4 @@
-"""What can be read of a simulated arm from outside: the truth that its feedback tells of."""
+"""The true state of a simulated arm, read from outside its feedback."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from armui.sim.mechanics.powered_joints import SixValues
 
 
 class Readings:
-    """Short ways to what an arm's parts hold; nothing can be changed through them.
+    """Read-only access to what an arm's parts hold.
 
     Attributes:
         mechanics: Joints and motors.

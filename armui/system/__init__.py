@@ -1,1 +1,1 @@
-"""What the program needs of the computer: files, clock, log, helper processes."""
+"""What the program needs of the computer: paths, files, clock, log, helper processes."""

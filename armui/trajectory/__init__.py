@@ -1,1 +1,1 @@
-"""Programs of motion: what they are, their files, their library, their time and their check."""
+"""Programs of motion: points, recordings, files, library, planning, checks; no Qt, no bus."""

@@ -1,1 +1,1 @@
-"""What else the arm has: motors, gripper, lamps, linkage, teaching, zeros, end reports."""
+"""Commands to motors, gripper, lamps, linkage, drag teaching, zeros and end reports."""

@@ -51,7 +51,7 @@ class _Travel:
 
 
 class GripperControl:
-    """Commands the gripper; one deed at a time, a new one takes the place of the last.
+    """Commands the gripper; one command at a time, a new one replaces the last.
 
     The frame carries target, effort and power at once. So whatever switches the power sends the
     place where the gripper is: nothing moves that was not asked for.
@@ -119,7 +119,7 @@ class GripperControl:
     # What the operator wants ------------------------------------------------------------------
 
     def move(self, travel: float, effort: float) -> Refusal | None:
-        """Open or close it, enabling it in the same breath (0x159).
+        """Open or close it; the same frame enables it (0x159).
 
         Args:
             travel: Opening in mm (generation 2) or angle in degrees (generation 1).

@@ -15,7 +15,7 @@ from armui.protocol.codes import SettingIndex
 
 
 class JointErrors:
-    """Clears errors one order after the other: the arm's answer does not name the joint.
+    """Clears errors one after the other: the arm's answer does not name the joint.
 
     It moves nothing, so it may be done whenever the arm is online, stopped or not; only a run that
     is under way is not given back drivers that it was not started with. The answer says that the

@@ -26,7 +26,7 @@ def _now() -> datetime:
 
 
 class JointMonitor(QObject):
-    """Knows what every joint says, since when, and the worst of it.
+    """Keeps what every joint reports, since when, and the worst state of the six.
 
     Args:
         controller: Whose arm it watches.

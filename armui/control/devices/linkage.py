@@ -1,4 +1,4 @@
-"""联动控制: what the arm is to another arm, and under which identifiers it talks (0x470)."""
+"""联动控制: the arm's role beside another arm, and its identifier offsets (0x470)."""
 
 from __future__ import annotations
 
@@ -147,7 +147,7 @@ class LinkageControl:
         self._context.tell(EventCode.LINKAGE_IN_USE, feedback=feedback, control=command)
 
     def halt(self) -> None:
-        """It moves nothing: a stop leaves it be."""
+        """A linkage setting moves nothing: a stop does not end it."""
 
     def forget(self) -> None:
         """The next device begins without offsets."""

@@ -1,1 +1,1 @@
-"""The way to one arm: its device, what it was asked first, its identifiers."""
+"""The connection to one arm: its device, the first questions to it, its identifiers."""

@@ -1,4 +1,4 @@
-"""One device at a time: the bus thread, whether an arm answers, and what it was asked first."""
+"""The connection to one device: its bus thread, whether an arm answers, and the first questions."""
 
 from __future__ import annotations
 

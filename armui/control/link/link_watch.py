@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class LinkWatch:
-    """Follows one connection after the other.
+    """Reports events of the connection; it is told when another begins.
 
     Args:
         connection: The way to the arm.

@@ -59,7 +59,7 @@ class Neighbours(QObject):
         self._on_situation(controller.operating_state)
 
     def close(self) -> None:
-        """Leave every meeting place."""
+        """Withdraw from every place where copies of the program find each other."""
         self._controller.operating_state_changed.disconnect(self._on_situation)
         self._settings.close()
         if self._channel is not None:

@@ -1,1 +1,1 @@
-"""Motions sent by hand: joints, poses, lines, arcs, jogging, and what becomes of them."""
+"""Motions that the operator sends by hand: joints, poses, lines, arcs and jogging."""

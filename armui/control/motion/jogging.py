@@ -1,9 +1,10 @@
 """Jogging: the arm moves while something is held, and rests when it is not.
 
-The operator's hold is no message that something else must undo. It is the source of a stream of
-joint setpoints (MOVE J, 0x155–0x157), each so near that the arm rests within 100 ms of the last
-one it heard (see :mod:`armui.control.motion.jog_pace`). MOVE L plans anew at each target and
-cannot be streamed, so a straight line of the tool is solved here by the inverse kinematics.
+While the operator holds a button or key, joint setpoints are streamed (MOVE J, 0x155–0x157), each
+so near that the arm rests within 100 ms of the last one it heard (see
+:mod:`armui.control.motion.jog_pace`). No further message is needed to stop it. MOVE L plans anew at
+each target and cannot be streamed, so a straight line of the tool is solved here by the inverse
+kinematics.
 """
 
 from __future__ import annotations

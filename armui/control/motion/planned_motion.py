@@ -26,7 +26,7 @@ _ENDS: Final = frozenset(
 
 
 class PlannedMotion:
-    """Sends what the arm obeys without saying so: 0x2A1 has no word for a paused motion.
+    """Sends commands that the feedback does not confirm: 0x2A1 has no code for a paused motion.
 
     Args:
         context: What the parts of the controller share.

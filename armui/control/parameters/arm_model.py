@@ -1,4 +1,4 @@
-"""The arm as plans see it: what it has told of itself, the factory's values where it has not."""
+"""The arm for planning: the values it has reported, the factory's where it has not."""
 
 from __future__ import annotations
 

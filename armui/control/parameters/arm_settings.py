@@ -314,10 +314,10 @@ class ArmSettings(QObject):
     # A part of the controller -----------------------------------------------------------------
 
     def advance(self) -> None:
-        """The order line moves on by itself."""
+        """Nothing to do: the queue of transactions advances by itself."""
 
     def halt(self) -> None:
-        """Settings move nothing: a stop leaves them be."""
+        """Settings move nothing: a stop does not end them."""
 
     def forget(self) -> None:
         """Another arm may come: only what was refused is kept, so that it can be read."""

@@ -1,1 +1,1 @@
-"""One command's life: sent, answered, read back, refused or timed out."""
+"""A command from sending to its end: answered, read back, refused or timed out."""

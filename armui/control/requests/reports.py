@@ -1,4 +1,4 @@
-"""What to tell the operator when something has come to its end: pure, codes and figures."""
+"""The events told when a request has ended, as codes and figures: pure."""
 
 from __future__ import annotations
 

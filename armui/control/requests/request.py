@@ -1,4 +1,4 @@
-"""One action's life: sent, repeated if need be, then seen in the arm's feedback or timed out."""
+"""An action that is sent, repeated if need be, and followed until seen in the feedback or late."""
 
 from __future__ import annotations
 

@@ -113,7 +113,7 @@ class _Task:
 
 
 class TransactionQueue:
-    """Carries out orders; a part of the controller.
+    """Carries out transactions, one after the other; a part of the controller.
 
     Commands go in the order in which they came, the first step of an action before the further
     steps of an older one, and every command before every question.

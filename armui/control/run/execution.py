@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class Execution(QObject):
-    """Moves the arm for longer than one command; what it does next follows from what the arm says.
+    """Moves the arm by several commands; each follows from the arm's feedback to the one before.
 
     Args:
         context: What the parts of the controller share.
@@ -64,7 +64,7 @@ class Execution(QObject):
         self.end(Refusal(RefusalCode.RUN_STOPPED))
 
     def forget(self) -> None:
-        """So does the loss of the arm."""
+        """The loss of the arm ends it."""
         self.end(Refusal(RefusalCode.LINK_LOST))
 
     # What each of the two does its own way ----------------------------------------------------

@@ -30,7 +30,7 @@ _PASSING: Final = frozenset(
 
 
 class Player(Execution):
-    """One run at a time; everything it does follows from what the arm says.
+    """Carries out one run at a time; each step follows from the arm's feedback.
 
     Args:
         context: What the parts of the controller share.

@@ -1,4 +1,4 @@
-"""B5: records where the arm goes while it is led by hand, or moved by anything."""
+"""Records where the arm goes while it is led by hand, or moved by anything."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""What stops the arm, what speaks against moving it, and guided recovery."""
+"""Emergency stop, interlocks, commands of other hosts, speed supervision and guided recovery."""

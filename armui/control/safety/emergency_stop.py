@@ -112,13 +112,13 @@ class EmergencyStop:
 
 
 def is_stopped(state: ArmState) -> bool:
-    """Whether the arm's last word on it was that it is stopped."""
+    """Whether the last status heard says that the arm is stopped."""
     status = state.status
     return status is not None and status.value.arm_status == ArmStatusCode.EMERGENCY_STOP
 
 
 def status_is_fresh(state: ArmState, now_s: float) -> bool:
-    """Whether the arm's word on it was heard within the last half second."""
+    """Whether the status was heard within the last half second."""
     return state.status is not None and state.status.fresh(now_s)
 
 

@@ -1,4 +1,4 @@
-"""What a motion counts on hearing of the arm, and what it says of its own freedom to move: pure."""
+"""Whether the feedback a motion needs is fresh, and whether the joints hold: pure."""
 
 from __future__ import annotations
 

@@ -83,7 +83,7 @@ class _PendingAction:
 
 
 class Recovery:
-    """Knows the next step at any time and takes it on request.
+    """Determines the next step of recovery and carries it out on request.
 
     Args:
         context: What the parts of the controller share.

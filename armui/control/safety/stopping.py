@@ -1,4 +1,4 @@
-"""What ends motion by the operator's hand: the emergency stop, followed, and halt and hold."""
+"""How the operator ends motion: the emergency stop, followed until confirmed, and halt and hold."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ class Stopping:
         self._name_others()
 
     def withdraw(self) -> None:
-        """The operator wants a stop no more that is outstanding."""
+        """Withdraw a stop that the arm has not confirmed."""
         if self.keeper.requested:
             self.keeper.forget()
             self._tell(EventCode.STOP_WITHDRAWN)

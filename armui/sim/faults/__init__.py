@@ -1,1 +1,1 @@
-"""What can go wrong with a simulated arm and its cable, and how the arm protects itself."""
+"""Faults that can be injected into a simulated arm and its cable, and the arm's own protection."""

@@ -1,4 +1,4 @@
-"""What the joints' drivers complain of."""
+"""The alarms that the joints' drivers report."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from armui.sim.mechanics.powered_joints import JOINT_COUNT
 
 
 class Alarm(enum.Enum):
-    """A complaint; the value is the name of its bit in 0x261–0x266.
+    """An alarm of a driver; the value is the name of its bit in 0x261–0x266.
 
     Not every generation has every bit. A sensor fault is told as a driver fault where its own bit
     means something else; collision and stall then show in 0x2A1 alone.
@@ -27,7 +27,7 @@ class Alarm(enum.Enum):
 
 
 KEPT: Final = frozenset({Alarm.OVERCURRENT, Alarm.DRIVER, Alarm.COLLISION, Alarm.STALL})
-"""Stays after its cause has gone, until it is cleared; the others tell the moment."""
+"""Stay after their cause has gone, until they are cleared; the others end with their cause."""
 
 CUTS_POWER: Final = frozenset({Alarm.OVERCURRENT, Alarm.DRIVER})
 """The driver switches its own motor off; with the others it goes on holding the joint."""
@@ -48,7 +48,7 @@ class Alarms:
         self.collision = False
 
     def of(self, index: int) -> set[Alarm]:
-        """What the driver of a joint (0–5) tells."""
+        """The alarms that the driver of a joint (0–5) reports."""
         return self._causes[index] | self._kept[index]
 
     def set(self, index: int, alarm: Alarm, *, present: bool) -> bool:

@@ -1,4 +1,4 @@
-"""What a bad line does to the frames between host and arm. Knows no bus and no clock."""
+"""Loses, delays and adds frames between host and arm, as a faulty cable does; no bus, no clock."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _LONGEST = 8
 
 
 class FaultyLink:
-    """The way of the frames to and from one arm.
+    """Passes the frames to and from one arm, with the faults that are set.
 
     Attributes:
         off: The controller is bus-off: it hears nothing and nothing of it gets out.

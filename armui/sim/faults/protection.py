@@ -28,7 +28,7 @@ COLLISION_STEP_NM: Final = (2.0, 2.0, 2.0, 0.6, 0.6, 0.6)
 
 
 class Protection:
-    """Watches the drivers, and takes what a test does to the joints."""
+    """Raises alarms by temperature, supply and torque; a test can block or push a joint."""
 
     def __init__(
         self,
@@ -101,7 +101,7 @@ class Protection:
             self.set_alarm(index, Alarm.COLLISION, present=felt and self._body.powered[index])
 
     def _find_stall(self) -> None:
-        """A joint that cannot turn stands, and with it the others that were on their way."""
+        """Stops all joints when one that is driven cannot turn, and raises its alarm."""
         mechanics = self._body
         if not mechanics.moving:
             return

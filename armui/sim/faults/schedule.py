@@ -1,4 +1,7 @@
-"""What can break, by name: from code, and from the command line as NAME[:VALUE]@START[-END]."""
+"""The faults that can be injected, by name.
+
+On the command line they are written NAME[:VALUE]@START[-END].
+"""
 
 from __future__ import annotations
 
@@ -36,7 +39,7 @@ class FaultParameter(enum.Enum):
 
 
 class Broken(NamedTuple):
-    """What a fault acts on."""
+    """The arm and the link that a fault acts on."""
 
     arm: Firmware
     link: FaultyLink
@@ -170,7 +173,7 @@ class FaultError(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """One fault in time.
+    """A fault with its number, its start and its end.
 
     Attributes:
         name: A key of `FAULTS`.
@@ -192,7 +195,7 @@ _SYNTAX: Final = re.compile(
 def fault(
     name: str, value: float | None = None, *, start_s: float = 0.0, end_s: float | None = None
 ) -> Fault:
-    """A fault, checked.
+    """Makes a fault; its name, number and times are checked.
 
     Args:
         name: A key of `FAULTS`.
@@ -255,13 +258,13 @@ class Faults:
         self.active: list[Fault] = []
 
     def start(self, each: Fault) -> None:
-        """Breaks something now; what is broken already stays so."""
+        """Starts a fault now; one that is active already goes on."""
         if each not in self.active:
             self.active.append(each)
             FAULTS[each.name].switch(self._on, each.value, True)
 
     def end(self, each: Fault) -> None:
-        """Mends it; harmless when it is not broken."""
+        """Ends a fault; does nothing if it is not active."""
         if each in self.active:
             self.active.remove(each)
             FAULTS[each.name].switch(self._on, each.value, False)

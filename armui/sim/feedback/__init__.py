@@ -1,1 +1,1 @@
-"""What the simulated arm tells, and when."""
+"""The frames that the simulated arm sends by itself, and when each is due."""

@@ -1,4 +1,4 @@
-"""The frames with which the arm tells how it is."""
+"""Makes the periodic feedback frames."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _DEGREES_PER: Final = {**DEGREES_PER, "pulse": 360.0 / 65536.0}
 
 
 class _Parts(Protocol):
-    """What the feedback is about."""
+    """The parts of the arm that the feedback reports."""
 
     condition: Condition
     mechanics: Mechanics

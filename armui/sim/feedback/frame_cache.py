@@ -1,4 +1,4 @@
-"""Frames that are said over and over, encoded when they change."""
+"""Encodes a periodic frame only when one of its values has changed."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from armui.protocol.frame import Frame
 
 
 class FrameCache:
-    """Encodes messages, and only when they say something new.
+    """Keeps the last frame of each message; a new one is encoded when a value differs.
 
     Most of an arm's 3,000 frames a second repeat the ones before them.
     """

@@ -1,4 +1,4 @@
-"""What a teaching input arm tells instead of its feedback: commands for the arm that follows it."""
+"""The commands that a teaching-input arm sends, instead of feedback, to the arm that follows it."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class LinkedInput:
         self._cache = FrameCache(Codec(generation, Addressing(control_offset=target_offset)))
 
     def frames(self, joints_deg: SixValues, gripper: SimulatedGripper) -> list[Frame]:
-        """Tells the follower to be where this arm is."""
+        """The frames that send the follower to where this arm is."""
         cache = self._cache
         return [
             cache.frame(

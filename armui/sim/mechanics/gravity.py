@@ -35,7 +35,7 @@ PAYLOADS_KG: Final = {EndLoad.EMPTY: 0.0, EndLoad.HALF: 0.75, EndLoad.FULL: 1.5}
 
 @dataclass(slots=True)
 class Weight:
-    """What gravity has to pull at.
+    """The loads on the joints: zeros, payload, and pushes from outside.
 
     Attributes:
         zeros_deg: Where each joint has its zero, counted from the factory's.

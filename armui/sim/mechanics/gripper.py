@@ -15,7 +15,7 @@ _WIDEST_DEG: Final = 100.0
 
 
 class GripperError(enum.StrEnum):
-    """What the gripper's driver complains of: the flags of 0x2A8 byte 6, generation 2."""
+    """Errors of the gripper's driver: the flags of 0x2A8 byte 6, generation 2."""
 
     UNDERVOLTAGE = "Undervoltage"
     MOTOR_OVERTEMPERATURE = "MotorOvertemperature"
@@ -83,7 +83,7 @@ class SimulatedGripper:
         self._target = self.travel
 
     def fail(self, error: GripperError) -> None:
-        """Lets its driver complain and give up."""
+        """Sets an error of its driver, which takes its power."""
         self.errors.add(error)
         self.release()
 

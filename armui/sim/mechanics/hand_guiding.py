@@ -1,4 +1,4 @@
-"""A hand that leads the arm where the arm gives way: in drag teaching, or as a teaching input."""
+"""A person's hand that moves the arm: in drag teaching, or while it is a teaching input."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from armui.sim.mechanics.powered_joints import JOINT_COUNT, STANDSTILL, SixValue
 
 
 class HandGuiding:
-    """What a person does with the arm; it moves only joints that give way.
+    """Moves the joints that give way, as a person's hand would.
 
     Attributes:
         gripper_to: Where it holds the jaws, in the gripper's unit; None when it leaves them alone.

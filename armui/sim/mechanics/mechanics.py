@@ -1,4 +1,4 @@
-"""The arm's mechanics: joints that are driven, held, or gone limp."""
+"""The arm's mechanics: joints that are driven, held, or without power."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ class Mechanics:
 
     @property
     def gives_way(self) -> bool:
-        """Whether it goes where a hand leads it."""
+        """Whether a hand can move the joints."""
         return self._hand is not None
 
     def power_on(self, indices: Iterable[int]) -> None:

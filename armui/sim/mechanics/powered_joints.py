@@ -35,7 +35,7 @@ _SLACKS: Final = (1.0, 1.0 + 1e-7, 1.0 + 1e-5)
 
 
 class MotionError(RuntimeError):
-    """The planner found no way, as with an acceleration of 0."""
+    """The planner found no motion, as with an acceleration of 0."""
 
 
 class JointMotion:
@@ -61,7 +61,7 @@ class JointMotion:
         self.moving = False
 
     def place(self, positions_deg: Iterable[float]) -> None:
-        """Puts the joints somewhere at once, standing still; a plan under way is forgotten."""
+        """Sets the joints' positions at once, standing still; a plan under way is forgotten."""
         self.positions_deg = tuple(positions_deg)
         self.speeds_deg_s = STANDSTILL
         self.accelerations_deg_s2 = STANDSTILL
@@ -155,7 +155,7 @@ class JointMotion:
             self.place(end_deg)
 
     def _first_plan(self, request: InputParameter) -> Trajectory:
-        """The plan of the least concession to ruckig's rounding.
+        """The first plan that ruckig finds, with as little extra acceleration as possible.
 
         A joint that is braking already, and has just the way it needs, has no solution in floating
         point; a trace more acceleration gives it one. A joint that turns very slowly cannot

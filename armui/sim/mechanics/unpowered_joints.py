@@ -1,4 +1,4 @@
-"""Joints without power: the arm has no brakes, so gravity takes them."""
+"""Joints without power: the arm has no brakes, so gravity moves them."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _TOP_SPEED_DEG_S: Final = {UnpoweredJoints.DAMPED: 5.0, UnpoweredJoints.FREE: 12
 
 
 class LimpJoints:
-    """The joints gravity has got hold of.
+    """The joints that gravity moves.
 
     A joint that was never powered lies supported where it is and is not among them.
 
@@ -62,7 +62,7 @@ class LimpJoints:
             self._limp[index] = unpowered
 
     def catch(self, index: int) -> None:
-        """Takes a joint out of gravity's hands: it stands at once."""
+        """Holds a joint again: it stands at once."""
         self._limp[index] = None
         self.speeds_deg_s[index] = 0.0
 

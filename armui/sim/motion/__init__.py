@@ -1,1 +1,1 @@
-"""What the simulated controller makes of motion commands."""
+"""Carries out motion commands in the simulated arm: MOVE J, P, L, C, MIT, drag teaching."""

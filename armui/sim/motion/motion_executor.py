@@ -1,4 +1,4 @@
-"""The one motion under way: started, slowed, paused, sent on, cut short, reached."""
+"""The motion under way: started, slowed, paused, continued, ended early or reached."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Every way to move the arm by frames: targets, arcs, and 0x150's words about them."""
+"""All motion by frames: targets of every kind, arcs, and the commands of 0x150 about them."""
 
 from __future__ import annotations
 
@@ -107,7 +107,7 @@ class Moves:
         self._tool.forget()
 
     def time_passed(self) -> None:
-        """Notices what is reached."""
+        """Advances in time: notes the targets that have been reached."""
         self._travel.time_passed()
 
     def _abort(self) -> None:

@@ -1,4 +1,4 @@
-"""A motion along a path: one number that grows from 0, with trapezoids of speed."""
+"""The distance along a path over time, with a trapezoidal speed profile."""
 
 from __future__ import annotations
 

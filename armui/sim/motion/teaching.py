@@ -1,4 +1,4 @@
-"""Drag teaching: a hand leads the arm, the arm remembers and does it again (0x150 byte 2)."""
+"""Drag teaching: the arm records how a hand moves it, and replays that (0x150 byte 2)."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ class SimulatedTeaching:
         }
 
     def command(self, command: TeachingState) -> None:
-        """Obeys 0x150 byte 2; what makes no sense now is ignored."""
+        """Obeys 0x150 byte 2; a command that does not fit the present state is ignored."""
         obey = self._commands.get(command)
         if obey is not None and obey():
             self._condition.teaching_state = command

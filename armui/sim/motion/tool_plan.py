@@ -1,4 +1,4 @@
-"""From a path of the tool to a motion of the joints, or to the reason why there is none."""
+"""Plans the motion of the joints along a path of the tool, or says why there is none."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class PlanningError(Exception):
 
 
 class PathMotion:
-    """Six joints that lead the tool along a path; it can be slowed, halted and sent on.
+    """The motion of six joints along a path of the tool; it can be slowed, paused and continued.
 
     Attributes:
         positions_deg: Where the joints are.

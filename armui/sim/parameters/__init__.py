@@ -1,1 +1,1 @@
-"""The values a simulated arm keeps, and how they are asked for and set."""
+"""The values a simulated arm keeps: how a host reads and sets them, and where they are stored."""

@@ -1,4 +1,4 @@
-"""Where an arm's settings outlive a power cut, as in the controller's flash memory."""
+"""Storage for an arm's settings that outlives a power cut, like the controller's flash memory."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Flash(Protocol):
 
 
 class MemoryFlash:
-    """Outlives the arm's power cycles, not the program.
+    """Kept in memory: outlives the arm's power cycles, but not the program.
 
     Attributes:
         text: What is kept; empty in a new one.

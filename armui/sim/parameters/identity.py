@@ -1,4 +1,4 @@
-"""What the arm says of itself when asked with 0x4AF (generation 2)."""
+"""The firmware version an arm reports when asked with 0x4AF (generation 2)."""
 
 from __future__ import annotations
 

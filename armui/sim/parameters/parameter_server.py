@@ -1,4 +1,4 @@
-"""Where the values an arm keeps are asked for and set over the bus."""
+"""Reads and sets the values an arm keeps, as a host asks over the bus."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ _READS_ONLY: Final = frozenset({"LimitQuery", "LightControl"})
 
 
 class Arm(Protocol):
-    """What settings change beyond the values themselves."""
+    """What a setting does to the arm beyond the value itself."""
 
     def set_zero(self, indices: Iterable[int]) -> bool:
         """Takes the present position of joints (0–5) as their zero; False when it cannot."""

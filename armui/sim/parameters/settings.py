@@ -1,4 +1,4 @@
-"""The values an arm keeps, as it leaves the factory."""
+"""The values an arm keeps, with the factory's values as defaults."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from armui.protocol.codes import EndLoad, LinkageRole
 
 
 class HandleSettings(NamedTuple):
-    """How drag teaching feels, and the gripper's stroke (0x47D)."""
+    """Settings of the teaching handle, and the gripper's stroke (0x47D)."""
 
     range_percent: Annotated[int, "TeachingRange"] = 100
     stroke_limit_mm: Annotated[int, "StrokeLimit"] = 70
@@ -28,7 +28,7 @@ class Light(NamedTuple):
 
 
 class LinkageSettings(NamedTuple):
-    """What the arm is to another arm, and its identifier offsets (0x470)."""
+    """The role beside another arm, and the identifier offsets (0x470)."""
 
     role: LinkageRole = LinkageRole.MOTION_OUTPUT
     feedback_offset: int = 0

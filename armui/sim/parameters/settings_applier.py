@@ -1,4 +1,4 @@
-"""What settings change beyond the values themselves: zeros, weight, schedule, flash."""
+"""Applies settings to the arm's parts: zeros, weight, feedback schedule, flash."""
 
 from __future__ import annotations
 
@@ -55,13 +55,13 @@ class SettingsApplier:
         self._refresh()
 
     def restart(self) -> None:
-        """Goes on with what the flash knows."""
+        """Goes on with the settings that the flash holds."""
         self._settings.take_over(self._flash.load())
         self._schedule.end_motion = False
         self._refresh()
 
     def settings_changed(self) -> None:
-        """Takes over and keeps what may be new in the settings."""
+        """Applies the settings and writes them to the flash."""
         self._refresh()
         self._flash.save(self._settings)
 

@@ -1,4 +1,4 @@
-"""Import of an unknown table: see how it is built, say which column is what, take it over.
+"""Import of an unknown table: guess its dialect, map its columns, convert its rows.
 
 `sniff` looks at the text and guesses; the operator corrects how it is built (`Dialect`), and what
 its columns are, to a `ColumnMapping`; `apply` reads the whole text by it.

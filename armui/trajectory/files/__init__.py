@@ -1,4 +1,4 @@
-"""Files of trajectories and recordings: which format a file has, read and written whole."""
+"""Files of trajectories and recordings: the format is recognised by content; read and written."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Where a trajectory leads: its path, its time, and what speaks against it."""
+"""The plan of a trajectory: its path, its timing, and the check with its findings."""

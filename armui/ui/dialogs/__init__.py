@@ -1,1 +1,1 @@
-"""The windows that open beside the main window."""
+"""The dialogs: connecting, settings, backup, joint status, help, and questions. None is modal."""

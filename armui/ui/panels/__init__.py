@@ -1,1 +1,4 @@
-"""One panel of the operation area a file."""
+"""The panels of the operation area, one file each.
+
+What only one panel uses stands beside it. No panel knows another.
+"""

@@ -1,1 +1,1 @@
-"""Small parts that panels and dialogs are made of."""
+"""Widgets that more than one room of the windows uses."""

@@ -1,1 +1,1 @@
-"""夹爪控制: the gripper."""
+"""夹爪控制: opening or angle, power, zero and errors of the gripper."""

@@ -1,1 +1,1 @@
-"""电机控制: one row a motor."""
+"""电机控制: power, zero, errors and measurements of each motor, one row each."""

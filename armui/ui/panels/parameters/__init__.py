@@ -1,1 +1,1 @@
-"""Panels for the parameters the arm keeps."""
+"""Panels for the parameters the arm keeps: joints, end, collision levels, gripper, load."""

@@ -1,1 +1,1 @@
-"""示教: drag teaching, and the way out of it."""
+"""示教: drag teaching, and the steps that leave it safely."""

@@ -1,0 +1,96 @@
+"""What the papers name is there: links, files, rooms, commands; and README stays short."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+PAPERS = [
+    ROOT / "README.md",
+    ROOT / "CHANGELOG.md",
+    *sorted((ROOT / "resources" / "docs").glob("*.md")),
+    *sorted((ROOT / ".github").rglob("*.md")),
+]
+NAMES = [str(paper.relative_to(ROOT)) for paper in PAPERS]
+MOST_WORDS = 999
+
+LINK = re.compile(r"\]\(([^)\s]+)\)")
+ELSEWHERE = re.compile(r"[a-z]+:")
+PATH = re.compile(r"(?<![\w/.-])(?:armui|resources|tests|urdf|\.github|\.ci)/[\w/.*-]*[\w/*]")
+MODULE = re.compile(r"python -m ((?:tests|armui)[\w.]*)")
+
+
+def anchors(paper: Path) -> set[str]:
+    """The headings of a paper as links name them."""
+    heads = re.findall(r"^#+ (.+)$", paper.read_text(encoding="utf-8"), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", head.lower()).replace(" ", "-") for head in heads}
+
+
+@pytest.mark.parametrize("paper", PAPERS, ids=NAMES)
+def test_every_relative_link_leads_somewhere(paper: Path) -> None:
+    links = [
+        link
+        for link in LINK.findall(paper.read_text(encoding="utf-8"))
+        if not ELSEWHERE.match(link)
+    ]
+    broken = []
+    for link in links:
+        name, _, anchor = link.partition("#")
+        target = (paper.parent / name) if name else paper
+        if not target.exists() or (anchor and anchor not in anchors(target)):
+            broken.append(link)
+    assert broken == []
+
+
+@pytest.mark.parametrize("paper", PAPERS, ids=NAMES)
+def test_every_path_named_is_there(paper: Path) -> None:
+    named = set(PATH.findall(paper.read_text(encoding="utf-8")))
+    assert {path for path in named if not any(ROOT.glob(path.rstrip("/")))} == set()
+
+
+@pytest.mark.parametrize("paper", PAPERS, ids=NAMES)
+def test_every_module_to_run_is_there(paper: Path) -> None:
+    modules = set(MODULE.findall(paper.read_text(encoding="utf-8")))
+    places = {module: ROOT.joinpath(*module.split(".")) for module in modules}
+    gone = {
+        module
+        for module, place in places.items()
+        if not place.with_suffix(".py").exists() and not (place / "__main__.py").exists()
+    }
+    assert gone == set()
+
+
+def test_readme_can_be_read_in_one_go() -> None:
+    assert len((ROOT / "README.md").read_text(encoding="utf-8").split()) <= MOST_WORDS
+
+
+def test_every_room_has_its_line_in_the_design() -> None:
+    design = (ROOT / "resources" / "docs" / "design.md").read_text(encoding="utf-8")
+    plan = design.split("```")[1]
+    rooms = {path.parent.name for path in (ROOT / "armui").glob("*/__init__.py")}
+    rooms |= {path.parent.name for path in (ROOT / "armui" / "control").glob("*/__init__.py")}
+    assert {room for room in rooms if f" {room}/" not in plan} == set()
+
+
+def test_every_room_says_what_it_is_for() -> None:
+    silent = [
+        str(path.relative_to(ROOT))
+        for path in (ROOT / "armui").rglob("__init__.py")
+        if not path.read_text(encoding="utf-8").startswith('"""')
+    ]
+    assert silent == []
+
+
+def test_ci_runs_the_command_that_readme_tells() -> None:
+    """`.ci/run` takes the line of README that ends with the check; the workflow runs `.ci/run`."""
+    lines = (ROOT / "README.md").read_text(encoding="utf-8").splitlines()
+    told = next(line for line in lines if line.endswith("tests.check"))
+    assert "apt-get install" in told
+    assert "grep -m 1 'tests\\.check$' README.md" in (ROOT / ".ci" / "run").read_text("utf-8")
+    workflow = (ROOT / ".github" / "workflows" / "check.yml").read_text(encoding="utf-8")
+    assert "bash .ci/run" in workflow
+    for version in ("3.11", "3.12", "3.13"):
+        assert f'"{version}"' in workflow
