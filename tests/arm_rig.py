@@ -15,7 +15,7 @@ from PySide6.QtCore import QCoreApplication, QDeadlineTimer
 
 from armui.arm.device import Device
 from armui.control.arm_controller import ArmController
-from armui.control.events import Notice
+from armui.control.events import Event
 from armui.control.operating_state import LinkState
 from armui.protocol.codec import Codec, Message
 from armui.protocol.frame import Frame
@@ -43,7 +43,7 @@ class ArmRig:
     Attributes:
         firmware: The simulated arm.
         controller: The program's own controller, connected to it on request.
-        notices: Every notice so far.
+        events: Every notice so far.
         channel: Of the virtual bus: whoever else is on it opens the same.
         powered: Whether the arm's time passes; see `Firmware.switch_off` for its supply.
         company: Whoever else is on the bus and lives by this clock; its time passes first.
@@ -65,8 +65,8 @@ class ArmRig:
         self.controller = ArmController(
             self._open, [self.device], find=list, clock=lambda: self.time_s
         )
-        self.notices: list[Notice] = []
-        self.controller.noticed.connect(self.notices.append)
+        self.events: list[Event] = []
+        self.controller.noticed.connect(self.events.append)
 
     @contextmanager
     def _open(self, device: Device) -> Iterator[can.BusABC]:
@@ -166,7 +166,7 @@ class ArmRig:
 
     def codes(self) -> list[str]:
         """The codes of all notices so far."""
-        return [notice.code for notice in self.notices]
+        return [event.code for event in self.events]
 
     def heard(self) -> list[Frame]:
         """The commands that went over the bus since the last call; the arm's own are not heard."""

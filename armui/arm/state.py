@@ -160,7 +160,7 @@ RECORDS: Final[Mapping[str, tuple[str, type]]] = {
 
 
 _NOTHING: Final = (None, None, None, None, None, None)
-_NO_ODDITIES: Final[Mapping[str, int]] = MappingProxyType({})
+_NO_INVALID_FRAMES: Final[Mapping[str, int]] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,7 +189,7 @@ class ArmState:
         status_heard_s: When a status was heard under each identifier offset (0x470), whichever
             arm sent it.
         frames: How many frames have been received since the bus was opened.
-        oddities: How many frames of each kind were not understood.
+        invalid_frames: How many frames of each kind were not understood.
     """
 
     epoch: int = 0
@@ -213,7 +213,7 @@ class ArmState:
     status_heard_s: tuple[float | None, ...] = (None, None, None)
     foreign_targets_s: float | None = None
     frames: int = 0
-    oddities: Mapping[str, int] = field(default_factory=lambda: _NO_ODDITIES)
+    invalid_frames: Mapping[str, int] = field(default_factory=lambda: _NO_INVALID_FRAMES)
 
     def online(self, now_s: float) -> bool:
         """Whether the arm has been heard within the last half second."""

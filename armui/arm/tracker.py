@@ -59,7 +59,7 @@ class Tracker:
         self._published = 0
         self._picture = ArmState(epoch=epoch)
         self._frames = 0
-        self._oddities: Counter[str] = Counter()
+        self._invalid_frames: Counter[str] = Counter()
         self._last_feedback_s: float | None = None
         self._status: Reading[Status] | None = None
         self._gripper: Reading[GripperState] | None = None
@@ -85,7 +85,7 @@ class Tracker:
         self._frames += 1
         self._sequence += 1
         if isinstance(heard, InvalidFrame):
-            self._oddities[heard.kind.name] += 1
+            self._invalid_frames[heard.kind.name] += 1
             if heard.message is None:
                 self._note_status(heard.arbitration_id - _STATUS_ID, at_s)
                 self._note_foreign_target(_TARGET_PLACES.get(heard.arbitration_id), at_s)
@@ -128,7 +128,7 @@ class Tracker:
             status_heard_s=tuple(self._status_heard_s),
             foreign_targets_s=self._all_targets_s(),
             frames=self._frames,
-            oddities=MappingProxyType(dict(self._oddities)),
+            invalid_frames=MappingProxyType(dict(self._invalid_frames)),
             **self._records,
         )
 

@@ -31,7 +31,7 @@ from armui.bus.receive_queue import ReceiveQueue
 from armui.bus.samples import SampleRing
 from armui.bus.sending import SendingThread
 from armui.bus.tap import NoTap, Tap, TapLine
-from armui.protocol.codec import Codec, InvalidFrame, Message, OddityKind
+from armui.protocol.codec import Codec, InvalidFrame, InvalidFrameKind, Message
 from armui.protocol.frame import Frame
 from armui.system.clock import steady_s
 from armui.system.failures import is_our_own
@@ -263,7 +263,7 @@ class BusWorker(QThread):
         else:
             self._health.on_frame(now_s)
             self._others.note(message.arbitration_id, bytes(message.data), now_s)
-        heard = _oddity(message) or self._codec.decode(
+        heard = _invalid_frame(message) or self._codec.decode(
             Frame(message.arbitration_id, bytes(message.data))
         )
         self._tracker.update(heard, now_s)
@@ -284,7 +284,7 @@ class BusWorker(QThread):
         self.reported.emit(BusReport(state, self._device, problem, self._number))
 
 
-def _oddity(message: can.Message) -> InvalidFrame | None:
+def _invalid_frame(message: can.Message) -> InvalidFrame | None:
     """What is wrong with a frame that is no classic data frame with an 11-bit identifier."""
     if message.is_error_frame:
         detail = "the adapter reports a bus error"
@@ -294,4 +294,4 @@ def _oddity(message: can.Message) -> InvalidFrame | None:
         detail = "remote frame"
     else:
         return None
-    return InvalidFrame(OddityKind.UNKNOWN_ID, message.arbitration_id, detail)
+    return InvalidFrame(InvalidFrameKind.UNKNOWN_ID, message.arbitration_id, detail)

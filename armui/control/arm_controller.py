@@ -29,7 +29,7 @@ from armui.control.devices.linkage import LinkageControl
 from armui.control.devices.motors import Motors
 from armui.control.devices.teaching import TeachingControl
 from armui.control.devices.zeroing import Zeroing
-from armui.control.events import LEVELS, EventCode, Notice
+from armui.control.events import LEVELS, Event, EventCode
 from armui.control.link.connection import Connection
 from armui.control.link.device_finder import DeviceFinder
 from armui.control.link.dropped_frames import DroppedFrames
@@ -100,7 +100,7 @@ class ArmController(QObject):
         state_changed: An :class:`ArmState`, at most 30 times a second, when something was heard.
         operating_state_changed: A :class:`OperatingState`, when it differs.
         step_changed: A :class:`Step`, when the next step of recovery differs.
-        noticed: A :class:`Notice`.
+        noticed: A :class:`Event`.
         devices_found: A list of :class:`Device`, the answer to :meth:`search_devices`.
         searching_changed: Whether a search is under way.
     """
@@ -297,7 +297,7 @@ class ArmController(QObject):
         self._stop.stop_again = on
 
     def _notice(self, code: EventCode, **params: object) -> None:
-        self.noticed.emit(Notice(datetime.now().astimezone(), LEVELS[code], code, params))
+        self.noticed.emit(Event(datetime.now().astimezone(), LEVELS[code], code, params))
 
     def tick(self) -> None:
         """Take in what was heard and move on what is under way; the controller's timer calls it."""

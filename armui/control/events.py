@@ -24,7 +24,7 @@ class Level(enum.Enum):
 
 @unique
 class EventCode(StrEnum):
-    """Something that happened; see :class:`Notice`."""
+    """Something that happened; see :class:`Event`."""
 
     SENT_JOINTS = "sent_joints"  # j1 … j6
     JOGGED = "jogged"  # joint, target
@@ -264,7 +264,7 @@ LEVELS: Final[Mapping[EventCode, Level]] = {
 
 
 @dataclass(frozen=True, slots=True)
-class Notice:
+class Event:
     """Something that happened, as data; the user interface has the sentence for it.
 
     Attributes:

@@ -42,7 +42,7 @@ class _Reading(NamedTuple):
     """What a frame says, and what is odd about it, by kind and detail."""
 
     message: Message | None
-    oddity: tuple[str, str] | None
+    invalid_frame: tuple[str, str] | None
 
 
 class _Entry(NamedTuple):
@@ -88,7 +88,7 @@ class LineFormat:
 
     JSON: an object with the keys "t" in seconds, "id", "message" (null when unknown), "signals" by
     name with "value", "unit" and, for codes, "word". A frame that does not follow the protocol has
-    "oddity" with "kind" and "detail"; one that cannot be read has its payload in "data", in
+    "invalid frame" with "kind" and "detail"; one that cannot be read has its payload in "data", in
     hexadecimal. A frame of another channel than the log's first one has "channel".
 
     Args:
@@ -190,19 +190,19 @@ class LineFormat:
         return _reading_of(self._codec.decode(entry.frame))
 
     def _text(self, time: str, entry: _Entry) -> str:
-        identifier, channel, (message, oddity), data, gaps = entry
+        identifier, channel, (message, invalid_frame), data, gaps = entry
         parts = [time, f"{identifier:>10}"]
         if channel:
             parts.append(_literal(f"[{channel}]"))
         if message is None:
-            parts.append(_literal(f"unknown ({': '.join(oddity or ())})"))
+            parts.append(_literal(f"unknown ({': '.join(invalid_frame or ())})"))
             parts.append(data.hex(" ").upper())
         else:
             parts.append(f"{message.name:<19}")
             names = self._codec.signals(message.name)
             parts.append("  ".join(self._signal_text(message, name, gaps) for name in names))
-            if oddity:
-                parts.append(_literal(f"({': '.join(oddity)})"))
+            if invalid_frame:
+                parts.append(_literal(f"({': '.join(invalid_frame)})"))
         return "  ".join(parts).rstrip()
 
     def _signal_text(self, message: Message, name: str, gaps: frozenset[str]) -> str:
@@ -215,7 +215,7 @@ class LineFormat:
         return text
 
     def _json(self, time: str, entry: _Entry) -> str:
-        identifier, channel, (message, oddity), data, gaps = entry
+        identifier, channel, (message, invalid_frame), data, gaps = entry
         line: dict[str, object] = {"id": identifier}
         if channel:
             line["channel"] = channel
@@ -229,8 +229,8 @@ class LineFormat:
             else ""
         )
         tail: dict[str, object] = {}
-        if oddity:
-            tail["oddity"] = {"kind": oddity[0], "detail": oddity[1]}
+        if invalid_frame:
+            tail["oddity"] = {"kind": invalid_frame[0], "detail": invalid_frame[1]}
         if message is None:
             tail["data"] = data.hex().upper()
         end = ", " + _literal(json.dumps(tail))[1:] if tail else "}"

@@ -25,7 +25,7 @@ from armui.protocol.layout import message_layout
 if TYPE_CHECKING:
     from armui.protocol.layout import MessageLayout, SignalLayout
 
-__all__ = ["Codec", "EncodeError", "InvalidFrame", "Message", "OddityKind"]
+__all__ = ["Codec", "EncodeError", "InvalidFrame", "InvalidFrameKind", "Message"]
 
 _UPGRADE_RANGES = (
     range(0x0A0, 0x0B0),
@@ -49,7 +49,7 @@ class Message(NamedTuple):
     signals: dict[str, float]
 
 
-class OddityKind(enum.Enum):
+class InvalidFrameKind(enum.Enum):
     """What is odd about a frame."""
 
     UNKNOWN_ID = "unknown identifier"
@@ -68,7 +68,7 @@ class InvalidFrame(NamedTuple):
             know codes that the tables don't); None where it cannot be read.
     """
 
-    kind: OddityKind
+    kind: InvalidFrameKind
     arbitration_id: int
     detail: str
     message: Message | None = None
@@ -240,7 +240,7 @@ class Codec:
             detail = (
                 f"0x{arbitration_id:03X} is not in the tables of generation {int(self.generation)}"
             )
-        return InvalidFrame(OddityKind.UNKNOWN_ID, arbitration_id, detail)
+        return InvalidFrame(InvalidFrameKind.UNKNOWN_ID, arbitration_id, detail)
 
 
 @cache
@@ -266,7 +266,7 @@ def _decoded(layout: MessageLayout, frame: Frame) -> Message | InvalidFrame:
 def _wrong_length(layout: MessageLayout, frame: Frame) -> InvalidFrame:
     wanted = " or ".join(str(length) for length in layout.lengths)
     detail = f"{layout.name} has {len(frame.data)} bytes instead of {wanted}"
-    return InvalidFrame(OddityKind.WRONG_LENGTH, frame.arbitration_id, detail)
+    return InvalidFrame(InvalidFrameKind.WRONG_LENGTH, frame.arbitration_id, detail)
 
 
 def _outside_table(
@@ -280,4 +280,4 @@ def _outside_table(
         for signal in odd
     )
     message = Message(layout.name, signals)
-    return InvalidFrame(OddityKind.VALUE_OUTSIDE_TABLE, arbitration_id, detail, message)
+    return InvalidFrame(InvalidFrameKind.VALUE_OUTSIDE_TABLE, arbitration_id, detail, message)

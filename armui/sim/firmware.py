@@ -14,7 +14,7 @@ from typing import Final
 from armui.arm.limits import JOINTS
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.addressing import Addressing
-from armui.protocol.codec import Codec, InvalidFrame, OddityKind
+from armui.protocol.codec import Codec, InvalidFrame, InvalidFrameKind
 from armui.protocol.codes import (
     ALL_JOINTS,
     ControlMode,
@@ -106,7 +106,7 @@ class Firmware(Readings):
         )
         self.drivers = Drivers(seed)
         self.gripper = SimulatedGripper(generation, self.settings)
-        self.ignored: Counter[OddityKind] = Counter()
+        self.ignored: Counter[InvalidFrameKind] = Counter()
         self.unsupported: Counter[str] = Counter()
         self._version = version
         self.kinematics = Kinematics(geometry_of(version))

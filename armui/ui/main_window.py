@@ -160,7 +160,7 @@ class MainWindow(Translated, QMainWindow):
         self._view.joint_picked.connect(self._panels.focus_joint)
         self._view.load_failed.connect(self._status_bar.show_problem)
         self._controller.state_changed.connect(self._show_in_view)
-        self._controller.operating_state_changed.connect(self._on_situation_changed)
+        self._controller.operating_state_changed.connect(self._on_operating_state_changed)
         self._unsubscribe = self._preferences.subscribe(self._on_settings_changed)
 
     # -- panels -------------------------------------------------------------------------------
@@ -186,7 +186,7 @@ class MainWindow(Translated, QMainWindow):
 
     # -- the arm in 3D ------------------------------------------------------------------------
 
-    def _on_situation_changed(self, _operating_state: OperatingState) -> None:
+    def _on_operating_state_changed(self, _operating_state: OperatingState) -> None:
         self._show_in_view(self._controller.state)
 
     def _show_in_view(self, state: ArmState) -> None:

@@ -28,7 +28,8 @@ def heard(generation):
 
 def test_both_generations_give_the_same():
     one, two = (
-        replace(common_to_generations(heard(generation)), oddities={}) for generation in Generation
+        replace(common_to_generations(heard(generation)), invalid_frames={})
+        for generation in Generation
     )
     assert one == two
 

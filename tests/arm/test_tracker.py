@@ -104,7 +104,7 @@ def test_what_is_not_understood_is_counted_and_changes_nothing_else(listener):
     listener.hear(0x2A5, "00 01")
     listener.hear(0x7FF, "00")
     picture = listener.hear(0x2A5, "", at_s=9.0)
-    assert picture.oddities == {"WRONG_LENGTH": 2, "UNKNOWN_ID": 1}
+    assert picture.invalid_frames == {"WRONG_LENGTH": 2, "UNKNOWN_ID": 1}
     assert picture.joints_deg == before.joints_deg
     assert picture.last_feedback_s == 1.0
     assert picture.frames == 4
@@ -112,7 +112,7 @@ def test_what_is_not_understood_is_counted_and_changes_nothing_else(listener):
 
 def test_a_code_outside_the_table_is_counted_and_still_shown(listener):
     picture = listener.hear(0x2A1, "01 2F 01 00 00 00 00 00")
-    assert picture.oddities == {"VALUE_OUTSIDE_TABLE": 1}
+    assert picture.invalid_frames == {"VALUE_OUTSIDE_TABLE": 1}
     assert picture.status.value.arm_status == 0x2F
 
 

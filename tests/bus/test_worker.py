@@ -95,7 +95,7 @@ def test_frames_that_are_no_classic_11_bit_data_frames_are_counted(rig):
     rig.arm.send(can.Message(arbitration_id=0x2A5, is_extended_id=True, data=bytes(8)))
     rig.arm.send(can.Message(arbitration_id=0x2A5, is_extended_id=False, is_remote_frame=True))
     rig.arm.send(can.Message(arbitration_id=0x123, is_extended_id=False, data=bytes(8)))
-    rig.qtbot.waitUntil(lambda: rig.worker.state.oddities.get("UNKNOWN_ID") == 3)
+    rig.qtbot.waitUntil(lambda: rig.worker.state.invalid_frames.get("UNKNOWN_ID") == 3)
     assert rig.worker.state.joints_deg[0] is None
 
 

@@ -5,7 +5,7 @@ from armui.control.link.dropped_frames import DroppedFrames
 
 
 def told(rig):
-    return [notice.params for notice in rig.notices if notice.code == EventCode.FRAMES_DROPPED]
+    return [event.params for event in rig.events if event.code == EventCode.FRAMES_DROPPED]
 
 
 def test_they_are_told_at_once_and_then_every_ten_seconds(rig):

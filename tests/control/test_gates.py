@@ -215,8 +215,8 @@ def test_an_arm_that_is_left_does_not_go_on(ready, begin, leave):
     begin(ready)
     ready.ear.heard.clear()
     getattr(ready.controller, leave)()
-    told = [notice for notice in ready.notices if "failed" in notice.code]
-    assert [notice.params["reason"].code for notice in told] == ["run_left"]
+    told = [event for event in ready.events if "failed" in event.code]
+    assert [event.params["reason"].code for event in told] == ["run_left"]
     ready.node.poll(0.02)
     assert ready.ear.heard[-1] == ABORT
     for _ in range(50):

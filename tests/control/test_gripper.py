@@ -42,7 +42,7 @@ def sent(arm):
 
 
 def told(arm, code):
-    return [notice.params for notice in arm.notices if notice.code == code]
+    return [event.params for event in arm.events if event.code == code]
 
 
 def test_opened(arm, generation):

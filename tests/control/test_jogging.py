@@ -147,7 +147,7 @@ def test_a_joint_stops_at_its_limit_and_says_so(any_bench):
     hold(rig, 0.6)
     assert not jogging.active
     assert angles(rig)[0] == 150.0
-    told = rig.notices[-1]
+    told = rig.events[-1]
     assert told.code == "jog_ended"
     assert told.params["reason"].code == RefusalCode.JOG_AT_LIMIT
     assert dict(told.params["reason"].params) == {"joint": 1, "limit": 150.0}
@@ -176,7 +176,7 @@ def test_the_tool_stops_before_what_it_cannot_do(rig, job, seconds, reason):
         hold(rig, TICK_S)
         if not jogging.active:
             break
-    told = rig.notices[-1]
+    told = rig.events[-1]
     assert (told.code, told.params["reason"].code) == ("jog_ended", reason)
     assert rest_s(rig) <= 0.1
     assert rig.controller.operating_state.cannot_move is None  # the arm had nothing to complain of
@@ -187,7 +187,7 @@ def test_at_a_singular_pose_the_tool_does_not_go_sideways(rig):
     before = angles(rig)
     rig.controller.jogging.start(ToolJog(1, 1, JogFrame.BASE))
     hold(rig, 0.3)
-    told = rig.notices[-1]
+    told = rig.events[-1]
     assert told.params["reason"].code == RefusalCode.JOG_SINGULAR
     assert angles(rig) == pytest.approx(before, abs=0.2)
 
@@ -213,7 +213,7 @@ def test_the_tool_goes_along_one_axis_alone(rig, axis, frame):
         amount = next(a / 100 for a in range(1, 1200) if abs(_turn(start, end) - a / 100) <= 0.0051)
     reached = matrix_to_pose(end)
     assert reached == pytest.approx(matrix_to_pose(shifted(start, axis, amount, frame)), abs=0.05)
-    assert AXES[axis] == rig.notices[-1].params["axis"]
+    assert AXES[axis] == rig.events[-1].params["axis"]
 
 
 def _turn(start, end):
@@ -264,7 +264,7 @@ def test_speed_zero_ends_it_with_the_reason(rig):
     controller = held(rig)
     controller.motion.set_speed_percent(0)
     hold(rig, 0.05)
-    assert rig.notices[-1].params["reason"].code == "speed_zero"
+    assert rig.events[-1].params["reason"].code == "speed_zero"
 
 
 def test_a_program_that_was_stuck_does_not_go_on_by_itself(rig):
@@ -275,7 +275,7 @@ def test_a_program_that_was_stuck_does_not_go_on_by_itself(rig):
     assert rested <= 0.1
     assert not controller.jogging.active
     assert angles(rig) == before
-    assert rig.notices[-1].params["reason"].code == "jog_held_up"
+    assert rig.events[-1].params["reason"].code == "jog_held_up"
 
 
 def test_an_arm_that_can_hear_and_not_be_heard_is_not_led_on(rig):
@@ -289,7 +289,7 @@ def test_an_arm_that_can_hear_and_not_be_heard_is_not_led_on(rig):
             took_s = TICK_S * (count + 1)
         places = rig.firmware.joints_deg
     assert took_s <= 0.1
-    assert rig.notices[-1].params["reason"].code == "jog_no_feedback"
+    assert rig.events[-1].params["reason"].code == "jog_no_feedback"
     assert not controller.jogging.active
 
 
@@ -298,7 +298,7 @@ def test_an_arm_that_does_not_follow_is_given_up(rig):
     rig.firmware._moves.take = lambda name, signals: True  # it takes no target any more
     hold(rig, 1.0)
     assert not controller.jogging.active
-    assert rig.notices[-1].params["reason"].code == "jog_not_following"
+    assert rig.events[-1].params["reason"].code == "jog_not_following"
 
 
 def test_an_arm_in_motion_is_not_jogged(rig):
@@ -308,7 +308,7 @@ def test_an_arm_in_motion_is_not_jogged(rig):
     rig.heard()
     assert rig.controller.jogging.start(JointJog(2, 1)) is None
     hold(rig, 0.5)
-    assert rig.notices[-1].params["reason"].code == "still_moving"
+    assert rig.events[-1].params["reason"].code == "still_moving"
     assert rig.heard() == []
 
 

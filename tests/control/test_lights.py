@@ -21,7 +21,7 @@ def test_a_lamp_is_coloured_as_the_protocol_says(any_bench):
     # enable, joint, lamp, red, green, blue, reserved, counter
     assert rig.heard() == [light("01 02 07 FF 80 01 00 00")]
     assert rig.firmware.settings.lights[2][:4] == (7, 255, 128, 1)
-    told = rig.notices[-1]
+    told = rig.events[-1]
     assert (told.code, told.params["color"]) == ("sent_lamp", "#FF8001")
 
 
@@ -61,7 +61,7 @@ def test_the_counter_goes_on_over_another_connection(rig):
     rig.controller.lights.set_light(1, 0, 0, 0, 0)
     rig.step()
     rig.controller.disconnect_device()
-    rig.notices.clear()
+    rig.events.clear()
     rig.connect()
     rig.heard()
     rig.controller.lights.set_light(1, 0, 0, 0, 0)

@@ -128,7 +128,7 @@ def test_no_answer(arm):
     arm.linkage.set(OUTPUT, feedback_offset=0x10)
     arm.run_until(lambda: "linkage_failed" in arm.codes())
     assert used(arm) == Addressing()
-    failed = next(each for each in arm.notices if each.code == "linkage_failed")
+    failed = next(each for each in arm.events if each.code == "linkage_failed")
     assert failed.params["reason"].code == RefusalCode.SETTING_UNANSWERED
 
 

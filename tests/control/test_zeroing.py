@@ -35,7 +35,7 @@ def done(arm):
 
 
 def last(arm):
-    return arm.notices[-1]
+    return arm.events[-1]
 
 
 def test_one_joint(arm, generation):
@@ -105,7 +105,7 @@ def test_a_stop_ends_it_and_nothing_is_sent_again(arm):
     assert not arm.controller.zeroing.busy
     arm.run(2.0)
     assert len(sent(arm)) == 1
-    reasons = [each.params["reason"].code for each in arm.notices if each.code == "zero_failed"]
+    reasons = [each.params["reason"].code for each in arm.events if each.code == "zero_failed"]
     assert reasons == ["ended_by_stop"]
 
 
@@ -124,7 +124,7 @@ def test_a_link_lost_half_way_ends_it(arm):
     arm.controller.zeroing.set_zero(2)
     arm.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
     arm.run_until(lambda: "zero_failed" in arm.codes())
-    failed = next(each for each in arm.notices if each.code == "zero_failed")
+    failed = next(each for each in arm.events if each.code == "zero_failed")
     assert failed.params["reason"].code == RefusalCode.LINK_LOST
     assert not arm.controller.zeroing.busy
 

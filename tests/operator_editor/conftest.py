@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.operator_editor.hands import BACK, OUT, UP, Editor, to
+from tests.operator_editor.actions import BACK, OUT, UP, Editor, to
 
 
 @pytest.fixture

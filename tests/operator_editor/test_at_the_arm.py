@@ -5,7 +5,7 @@ import math
 import pytest
 from PySide6.QtCore import Qt
 
-from tests.operator_editor.hands import BACK, CTRL, OUT, Editor, to
+from tests.operator_editor.actions import BACK, CTRL, OUT, Editor, to
 
 
 def test_the_current_pose_without_an_arm_is_refused(editor):

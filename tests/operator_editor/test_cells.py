@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QComboBox, QLineEdit, QWidget
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.cells import PointColumn
 from armui.trajectory.points.program import GripperOpening, LightAction
-from tests.operator_editor.hands import BACK, UP
+from tests.operator_editor.actions import BACK, UP
 
 
 def test_an_angle_is_typed_undone_and_done_again(editor):

@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QDropEvent, QGuiApplication
 
-from tests.operator_editor.hands import ALT, BACK, CTRL, OUT, SHIFT, UP, Editor, notes, to
+from tests.operator_editor.actions import ALT, BACK, CTRL, OUT, SHIFT, UP, Editor, notes, to
 
 
 def test_rows_are_inserted_duplicated_moved_and_deleted(editor):

@@ -11,7 +11,7 @@ from armui.ui.trajectory.editor.leave_question import LeaveQuestion
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.running.preflight import Checks
 from tests.app_driver import AtOnce
-from tests.operator_editor.hands import CTRL, notes
+from tests.operator_editor.actions import CTRL, notes
 
 # Find and replace ---------------------------------------------------------------------------------
 

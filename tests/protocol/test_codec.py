@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from armui.protocol.addressing import Addressing
-from armui.protocol.codec import Codec, EncodeError, InvalidFrame, Message, OddityKind
+from armui.protocol.codec import Codec, EncodeError, InvalidFrame, InvalidFrameKind, Message
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 
@@ -33,7 +33,7 @@ def frame(arbitration_id: int, payload: str) -> Frame:
     data=st.binary(max_size=8),
     offsets=st.tuples(st.sampled_from((0, 0x10, 0x20)), st.sampled_from((0, 0x10, 0x20))),
 )
-def test_any_frame_is_a_message_or_an_oddity(generation, arbitration_id, data, offsets):
+def test_any_frame_is_a_message_or_an_invalid_frame(generation, arbitration_id, data, offsets):
     codec = Codec(generation, Addressing(*offsets)) if any(offsets) else CODECS[generation]
     decoded = codec.decode(Frame(arbitration_id, data))
     if isinstance(decoded, InvalidFrame):
@@ -65,7 +65,9 @@ def test_every_wrong_length_is_told(generation):
         good = LENIENT.get(layout.arbitration_id, {8})
         for length in range(9):
             decoded = codec.decode(Frame(layout.arbitration_id, bytes(length)))
-            is_wrong = isinstance(decoded, InvalidFrame) and decoded.kind is OddityKind.WRONG_LENGTH
+            is_wrong = (
+                isinstance(decoded, InvalidFrame) and decoded.kind is InvalidFrameKind.WRONG_LENGTH
+            )
             assert is_wrong == (length not in good), (layout.name, length)
 
 
@@ -88,9 +90,9 @@ def test_linkage_setting_of_four_bytes_in_generation_2():
 
 
 def test_wrong_length_names_message_and_lengths():
-    oddity = TWO.decode(frame(0x470, "FA 10"))
-    assert oddity == InvalidFrame(
-        OddityKind.WRONG_LENGTH, 0x470, "LinkageSetting has 2 bytes instead of 4 or 8"
+    invalid_frame = TWO.decode(frame(0x470, "FA 10"))
+    assert invalid_frame == InvalidFrame(
+        InvalidFrameKind.WRONG_LENGTH, 0x470, "LinkageSetting has 2 bytes instead of 4 or 8"
     )
 
 
@@ -115,18 +117,20 @@ def test_wrong_length_names_message_and_lengths():
 def test_values_outside_their_table_are_told_and_still_readable(
     codec, arbitration_id, payload, words
 ):
-    oddity = codec.decode(frame(arbitration_id, payload))
-    assert isinstance(oddity, InvalidFrame)
-    assert oddity.kind is OddityKind.VALUE_OUTSIDE_TABLE
-    assert words in oddity.detail
-    assert oddity.message is not None
-    assert oddity.message.signals.keys() == set(codec.signals(oddity.message.name))
+    invalid_frame = codec.decode(frame(arbitration_id, payload))
+    assert isinstance(invalid_frame, InvalidFrame)
+    assert invalid_frame.kind is InvalidFrameKind.VALUE_OUTSIDE_TABLE
+    assert words in invalid_frame.detail
+    assert invalid_frame.message is not None
+    assert invalid_frame.message.signals.keys() == set(codec.signals(invalid_frame.message.name))
 
 
-def test_the_message_beside_an_oddity_is_in_physical_units():
+def test_the_message_beside_an_invalid_frame_is_in_physical_units():
     # 90° = 0x15F90 beside an unknown gripper state
-    oddity = ONE.decode(frame(0x2A8, "00 01 5F 90 05 DC 02 00"))
-    assert oddity.message == Message("GripperFeedback", {"Angle": 90.0, "Speed": 1.5, "Enabled": 2})
+    invalid_frame = ONE.decode(frame(0x2A8, "00 01 5F 90 05 DC 02 00"))
+    assert invalid_frame.message == Message(
+        "GripperFeedback", {"Angle": 90.0, "Speed": 1.5, "Enabled": 2}
+    )
 
 
 @pytest.mark.parametrize(
@@ -134,9 +138,9 @@ def test_the_message_beside_an_oddity_is_in_physical_units():
 )
 def test_firmware_upgrade_ranges_are_named(arbitration_id):
     for codec in CODECS.values():
-        oddity = codec.decode(Frame(arbitration_id, bytes(8)))
-        assert oddity.kind is OddityKind.UNKNOWN_ID
-        assert "firmware upgrade range" in oddity.detail
+        invalid_frame = codec.decode(Frame(arbitration_id, bytes(8)))
+        assert invalid_frame.kind is InvalidFrameKind.UNKNOWN_ID
+        assert "firmware upgrade range" in invalid_frame.detail
 
 
 def test_firmware_version_is_an_upgrade_identifier_to_generation_1():
@@ -146,9 +150,9 @@ def test_firmware_version_is_an_upgrade_identifier_to_generation_1():
 
 def test_other_unknown_identifiers():
     assert TWO.decode(Frame(0x777, b"")) == InvalidFrame(
-        OddityKind.UNKNOWN_ID, 0x777, "0x777 is not in the tables of generation 2"
+        InvalidFrameKind.UNKNOWN_ID, 0x777, "0x777 is not in the tables of generation 2"
     )
-    assert ONE.decode(Frame(0x47D, bytes(8))).kind is OddityKind.UNKNOWN_ID
+    assert ONE.decode(Frame(0x47D, bytes(8))).kind is InvalidFrameKind.UNKNOWN_ID
 
 
 # --- encoding ---------------------------------------------------------------------------------
@@ -284,9 +288,9 @@ def test_offsets_move_feedback_and_commands_only():
 @pytest.mark.parametrize("arbitration_id", [0x2A5, 0x2C5, 0x150, 0x165])
 def test_frames_of_the_other_arm_are_told(arbitration_id):
     shifted = Codec(Generation.TWO, Addressing(feedback_offset=0x10, control_offset=0x20))
-    oddity = shifted.decode(Frame(arbitration_id, bytes(8)))
-    assert oddity.kind is OddityKind.UNKNOWN_ID
-    assert "other identifier offsets" in oddity.detail
+    invalid_frame = shifted.decode(Frame(arbitration_id, bytes(8)))
+    assert invalid_frame.kind is InvalidFrameKind.UNKNOWN_ID
+    assert "other identifier offsets" in invalid_frame.detail
 
 
 @given(

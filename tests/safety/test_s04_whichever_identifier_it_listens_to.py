@@ -49,7 +49,7 @@ def test_a_second_arm_that_is_heard_is_named(rig):
         other.send(can.Message(arbitration_id=0x2B1, data=bytes(8), is_extended_id=False))
         rig.step()
         rig.controller.emergency_stop()
-    (named,) = [each for each in rig.notices if each.code == "stop_reaches_other"]
+    (named,) = [each for each in rig.events if each.code == "stop_reaches_other"]
     assert named.params == {"feedback": "0x2B1"}
 
 

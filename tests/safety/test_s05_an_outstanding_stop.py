@@ -118,7 +118,7 @@ def test_a_stop_is_not_sent_to_another_device(moving, qtbot):
     rig.controller.connect_device(other)
     rig.run(1.0)
     assert not rig.firmware.stopped
-    (told,) = [each for each in rig.notices if each.code == "stop_abandoned"]
+    (told,) = [each for each in rig.events if each.code == "stop_abandoned"]
     assert told.params["device"] == rig.device
 
 

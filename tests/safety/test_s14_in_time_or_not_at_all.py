@@ -23,7 +23,7 @@ def zeros(arm):
 
 
 def failed(arm):
-    return [each.params["reason"].code for each in arm.notices if each.code == "zero_failed"]
+    return [each.params["reason"].code for each in arm.events if each.code == "zero_failed"]
 
 
 def test_a_zero_does_not_wait_behind_questions_nobody_answers(arm):
@@ -60,7 +60,7 @@ def test_a_zero_is_not_sent_to_a_joint_that_stands_elsewhere_by_then(arm):
     arm.run(3.0)
     assert zeros(arm) == []
     assert failed(arm) == ["zero_moved"]
-    reason = next(each.params["reason"] for each in arm.notices if each.code == "zero_failed")
+    reason = next(each.params["reason"] for each in arm.events if each.code == "zero_failed")
     assert reason.params == {"joints": "2"}
 
 

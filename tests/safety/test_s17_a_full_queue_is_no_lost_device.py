@@ -107,13 +107,13 @@ def test_it_is_waited_for_and_after_half_a_second_called_what_it_is(rig, qtbot, 
     assert rig.controller.motion.send_joints((10.0, 0.0, 0.0, 0.0, 0.0, 0.0)) is None
     step_blocked(rig, qtbot, tries, 0.7)
     qtbot.waitUntil(lambda: "bus_blocked" in rig.codes())
-    told = next(each for each in rig.notices if each.code == "bus_blocked")
+    told = next(each for each in rig.events if each.code == "bus_blocked")
     assert (
         told.params["reason"].code == RefusalCode.BUS_SEND_BLOCKED
     )  # the arm is heard all the while
     assert "link_lost" not in rig.codes()
     assert rig.controller.operating_state.link is LinkState.ONLINE
-    assert "Unplug the adapter" in words.notice(told)
+    assert "Unplug the adapter" in words.event(told)
     empty(rig)
     rig.heard()
     rig.step()
@@ -190,7 +190,7 @@ def test_bus_off_reaches_the_operator(rig, qtbot, monkeypatch):
         can.Message(arbitration_id=BUS_OFF, is_error_frame=True, data=bytes(8), is_extended_id=True)
     )
     qtbot.waitUntil(lambda: "bus_blocked" in rig.codes())
-    told = next(each for each in rig.notices if each.code == "bus_blocked")
+    told = next(each for each in rig.events if each.code == "bus_blocked")
     assert told.params["reason"].code == RefusalCode.BUS_OFF
     assert rig.controller.operating_state.link_problem.code == RefusalCode.BUS_OFF
     rig.run(0.1)

@@ -85,7 +85,7 @@ def test_a_long_pause_ends_the_replay_and_says_why(ready, pause_s):
     progress = replayer.progress
     assert (progress.phase, progress.reason.code) == (RunPhase.FAILED, "replay_gap")
     assert progress.reason.params == {"seconds": round(pause_s, 1)}
-    told = [notice for notice in ready.notices if notice.code == EventCode.REPLAY_FAILED]
+    told = [event for event in ready.events if event.code == EventCode.REPLAY_FAILED]
     assert told[-1].params["reason"].code == RefusalCode.REPLAY_GAP
     ready.run(0.5)
     at = ready.firmware.joints_deg

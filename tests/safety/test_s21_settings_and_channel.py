@@ -13,7 +13,7 @@ from filelock import FileLock
 
 from armui.arm.device import Device
 from armui.arm.refusal_codes import RefusalCode
-from armui.control.events import Notice
+from armui.control.events import Event
 from armui.control.link.neighbours import Neighbours
 from armui.control.operating_state import OperatingState
 from armui.settings import SettingsStore, _lock_path
@@ -109,9 +109,9 @@ def test_a_program_that_was_killed_is_not_there(tmp_path):
 @pytest.fixture
 def two(qapp, tmp_path):
     controllers = [FakeController(), FakeController()]
-    told: list[list[Notice]] = [[], []]
-    for controller, notices in zip(controllers, told, strict=True):
-        controller.noticed.connect(notices.append)
+    told: list[list[Event]] = [[], []]
+    for controller, events in zip(controllers, told, strict=True):
+        controller.noticed.connect(events.append)
     files = [tmp_path / "one.json", tmp_path / "other.json"]
     programs = [
         Neighbours(controller.as_real, file, tmp_path / "run", LOOK_S)
@@ -140,10 +140,10 @@ def test_each_says_that_the_other_is_on_the_channel(two, qtbot):
 
 def test_each_says_that_the_other_has_the_settings_file(qapp, qtbot, tmp_path):
     controllers = [FakeController(), FakeController()]
-    told: list[list[Notice]] = [[], []]
+    told: list[list[Event]] = [[], []]
     programs = []
-    for controller, notices in zip(controllers, told, strict=True):
-        controller.noticed.connect(notices.append)
+    for controller, events in zip(controllers, told, strict=True):
+        controller.noticed.connect(events.append)
         programs.append(
             Neighbours(controller.as_real, tmp_path / "s.json", tmp_path / "run", LOOK_S)
         )

@@ -21,7 +21,7 @@ def stopped(rig):
 def test_it_is_said_at_once_and_not_stopped_again(stopped, other_host):
     other_host.say(RESUME)
     stopped.run(0.5)
-    told = [each for each in stopped.notices if each.code == "stop_undone"]
+    told = [each for each in stopped.events if each.code == "stop_undone"]
     assert [each.level for each in told] == [Level.FAULT]
     assert not stopped.firmware.stopped
     assert stopped.controller.operating_state.stop is StopState.RUNNING

@@ -9,7 +9,7 @@ from __future__ import annotations
 import pytest
 
 from armui.protocol.addressing import Addressing
-from armui.protocol.codec import OddityKind
+from armui.protocol.codec import InvalidFrameKind
 from armui.protocol.codes import EndLoad
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
@@ -265,14 +265,16 @@ def test_dialogue(name: str, generation: Generation) -> None:
 @pytest.mark.parametrize(
     ("line", "kind"),
     [
-        ("7AB#00", OddityKind.UNKNOWN_ID),
-        ("471#0702", OddityKind.WRONG_LENGTH),
-        ("151#0101650000000000", OddityKind.VALUE_OUTSIDE_TABLE),  # 101 %
-        ("150#0300000000000000", OddityKind.VALUE_OUTSIDE_TABLE),
-        ("160#0100000000000000", OddityKind.UNKNOWN_ID),  # another arm's stop
+        ("7AB#00", InvalidFrameKind.UNKNOWN_ID),
+        ("471#0702", InvalidFrameKind.WRONG_LENGTH),
+        ("151#0101650000000000", InvalidFrameKind.VALUE_OUTSIDE_TABLE),  # 101 %
+        ("150#0300000000000000", InvalidFrameKind.VALUE_OUTSIDE_TABLE),
+        ("160#0100000000000000", InvalidFrameKind.UNKNOWN_ID),  # another arm's stop
     ],
 )
-def test_what_is_not_understood_is_counted_and_changes_nothing(line: str, kind: OddityKind) -> None:
+def test_what_is_not_understood_is_counted_and_changes_nothing(
+    line: str, kind: InvalidFrameKind
+) -> None:
     arm, other = Firmware(TWO), Firmware(TWO)
     assert tell(arm, line) == []
     assert arm.ignored == {kind: 1}

@@ -34,7 +34,7 @@ SLOW = list(range(0x261, 0x267))
 
 
 def message(codec: Codec, each: Frame) -> Message:
-    """Decodes a frame that must hold no oddity."""
+    """Decodes a frame that must hold no invalid frame."""
     decoded = codec.decode(each)
     assert isinstance(decoded, Message), decoded
     return decoded

@@ -181,7 +181,7 @@ def test_end_motion_is_that_of_the_flange(joint: int) -> None:
     assert max(signals["AngularAcceleration"] for signals in told) == pytest.approx(5.0, abs=0.001)
 
 
-def test_a_load_that_is_not_given_changes_nothing_and_is_no_oddity() -> None:
+def test_a_load_that_is_not_given_changes_nothing_and_is_no_invalid_frame() -> None:
     """The maker's SDK fills byte 4 with 3 whenever the frame is about something else."""
     arm = Firmware(TWO)
     assert tell(arm, "477#000000AE02000000") == ["476#7700000000000000"]

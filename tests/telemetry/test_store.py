@@ -5,7 +5,7 @@ import math
 import pytest
 
 from armui.arm.limits import JOINTS
-from armui.protocol.codec import Codec, InvalidFrame, Message, OddityKind
+from armui.protocol.codec import Codec, InvalidFrame, InvalidFrameKind, Message
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.telemetry.quantities import QUANTITIES, RECORDS, Source
@@ -153,8 +153,8 @@ def test_a_code_outside_its_table_is_kept_and_an_unknown_frame_counted(telemetry
     status = {"ControlMode": 99, "Status": 0, "MoveMode": 1, "TeachingState": 0, "MotionState": 0}
     status |= {f"J{n}{what}": 0 for n in JOINTS for what in ("LimitExceeded", "CommunicationFault")}
     message = Message("ArmStatus", {**status, "TrajectoryPoint": 0.0})
-    odd = InvalidFrame(OddityKind.VALUE_OUTSIDE_TABLE, 0x2A1, "odd", message)
-    unknown = InvalidFrame(OddityKind.UNKNOWN_ID, 0x7FF, "unknown")
+    odd = InvalidFrame(InvalidFrameKind.VALUE_OUTSIDE_TABLE, 0x2A1, "odd", message)
+    unknown = InvalidFrame(InvalidFrameKind.UNKNOWN_ID, 0x7FF, "unknown")
     telemetry.on_look(1.0)
     telemetry.on_heard([(odd, 1.0, 8), (unknown, 1.0, 8)])
     telemetry.on_look(1.2)

@@ -5,7 +5,7 @@ from datetime import datetime
 import pytest
 from PySide6.QtWidgets import QLabel
 
-from armui.control.events import EventCode, Level, Notice
+from armui.control.events import Event, EventCode, Level
 from armui.control.operating_state import LinkState
 from armui.ui.shell.status_bar import StatusBar
 from armui.ui.theme import LIGHT
@@ -103,12 +103,10 @@ def test_status_frame_lost_while_others_arrive(bar, controller):
 
 
 def test_last_notice_with_its_time(bar, controller):
-    controller.noticed.emit(
-        Notice(NOON, Level.INFO, EventCode.JOGGED, {"joint": 2, "target": 12.0})
-    )
+    controller.noticed.emit(Event(NOON, Level.INFO, EventCode.JOGGED, {"joint": 2, "target": 12.0}))
     assert text(bar, "notice_label") == "12:03:04  Sent J2 12.000°"
     assert not bar._notice_icon.isVisible()
-    controller.noticed.emit(Notice(NOON, Level.FAULT, EventCode.STOP_UNCONFIRMED, {}))
+    controller.noticed.emit(Event(NOON, Level.FAULT, EventCode.STOP_UNCONFIRMED, {}))
     assert "NOT confirmed" in text(bar, "notice_label")
     assert bar._notice_icon.isVisible()
 
@@ -123,9 +121,9 @@ def test_the_notice_gives_way_and_the_status_never(bar, controller):
             communication_fault=joints(1, 2, 3, 4, 5, 6),
         )
     )
-    controller.noticed.emit(Notice(NOON, Level.FAULT, EventCode.STOP_UNCONFIRMED, {}))
-    notice = bar.findChild(QLabel, "notice_label")
-    assert "NOT confirmed" in notice.toolTip()
+    controller.noticed.emit(Event(NOON, Level.FAULT, EventCode.STOP_UNCONFIRMED, {}))
+    event = bar.findChild(QLabel, "notice_label")
+    assert "NOT confirmed" in event.toolTip()
     for name in ("control", "arm", "mode", "teaching", "reached", "joints"):
         label = bar.findChild(QLabel, f"status_{name}")
         assert label.width() >= label.sizeHint().width(), name

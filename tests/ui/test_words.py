@@ -14,14 +14,14 @@ from PySide6.QtWidgets import QApplication
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.control.events import LEVELS, EventCode, Level, Notice
+from armui.control.events import LEVELS, Event, EventCode, Level
 from armui.protocol.codes import MoveMode
 from armui.settings import SettingsStore, check
 from armui.trajectory import columns, files
 from armui.trajectory.points.program import GripperOpening, Waypoint, check_point
 from armui.ui import words
 from armui.ui.translation import LANGUAGES, Language, Translator
-from armui.ui.words import notices, refusals
+from armui.ui.words import events, refusals
 
 AT = datetime(2026, 1, 2, 3, 4, 5).astimezone()
 
@@ -38,8 +38,8 @@ def chinese(translator: Translator) -> None:
     translator.set_language("zh")
 
 
-def notice(code: EventCode, **params: object) -> str:
-    return words.notice(Notice(AT, Level.INFO, code, params))
+def event(code: EventCode, **params: object) -> str:
+    return words.event(Event(AT, Level.INFO, code, params))
 
 
 def has_chinese(text: str) -> bool:
@@ -61,7 +61,7 @@ IN_THE_PICTURE = frozenset(
 
 
 def test_there_is_a_sentence_for_every_event() -> None:
-    assert set(EventCode) == set(LEVELS) == notices.CODES
+    assert set(EventCode) == set(LEVELS) == events.CODES
 
 
 def test_there_is_a_sentence_for_every_refusal() -> None:
@@ -90,7 +90,7 @@ def test_a_notice_reads_as_words(
 ) -> None:
     translator.set_language(language)
 
-    text = notice(code)
+    text = event(code)
 
     assert not text.startswith(("Event:", "事件"))
     assert "{" not in text
@@ -100,7 +100,7 @@ def test_a_notice_reads_as_words(
 def test_what_nobody_foresaw_is_still_said(qapp: QApplication) -> None:
     odd = Refusal("odd", {"a": 1})  # type: ignore[arg-type]
     assert words.refusal(odd) == "Not possible now: odd(a=1)."
-    assert notice("odd") == "Event: odd"  # type: ignore[arg-type]
+    assert event("odd") == "Event: odd"  # type: ignore[arg-type]
 
 
 # Files -------------------------------------------------------------------------------------------
@@ -174,13 +174,13 @@ def test_a_refusal_names_what_it_is_about(chinese: None, refusal: Refusal, expec
 
 
 def test_a_notice_holds_the_reason_in_the_same_language(chinese: None) -> None:
-    assert notice(EventCode.REFUSED, reason=Refusal(RefusalCode.JOINTS_UNKNOWN)) == (
+    assert event(EventCode.REFUSED, reason=Refusal(RefusalCode.JOINTS_UNKNOWN)) == (
         "未发送。尚未收到全部关节角度。请等待 6 个关节的角度都显示出来。"
     )
 
 
 def test_a_notice_without_its_reason_ends_cleanly(qapp: QApplication) -> None:
-    text = notice(EventCode.LINK_LOST, device="can0", reason=None)
+    text = event(EventCode.LINK_LOST, device="can0", reason=None)
 
     assert text == "Connection to can0 lost; the program keeps trying to reconnect."
 
@@ -188,19 +188,19 @@ def test_a_notice_without_its_reason_ends_cleanly(qapp: QApplication) -> None:
 def test_six_angles_sent(chinese: None) -> None:
     angles = {f"j{n}": float(n) for n in range(1, 7)}
 
-    assert notice(EventCode.SENT_JOINTS, **angles) == (
+    assert event(EventCode.SENT_JOINTS, **angles) == (
         "已发送 J1 1.000°  J2 2.000°  J3 3.000°  J4 4.000°  J5 5.000°  J6 6.000°"
     )
 
 
 def test_generation_1_has_no_firmware_text(qapp: QApplication) -> None:
-    assert notice(EventCode.GENERATION, generation=1, firmware="").endswith("Firmware: —")
+    assert event(EventCode.GENERATION, generation=1, firmware="").endswith("Firmware: —")
 
 
 def test_a_simulated_arm_has_a_name_in_the_operators_language(chinese: None) -> None:
     device = Device("virtual", "x", None, simulated=True, generation=1)
 
-    assert notice(EventCode.DISCONNECTED, device=device) == "已断开 仿真机械臂（第 1 代）"
+    assert event(EventCode.DISCONNECTED, device=device) == "已断开 仿真机械臂（第 1 代）"
     assert words.device_name(Device("socketcan", "can0")) == "socketcan can0"
 
 
@@ -217,7 +217,7 @@ def test_a_simulated_arm_has_a_name_in_the_operators_language(chinese: None) -> 
 def test_physical_danger_is_said_in_plain_words(
     chinese: None, code: EventCode, danger: str
 ) -> None:
-    assert danger in notice(code)
+    assert danger in event(code)
 
 
 # What the settings say ----------------------------------------------------------------------------
@@ -337,7 +337,7 @@ def test_the_manuals_status_bar(chinese: None) -> None:
 
 
 def test_sentences_use_only_plain_placeholders() -> None:
-    for source in [*refusals._REFUSALS.values(), *notices._NOTICES.values()]:
+    for source in [*refusals._REFUSALS.values(), *events._NOTICES.values()]:
         for _text, name, spec, conversion in string.Formatter().parse(str(source)):
             assert name is None or name.isidentifier()
             assert not spec

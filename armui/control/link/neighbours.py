@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Signal
 
-from armui.control.events import LEVELS, EventCode, Notice
+from armui.control.events import LEVELS, Event, EventCode
 from armui.control.operating_state import OperatingState
 from armui.system.presence import PresenceWatch
 
@@ -55,18 +55,18 @@ class Neighbours(QObject):
         self._settings = self._watch(
             EventCode.SETTINGS_SHARED, str(settings.absolute()), str(settings)
         )
-        controller.operating_state_changed.connect(self._on_situation)
-        self._on_situation(controller.operating_state)
+        controller.operating_state_changed.connect(self._on_operating_state)
+        self._on_operating_state(controller.operating_state)
 
     def close(self) -> None:
         """Withdraw from every place where copies of the program find each other."""
-        self._controller.operating_state_changed.disconnect(self._on_situation)
+        self._controller.operating_state_changed.disconnect(self._on_operating_state)
         self._settings.close()
         if self._channel is not None:
             self._channel.close()
             self._channel = None
 
-    def _on_situation(self, operating_state: OperatingState) -> None:
+    def _on_operating_state(self, operating_state: OperatingState) -> None:
         device = operating_state.device
         if device == self._device:
             return
@@ -91,4 +91,4 @@ class Neighbours(QObject):
                 "count": count,
             }
             at = datetime.now().astimezone()
-            self._controller.noticed.emit(Notice(at, LEVELS[code], code, params))
+            self._controller.noticed.emit(Event(at, LEVELS[code], code, params))

@@ -135,7 +135,7 @@ class BackupDialog(ArmDialog):
         self._reader.progressed.connect(self._on_progress)
         self._reader.finished.connect(self._on_read_to_the_end)
         self._settings.changed.connect(self._on_settings_changed)
-        self._controller.operating_state_changed.connect(self._on_situation_changed)
+        self._controller.operating_state_changed.connect(self._on_operating_state_changed)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
@@ -277,7 +277,7 @@ class BackupDialog(ArmDialog):
         failed = [cell.reason for cell in cells if cell.state is not CellState.SAVED]
         self._say(*backup_text.restored(len(cells), failed))
 
-    def _on_situation_changed(self, _operating_state: OperatingState) -> None:
+    def _on_operating_state_changed(self, _operating_state: OperatingState) -> None:
         if self.isVisible():
             self._show_all()
 

@@ -86,8 +86,8 @@ class ConnectDialog(ArmDialog):
         self._manual.entered.connect(self._on_entered)
         controller.devices_found.connect(self._on_devices_found)
         controller.searching_changed.connect(self._on_searching_changed)
-        controller.operating_state_changed.connect(self._on_situation_changed)
-        self._on_situation_changed(controller.operating_state)
+        controller.operating_state_changed.connect(self._on_operating_state_changed)
+        self._on_operating_state_changed(controller.operating_state)
         self.retranslate_ui()
 
     # Layout -----------------------------------------------------------------------------------
@@ -254,7 +254,7 @@ class ConnectDialog(ArmDialog):
         self._progress.setVisible(searching)
         self._refresh()
 
-    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
         self._operating_state = operating_state
         self._model.show_connected(operating_state.device, operating_state.link)
         self._refresh()

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 
 from armui.arm.joint_status import Item, Word
 from armui.arm.limits import JOINTS
-from armui.control.events import EventCode, Level, Notice
+from armui.control.events import Event, EventCode, Level
 from armui.control.operating_state import OperatingState
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
@@ -56,7 +56,7 @@ class JointStatusDialog(ArmDialog):
         super().__init__(controller, parent)
         self._controller = controller
         self._monitor = monitor
-        self._notice: Notice | None = None
+        self._event: Event | None = None
         self._model = JointStatusModel(monitor)
         self._build_table()
         self._build_clear_buttons()
@@ -66,7 +66,7 @@ class JointStatusDialog(ArmDialog):
         self.body.addStretch(1)
         self._build_footer()
         monitor.updated.connect(self._on_updated)
-        controller.operating_state_changed.connect(self._on_situation_changed)
+        controller.operating_state_changed.connect(self._on_operating_state_changed)
         controller.noticed.connect(self._on_noticed)
         self._table.selectionModel().currentChanged.connect(self._show_detail)
         self._model.dataChanged.connect(self._show_detail)
@@ -175,7 +175,7 @@ class JointStatusDialog(ArmDialog):
         if self.isVisible():
             self._model.refresh()
 
-    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
         if self.isVisible():
             self._show_usable(operating_state)
 
@@ -208,18 +208,18 @@ class JointStatusDialog(ArmDialog):
     # Clearing errors --------------------------------------------------------------------------
 
     def _clear_error(self, joint: int) -> None:
-        self._notice = None
+        self._event = None
         refusal = self._controller.joint_errors.clear(joint)
         if refusal is not None:
             self._message.show_message(words.refusal(refusal), Level.WARNING)
 
-    def _on_noticed(self, notice: Notice) -> None:
-        if notice.code in _OURS:
-            self._notice = notice
+    def _on_noticed(self, event: Event) -> None:
+        if event.code in _OURS:
+            self._event = event
             self._show_notice()
 
     def _show_notice(self) -> None:
-        if self._notice is None:
+        if self._event is None:
             self._message.show_message("")
         else:
-            self._message.show_message(words.notice(self._notice), self._notice.level)
+            self._message.show_message(words.event(self._event), self._event.level)

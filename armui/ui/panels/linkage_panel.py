@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.control.events import Notice
+from armui.control.events import Event
 from armui.control.operating_state import LinkState, OperatingState
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import LinkageRole
@@ -44,7 +44,7 @@ class LinkagePanel(Panel):
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(controller, "linkage_message", parent)
-        self._notice: Notice | None = None
+        self._event: Event | None = None
         self._role_label = QLabel()
         self._roles = QButtonGroup(self)
         self._role_buttons = {
@@ -65,7 +65,7 @@ class LinkagePanel(Panel):
         self._lay_out()
         self._confirm.clicked.connect(self._ask)
         self._back.clicked.connect(lambda: self._accepted(controller.linkage.release()))
-        controller.operating_state_changed.connect(self._on_situation_changed)
+        controller.operating_state_changed.connect(self._on_operating_state_changed)
         controller.noticed.connect(self._on_noticed)
         self.retranslate_ui()
 
@@ -145,15 +145,15 @@ class LinkagePanel(Panel):
 
     # -- appearance ---------------------------------------------------------------------------
 
-    def _on_noticed(self, notice: Notice) -> None:
-        if notice.code.startswith("linkage_"):
-            self._refusal, self._notice = None, notice
+    def _on_noticed(self, event: Event) -> None:
+        if event.code.startswith("linkage_"):
+            self._refusal, self._event = None, event
             self._show_message()
 
-    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
         old, self._operating_state = self._operating_state, operating_state
         if old.device != operating_state.device:
-            self._refusal = self._notice = None
+            self._refusal = self._event = None
         if self.isVisible():
             self._show_all()
 
@@ -195,9 +195,9 @@ class LinkagePanel(Panel):
         refusal = self._refusal
         if refusal is None and not operating_state.control_certain:
             refusal = Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
-        if refusal is None and not operating_state.teaching_input and self._notice is None:
+        if refusal is None and not operating_state.teaching_input and self._event is None:
             refusal = operating_state.unreachable
-        self._say(refusal, self._notice)
+        self._say(refusal, self._event)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QLabel, QLayout, QScrollArea, QVBoxLayout, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.control.events import Level, Notice
+from armui.control.events import Event, Level
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.widgets.message_line import MessageLine
@@ -102,12 +102,12 @@ class Panel(Translated, QWidget):
         self._show_message()
         return refusal is None
 
-    def _say(self, refusal: Refusal | None, notice: Notice | None = None) -> None:
+    def _say(self, refusal: Refusal | None, event: Event | None = None) -> None:
         """Say what stands in the way; if nothing does, what was told last; or nothing."""
         if refusal is not None:
             self._message.show_message(words.refusal(refusal), level_of(refusal))
-        elif notice is not None:
-            self._message.show_message(words.notice(notice), notice.level)
+        elif event is not None:
+            self._message.show_message(words.event(event), event.level)
         else:
             self._message.show_message("")
 

@@ -47,7 +47,7 @@ class CommunicationButton(Translated, QAbstractButton):
         """The device shown; empty if there is none."""
         return "" if self._device is None else words.device_name(self._device)
 
-    def show_situation(self, operating_state: OperatingState) -> None:
+    def show_operating_state(self, operating_state: OperatingState) -> None:
         """Show how the program stands to its arm."""
         shown = (self._link, self._device, self._addressing)
         if (operating_state.link, operating_state.device, operating_state.addressing) != shown:

@@ -43,7 +43,7 @@ class EnableButton(Translated, QAbstractButton):
         """Whether a click would disable: all six are enabled."""
         return all(self._enabled)
 
-    def show_situation(self, operating_state: OperatingState) -> None:
+    def show_operating_state(self, operating_state: OperatingState) -> None:
         """Show what the arm says of its motors."""
         if (operating_state.enabled, operating_state.busy) != (self._enabled, self._busy):
             self._enabled, self._busy = operating_state.enabled, operating_state.busy

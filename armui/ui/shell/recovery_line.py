@@ -94,7 +94,7 @@ class RecoveryLine(Translated, QWidget):
         self._hold_button.held.connect(lambda: self._act(self._pressed.action))
         self._other_button.clicked.connect(lambda: self._act(self._pressed.alternative))
         controller.step_changed.connect(self._on_step_changed)
-        controller.operating_state_changed.connect(self._on_situation_changed)
+        controller.operating_state_changed.connect(self._on_operating_state_changed)
         self._show_step()
 
     # -- behaviour ----------------------------------------------------------------------------
@@ -130,7 +130,7 @@ class RecoveryLine(Translated, QWidget):
         self._step = step
         self._show_step()
 
-    def _on_situation_changed(self, _operating_state: OperatingState) -> None:
+    def _on_operating_state_changed(self, _operating_state: OperatingState) -> None:
         if self._button.isVisible() or self._hold_button.isVisible():
             self._show_button()
 

@@ -69,7 +69,7 @@ class SpeedControl(Translated, QWidget):
         self._slider.sliderMoved.connect(self._on_dragged)
         self._field.valueChanged.connect(self._on_chosen)
         controller.state_changed.connect(self._on_state_changed)
-        controller.operating_state_changed.connect(self._on_situation_changed)
+        controller.operating_state_changed.connect(self._on_operating_state_changed)
         self.retranslate_ui()
         self._show_setpoint()
 
@@ -83,7 +83,7 @@ class SpeedControl(Translated, QWidget):
             self._controller.motion.set_speed_percent(percent)
         self._show_setpoint()
 
-    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
         if not self._slider.isSliderDown():
             self._show_setpoint()
         self._allow(operating_state)

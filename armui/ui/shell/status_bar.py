@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Status
-from armui.control.events import Level, Notice
+from armui.control.events import Event, Level
 from armui.control.operating_state import OperatingState
 from armui.protocol.codes import ArmStatusCode, TeachingState
 from armui.ui import format as fmt
@@ -62,7 +62,7 @@ class StatusBar(Translated, QWidget):
         self.setObjectName("status_bar")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._controller = controller
-        self._notice: Notice | None = None
+        self._event: Event | None = None
         self._problem: tuple[datetime, Refusal] | None = None
         self._shown: tuple[Status | None, bool] | None = None
         self._notice_icon = QLabel()
@@ -93,13 +93,13 @@ class StatusBar(Translated, QWidget):
             layout.addWidget(label)
         controller.noticed.connect(self._on_noticed)
         controller.state_changed.connect(self._on_state_changed)
-        controller.operating_state_changed.connect(self._on_situation_changed)
+        controller.operating_state_changed.connect(self._on_operating_state_changed)
         self.retranslate_ui()
 
     # -- notice -------------------------------------------------------------------------------
 
-    def _on_noticed(self, notice: Notice) -> None:
-        self._notice, self._problem = notice, None
+    def _on_noticed(self, event: Event) -> None:
+        self._event, self._problem = event, None
         self._show_notice()
 
     def show_problem(self, reason: Refusal) -> None:
@@ -112,9 +112,9 @@ class StatusBar(Translated, QWidget):
         if self._problem is not None:
             at, reason = self._problem
             text, level = f"{at:%H:%M:%S}  {words.refusal(reason)}", Level.WARNING
-        elif self._notice is not None:
-            text = f"{self._notice.at:%H:%M:%S}  {words.notice(self._notice)}"
-            level = self._notice.level
+        elif self._event is not None:
+            text = f"{self._event.at:%H:%M:%S}  {words.event(self._event)}"
+            level = self._event.level
         self._notice_label.show_text(text)
         colors = colors_of(self)
         color = {Level.WARNING: colors.warn, Level.FAULT: colors.stop}.get(level)
@@ -128,7 +128,7 @@ class StatusBar(Translated, QWidget):
         if self.isVisible():
             self._show_status(state)
 
-    def _on_situation_changed(self, _operating_state: OperatingState) -> None:
+    def _on_operating_state_changed(self, _operating_state: OperatingState) -> None:
         if self.isVisible():
             self._show_status(self._controller.state)
 

@@ -53,12 +53,12 @@ class TopBar(Translated, QWidget):
         layout.addWidget(StopButton(controller, ask_to_resume=self._ask_to_resume))
         self._communication.clicked.connect(open_connection)
         self._enable.clicked.connect(self._on_enable)
-        controller.operating_state_changed.connect(self._show_situation)
-        self._show_situation(controller.operating_state)
+        controller.operating_state_changed.connect(self._show_operating_state)
+        self._show_operating_state(controller.operating_state)
 
-    def _show_situation(self, operating_state: OperatingState) -> None:
-        self._communication.show_situation(operating_state)
-        self._enable.show_situation(operating_state)
+    def _show_operating_state(self, operating_state: OperatingState) -> None:
+        self._communication.show_operating_state(operating_state)
+        self._enable.show_operating_state(operating_state)
         self._describe_enable(operating_state)
 
     def _describe_enable(self, operating_state: OperatingState) -> None:

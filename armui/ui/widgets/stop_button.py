@@ -56,7 +56,7 @@ class StopButton(Translated, PressButton):
         self._last_press_ms: int | None = None
         self._hurried = False
         self.pressed.connect(self._on_pressed)
-        controller.operating_state_changed.connect(self._on_situation_changed)
+        controller.operating_state_changed.connect(self._on_operating_state_changed)
         self.retranslate_ui()
 
     # -- behaviour ----------------------------------------------------------------------------
@@ -88,7 +88,7 @@ class StopButton(Translated, PressButton):
 
     # -- appearance ---------------------------------------------------------------------------
 
-    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
         old, self._operating_state = self._operating_state, operating_state
         if _shown(old) != _shown(operating_state):
             self.retranslate_ui()

@@ -5,11 +5,11 @@ The words are looked up at every call, so a caller that asks again after the lan
 """
 
 from armui.ui.words.devices import device_name
+from armui.ui.words.events import event
 from armui.ui.words.file_errors import file_error
 from armui.ui.words.findings import finding
 from armui.ui.words.gripper import end_load, gripper_act, gripper_fault, gripper_figure
 from armui.ui.words.joints import joint_item, joint_verdict, joint_word
-from armui.ui.words.notices import notice
 from armui.ui.words.refusals import light_figure, refusal, why_not
 from armui.ui.words.status import (
     arm_status,
@@ -29,6 +29,7 @@ __all__ = [
     "control_mode_short",
     "device_name",
     "end_load",
+    "event",
     "file_error",
     "finding",
     "gripper_act",
@@ -39,7 +40,6 @@ __all__ = [
     "joint_word",
     "light_figure",
     "move_mode",
-    "notice",
     "point_figure",
     "reached",
     "refusal",

@@ -369,12 +369,12 @@ class Oracle:
             Violation("exception", each.partition(": ")[2] or each, each) for each in world.errors
         ]
         found += [
-            Violation("exception", f"part_failed {notice.params}", str(notice))
-            for notice in world.notices
-            if notice.code == EventCode.PART_FAILED
+            Violation("exception", f"part_failed {event.params}", str(event))
+            for event in world.events
+            if event.code == EventCode.PART_FAILED
         ]
         world.errors.clear()
-        world.notices.clear()
+        world.events.clear()
         return found
 
 

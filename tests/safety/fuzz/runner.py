@@ -43,7 +43,7 @@ def run(
     world = World(f"fuzz {next(_CHANNELS)}", generation)
     try:
         world.ready()
-        world.notices.clear()
+        world.events.clear()
         oracle = Oracle(world, ignored)
         world.watch = oracle.look
         actors = Actors(world, oracle)

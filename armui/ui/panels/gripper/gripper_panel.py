@@ -20,7 +20,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
 from armui.control.devices.gripper_ranges import figures_of
-from armui.control.events import Notice
+from armui.control.events import Event
 from armui.control.operating_state import OperatingState
 from armui.protocol.generation import Generation
 from armui.ui import words
@@ -50,7 +50,7 @@ class GripperPanel(Panel):
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(controller, "gripper_message", parent)
-        self._notice: Notice | None = None
+        self._event: Event | None = None
         self._generation = self._operating_state.generation or Generation.TWO
         self._hindrances: tuple[Refusal | None, ...] | None = None
         self._mark = PowerMark()
@@ -124,13 +124,13 @@ class GripperPanel(Panel):
         )
         self._acts["zero"].clicked.connect(self._ask_for_zero)
         self._controller.state_changed.connect(self._on_state_changed)
-        self._controller.operating_state_changed.connect(self._on_situation_changed)
+        self._controller.operating_state_changed.connect(self._on_operating_state_changed)
         self._controller.noticed.connect(self._on_noticed)
 
     # -- actions ------------------------------------------------------------------------------
 
     def _on_edited(self) -> None:
-        self._refusal = self._notice = None
+        self._refusal = self._event = None
         self._show_message()
 
     def _on_send(self) -> None:
@@ -183,21 +183,21 @@ class GripperPanel(Panel):
 
     # -- what the gripper says ----------------------------------------------------------------
 
-    def _on_noticed(self, notice: Notice) -> None:
-        if notice.code.startswith("gripper_"):
-            self._refusal, self._notice = None, notice
+    def _on_noticed(self, event: Event) -> None:
+        if event.code.startswith("gripper_"):
+            self._refusal, self._event = None, event
             self._show_message()
 
     def _on_state_changed(self, state: ArmState) -> None:
         if self.isVisible():
             self._show_state(state)
 
-    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
         old, self._operating_state = self._operating_state, operating_state
         if old.cannot_enable != operating_state.cannot_enable:
             self._refusal = None
         if old.device != operating_state.device:
-            self._notice = None
+            self._event = None
         if self.isVisible():
             self._show_all()
 
@@ -277,11 +277,11 @@ class GripperPanel(Panel):
 
     def _show_message(self) -> None:
         refusal = self._refusal or self._operating_state.cannot_enable
-        if refusal is None and self._notice is None:
+        if refusal is None and self._event is None:
             refusal = self._travel.refusal() or self._effort.refusal()
         if refusal is not None and refusal.code == RefusalCode.BUSY and self._refusal is None:
             refusal = None  # what is under way will say itself how it ends
-        self._say(refusal, self._notice)
+        self._say(refusal, self._event)
 
     def _describe(self) -> None:
         for rows in self._rows_of.values():

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.devices.zeroing import ENDED
-from armui.control.events import EventCode, Notice
+from armui.control.events import Event, EventCode
 from armui.control.operating_state import OperatingState
 from armui.ui import words
 from armui.ui.panels.jogging.key_pad import KeyPad, Keys
@@ -108,7 +108,7 @@ class JogPanel(Panel):
         self._key_pad.pressed.connect(self._on_key_pressed)
         self._key_pad.let_go.connect(self._on_let_go)
         self._key_pad.unattended.connect(self._on_unattended)
-        self._controller.operating_state_changed.connect(self._on_situation_changed)
+        self._controller.operating_state_changed.connect(self._on_operating_state_changed)
         self._controller.noticed.connect(self._on_noticed)
 
     # -- what a panel of its own adds ---------------------------------------------------------
@@ -163,19 +163,19 @@ class JogPanel(Panel):
     def _on_unattended(self) -> None:
         self._accepted(Refusal(RefusalCode.HOLD_UNATTENDED, {"seconds": UNATTENDED_S}))
 
-    def _on_noticed(self, notice: Notice) -> None:
+    def _on_noticed(self, event: Event) -> None:
         """What ended a jog is said where the operator looks; a new zero makes targets void."""
-        reason = notice.params.get("reason")
-        if notice.code == EventCode.JOG_ENDED and isinstance(reason, Refusal) and self.isVisible():
+        reason = event.params.get("reason")
+        if event.code == EventCode.JOG_ENDED and isinstance(reason, Refusal) and self.isVisible():
             self._accepted(reason)
-        elif notice.code in ENDED:
+        elif event.code in ENDED:
             # the same figures are another place by the new zero
             self._forget_targets()
             self._show_message()
 
     # -- what the arm says --------------------------------------------------------------------
 
-    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
         old, self._operating_state = self._operating_state, operating_state
         if old.device != operating_state.device:
             # another arm: targets made for the last one would be a trap

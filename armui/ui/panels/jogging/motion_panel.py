@@ -19,7 +19,7 @@ from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
-from armui.control.events import EventCode, Notice
+from armui.control.events import Event, EventCode
 from armui.control.motion.jog_path import JointJog
 from armui.ui import format as fmt
 from armui.ui import words
@@ -161,9 +161,9 @@ class MotionPanel(JogPanel):
         super()._on_let_go()
         self._show_jogged()
 
-    def _on_noticed(self, notice: Notice) -> None:
-        super()._on_noticed(notice)
-        if notice.code == EventCode.JOG_ENDED and self.isVisible():
+    def _on_noticed(self, event: Event) -> None:
+        super()._on_noticed(event)
+        if event.code == EventCode.JOG_ENDED and self.isVisible():
             self._show_jogged()
 
     def _show_jogged(self) -> None:

@@ -147,7 +147,7 @@ class LightPanel(Panel):
         self._hue.picked.connect(self._on_picked)
         self._brightness.valueChanged.connect(self._on_brightness_moved)
         self._confirm.clicked.connect(self._on_confirm)
-        self._controller.operating_state_changed.connect(self._on_situation_changed)
+        self._controller.operating_state_changed.connect(self._on_operating_state_changed)
 
     # -- the colour ---------------------------------------------------------------------------
 
@@ -218,7 +218,7 @@ class LightPanel(Panel):
 
     # -- appearance ---------------------------------------------------------------------------
 
-    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
         old, self._operating_state = self._operating_state, operating_state
         if old.cannot_set_lamps != operating_state.cannot_set_lamps:
             self._refusal = None

@@ -12,7 +12,7 @@ from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
-from armui.control.events import Notice
+from armui.control.events import Event
 from armui.control.operating_state import OperatingState
 from armui.protocol.codes import ALL_JOINTS
 from armui.ui import words
@@ -52,7 +52,7 @@ class MotorPanel(Panel):
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(controller, "motor_message", parent)
-        self._notice: Notice | None = None
+        self._event: Event | None = None
         self._heads = [QLabel() for _ in range(4)]
         self._rows = [MotorRow(joint) for joint in JOINTS]
         self._all_label = QLabel()
@@ -61,7 +61,7 @@ class MotorPanel(Panel):
         for acts in self._all_acts():
             acts.wanted.connect(self._on_wanted)
         controller.state_changed.connect(self._on_state_changed)
-        controller.operating_state_changed.connect(self._on_situation_changed)
+        controller.operating_state_changed.connect(self._on_operating_state_changed)
         controller.noticed.connect(self._on_noticed)
         self.retranslate_ui()
 
@@ -145,19 +145,19 @@ class MotorPanel(Panel):
 
     # -- what the arm says --------------------------------------------------------------------
 
-    def _on_noticed(self, notice: Notice) -> None:
-        if notice.code.startswith(_OURS):
-            self._notice = notice
+    def _on_noticed(self, event: Event) -> None:
+        if event.code.startswith(_OURS):
+            self._event = event
             self._show_message()
 
     def _on_state_changed(self, state: ArmState) -> None:
         if self.isVisible():
             self._show_state(state)
 
-    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
         old, self._operating_state = self._operating_state, operating_state
         if old.unreachable != operating_state.unreachable or old.stop is not operating_state.stop:
-            self._notice = None
+            self._event = None
         if self.isVisible():
             self._show_all()
 
@@ -184,7 +184,7 @@ class MotorPanel(Panel):
         blocked = self._operating_state.cannot_switch_on
         if blocked is not None and blocked.code == RefusalCode.BUSY:
             blocked = None  # what is under way will say itself how it ends
-        self._say(blocked, self._notice)
+        self._say(blocked, self._event)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

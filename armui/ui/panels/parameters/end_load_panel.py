@@ -23,7 +23,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.devices.end_reports import is_reporting
-from armui.control.events import Notice
+from armui.control.events import Event
 from armui.control.operating_state import LinkState, OperatingState
 from armui.protocol.codes import EndLoad
 from armui.ui import format as fmt
@@ -57,7 +57,7 @@ class EndLoadPanel(Panel):
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(controller, "end_load_message", parent)
-        self._notice: Notice | None = None
+        self._event: Event | None = None
         self._reporting: bool | None = None
         self._loads = QButtonGroup(self)
         self._note = text_label(rank="muted", wraps=True)
@@ -81,7 +81,7 @@ class EndLoadPanel(Panel):
         self._send.clicked.connect(self._on_send)
         self._switch.clicked.connect(self._on_switch)
         controller.state_changed.connect(self._on_state_changed)
-        controller.operating_state_changed.connect(self._on_situation_changed)
+        controller.operating_state_changed.connect(self._on_operating_state_changed)
         controller.noticed.connect(self._on_noticed)
         self.retranslate_ui()
 
@@ -138,19 +138,19 @@ class EndLoadPanel(Panel):
 
     # -- appearance ---------------------------------------------------------------------------
 
-    def _on_noticed(self, notice: Notice) -> None:
-        if notice.code.startswith(_OURS):
-            self._refusal, self._notice = None, notice
+    def _on_noticed(self, event: Event) -> None:
+        if event.code.startswith(_OURS):
+            self._refusal, self._event = None, event
             self._show_message()
 
     def _on_state_changed(self, state: ArmState) -> None:
         if self.isVisible():
             self._show_state(state)
 
-    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
         old, self._operating_state = self._operating_state, operating_state
         if old.link is not operating_state.link:
-            self._refusal = self._notice = None
+            self._refusal = self._event = None
         if self.isVisible():
             self._show_all()
 
@@ -179,7 +179,7 @@ class EndLoadPanel(Panel):
         self._show_message()
 
     def _show_message(self) -> None:
-        self._say(self._refusal or self._operating_state.unreachable, self._notice)
+        self._say(self._refusal or self._operating_state.unreachable, self._event)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

@@ -97,7 +97,7 @@ class ParameterPanel(Panel):
         for before, after in pairwise(cell.focus_widget for cell in self._cells.values()):
             self.setTabOrder(before, after)
         self._connect()
-        self._on_situation_changed(self._controller.operating_state)
+        self._on_operating_state_changed(self._controller.operating_state)
         self.retranslate_ui()
 
     def _connect(self) -> None:
@@ -109,7 +109,7 @@ class ParameterPanel(Panel):
         self._buttons.cancel.clicked.connect(self._on_cancel)
         self._buttons.save.clicked.connect(self._on_save)
         self._settings.changed.connect(self._on_settings_changed)
-        self._controller.operating_state_changed.connect(self._on_situation_changed)
+        self._controller.operating_state_changed.connect(self._on_operating_state_changed)
 
     # -- what a panel of its own adds ---------------------------------------------------------
 
@@ -271,7 +271,7 @@ class ParameterPanel(Panel):
         if self.isVisible():
             self._show_all()
 
-    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
         self._operating_state = operating_state
         if operating_state.device is not None and operating_state.device != self._device:
             # another arm: what was entered for the last one would be a trap

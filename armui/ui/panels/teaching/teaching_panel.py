@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QVBoxLay
 
 from armui.arm.state import ArmState
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of
-from armui.control.events import EventCode, Level, Notice
+from armui.control.events import Event, EventCode, Level
 from armui.control.operating_state import OperatingState
 from armui.control.safety.recovery_steps import Action, Step
 from armui.protocol.codes import TeachingState, TrajectoryCommand
@@ -57,7 +57,7 @@ class TeachingPanel(Panel):
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(controller, "teaching_message", parent)
-        self._unanswered: Notice | None = None
+        self._unanswered: Event | None = None
         self._shown: tuple[object, ...] | None = None
         self._state_label = QLabel()
         self._state = text_label("teaching_state", wraps=True)
@@ -129,7 +129,7 @@ class TeachingPanel(Panel):
                 button.clicked.connect(lambda _checked, which=plan: self._on_plan(which))
         controller = self._controller
         controller.state_changed.connect(self._on_state_changed)
-        controller.operating_state_changed.connect(self._on_situation_changed)
+        controller.operating_state_changed.connect(self._on_operating_state_changed)
         controller.step_changed.connect(self._on_step_changed)
         controller.noticed.connect(self._on_noticed)
 
@@ -163,7 +163,7 @@ class TeachingPanel(Panel):
     def _on_state_changed(self, _state: ArmState) -> None:
         self._show_new()
 
-    def _on_situation_changed(self, operating_state: OperatingState) -> None:
+    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
         self._operating_state = operating_state
         self._refusal = None
         self._show_new()
@@ -171,9 +171,9 @@ class TeachingPanel(Panel):
     def _on_step_changed(self, _step: Step) -> None:
         self._show_new()
 
-    def _on_noticed(self, notice: Notice) -> None:
-        if notice.code == EventCode.TEACHING_UNANSWERED:
-            self._unanswered = notice
+    def _on_noticed(self, event: Event) -> None:
+        if event.code == EventCode.TEACHING_UNANSWERED:
+            self._unanswered = event
             self._show_all()
 
     def _show_new(self) -> None:
@@ -240,7 +240,7 @@ class TeachingPanel(Panel):
             command = words.teaching_command(controller.teaching.pending)
             self._message.show_message(text.format(command=command))
         elif self._unanswered is not None:
-            self._message.show_message(words.notice(self._unanswered), Level.FAULT)
+            self._message.show_message(words.event(self._unanswered), Level.FAULT)
         elif self._operating_state.holds:
             text = self.tr("A motion is held back: hold Continue, or give it up by Terminate.")
             self._message.show_message(text, Level.WARNING)

@@ -143,7 +143,7 @@ class RecordingWindow(ArmDialog):
         for field in (self._from, self._to, self._tolerance):
             field.value_edited.connect(self._timer.start)
         self._controller.recorder.changed.connect(self._show_state)
-        self._controller.operating_state_changed.connect(self._on_situation)
+        self._controller.operating_state_changed.connect(self._on_operating_state)
 
     # Recording --------------------------------------------------------------------------------
 
@@ -356,7 +356,7 @@ class RecordingWindow(ArmDialog):
         self._show_kept()
         self._show_usable(self._controller.operating_state)
 
-    def _on_situation(self, operating_state: OperatingState) -> None:
+    def _on_operating_state(self, operating_state: OperatingState) -> None:
         if self.isVisible():
             self._show_usable(operating_state)
 

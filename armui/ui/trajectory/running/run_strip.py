@@ -94,7 +94,7 @@ class RunStrip(Translated, QWidget):
         self._resume.clicked.connect(self._on_resume)
         self._laps.currentIndexChanged.connect(self._show_usable)
         self._runner.progressed.connect(self._on_progress)
-        controller.operating_state_changed.connect(self._on_situation)
+        controller.operating_state_changed.connect(self._on_operating_state)
         self.retranslate_ui()
 
     def _make_widgets(self) -> None:
@@ -320,7 +320,7 @@ class RunStrip(Translated, QWidget):
             RunPhase.FAILED: self.tr("ended by a fault"),
         }[phase]
 
-    def _on_situation(self, operating_state: OperatingState) -> None:
+    def _on_operating_state(self, operating_state: OperatingState) -> None:
         if self._about_to_run and operating_state.stop is not StopState.RUNNING:
             self.drop_check()  # the stop was meant for what was about to begin, too
         if self.isVisible():

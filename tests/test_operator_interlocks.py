@@ -94,8 +94,8 @@ def test_disabling_and_stopping_stay_on(ready):
     ready.hold()
     ready.step()
     assert [frame.arbitration_id for frame in ready.ear.heard] == [0x150, 0x471]
-    failed = next(notice for notice in ready.notices if notice.code == EventCode.RUN_FAILED)
-    assert "Motors were disabled while it ran" in words.notice(failed)
+    failed = next(event for event in ready.events if event.code == EventCode.RUN_FAILED)
+    assert "Motors were disabled while it ran" in words.event(failed)
 
 
 @pytest.mark.parametrize("how", RUNS)

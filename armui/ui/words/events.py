@@ -9,7 +9,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
-from armui.control.events import EventCode, Notice
+from armui.control.events import Event, EventCode
 from armui.protocol.codes import EndLoad, TeachingState, TrajectoryCommand
 from armui.ui.words.devices import device_name
 from armui.ui.words.gripper import end_load, gripper_act
@@ -318,7 +318,7 @@ CODES: Final = frozenset(_NOTICES)
 """The notices there is a sentence for."""
 
 
-def notice(event: Notice) -> str:
+def event(event: Event) -> str:
     """What happened in the operator's language, without its time."""
     params = dict(event.params)
     reason = params.get("reason")
