@@ -24,7 +24,7 @@ class ComparisonVerdict(enum.Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class ComparisonRow:
     """One parameter.
 
     Attributes:
@@ -54,7 +54,7 @@ def compare(
     state: ArmState,
     known: Collection[Parameter],
     same: Callable[[Parameter, float], bool],
-) -> list[Row]:
+) -> list[ComparisonRow]:
     """Every parameter of the file and of the arm, in the order of the catalogue.
 
     Args:
@@ -74,16 +74,18 @@ def _row(
     state: ArmState,
     known: Collection[Parameter],
     same: Callable[[Parameter, float], bool],
-) -> Row:
+) -> ComparisonRow:
     said = heard(state, parameter)
     held = None if said is None else said.value
     if parameter not in known:
-        return Row(parameter, ComparisonVerdict.ONLY_IN_FILE, filed)
+        return ComparisonRow(parameter, ComparisonVerdict.ONLY_IN_FILE, filed)
     if held is None:
         against = None if filed is None else check_value(parameter, filed)
-        return Row(parameter, ComparisonVerdict.NOT_READ, filed, None, against)
+        return ComparisonRow(parameter, ComparisonVerdict.NOT_READ, filed, None, against)
     if filed is None:
-        return Row(parameter, ComparisonVerdict.ONLY_IN_ARM, None, held)
+        return ComparisonRow(parameter, ComparisonVerdict.ONLY_IN_ARM, None, held)
     if same(parameter, filed):
-        return Row(parameter, ComparisonVerdict.SAME, filed, held)
-    return Row(parameter, ComparisonVerdict.DIFFERS, filed, held, check_value(parameter, filed))
+        return ComparisonRow(parameter, ComparisonVerdict.SAME, filed, held)
+    return ComparisonRow(
+        parameter, ComparisonVerdict.DIFFERS, filed, held, check_value(parameter, filed)
+    )

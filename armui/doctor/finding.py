@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 
-class Severity(enum.Enum):
+class DiagnosisLevel(enum.Enum):
     """How grave a finding is."""
 
     OK = "ok"
@@ -26,7 +26,7 @@ class Section(enum.Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Finding:
+class Diagnosis:
     """One thing found out.
 
     Attributes:
@@ -39,6 +39,6 @@ class Finding:
 
     section: Section
     code: str
-    severity: Severity
+    severity: DiagnosisLevel
     params: Mapping[str, str] = field(default_factory=dict)
     commands: tuple[str, ...] = ()

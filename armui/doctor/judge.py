@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from armui.doctor.facts import Facts, PackageFacts, ProgramFacts, ScreenFacts
-from armui.doctor.finding import Finding, Section, Severity
+from armui.doctor.finding import Diagnosis, DiagnosisLevel, Section
 from armui.doctor.judge_arm import judge_heard
 from armui.doctor.judge_can import judge_can
 
@@ -47,9 +47,9 @@ _APT: Final = {
 _SOFTWARE_RENDERERS: Final = ("llvmpipe", "softpipe", "swrast", "software", "gdi generic")
 
 
-def judge(facts: Facts) -> list[Finding]:
+def judge(facts: Facts) -> list[Diagnosis]:
     """Every finding, in the order of sections."""
-    findings: list[Finding] = []
+    findings: list[Diagnosis] = []
     if facts.program is not None:
         findings += judge_program(facts.program)
     if facts.screen is not None:
@@ -59,7 +59,7 @@ def judge(facts: Facts) -> list[Finding]:
     for heard in facts.heard:
         findings += judge_heard(heard)
     if facts.can is not None and not facts.heard:
-        findings.append(Finding(Section.ARM, "no_device_to_listen", Severity.WARNING))
+        findings.append(Diagnosis(Section.ARM, "no_device_to_listen", DiagnosisLevel.WARNING))
     return findings
 
 
@@ -70,23 +70,23 @@ def an_arm_answers(facts: Facts) -> bool:
     )
 
 
-def judge_program(facts: ProgramFacts) -> list[Finding]:
+def judge_program(facts: ProgramFacts) -> list[Diagnosis]:
     """Python and packages."""
     params = {"armui": facts.armui, "version": facts.python, "system": facts.system}
     if facts.python_suffices:
-        findings = [Finding(Section.PROGRAM, "python", Severity.OK, params)]
+        findings = [Diagnosis(Section.PROGRAM, "python", DiagnosisLevel.OK, params)]
     else:
-        findings = [Finding(Section.PROGRAM, "python_old", Severity.FAULT, params)]
+        findings = [Diagnosis(Section.PROGRAM, "python_old", DiagnosisLevel.FAULT, params)]
     wrong = [each for each in facts.packages if not each.satisfied]
     findings += [_package(each, facts.executable) for each in wrong]
     needed = [each for each in facts.packages if not each.extra]
     if needed and not any(each in wrong for each in needed):
         count = {"count": str(len(needed))}
-        findings.append(Finding(Section.PROGRAM, "packages", Severity.OK, count))
+        findings.append(Diagnosis(Section.PROGRAM, "packages", DiagnosisLevel.OK, count))
     return findings
 
 
-def _package(facts: PackageFacts, executable: str) -> Finding:
+def _package(facts: PackageFacts, executable: str) -> Diagnosis:
     params = {
         "package": facts.name,
         "wanted": facts.wanted or "*",
@@ -95,58 +95,62 @@ def _package(facts: PackageFacts, executable: str) -> Finding:
     }
     command = f'{_quoted(executable)} -m pip install "{facts.name}{facts.wanted}"'
     if facts.installed is not None:
-        return Finding(Section.PROGRAM, "package_other", Severity.FAULT, params, (command,))
+        return Diagnosis(Section.PROGRAM, "package_other", DiagnosisLevel.FAULT, params, (command,))
     if facts.extra:
-        return Finding(Section.PROGRAM, "package_optional", Severity.NOTE, params, (command,))
-    return Finding(Section.PROGRAM, "package_missing", Severity.FAULT, params, (command,))
+        return Diagnosis(
+            Section.PROGRAM, "package_optional", DiagnosisLevel.NOTE, params, (command,)
+        )
+    return Diagnosis(Section.PROGRAM, "package_missing", DiagnosisLevel.FAULT, params, (command,))
 
 
-def judge_screen(facts: ScreenFacts, program: ProgramFacts | None) -> list[Finding]:
+def judge_screen(facts: ScreenFacts, program: ProgramFacts | None) -> list[Diagnosis]:
     """Windows and the 3D picture."""
     families = () if program is None else program.families
-    findings: list[Finding] = []
+    findings: list[Diagnosis] = []
     if facts.missing_libraries:
         findings.append(
-            Finding(
+            Diagnosis(
                 Section.SCREEN,
                 "libraries_missing",
-                Severity.FAULT,
+                DiagnosisLevel.FAULT,
                 {"libraries": ", ".join(facts.missing_libraries)},
                 _install(facts.missing_libraries, families),
             )
         )
     if facts.qt is None:
         text = {"text": facts.qt_error}
-        findings.append(Finding(Section.SCREEN, "qt_not_loaded", Severity.FAULT, text))
+        findings.append(Diagnosis(Section.SCREEN, "qt_not_loaded", DiagnosisLevel.FAULT, text))
     elif not facts.has_display:
         findings.append(
-            Finding(
+            Diagnosis(
                 Section.SCREEN,
                 "no_display",
-                Severity.FAULT,
+                DiagnosisLevel.FAULT,
                 {"qt": facts.qt},
                 ("export DISPLAY=:0",),
             )
         )
     elif facts.platform is None:
         params = {"qt": facts.qt, "text": facts.qt_error}
-        findings.append(Finding(Section.SCREEN, "qt_platform_failed", Severity.FAULT, params))
+        findings.append(
+            Diagnosis(Section.SCREEN, "qt_platform_failed", DiagnosisLevel.FAULT, params)
+        )
     else:
         params = {"qt": facts.qt, "platform": facts.platform}
-        findings.append(Finding(Section.SCREEN, "qt", Severity.OK, params))
+        findings.append(Diagnosis(Section.SCREEN, "qt", DiagnosisLevel.OK, params))
     findings.append(_opengl(facts, families))
     return findings
 
 
-def _opengl(facts: ScreenFacts, families: tuple[str, ...]) -> Finding:
+def _opengl(facts: ScreenFacts, families: tuple[str, ...]) -> Diagnosis:
     if facts.opengl is None:
         params = {"text": facts.opengl_error}
         commands = _install(("libEGL.so.1", "libGL.so.1", "libXrender.so.1"), families)
-        return Finding(Section.SCREEN, "opengl_failed", Severity.WARNING, params, commands)
+        return Diagnosis(Section.SCREEN, "opengl_failed", DiagnosisLevel.WARNING, params, commands)
     params = {"renderer": facts.opengl}
     if any(word in facts.opengl.lower() for word in _SOFTWARE_RENDERERS):
-        return Finding(Section.SCREEN, "opengl_software", Severity.NOTE, params)
-    return Finding(Section.SCREEN, "opengl", Severity.OK, params)
+        return Diagnosis(Section.SCREEN, "opengl_software", DiagnosisLevel.NOTE, params)
+    return Diagnosis(Section.SCREEN, "opengl", DiagnosisLevel.OK, params)
 
 
 def _install(libraries: tuple[str, ...], families: tuple[str, ...]) -> tuple[str, ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from armui.doctor.facts import ArmFacts, HeardFacts, LimitFacts
-from armui.doctor.finding import Finding, Section, Severity
+from armui.doctor.finding import Diagnosis, DiagnosisLevel, Section
 
 _NORMAL: Final = 0
 _EMERGENCY_STOP: Final = 1
@@ -28,33 +28,35 @@ _BITRATE_OF_SYSTEM: Final = ("udp_multicast", "virtual")
 _USUAL_MODES: Final = ("MOVE P", "MOVE J", "MOVE L", "MOVE C")
 
 
-def judge_heard(heard: HeardFacts) -> list[Finding]:
+def judge_heard(heard: HeardFacts) -> list[Diagnosis]:
     """What a device let hear, or why it did not."""
     name = _name(heard)
     base = {"device": name, "seconds": f"{heard.seconds:.1f}", "count": str(heard.frames)}
     if heard.problem:
         return [_not_opened(heard, base)]
-    findings: list[Finding] = []
+    findings: list[Diagnosis] = []
     if heard.bus_off:
-        findings.append(_finding("heard_bus_off", Severity.FAULT, base, _restart(heard)))
+        findings.append(_finding("heard_bus_off", DiagnosisLevel.FAULT, base, _restart(heard)))
     if heard.error_frames:
         params = {**base, "count": str(heard.error_frames)}
-        level = Severity.WARNING if heard.arm is not None else Severity.FAULT
+        level = DiagnosisLevel.WARNING if heard.arm is not None else DiagnosisLevel.FAULT
         findings.append(_finding("error_frames", level, params))
     if heard.arm is not None:
         findings += judge_arm(heard.arm, heard)
         if heard.asked and not heard.answered:
-            findings.append(_finding("no_answer", Severity.FAULT, base))
+            findings.append(_finding("no_answer", DiagnosisLevel.FAULT, base))
     else:
         findings.append(_no_arm(heard, base))
     if heard.other_offsets:
         offsets = ", ".join(f"0x{each:02X}" for each in heard.other_offsets)
-        findings.append(_finding("second_arm", Severity.WARNING, {**base, "offsets": offsets}))
+        findings.append(
+            _finding("second_arm", DiagnosisLevel.WARNING, {**base, "offsets": offsets})
+        )
     if heard.other_hosts and not _is_leader(heard):
         frames = ", ".join(
             f"0x{each.arbitration_id:03X} ({each.rate_hz:.0f}/s)" for each in heard.other_hosts
         )
-        findings.append(_finding("other_host", Severity.WARNING, {**base, "frames": frames}))
+        findings.append(_finding("other_host", DiagnosisLevel.WARNING, {**base, "frames": frames}))
     return findings
 
 
@@ -62,7 +64,7 @@ def _is_leader(heard: HeardFacts) -> bool:
     return heard.leader or bool(heard.shifted_feedback)
 
 
-def _not_opened(heard: HeardFacts, base: dict[str, str]) -> Finding:
+def _not_opened(heard: HeardFacts, base: dict[str, str]) -> Diagnosis:
     params = {**base, "text": heard.problem_text, "package": heard.package}
     commands: tuple[str, ...] = ()
     if heard.problem == "bus_backend_missing":
@@ -75,7 +77,7 @@ def _not_opened(heard: HeardFacts, base: dict[str, str]) -> Finding:
             "sudo udevadm control --reload && sudo udevadm trigger",
         )
     code = heard.problem if heard.problem in _PROBLEMS else "bus_failed"
-    return _finding(code, Severity.FAULT, params, commands)
+    return _finding(code, DiagnosisLevel.FAULT, params, commands)
 
 
 _PROBLEMS: Final = (
@@ -90,23 +92,23 @@ _PROBLEMS: Final = (
 )
 
 
-def _no_arm(heard: HeardFacts, base: dict[str, str]) -> Finding:
+def _no_arm(heard: HeardFacts, base: dict[str, str]) -> Diagnosis:
     if _is_leader(heard):
         ids = heard.shifted_feedback or tuple(each.arbitration_id for each in heard.other_hosts)
         params = {**base, "ids": _ids(ids)}
-        return _finding("teaching_input", Severity.FAULT, params, _end_teaching_input(heard))
+        return _finding("teaching_input", DiagnosisLevel.FAULT, params, _end_teaching_input(heard))
     if heard.frames:
         params = {**base, "ids": _ids(heard.unknown_ids)}
-        return _finding("no_arm", Severity.FAULT, params)
+        return _finding("no_arm", DiagnosisLevel.FAULT, params)
     commands = (
         (f"ip -details -statistics link show {heard.channel}",)
         if heard.interface == "socketcan"
         else ()
     )
-    return _finding("nothing_heard", Severity.FAULT, base, commands)
+    return _finding("nothing_heard", DiagnosisLevel.FAULT, base, commands)
 
 
-def judge_arm(arm: ArmFacts, heard: HeardFacts) -> list[Finding]:
+def judge_arm(arm: ArmFacts, heard: HeardFacts) -> list[Diagnosis]:
     """An arm whose feedback is heard."""
     params = {
         "device": _name(heard),
@@ -116,13 +118,13 @@ def judge_arm(arm: ArmFacts, heard: HeardFacts) -> list[Finding]:
         "offset": f"0x{arm.feedback_offset:02X}",
         "firmware": arm.firmware or "",
     }
-    findings = [_finding("arm", Severity.OK, params), *_firmware(arm, heard, params)]
+    findings = [_finding("arm", DiagnosisLevel.OK, params), *_firmware(arm, heard, params)]
     if arm.feedback_offset:
-        findings.append(_finding("offset", Severity.NOTE, params))
+        findings.append(_finding("offset", DiagnosisLevel.NOTE, params))
     if arm.teaching_input:
         ids = {**params, "ids": "0x2A1"}
         findings.append(
-            _finding("teaching_input", Severity.WARNING, ids, _end_teaching_input(heard))
+            _finding("teaching_input", DiagnosisLevel.WARNING, ids, _end_teaching_input(heard))
         )
     findings += _status(arm, params)
     findings += _drivers(arm, params)
@@ -131,66 +133,70 @@ def judge_arm(arm: ArmFacts, heard: HeardFacts) -> list[Finding]:
     if damaged:
         joints = {**params, "joints": ", ".join(damaged)}
         commands = _send(heard, 0x477, "0002000000000000")
-        findings.append(_finding("limits_damaged", Severity.FAULT, joints, commands))
+        findings.append(_finding("limits_damaged", DiagnosisLevel.FAULT, joints, commands))
     return findings
 
 
-def _firmware(arm: ArmFacts, heard: HeardFacts, params: dict[str, str]) -> list[Finding]:
+def _firmware(arm: ArmFacts, heard: HeardFacts, params: dict[str, str]) -> list[Diagnosis]:
     if arm.firmware is None:
         if arm.generation == 1:
             return []
-        return [_finding("firmware_unknown", Severity.NOTE, params, _ask(heard))]
+        return [_finding("firmware_unknown", DiagnosisLevel.NOTE, params, _ask(heard))]
     version = _version(arm.firmware)
-    findings = [_finding("firmware", Severity.OK, params)]
+    findings = [_finding("firmware", DiagnosisLevel.OK, params)]
     if version is not None and version < _RECOMMENDED:
-        findings.append(_finding("firmware_old", Severity.NOTE, params))
+        findings.append(_finding("firmware_old", DiagnosisLevel.NOTE, params))
     if version == _LOSES_REFERENCE:
-        findings.append(_finding("reference_lost", Severity.NOTE, params))
+        findings.append(_finding("reference_lost", DiagnosisLevel.NOTE, params))
     return findings
 
 
-def _status(arm: ArmFacts, params: dict[str, str]) -> list[Finding]:
+def _status(arm: ArmFacts, params: dict[str, str]) -> list[Diagnosis]:
     if arm.status_code is None:
-        return [_finding("status_silent", Severity.WARNING, params)]
-    findings: list[Finding] = []
+        return [_finding("status_silent", DiagnosisLevel.WARNING, params)]
+    findings: list[Diagnosis] = []
     status = {**params, "status": f"0x{arm.status_code:02X} {arm.status_word}".strip()}
     if arm.status_code == _EMERGENCY_STOP:
-        findings.append(_finding("stopped", Severity.WARNING, status))
+        findings.append(_finding("stopped", DiagnosisLevel.WARNING, status))
     elif arm.status_code != _NORMAL:
-        findings.append(_finding("status", Severity.WARNING, status))
+        findings.append(_finding("status", DiagnosisLevel.WARNING, status))
     if arm.mode_word and arm.mode_word not in _USUAL_MODES:
         findings.append(
-            _finding("unusual_mode", Severity.WARNING, {**params, "mode": arm.mode_word})
+            _finding("unusual_mode", DiagnosisLevel.WARNING, {**params, "mode": arm.mode_word})
         )
     return findings
 
 
-def _drivers(arm: ArmFacts, params: dict[str, str]) -> list[Finding]:
-    findings: list[Finding] = []
+def _drivers(arm: ArmFacts, params: dict[str, str]) -> list[Diagnosis]:
+    findings: list[Diagnosis] = []
     if arm.unreachable:
         joints = {**params, "joints": ", ".join(map(str, arm.unreachable))}
-        findings.append(_finding("joints_unreachable", Severity.FAULT, joints))
+        findings.append(_finding("joints_unreachable", DiagnosisLevel.FAULT, joints))
     if arm.beyond_limit:
         joints = {**params, "joints": ", ".join(map(str, arm.beyond_limit))}
-        findings.append(_finding("joints_beyond_limit", Severity.WARNING, joints))
+        findings.append(_finding("joints_beyond_limit", DiagnosisLevel.WARNING, joints))
     if arm.driver_faults:
         faults = ", ".join(f"J{joint}: {fault}" for joint, fault in arm.driver_faults)
-        findings.append(_finding("driver_faults", Severity.FAULT, {**params, "faults": faults}))
+        findings.append(
+            _finding("driver_faults", DiagnosisLevel.FAULT, {**params, "faults": faults})
+        )
     if arm.lowest_voltage is not None and 0 < arm.lowest_voltage < _LOW_V:
         voltage = {**params, "voltage": f"{arm.lowest_voltage:.1f}"}
-        findings.append(_finding("voltage_low", Severity.WARNING, voltage))
+        findings.append(_finding("voltage_low", DiagnosisLevel.WARNING, voltage))
     return findings
 
 
-def _feedback(arm: ArmFacts, heard: HeardFacts, params: dict[str, str]) -> list[Finding]:
+def _feedback(arm: ArmFacts, heard: HeardFacts, params: dict[str, str]) -> list[Diagnosis]:
     """Angles and pose that cannot be true, or are easily misread."""
-    findings: list[Finding] = []
+    findings: list[Diagnosis] = []
     if _all_zero(arm) or (arm.teaching is not None and _SILENT_BY_TEACHING_LEVEL in arm.teaching):
         commands = _mend_teaching(arm.teaching, heard) if arm.generation == 2 else ()
-        findings.append(_finding("feedback_zero", Severity.FAULT, params, commands))
+        findings.append(_finding("feedback_zero", DiagnosisLevel.FAULT, params, commands))
     tilt = arm.pose[4]
     if tilt is not None and abs(tilt) > _TILT_DEG:
-        findings.append(_finding("euler_edge", Severity.NOTE, {**params, "ry": f"{tilt:.1f}"}))
+        findings.append(
+            _finding("euler_edge", DiagnosisLevel.NOTE, {**params, "ry": f"{tilt:.1f}"})
+        )
     return findings
 
 
@@ -269,6 +275,6 @@ def _name(heard: HeardFacts) -> str:
 
 
 def _finding(
-    code: str, level: Severity, params: dict[str, str], commands: tuple[str, ...] = ()
-) -> Finding:
-    return Finding(Section.ARM, code, level, params, commands)
+    code: str, level: DiagnosisLevel, params: dict[str, str], commands: tuple[str, ...] = ()
+) -> Diagnosis:
+    return Diagnosis(Section.ARM, code, level, params, commands)

@@ -10,13 +10,13 @@ import threading
 from collections.abc import Callable, Sequence
 from typing import Final
 
-from armui.doctor.finding import Finding
+from armui.doctor.finding import Diagnosis
 from armui.doctor.report import findings_of_json, load_texts
 
 _PATIENCE_S: Final = 180.0
 _LAST_WORDS: Final = 300
 
-Tell = Callable[[list[Finding] | str], object]
+Tell = Callable[[list[Diagnosis] | str], object]
 """Given the findings, or in one line why there are none; called in another thread."""
 
 
@@ -80,7 +80,7 @@ class DoctorProcess:
             )
             return self._process
 
-    def _answer(self, answer: list[Finding] | str) -> None:
+    def _answer(self, answer: list[Diagnosis] | str) -> None:
         load_texts()  # here, where nobody waits for the disk
         with self._lock:
             if self._ended:
@@ -88,7 +88,7 @@ class DoctorProcess:
         self._tell(answer)
 
 
-def _findings(out: str, err: str) -> list[Finding] | str:
+def _findings(out: str, err: str) -> list[Diagnosis] | str:
     try:
         return findings_of_json(out)
     except (json.JSONDecodeError, ValueError, KeyError, TypeError):

@@ -11,23 +11,23 @@ from pathlib import Path
 from typing import Final, Literal
 
 from armui import __version__
-from armui.doctor.finding import Finding, Section, Severity
+from armui.doctor.finding import Diagnosis, DiagnosisLevel, Section
 
 Language = Literal["zh", "en"]
 
 _TEXTS: Final = Path("doctor") / "texts.toml"
 _MARKS: Final = {
     "en": {
-        Severity.OK: "[ ok ]",
-        Severity.NOTE: "[note]",
-        Severity.WARNING: "[warn]",
-        Severity.FAULT: "[FAIL]",
+        DiagnosisLevel.OK: "[ ok ]",
+        DiagnosisLevel.NOTE: "[note]",
+        DiagnosisLevel.WARNING: "[warn]",
+        DiagnosisLevel.FAULT: "[FAIL]",
     },
     "zh": {
-        Severity.OK: "[正常]",
-        Severity.NOTE: "[提示]",
-        Severity.WARNING: "[注意]",
-        Severity.FAULT: "[故障]",
+        DiagnosisLevel.OK: "[正常]",
+        DiagnosisLevel.NOTE: "[提示]",
+        DiagnosisLevel.WARNING: "[注意]",
+        DiagnosisLevel.FAULT: "[故障]",
     },
 }
 _INDENT: Final = "       "
@@ -43,7 +43,7 @@ class Words:
     def __init__(self, language: Language) -> None:
         self.language: Language = language
 
-    def text(self, finding: Finding) -> str:
+    def text(self, finding: Diagnosis) -> str:
         """A finding as a sentence."""
         return self._get("finding", finding.code).format_map(finding.params)
 
@@ -55,7 +55,7 @@ class Words:
         """A sentence of the report itself."""
         return self._get("report", name)
 
-    def mark(self, severity: Severity) -> str:
+    def mark(self, severity: DiagnosisLevel) -> str:
         """How a severity is marked at the beginning of a line."""
         return _MARKS[self.language][severity]
 
@@ -94,7 +94,7 @@ def language_of_system(settings_file: Path | None = None) -> Language:
     return "zh" if name.lower().startswith(("zh", "chinese")) else "en"
 
 
-def as_text(findings: Sequence[Finding], words: Words, *, arm_answers: bool, asked: bool) -> str:
+def as_text(findings: Sequence[Diagnosis], words: Words, *, arm_answers: bool, asked: bool) -> str:
     """The report for people, and for a support mail."""
     lines = [f"armui doctor {__version__}"]
     lines.append(words.plain("asked" if asked else "listened"))
@@ -109,7 +109,7 @@ def as_text(findings: Sequence[Finding], words: Words, *, arm_answers: bool, ask
     return "\n".join(lines) + "\n"
 
 
-def as_json(findings: Sequence[Finding], words: Words, *, arm_answers: bool, asked: bool) -> str:
+def as_json(findings: Sequence[Diagnosis], words: Words, *, arm_answers: bool, asked: bool) -> str:
     """One object: "armui", "arm_answers", "asked", and "findings" with their parts and words."""
     return (
         json.dumps(
@@ -136,17 +136,17 @@ def as_json(findings: Sequence[Finding], words: Words, *, arm_answers: bool, ask
     )
 
 
-def findings_of_json(text: str) -> list[Finding]:
+def findings_of_json(text: str) -> list[Diagnosis]:
     """The findings in what :func:`as_json` made.
 
     Raises:
         ValueError, KeyError: It is something else.
     """
     return [
-        Finding(
+        Diagnosis(
             Section(each["section"]),
             each["code"],
-            Severity(each["severity"]),
+            DiagnosisLevel(each["severity"]),
             each["params"],
             tuple(each["commands"]),
         )

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from armui.session.frames import FrameBatch
     from armui.session.gather import Gatherer
-    from armui.session.source import Source
+    from armui.session.source import LogSource
 
 _ROWS: Final = 4_096
 _HEADER: Final = blf.FILE_HEADER_STRUCT
@@ -51,7 +51,7 @@ class _Feed:
         """Called by the reader at its end; the file belongs to whoever opened it."""
 
 
-def read_blf_log(source: Source, gatherer: Gatherer) -> Iterator[FrameBatch]:
+def read_blf_log(source: LogSource, gatherer: Gatherer) -> Iterator[FrameBatch]:
     """Frames of a log, in order.
 
     Objects that are no CAN frames are passed over. Frames that stand in the file by themselves,

@@ -15,7 +15,7 @@ from can.io import blf
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
-    from armui.session.source import Source
+    from armui.session.source import LogSource
 
 _SIGNATURE: Final = b"LOBJ"
 _BASE: Final = struct.Struct("<4sHHLL")
@@ -55,7 +55,7 @@ class ObjectStream:
         note: Called with the byte's number and the reason for each damaged place.
     """
 
-    def __init__(self, source: Source, position: int, note: Callable[[int, str], None]) -> None:
+    def __init__(self, source: LogSource, position: int, note: Callable[[int, str], None]) -> None:
         self._source = source
         self.position = position
         self._note = note

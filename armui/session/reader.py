@@ -14,7 +14,7 @@ from armui.session.blf_logs import read_blf_log
 from armui.session.database_logs import read_database, read_mf4
 from armui.session.frames import DamageList, FrameBatch, NotALogError
 from armui.session.gather import Gatherer
-from armui.session.source import Source
+from armui.session.source import LogSource
 from armui.session.text_formats import TEXT_FORMATS
 from armui.session.text_logs import NonsenseError, read_text_log
 
@@ -66,7 +66,7 @@ class LogFile:
         self.damages = DamageList()
         self._suffix = _log_suffix(path)
         self._gatherer = Gatherer(self.damages)
-        self._source = Source(path)
+        self._source = LogSource(path)
         try:
             self._batches = self._read()
             self._first = next(self._batches, None)

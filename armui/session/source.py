@@ -18,7 +18,7 @@ READ_ERRORS = (OSError, EOFError, zlib.error)
 """What reading a damaged or vanished file raises."""
 
 
-class Source:
+class LogSource:
     """An open file, read from its beginning to its end.
 
     Attributes:

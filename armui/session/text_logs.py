@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from armui.session.frames import FrameBatch
     from armui.session.gather import Gatherer
-    from armui.session.source import Source
+    from armui.session.source import LogSource
     from armui.session.text_formats import TextFormat
 
 _ROWS: Final = 4_096
@@ -48,7 +48,7 @@ class _Lines:
         hopeful: A frame has been read, so that nonsense no longer ends the reading.
     """
 
-    def __init__(self, source: Source, log_format: TextFormat, gatherer: Gatherer) -> None:
+    def __init__(self, source: LogSource, log_format: TextFormat, gatherer: Gatherer) -> None:
         self._source = source
         self._gatherer = gatherer
         self._blocks: Iterable[list[str]] = ()
@@ -174,7 +174,7 @@ class _Lines:
 
 
 def read_text_log(
-    source: Source, log_format: TextFormat, gatherer: Gatherer
+    source: LogSource, log_format: TextFormat, gatherer: Gatherer
 ) -> Iterator[FrameBatch]:
     """Frames of a log in order.
 
@@ -195,7 +195,7 @@ def read_text_log(
         lines.end()
 
 
-def _read_candump(source: Source, lines: _Lines, gatherer: Gatherer) -> Iterator[FrameBatch]:
+def _read_candump(source: LogSource, lines: _Lines, gatherer: Gatherer) -> Iterator[FrameBatch]:
     """Blocks of ordinary lines at once, all others through python-can's reader, line by line."""
     for whole in source.lines():
         batch = quick_batch(whole, gatherer)

@@ -13,7 +13,7 @@ import pytest
 
 from armui.protocol.codes import MoveMode
 from armui.trajectory import columns, files
-from armui.trajectory.columns import ColumnMapping, Quantity, TableColumn
+from armui.trajectory.columns import ColumnMapping, ColumnQuantity, TableColumn
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import GripperOpening, LightAction, Trajectory, Waypoint
 from armui.trajectory.samples.recording import Recording
@@ -105,8 +105,8 @@ def test_half_an_hour_from_a_file(tmp_path, report):
 def test_half_an_hour_by_columns(report):
     angles = recording().samples[:, :7]
     text = "\n".join(";".join(map(repr, row)) for row in np.radians(angles).tolist())
-    names = [TableColumn(Quantity(f"J{joint}"), "rad") for joint in range(1, 7)]
-    mapping = ColumnMapping((TableColumn(Quantity.TIME, "s"), *names))
+    names = [TableColumn(ColumnQuantity(f"J{joint}"), "rad") for joint in range(1, 7)]
+    mapping = ColumnMapping((TableColumn(ColumnQuantity.TIME, "s"), *names))
     plain = seconds(lambda: rows_of(text, ";"))
     report(f"a sheet of {SAMPLES} rows seen", seconds(lambda: columns.sniff(text)), "csv", plain)
     sheet = columns.sniff(text)

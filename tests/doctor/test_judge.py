@@ -19,7 +19,7 @@ from armui.doctor.facts import (
     SerialPortFacts,
     UsbAdapterFacts,
 )
-from armui.doctor.finding import Finding, Severity
+from armui.doctor.finding import Diagnosis, DiagnosisLevel
 from armui.doctor.judge import an_arm_answers, judge, judge_program, judge_screen
 from armui.doctor.judge_arm import judge_heard
 from armui.doctor.judge_can import judge_can
@@ -40,13 +40,13 @@ def on_can0(arm: ArmFacts | None = ARM, **more) -> HeardFacts:
     return HeardFacts("socketcan", "can0", 2.0, more.pop("frames", 6_000), arm=arm, **more)
 
 
-def codes(findings: list[Finding]) -> list[str]:
+def codes(findings: list[Diagnosis]) -> list[str]:
     return [each.code for each in findings]
 
 
-def grave(findings: list[Finding]) -> dict[str, Finding]:
+def grave(findings: list[Diagnosis]) -> dict[str, Diagnosis]:
     """What is not in order, by code."""
-    return {each.code: each for each in findings if each.severity is not Severity.OK}
+    return {each.code: each for each in findings if each.severity is not DiagnosisLevel.OK}
 
 
 def changed(**more) -> HeardFacts:
@@ -72,7 +72,11 @@ def test_packages_of_an_extra_are_only_noted():
             PackageFacts("gs-usb", ">=0.3", None, False, "adapters"),
         )
     )
-    assert [each.severity for each in found] == [Severity.OK, Severity.NOTE, Severity.OK]
+    assert [each.severity for each in found] == [
+        DiagnosisLevel.OK,
+        DiagnosisLevel.NOTE,
+        DiagnosisLevel.OK,
+    ]
 
 
 def test_another_version_than_wanted_is_a_fault():
@@ -81,7 +85,9 @@ def test_another_version_than_wanted_is_a_fault():
 
 
 def test_an_old_python_is_a_fault():
-    assert grave(judge_program(program(suffices=False)))["python_old"].severity is Severity.FAULT
+    assert (
+        grave(judge_program(program(suffices=False)))["python_old"].severity is DiagnosisLevel.FAULT
+    )
 
 
 def test_libraries_that_qt_wants_are_installed_by_their_package():
@@ -90,7 +96,7 @@ def test_libraries_that_qt_wants_are_installed_by_their_package():
     )
     found = grave(judge_screen(facts, program()))
     assert found["libraries_missing"].commands == ("sudo apt install libxcb-cursor0 libegl1",)
-    assert found["qt_platform_failed"].severity is Severity.FAULT
+    assert found["qt_platform_failed"].severity is DiagnosisLevel.FAULT
 
 
 def test_fedora_installs_libraries_by_their_files():
@@ -157,7 +163,7 @@ def test_counters_that_only_warn_and_frames_dropped():
 def test_a_good_interface_is_no_complaint():
     found = judge_can(CanFacts(links=(GOOD_LINK,), devices=(DeviceFacts("socketcan", "can0"),)))
     assert codes(found) == ["link"]
-    assert found[0].severity is Severity.OK
+    assert found[0].severity is DiagnosisLevel.OK
 
 
 def test_an_adapter_without_its_driver():
@@ -214,7 +220,7 @@ def test_silence_foreign_frames_and_error_frames():
     assert foreign["no_arm"].params["ids"] == "0x100, 0x200"
     errors = grave(judge_heard(on_can0(None, frames=0, error_frames=50, bus_off=True)))
     assert list(errors) == ["heard_bus_off", "error_frames", "nothing_heard"]
-    assert errors["error_frames"].severity is Severity.FAULT
+    assert errors["error_frames"].severity is DiagnosisLevel.FAULT
 
 
 # Each failure of the field that can be seen from outside.

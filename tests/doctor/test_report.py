@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from armui.doctor.finding import Finding, Section, Severity
+from armui.doctor.finding import Diagnosis, DiagnosisLevel, Section
 from armui.doctor.report import Words, as_json, as_text, findings_of_json, language_of_system
 
 DOCTOR = Path(__file__).parents[2] / "armui" / "doctor"
@@ -18,8 +18,12 @@ TEXTS = tomllib.loads(
 )
 CODE = re.compile(r'(?:_finding\(|Finding\(\s*Section\.\w+,)\s*"(\w+)"')
 GAP = re.compile(r"\{(\w+)\}")
-FINDING = Finding(
-    Section.CAN, "link_down", Severity.FAULT, {"channel": "can0"}, ("sudo ip link set can0 up",)
+FINDING = Diagnosis(
+    Section.CAN,
+    "link_down",
+    DiagnosisLevel.FAULT,
+    {"channel": "can0"},
+    ("sudo ip link set can0 up",),
 )
 
 

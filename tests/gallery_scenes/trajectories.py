@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QDialog, QWidget
 
-from armui.trajectory.columns import Quantity
+from armui.trajectory.columns import ColumnQuantity
 from armui.trajectory.library.store import Library
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.trajectory.editor.editor_window import EditorWindow
@@ -73,7 +73,7 @@ def columns(app_driver: AppDriver) -> QDialog:
         app_driver.click(window.findChild(QWidget, "library_by_columns"))
     dialog = app_driver.dialog(ColumnsDialog)
     box = dialog.findChild(QComboBox, "column_quantity_8")
-    box.setCurrentIndex(box.findData(Quantity.J1))
+    box.setCurrentIndex(box.findData(ColumnQuantity.J1))
     box.activated.emit(box.currentIndex())
     return dialog
 

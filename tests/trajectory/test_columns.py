@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.codes import MoveMode
 from armui.trajectory import columns
-from armui.trajectory.columns import ColumnMapping, Quantity, TableColumn
+from armui.trajectory.columns import ColumnMapping, ColumnQuantity, TableColumn
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.points.program import GripperOpening, Trajectory
 from armui.trajectory.samples.recording import Recording
@@ -38,7 +38,7 @@ def mapping(*names, **options):
     chosen = []
     for name in names:
         quantity, _, unit = name.partition(" ")
-        chosen.append(None if name == "-" else TableColumn(Quantity(quantity), unit))
+        chosen.append(None if name == "-" else TableColumn(ColumnQuantity(quantity), unit))
     return ColumnMapping(tuple(chosen), **options)
 
 

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from armui.trajectory.columns import ColumnMapping, Quantity, TableColumn, apply, sniff
+from armui.trajectory.columns import ColumnMapping, ColumnQuantity, TableColumn, apply, sniff
 from armui.trajectory.files import TrajectoryFileError, log_samples
 from armui.trajectory.files.figures import read_figures
 
@@ -59,8 +59,8 @@ ROWS = st.lists(
 )
 MAPPING = ColumnMapping(
     (
-        TableColumn(Quantity.TIME, "s"),
-        *(TableColumn(Quantity(f"J{joint}"), "°") for joint in range(1, 7)),
+        TableColumn(ColumnQuantity.TIME, "s"),
+        *(TableColumn(ColumnQuantity(f"J{joint}"), "°") for joint in range(1, 7)),
     )
 )
 

@@ -14,7 +14,7 @@ from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState
-from armui.doctor.finding import Finding, Section, Severity
+from armui.doctor.finding import Diagnosis, DiagnosisLevel, Section
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.dialogs.doctor import DoctorDialog
 from tests.ui.arm_states import NOW_S, arm_state, operating_state
@@ -22,12 +22,19 @@ from tests.ui.dialog_reading import message, shown, words_of
 from tests.ui.fake_controller import FakeController
 
 LEFT = Qt.MouseButton.LeftButton
-DOWN = Finding(
-    Section.CAN, "link_down", Severity.FAULT, {"channel": "can0"}, ("sudo ip link set can0 up",)
+DOWN = Diagnosis(
+    Section.CAN,
+    "link_down",
+    DiagnosisLevel.FAULT,
+    {"channel": "can0"},
+    ("sudo ip link set can0 up",),
 )
-FINE = Finding(Section.PROGRAM, "packages", Severity.OK, {"count": "12"})
-NOTHING_HEARD = Finding(
-    Section.ARM, "nothing_heard", Severity.FAULT, {"device": "x", "seconds": "2", "count": "0"}
+FINE = Diagnosis(Section.PROGRAM, "packages", DiagnosisLevel.OK, {"count": "12"})
+NOTHING_HEARD = Diagnosis(
+    Section.ARM,
+    "nothing_heard",
+    DiagnosisLevel.FAULT,
+    {"device": "x", "seconds": "2", "count": "0"},
 )
 
 

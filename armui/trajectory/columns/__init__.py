@@ -9,9 +9,9 @@ from armui.trajectory.columns.encodings import LABELS, Encoding
 from armui.trajectory.columns.model import (
     UNITS,
     ColumnMapping,
+    ColumnQuantity,
     Dialect,
     Guess,
-    Quantity,
     Sheet,
     TableColumn,
 )
@@ -22,10 +22,10 @@ __all__ = [
     "LABELS",
     "UNITS",
     "ColumnMapping",
+    "ColumnQuantity",
     "Dialect",
     "Encoding",
     "Guess",
-    "Quantity",
     "Sheet",
     "TableColumn",
     "TableFile",

@@ -17,7 +17,7 @@ from armui.trajectory.columns.model import (
     SPACES,
     UNITS,
     ColumnMapping,
-    Quantity,
+    ColumnQuantity,
     Sheet,
     as_number,
     lines_from,
@@ -32,12 +32,12 @@ from armui.trajectory.samples.recording import COLUMN_COUNT, GRIPPER, Array, Rec
 _TIME_DIGITS: Final = 6
 """Of seconds, so that a sum of waits does not drift by rounding."""
 
-_MAY_BE_EMPTY: Final = (Quantity.GRIPPER, Quantity.SPEED, Quantity.DWELL)
+_MAY_BE_EMPTY: Final = (ColumnQuantity.GRIPPER, ColumnQuantity.SPEED, ColumnQuantity.DWELL)
 
 
 def check_mapping(mapping: ColumnMapping) -> Refusal | None:
     """Whether a mapping says enough, and nothing twice: ``None``, or the reason against it."""
-    columns: dict[Quantity, int] = {}
+    columns: dict[ColumnQuantity, int] = {}
     for number, column in enumerate(mapping.columns, start=1):
         if column is None:
             continue
@@ -57,9 +57,9 @@ def check_mapping(mapping: ColumnMapping) -> Refusal | None:
         columns[quantity] = number
     needed = POSE if mapping.move in (MoveMode.MOVE_P, MoveMode.MOVE_L) else JOINTS
     missing = [str(quantity) for quantity in needed if quantity not in columns]
-    timed = Quantity.TIME in columns or Quantity.WAIT in columns
+    timed = ColumnQuantity.TIME in columns or ColumnQuantity.WAIT in columns
     if mapping.move is None and not timed:
-        missing.insert(0, str(Quantity.TIME))
+        missing.insert(0, str(ColumnQuantity.TIME))
     return (
         Refusal(RefusalCode.COLUMNS_MISSING, {"missing": ", ".join(missing)}) if missing else None
     )
@@ -86,7 +86,7 @@ def apply(text: str, sheet: Sheet, mapping: ColumnMapping, name: str) -> Content
     places = {
         column.quantity: place for place, column in enumerate(mapping.columns) if column is not None
     }
-    note = places.pop(Quantity.NOTE, None)
+    note = places.pop(ColumnQuantity.NOTE, None)
     values, notes, lines = _read(text, sheet, places, note)
     for index, place in enumerate(places.values()):
         column = mapping.columns[place]
@@ -100,7 +100,7 @@ def apply(text: str, sheet: Sheet, mapping: ColumnMapping, name: str) -> Content
 
 
 def _read(
-    text: str, sheet: Sheet, places: dict[Quantity, int], note: int | None
+    text: str, sheet: Sheet, places: dict[ColumnQuantity, int], note: int | None
 ) -> tuple[Array, list[str], list[int]]:
     """The figures (n, len(places)) of the rows, their notes, and the line of each."""
     wanted = list(places.values())
@@ -114,7 +114,7 @@ def _read(
 
 
 def _read_one_by_one(
-    text: str, sheet: Sheet, places: dict[Quantity, int], note: int | None
+    text: str, sheet: Sheet, places: dict[ColumnQuantity, int], note: int | None
 ) -> tuple[Array, list[str], list[int]]:
     """The same where cells hold texts, or nothing, or one is wrong."""
     wanted = list(places.values())
@@ -138,7 +138,9 @@ def _read_one_by_one(
     return np.array(figures, dtype=np.float64).reshape(-1, len(wanted)), notes, lines
 
 
-def _figure(cell: str, sheet: Sheet, line: int, places: dict[Quantity, int], place: int) -> float:
+def _figure(
+    cell: str, sheet: Sheet, line: int, places: dict[ColumnQuantity, int], place: int
+) -> float:
     """The number of a cell; NaN for an empty one where none is needed."""
     if not cell.strip() and any(places.get(quantity) == place for quantity in _MAY_BE_EMPTY):
         return math.nan
@@ -148,22 +150,22 @@ def _figure(cell: str, sheet: Sheet, line: int, places: dict[Quantity, int], pla
     return value
 
 
-def _samples(found: dict[Quantity, Array]) -> Array:
+def _samples(found: dict[ColumnQuantity, Array]) -> Array:
     """Samples (n, 8) as `Recording` wants them, from 0 s up."""
-    count = len(found[Quantity.J1])
+    count = len(found[ColumnQuantity.J1])
     samples = np.full((count, COLUMN_COUNT), np.nan)
-    times = found.get(Quantity.TIME)
+    times = found.get(ColumnQuantity.TIME)
     if times is None:
-        times = np.cumsum(found[Quantity.WAIT])
+        times = np.cumsum(found[ColumnQuantity.WAIT])
     samples[:, 0] = np.round(times - times[:1].sum(), _TIME_DIGITS)
     samples[:, 1:GRIPPER] = np.column_stack([found[joint] for joint in JOINTS])
-    if Quantity.GRIPPER in found:
-        samples[:, GRIPPER] = found[Quantity.GRIPPER]
+    if ColumnQuantity.GRIPPER in found:
+        samples[:, GRIPPER] = found[ColumnQuantity.GRIPPER]
     return samples
 
 
 def _points(
-    found: dict[Quantity, Array],
+    found: dict[ColumnQuantity, Array],
     notes: Sequence[str],
     lines: Sequence[int],
     mapping: ColumnMapping,

@@ -8,24 +8,24 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Final
 
-from armui.trajectory.columns.model import JOINTS, POSE, UNITS, Guess, Quantity, TableColumn
+from armui.trajectory.columns.model import JOINTS, POSE, UNITS, ColumnQuantity, Guess, TableColumn
 
 Figures = Sequence[float | None]
 """Of one column, in their order; ``None`` where a cell holds no number."""
 
-_TITLES: Final[Mapping[Quantity, tuple[str, ...]]] = {
-    Quantity.TIME: ("t", "time", "timestamp", "stamp", "elapsed", "时间", "时间戳"),
-    Quantity.WAIT: ("wait", "dt", "delta", "delay", "interval", "step", "等待", "间隔"),
-    Quantity.X: ("x", "posx", "px"),
-    Quantity.Y: ("y", "posy", "py"),
-    Quantity.Z: ("z", "posz", "pz"),
-    Quantity.RX: ("rx", "roll", "a"),
-    Quantity.RY: ("ry", "pitch", "b"),
-    Quantity.RZ: ("rz", "yaw", "c"),
-    Quantity.GRIPPER: ("gripper", "grip", "opening", "finger", "夹爪", "gripperopening"),
-    Quantity.SPEED: ("speed", "velocity", "vel", "速度"),
-    Quantity.DWELL: ("dwell", "pause", "hold", "停留", "停留时间"),
-    Quantity.NOTE: ("note", "comment", "label", "remark", "备注", "注释"),
+_TITLES: Final[Mapping[ColumnQuantity, tuple[str, ...]]] = {
+    ColumnQuantity.TIME: ("t", "time", "timestamp", "stamp", "elapsed", "时间", "时间戳"),
+    ColumnQuantity.WAIT: ("wait", "dt", "delta", "delay", "interval", "step", "等待", "间隔"),
+    ColumnQuantity.X: ("x", "posx", "px"),
+    ColumnQuantity.Y: ("y", "posy", "py"),
+    ColumnQuantity.Z: ("z", "posz", "pz"),
+    ColumnQuantity.RX: ("rx", "roll", "a"),
+    ColumnQuantity.RY: ("ry", "pitch", "b"),
+    ColumnQuantity.RZ: ("rz", "yaw", "c"),
+    ColumnQuantity.GRIPPER: ("gripper", "grip", "opening", "finger", "夹爪", "gripperopening"),
+    ColumnQuantity.SPEED: ("speed", "velocity", "vel", "速度"),
+    ColumnQuantity.DWELL: ("dwell", "pause", "hold", "停留", "停留时间"),
+    ColumnQuantity.NOTE: ("note", "comment", "label", "remark", "备注", "注释"),
 }
 _BY_TITLE: Final = {title: quantity for quantity, titles in _TITLES.items() for title in titles}
 _JOINT: Final = re.compile(r"(?:joint|j|q|theta|axis|关节|轴)([0-6])(?:pos|position|angle|角度?)?")
@@ -81,14 +81,14 @@ def guess_columns(header: Sequence[str], figures: Sequence[Figures]) -> tuple[Gu
     return tuple(guesses)
 
 
-def _by_titles(header: Sequence[str]) -> list[tuple[Quantity | None, str]]:
+def _by_titles(header: Sequence[str]) -> list[tuple[ColumnQuantity | None, str]]:
     """Quantity and unit of each title, as far as it names them; a quantity only once."""
     parts = [_parts(title) for title in header]
     joints = [_JOINT.fullmatch(title) for title, _ in parts]
     numbers = {int(match.group(1)) for match in joints if match is not None}
     first = 0 if 0 in numbers and 6 not in numbers else 1  # some count joints from 0
-    named: list[tuple[Quantity | None, str]] = []
-    seen: set[Quantity | None] = set()
+    named: list[tuple[ColumnQuantity | None, str]] = []
+    seen: set[ColumnQuantity | None] = set()
     for (title, unit), match in zip(parts, joints, strict=True):
         quantity = _BY_TITLE.get(title)
         if match is not None and int(match.group(1)) >= first:
@@ -105,29 +105,31 @@ def _parts(title: str) -> tuple[str, str]:
     return "".join(words[:-1] if unit else words), unit
 
 
-def _by_place(figures: Sequence[Figures]) -> list[Quantity | None]:
+def _by_place(figures: Sequence[Figures]) -> list[ColumnQuantity | None]:
     """The usual order: perhaps a time, six values, perhaps the gripper."""
     numeric = [index for index, column in enumerate(figures) if _numbers(column)]
-    quantities: list[Quantity | None] = [None] * len(figures)
+    quantities: list[ColumnQuantity | None] = [None] * len(figures)
     if len(numeric) > len(JOINTS):
         values = _numbers(figures[numeric[0]])
         rises = all(a <= b for a, b in pairwise(values))
         if rises and values[0] < values[-1]:
-            quantities[numeric.pop(0)] = Quantity.TIME
+            quantities[numeric.pop(0)] = ColumnQuantity.TIME
         elif min(values) >= 0.0 and max(values) <= _LONGEST_WAIT:
-            quantities[numeric.pop(0)] = Quantity.WAIT
+            quantities[numeric.pop(0)] = ColumnQuantity.WAIT
     if len(numeric) < len(JOINTS):
         return quantities
     far = any(_largest(figures[index]) > 360.0 for index in numeric[:3])
     for index, quantity in zip(
-        numeric, (*(POSE if far else JOINTS), Quantity.GRIPPER), strict=False
+        numeric, (*(POSE if far else JOINTS), ColumnQuantity.GRIPPER), strict=False
     ):
         quantities[index] = quantity
     return quantities
 
 
 def _unit(
-    quantity: Quantity, quantities: Sequence[Quantity | None], figures: Sequence[Figures]
+    quantity: ColumnQuantity,
+    quantities: Sequence[ColumnQuantity | None],
+    figures: Sequence[Figures],
 ) -> str:
     """The unit that the figures of a quantity and of its kin speak for."""
     group = next((kin for kin in (JOINTS, POSE[:3], POSE[3:]) if quantity in kin), (quantity,))
@@ -138,7 +140,9 @@ def _unit(
         return "rad" if largest <= _FULL_TURN_RAD else "°"
     if "mm" in units:
         return (
-            "m" if largest <= (_WIDEST_M if quantity is Quantity.GRIPPER else _LONGEST_M) else "mm"
+            "m"
+            if largest <= (_WIDEST_M if quantity is ColumnQuantity.GRIPPER else _LONGEST_M)
+            else "mm"
         )
     if "ms" in units:
         return _time_unit(_numbers(columns[0]), largest)

@@ -21,7 +21,7 @@ DECIMALS: Final = (".", ",")
 _COMMENTS: Final = ("#", "%", "//")
 
 
-class Quantity(StrEnum):
+class ColumnQuantity(StrEnum):
     """What a column can hold. Time counts from anywhere; wait is the time since the row before."""
 
     TIME = "time"
@@ -44,19 +44,26 @@ class Quantity(StrEnum):
     NOTE = "note"
 
 
-JOINTS: Final = tuple(Quantity(f"J{joint}") for joint in range(1, 7))
-POSE: Final = (Quantity.X, Quantity.Y, Quantity.Z, Quantity.RX, Quantity.RY, Quantity.RZ)
+JOINTS: Final = tuple(ColumnQuantity(f"J{joint}") for joint in range(1, 7))
+POSE: Final = (
+    ColumnQuantity.X,
+    ColumnQuantity.Y,
+    ColumnQuantity.Z,
+    ColumnQuantity.RX,
+    ColumnQuantity.RY,
+    ColumnQuantity.RZ,
+)
 
 _TIMES: Final = {"s": 1.0, "ms": 1e-3, "µs": 1e-6, "ns": 1e-9}
 _ANGLES: Final = {"°": 1.0, "rad": math.degrees(1.0)}
 _LENGTHS: Final = {"mm": 1.0, "m": 1e3}
 
-UNITS: Final[Mapping[Quantity, Mapping[str, float]]] = {
-    **dict.fromkeys((Quantity.TIME, Quantity.WAIT, Quantity.DWELL), _TIMES),
+UNITS: Final[Mapping[ColumnQuantity, Mapping[str, float]]] = {
+    **dict.fromkeys((ColumnQuantity.TIME, ColumnQuantity.WAIT, ColumnQuantity.DWELL), _TIMES),
     **dict.fromkeys((*JOINTS, *POSE[3:]), _ANGLES),
-    **dict.fromkeys((*POSE[:3], Quantity.GRIPPER), _LENGTHS),
-    Quantity.SPEED: {"%": 1.0},
-    Quantity.NOTE: {"": 1.0},
+    **dict.fromkeys((*POSE[:3], ColumnQuantity.GRIPPER), _LENGTHS),
+    ColumnQuantity.SPEED: {"%": 1.0},
+    ColumnQuantity.NOTE: {"": 1.0},
 }
 """The units of each quantity; times the factor it is in ours: s, °, mm, %."""
 
@@ -64,7 +71,7 @@ UNITS: Final[Mapping[Quantity, Mapping[str, float]]] = {
 class TableColumn(NamedTuple):
     """What a column holds."""
 
-    quantity: Quantity
+    quantity: ColumnQuantity
     unit: str
 
 

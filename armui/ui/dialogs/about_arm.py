@@ -15,7 +15,7 @@ from armui.arm.refusal import Refusal
 from armui.doctor.facts import LinkFacts
 from armui.doctor.probes.can_devices import look_at_links
 from armui.ui.background import Background, Job
-from armui.ui.dialogs.about_arm_rows import Row, about_rows
+from armui.ui.dialogs.about_arm_rows import AboutRow, about_rows
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.online_since import OnlineSince
 
@@ -54,7 +54,7 @@ class AboutArmDialog(ArmDialog):
         self._looking = False
         self._before: tuple[int, float] | None = None
         self._rate: float | None = None
-        self._rows: list[Row] = []
+        self._rows: list[AboutRow] = []
         self._labels: list[tuple[QLabel, QLabel]] = []
         self._build()
         self.resize(*_SIZE_PX)

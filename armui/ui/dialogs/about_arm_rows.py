@@ -24,7 +24,7 @@ _COMMANDS: Final = (0x150, 0x15F)
 _NO_BITRATE: Final = frozenset({"virtual", "udp_multicast"})
 
 
-class Row(NamedTuple):
+class AboutRow(NamedTuple):
     """One line.
 
     Attributes:
@@ -44,7 +44,7 @@ def about_rows(
     *,
     online_s: float | None,
     frames_per_s: float | None,
-) -> list[Row]:
+) -> list[AboutRow]:
     """The lines, always the same ones in the same order.
 
     Args:
@@ -56,49 +56,53 @@ def about_rows(
     """
     online = now.link is LinkState.ONLINE
     rows = [
-        Row(
+        AboutRow(
             "model",
             translate("AboutArm", "Model"),
             translate("AboutArm", "unknown: the arm does not tell it"),
         ),
-        Row("firmware", translate("AboutArm", "Firmware"), _firmware(state, now)),
-        Row("generation", translate("AboutArm", "Protocol"), _generation(now)),
-        Row("device", translate("AboutArm", "Adapter"), _device(now.device)),
-        Row(
+        AboutRow("firmware", translate("AboutArm", "Firmware"), _firmware(state, now)),
+        AboutRow("generation", translate("AboutArm", "Protocol"), _generation(now)),
+        AboutRow("device", translate("AboutArm", "Adapter"), _device(now.device)),
+        AboutRow(
             "serial",
             translate("AboutArm", "Serial number of the adapter"),
             _serial(now.device, links),
         ),
-        Row("bitrate", translate("AboutArm", "Bit rate"), _bitrate(now.device, links)),
-        Row(
+        AboutRow("bitrate", translate("AboutArm", "Bit rate"), _bitrate(now.device, links)),
+        AboutRow(
             "feedback",
             translate("AboutArm", "Identifiers of the feedback"),
             _feedback(now, online=online),
         ),
-        Row(
+        AboutRow(
             "commands",
             translate("AboutArm", "Identifiers of the commands"),
             _commands(now, online=online),
         ),
-        Row("rate", translate("AboutArm", "Frames received"), _rate(frames_per_s, online=online)),
-        Row("online", translate("AboutArm", "Heard without a break for"), _duration(online_s)),
-        Row(
+        AboutRow(
+            "rate", translate("AboutArm", "Frames received"), _rate(frames_per_s, online=online)
+        ),
+        AboutRow("online", translate("AboutArm", "Heard without a break for"), _duration(online_s)),
+        AboutRow(
             "running",
             translate("AboutArm", "Running time of the arm"),
             translate("AboutArm", "unknown: the arm does not tell it"),
         ),
     ]
     rows += [
-        Row(
+        AboutRow(
             f"joint_{joint}",
             translate("AboutArm", "Joint {joint}").format(joint=joint),
             _limits(state, joint),
         )
         for joint in JOINTS
     ]
-    rows.append(Row("end", translate("AboutArm", "End"), _end_limits(state)))
+    rows.append(AboutRow("end", translate("AboutArm", "End"), _end_limits(state)))
     system = f"{platform.system()} {platform.release()}, Python {platform.python_version()}"
-    rows.append(Row("program", translate("AboutArm", "Program"), f"armui {__version__}, {system}"))
+    rows.append(
+        AboutRow("program", translate("AboutArm", "Program"), f"armui {__version__}, {system}")
+    )
     return rows
 
 

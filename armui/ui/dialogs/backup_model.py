@@ -14,7 +14,7 @@ from PySide6.QtCore import (
     Signal,
 )
 
-from armui.arm.comparison import ComparisonVerdict, Row
+from armui.arm.comparison import ComparisonRow, ComparisonVerdict
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
 from armui.control.parameters.setting_cell import CellState, SettingCellState
@@ -43,14 +43,14 @@ class BackupModel(QAbstractTableModel):
     def __init__(self, cell: Callable[[Parameter], SettingCellState]) -> None:
         super().__init__()
         self._cell = cell
-        self._rows: list[Row] = []
+        self._rows: list[ComparisonRow] = []
         self._chosen: set[Parameter] = set()
         self._restored: set[Parameter] = set()
 
     # What the dialog does ---------------------------------------------------------------------
 
     @property
-    def rows(self) -> Sequence[Row]:
+    def rows(self) -> Sequence[ComparisonRow]:
         """The comparison shown."""
         return self._rows
 
@@ -63,7 +63,7 @@ class BackupModel(QAbstractTableModel):
             if row.parameter in self._chosen and row.filed is not None and row.restorable
         }
 
-    def show_rows(self, rows: Sequence[Row]) -> None:
+    def show_rows(self, rows: Sequence[ComparisonRow]) -> None:
         """Show another comparison; ticks stay where the parameters do."""
         same = [row.parameter for row in rows] == [row.parameter for row in self._rows]
         if not same:
@@ -75,7 +75,7 @@ class BackupModel(QAbstractTableModel):
             self.endResetModel()
         self.ticked.emit()
 
-    def choose(self, wanted: Callable[[Row], bool]) -> None:
+    def choose(self, wanted: Callable[[ComparisonRow], bool]) -> None:
         """Tick the rows that are wanted and can be restored, and no others."""
         self._chosen = {row.parameter for row in self._rows if row.restorable and wanted(row)}
         self.retranslate()
@@ -155,7 +155,7 @@ class BackupModel(QAbstractTableModel):
         self.ticked.emit()
         return True
 
-    def _text(self, row: Row, column: int) -> str:
+    def _text(self, row: ComparisonRow, column: int) -> str:
         if column == NAME:
             return full_name(row.parameter)
         if column == STATE:
@@ -163,7 +163,7 @@ class BackupModel(QAbstractTableModel):
         value = row.filed if column == FILED else row.held
         return fmt.NOTHING if value is None else value_text(row.parameter.name, value)
 
-    def _state(self, row: Row) -> str:
+    def _state(self, row: ComparisonRow) -> str:
         """The comparison; or, of what is being restored, how far that is."""
         cell = self._cell(row.parameter)
         if cell.state is CellState.READING:
@@ -179,7 +179,7 @@ class BackupModel(QAbstractTableModel):
             return self.tr("≠ cannot be restored")
         return verdict_word(row.verdict)
 
-    def _reason(self, row: Row) -> Refusal | None:
+    def _reason(self, row: ComparisonRow) -> Refusal | None:
         return row.against or self._cell(row.parameter).reason
 
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from armui.control.operating_state import LinkState
 from armui.doctor.facts import HeardFacts
-from armui.doctor.finding import Finding, Section, Severity
+from armui.doctor.finding import Diagnosis, DiagnosisLevel, Section
 from armui.doctor.hearing import arm_facts
 from armui.doctor.judge_arm import judge_heard
 from armui.protocol.codec import Codec
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
 
-def judge_connected(controller: ArmController, *, frames: int, seconds: float) -> list[Finding]:
+def judge_connected(controller: ArmController, *, frames: int, seconds: float) -> list[Diagnosis]:
     """Findings about the arm on the open device; none where no device is open.
 
     Args:
@@ -49,5 +49,5 @@ def judge_connected(controller: ArmController, *, frames: int, seconds: float) -
     findings = judge_heard(heard)
     if now.other_host is not None and not now.teaching_input:
         params = {"device": now.device.name, "frames": now.other_host.frames}
-        findings.append(Finding(Section.ARM, "other_host", Severity.WARNING, params))
+        findings.append(Diagnosis(Section.ARM, "other_host", DiagnosisLevel.WARNING, params))
     return findings

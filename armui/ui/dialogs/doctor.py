@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 
 from armui.arm.device import Device
 from armui.control.events import Level
-from armui.doctor.finding import Finding, Section, Severity
+from armui.doctor.finding import Diagnosis, DiagnosisLevel, Section
 from armui.doctor.process import DoctorProcess
 from armui.doctor.report import Words, as_text
 from armui.ui.dialogs.base import ArmDialog
@@ -45,7 +45,7 @@ class Examination(Protocol):
         """Nobody waits for it any more."""
 
 
-Examine = Callable[[Sequence[str], Callable[[list[Finding] | str], object]], Examination]
+Examine = Callable[[Sequence[str], Callable[[list[Diagnosis] | str], object]], Examination]
 """Begins an examination; see :class:`armui.doctor.process.DoctorProcess`."""
 
 
@@ -73,7 +73,7 @@ class DoctorDialog(ArmDialog):
         self._under_way: Examination | None = None
         self._number = 0
         self._began = (0.0, 0)
-        self._answer: list[Finding] | str | None = None
+        self._answer: list[Diagnosis] | str | None = None
         self._rows: list[Callable[[], QWidget]] = []
         self._build()
         self.resize(*_SIZE_PX)
@@ -188,7 +188,7 @@ class DoctorDialog(ArmDialog):
             self._answer = [*answer, *connected]
         self._refresh()
 
-    def _findings(self) -> list[Finding]:
+    def _findings(self) -> list[Diagnosis]:
         return self._answer if isinstance(self._answer, list) else []
 
     def _words(self) -> Words:
@@ -216,7 +216,7 @@ class DoctorDialog(ArmDialog):
             self._message.show_message(text, Level.FAULT)
             return
         levels = [each.severity for each in self._findings()]
-        faults, warnings = levels.count(Severity.FAULT), levels.count(Severity.WARNING)
+        faults, warnings = levels.count(DiagnosisLevel.FAULT), levels.count(DiagnosisLevel.WARNING)
         if faults or warnings:
             text = self.tr("Faults: {faults}, warnings: {warnings}").format(
                 faults=faults, warnings=warnings
@@ -281,5 +281,5 @@ def _heading(text: str) -> QWidget:
     return label
 
 
-def _row(finding: Finding, words: Words) -> QWidget:
+def _row(finding: Diagnosis, words: Words) -> QWidget:
     return FindingRow(finding, words.text(finding), words.mark(finding.severity))

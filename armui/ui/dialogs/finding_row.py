@@ -9,7 +9,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QFontDatabase, QGuiApplication
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
 
-from armui.doctor.finding import Finding, Severity
+from armui.doctor.finding import Diagnosis, DiagnosisLevel
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 
@@ -27,7 +27,7 @@ class FindingRow(QWidget):
     """
 
     def __init__(
-        self, finding: Finding, text: str, mark: str, parent: QWidget | None = None
+        self, finding: Diagnosis, text: str, mark: str, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self._level = finding.severity
@@ -72,10 +72,10 @@ class FindingRow(QWidget):
     def _draw_icon(self) -> None:
         colors = colors_of(self)
         name, ink = {
-            Severity.OK: ("info", colors.ok),
-            Severity.NOTE: ("info", colors.accent),
-            Severity.WARNING: ("warning", colors.warn),
-            Severity.FAULT: ("warning", colors.stop),
+            DiagnosisLevel.OK: ("info", colors.ok),
+            DiagnosisLevel.NOTE: ("info", colors.accent),
+            DiagnosisLevel.WARNING: ("warning", colors.warn),
+            DiagnosisLevel.FAULT: ("warning", colors.stop),
         }[self._level]
         self._icon.setPixmap(icons.pixmap(name, ink, _ICON_PX, self.devicePixelRatioF()))
 

@@ -46,7 +46,7 @@ class FigurePlot:
 
 
 @dataclass(frozen=True, slots=True)
-class Figure:
+class CurveFigure:
     """Plots over one time.
 
     Attributes:
@@ -68,14 +68,14 @@ class Figure:
     font: QFont
 
 
-def size_of(figure: Figure) -> QSize:
+def size_of(figure: CurveFigure) -> QSize:
     """How large it is, in pixels of a screen."""
     line_px = QFontMetricsF(figure.font).height()
     height = 2 * _MARGIN_PX + 3 * line_px + len(figure.plots) * (_PLOT_PX + 2.2 * line_px)
     return QSize(round(_WIDTH_PX), round(height))
 
 
-def to_image(figure: Figure) -> QImage:
+def to_image(figure: CurveFigure) -> QImage:
     """As pixels, twice as fine as on a screen."""
     size = size_of(figure)
     image = QImage(size * _SCALE, QImage.Format.Format_RGB32)
@@ -87,7 +87,7 @@ def to_image(figure: Figure) -> QImage:
     return image
 
 
-def to_png(figure: Figure) -> bytes:
+def to_png(figure: CurveFigure) -> bytes:
     """As a PNG file."""
     data = QByteArray()
     buffer = QBuffer(data)
@@ -96,7 +96,7 @@ def to_png(figure: Figure) -> bytes:
     return bytes(data.data())
 
 
-def to_svg(figure: Figure) -> bytes:
+def to_svg(figure: CurveFigure) -> bytes:
     """As an SVG file."""
     size = size_of(figure)
     data = QByteArray()
@@ -114,10 +114,10 @@ def to_svg(figure: Figure) -> bytes:
     return bytes(data.data())
 
 
-WRITERS: Final[dict[str, Callable[[Figure], bytes]]] = {"png": to_png, "svg": to_svg}
+WRITERS: Final[dict[str, Callable[[CurveFigure], bytes]]] = {"png": to_png, "svg": to_svg}
 
 
-def write(path: Path, figure: Figure, kind: str) -> None:
+def write(path: Path, figure: CurveFigure, kind: str) -> None:
     """Write a picture; a file that was there is replaced when the new one is whole.
 
     Raises:
@@ -133,7 +133,7 @@ def write(path: Path, figure: Figure, kind: str) -> None:
         raise
 
 
-def _draw(painter: QPainter, figure: Figure) -> None:
+def _draw(painter: QPainter, figure: CurveFigure) -> None:
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setFont(figure.font)
     line_px = QFontMetricsF(figure.font).height()
@@ -168,7 +168,7 @@ def _draw_names(painter: QPainter, plot: FigurePlot, top: float, line_px: float)
         left += 20.0 + metrics.horizontalAdvance(name) + 18.0
 
 
-def _draw_plot(painter: QPainter, figure: Figure, plot: FigurePlot, place: QRectF) -> None:
+def _draw_plot(painter: QPainter, figure: CurveFigure, plot: FigurePlot, place: QRectF) -> None:
     low, high = plot.heights
     metrics = QFontMetricsF(painter.font())
     for figure_at in ticks(low, high, _TICKS):
@@ -206,7 +206,7 @@ def _draw_plot(painter: QPainter, figure: Figure, plot: FigurePlot, place: QRect
     painter.drawRect(place)
 
 
-def _times(figure: Figure, step_s: float) -> list[float]:
+def _times(figure: CurveFigure, step_s: float) -> list[float]:
     first, last = math.ceil(figure.begin_s / step_s), math.floor(figure.end_s / step_s + 1e-9)
     return [number * step_s for number in range(first, last + 1)]
 

@@ -89,7 +89,7 @@ class PlotExport(QObject):
         QGuiApplication.clipboard().setText(text)
         self.said.emit(self.tr("Copied"), Level.DONE)
 
-    def figure(self) -> figure.Figure:
+    def figure(self) -> figure.CurveFigure:
         """What is shown, copied: it may be drawn anywhere."""
         board = self._board
         now_s, shown = board.now_s(), board.frame.shown
@@ -102,7 +102,7 @@ class PlotExport(QObject):
         ]
         heading = f"{self._edge(edge_s, now_s):%Y-%m-%d %H:%M:%S}"
         ends = (shown.begin_s, shown.end_s)
-        return figure.Figure(heading, plots, edge_s, *ends, cursors, self._window.font())
+        return figure.CurveFigure(heading, plots, edge_s, *ends, cursors, self._window.font())
 
     def _edge(self, edge_s: float, now_s: float) -> datetime:
         """What the clock on the wall showed at a monotonic time."""

@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QComboBox, QVBoxLayout, QWidget
 
-from armui.trajectory.columns import UNITS, Guess, Quantity, TableColumn
+from armui.trajectory.columns import UNITS, ColumnQuantity, Guess, TableColumn
 from armui.ui import words
 from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.translated import Translated
@@ -41,7 +41,7 @@ class ColumnPicker(Translated, QWidget):
         self._guessed = guess.column is not None and guess.confidence < _SURE
         self._title = ElidedLabel()
         self._quantity = _Choice(f"column_quantity_{number}")
-        for quantity in (None, *Quantity):
+        for quantity in (None, *ColumnQuantity):
             self._quantity.addItem("", quantity)
         self._unit = _Choice(f"column_unit_{number}")
         self._origin = ElidedLabel()
@@ -53,7 +53,7 @@ class ColumnPicker(Translated, QWidget):
         for widget in (self._title, self._quantity, self._unit, self._origin):
             layout.addWidget(widget)
         if guess.column is not None:
-            self._quantity.setCurrentIndex(1 + list(Quantity).index(guess.column.quantity))
+            self._quantity.setCurrentIndex(1 + list(ColumnQuantity).index(guess.column.quantity))
         self._fill_units()
         if guess.column is not None:
             self.show_unit(guess.column.unit)
@@ -67,11 +67,11 @@ class ColumnPicker(Translated, QWidget):
         quantity = self._quantity.currentData()
         if quantity is None:
             return None
-        return TableColumn(Quantity(quantity), self._unit.currentText())
+        return TableColumn(ColumnQuantity(quantity), self._unit.currentText())
 
     def show_column(self, column: TableColumn | None) -> None:
         """Show what the operator has said before."""
-        place = 0 if column is None else 1 + list(Quantity).index(column.quantity)
+        place = 0 if column is None else 1 + list(ColumnQuantity).index(column.quantity)
         self._quantity.setCurrentIndex(place)
         self._fill_units()
         if column is not None:
@@ -91,7 +91,7 @@ class ColumnPicker(Translated, QWidget):
 
     def _fill_units(self) -> None:
         quantity = self._quantity.currentData()
-        units = () if quantity is None else tuple(UNITS[Quantity(quantity)])
+        units = () if quantity is None else tuple(UNITS[ColumnQuantity(quantity)])
         before = self._unit.currentText()
         self._unit.clear()
         self._unit.addItems(units)
@@ -116,11 +116,11 @@ class ColumnPicker(Translated, QWidget):
         titled = f"{self._number}. {self._title_text}"
         self._title.show_text(titled if self._title_text else column)
         short = {
-            Quantity.WAIT: self.tr("Wait"),
-            Quantity.GRIPPER: self.tr("Gripper"),
+            ColumnQuantity.WAIT: self.tr("Wait"),
+            ColumnQuantity.GRIPPER: self.tr("Gripper"),
         }
         self._quantity.setItemText(0, self.tr("Ignored"))
-        for place, quantity in enumerate(Quantity, start=1):
+        for place, quantity in enumerate(ColumnQuantity, start=1):
             full = words.point_figure(quantity.value)
             self._quantity.setItemText(place, short.get(quantity, full))
             self._quantity.setItemData(place, full, Qt.ItemDataRole.ToolTipRole)

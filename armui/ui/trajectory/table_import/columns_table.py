@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from armui.trajectory.columns import Quantity, Sheet, TableColumn
+from armui.trajectory.columns import ColumnQuantity, Sheet, TableColumn
 from armui.trajectory.columns.model import JOINTS, POSE
 from armui.ui.theme import colors_of
 from armui.ui.trajectory.table_import.column_picker import ColumnPicker
@@ -222,6 +222,6 @@ def _rows_of(model: _Preview) -> QTableView:
     return table
 
 
-def _kin(column: TableColumn | None) -> frozenset[Quantity]:
+def _kin(column: TableColumn | None) -> frozenset[ColumnQuantity]:
     quantity = None if column is None else column.quantity
     return frozenset(next((kin for kin in _KIN if quantity in kin), ()))
