@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -94,3 +97,25 @@ def test_ci_runs_the_command_that_readme_tells() -> None:
     assert "bash .ci/run" in workflow
     for version in ("3.11", "3.12", "3.13"):
         assert f'"{version}"' in workflow
+
+
+@pytest.mark.parametrize("command", ["", "decode", "doctor", "sim"])
+def test_the_options_of_every_command_are_listed(command: str) -> None:
+    asked = subprocess.run(
+        [sys.executable, "-m", "armui", *command.split(), "--help"],
+        cwd=ROOT,
+        env={**os.environ, "PYTHONPATH": str(ROOT), "COLUMNS": "200"},
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        check=True,
+    )
+    usage = asked.stdout.partition("\n\n")[0]
+    there = set(re.findall(r"--[a-z]+[a-z-]*", usage))
+    table = (ROOT / "resources" / "docs" / "commands.md").read_text(encoding="utf-8")
+    start = f"| `armui {command}".rstrip()
+    rows = [line for line in table.splitlines() if line.startswith(start)]
+    if not command:
+        rows = [row for row in rows if re.match(r"\| `armui(?: -|`)", row)]
+    listed = set(re.findall(r"--[a-z]+[a-z-]*", " ".join(row.split(" | ")[0] for row in rows)))
+    assert listed == there

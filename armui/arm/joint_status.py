@@ -284,7 +284,7 @@ class JointHistory:
         self._since: dict[tuple[Item, int], datetime] = {}
 
     def follow(self, state: ArmState, generation: Generation | None, at: datetime) -> bool:
-        """Take in a picture of the arm; whether any word or status code has changed by it."""
+        """Take in a snapshot of the arm; whether any word or status code has changed by it."""
         status = state.status
         changed = False
         for joint in JOINTS:
@@ -320,7 +320,7 @@ class JointHistory:
     def cell(
         self, state: ArmState, generation: Generation | None, item: Item, joint: int
     ) -> StatusCell:
-        """One cell of the table, of the picture that was followed last."""
+        """One cell of the table, of the snapshot that was taken in last."""
         return StatusCell(
             word=word(state, generation, item, joint),
             value=value(state, item, joint),

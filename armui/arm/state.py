@@ -1,4 +1,4 @@
-"""The arm as last heard: a frozen picture, each value with the time it was heard.
+"""The arm as last heard: a frozen snapshot, each value with the time it was heard.
 
 Nothing here is assumed: what has not been heard is ``None``. Times are those of
 :data:`armui.system.clock.steady_s`; joints stand in tuples of six, joint 1 first.
@@ -170,7 +170,7 @@ class ArmState:
     Attributes:
         epoch: Of what was heard: everything in one state was heard and decoded since the bus thread
             was last told to start anew, and every start has a number of its own.
-        sequence: Grows with every picture in which something is new.
+        sequence: Grows with every snapshot in which something is new.
         last_feedback_s: When any frame of the arm's was last understood.
         silences: How often in this epoch the arm was silent for longer than :data:`FRESH_FOR_S` and
             then heard again: it may be another arm, or one that was switched off and on.

@@ -1,7 +1,6 @@
-"""Folds decoded messages into pictures of the arm.
+"""Keeps what was last heard of one arm, and makes frozen snapshots of it.
 
-One tracker follows one arm. It is fed by one thread; the pictures it hands out are frozen and
-may go anywhere.
+One tracker follows one arm. One thread feeds it; the snapshots may be read by any thread.
 """
 
 from __future__ import annotations
@@ -101,7 +100,7 @@ class Tracker:
             self._note_foreign_target(_TARGET_MESSAGES.index(heard.name), at_s)
 
     def picture(self) -> ArmState:
-        """The arm as heard up to now; the same object as before if nothing new was folded in."""
+        """The arm as heard up to now; the same object as before if nothing new was heard."""
         if self._published != self._sequence:
             self._published = self._sequence
             self._picture = self._compose()

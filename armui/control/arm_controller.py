@@ -349,7 +349,7 @@ class ArmController(QObject):
         self.recovery.advance()
 
     def _on_arm_came(self) -> None:
-        """What was read and saved before was another arm's, for all that is known."""
+        """What was read and saved before may have been another arm's."""
         self._link_watch.arm_came()
         self._authority.end(End.SILENT)
         self.settings.forget()

@@ -37,7 +37,7 @@ class Activity:
 
 @dataclass(frozen=True, slots=True)
 class AssessmentInputs:
-    """What the program knows beside the arm's own words; fields as in :class:`OperatingState`.
+    """What the program knows beside the arm's feedback; fields as in :class:`OperatingState`.
 
     Attributes:
         authority: Who moves the arm.

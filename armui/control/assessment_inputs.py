@@ -67,7 +67,7 @@ class Assessor:
         return self.read()
 
     def _circumstances(self, now_s: float) -> AssessmentInputs:
-        """What the program knows beside the arm's own words at monotonic time ``now_s``."""
+        """What the program knows beside the arm's feedback at monotonic time ``now_s``."""
         controller, connection, keeper = self._controller, self._connection, self._stopping.keeper
         busy = controller.motors.busy or (Busy.ZEROING if controller.zeroing.busy else None)
         resuming = busy is Busy.RESUMING

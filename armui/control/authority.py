@@ -36,7 +36,7 @@ ARRIVED_DEG: Final = 0.5
 """Measured this close to its target a joint has arrived: it may sag by that much under load."""
 
 _TAKEN_IN_S: Final = 0.3
-"""So long after it was sent the arm's last word may still be about what was before."""
+"""For this long after a frame was sent, the status last heard may be older than the frame."""
 _SHOWN_S: Final = 0.05
 """A status this much after a mode word was made after it."""
 _REST_SHOWS_S: Final = 0.4
@@ -191,7 +191,7 @@ class Authority:
         return not known or percent < max(known)
 
     def mode_in_force(self) -> tuple[ControlMode, MoveMode] | None:
-        """The modes the arm is in, by its own word or by ours that it has had no time to show.
+        """The modes the arm is in: as reported, or as sent when it has had no time to report them.
 
         ``None`` where a mode word with them cannot be sent: nobody knows them, or somebody else
         has the command.

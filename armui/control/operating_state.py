@@ -46,7 +46,7 @@ def why_unreachable(link: LinkState, device: Device | None = None) -> Refusal | 
 
 
 class StopState(enum.Enum):
-    """Where the emergency stop stands, by the arm's own word (0x2A1 byte 1)."""
+    """The state of the emergency stop, as the arm reports it (0x2A1 byte 1)."""
 
     RUNNING = enum.auto()
     REQUESTED = enum.auto()
@@ -91,7 +91,7 @@ class OperatingState:
         link_problem: Why the device could not be opened or was lost.
         stop_unconfirmed: A stop was asked for over half a second ago and the arm has not said so.
         stop_lapsed: That stop is not sent by itself any more: the operator is asked.
-        enabled: Each motor by the arm's word; ``None`` where it has not been heard of late.
+        enabled: Each motor as reported; ``None`` where it has not been heard of late.
         cannot_move, cannot_enable: Why not, or ``None``: it may.
         cannot_run: Why a trajectory cannot be run, or the one that runs cannot go on.
         running: A run or a replay is under way, be it that it dwells, waits or is paused.
@@ -181,7 +181,7 @@ class OperatingState:
 
     @property
     def cannot_set_lamps(self) -> Refusal | None:
-        """Why no lamp may be set, or ``None``: lamps move nothing, but a run may speak by them."""
+        """Why no lamp may be set, or ``None``: they move nothing, but a run may signal by them."""
         if self.unreachable is None and self.run_sets_lamps:
             return Refusal(RefusalCode.RUN_SETS_LAMPS)
         return self.unreachable

@@ -211,3 +211,19 @@ def test_text_that_says_something_else_is_refused(part: str, value: object, reas
     record[part] = value
     with pytest.raises(SettingsTextError, match=reason):
         from_text(json.dumps(record))
+
+
+def test_a_value_of_the_teaching_handle_that_is_not_there_is_the_factory_s() -> None:
+    record = json.loads(to_text(ArmSettingsRecord(teaching=HandleSettings(150, 100, 10))))
+    del record["teaching"]["friction"]
+    assert from_text(json.dumps(record)).teaching == HandleSettings(150, 100, 1)
+
+
+@pytest.mark.parametrize("figures", [{"friction": 11}, {"stroke_limit_mm": 50}, {"friction": None}])
+def test_a_value_of_the_teaching_handle_out_of_its_range_is_named(
+    figures: dict[str, int | None],
+) -> None:
+    record = json.loads(to_text(ArmSettingsRecord()))
+    record["teaching"] |= figures
+    with pytest.raises(SettingsTextError, match=next(iter(figures))):
+        from_text(json.dumps(record))

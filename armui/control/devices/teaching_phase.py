@@ -1,4 +1,4 @@
-"""How drag teaching stands by the arm's own word, and which command makes sense then: pure."""
+"""The phase of drag teaching as reported, and which commands fit it: pure."""
 
 from __future__ import annotations
 

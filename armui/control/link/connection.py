@@ -239,7 +239,7 @@ class Connection(QObject):
             # Off for one look at least: whatever is under way ends, and begins from nothing.
             self._start_anew(self._worker, now_s)
             return self.newest
-        # A handshake starts with an empty picture of the arm: that is no silence.
+        # A handshake starts with an empty state of the arm: that is no silence.
         self._last_feedback_s = state.last_feedback_s or self._last_feedback_s
         is_open = self._bus_state in _IS_OPEN
         online = is_open and is_fresh(self._last_feedback_s, now_s)

@@ -50,7 +50,7 @@ class LinkWatch:
             self._tell(code, **figures)
 
     def arm_came(self) -> None:
-        """Another arm answers, for all that is known: it is asked anew."""
+        """The arm that answers may be another one: it is asked anew."""
         self._answers_told = False
 
     def forget(self) -> None:

@@ -52,7 +52,7 @@ class PlannedMotion:
         if refusal is not None or command in _ENDS:
             return refusal
         if operating_state.running or operating_state.jogging:
-            # a run has a pause of its own; setpoints of a jog held back would come to life later
+            # a run has a pause of its own; setpoints of a jog held back would be carried out later
             return operating_state.occupied
         if command is TrajectoryCommand.PAUSE and not operating_state.moving:
             return Refusal(RefusalCode.NOT_MOVING)
@@ -112,7 +112,7 @@ class PlannedMotion:
         """What is held back is followed where the arm is heard; see :mod:`.authority`."""
 
     def halt(self) -> None:
-        """A stop drops what was planned, and the pause with it, by the arm's own word."""
+        """A stop drops what was planned and the pause; the arm reports it."""
 
     def forget(self) -> None:
         """Nothing is kept here."""

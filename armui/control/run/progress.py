@@ -71,7 +71,7 @@ class Progress:
     Attributes:
         phase: What it is doing.
         name: The trajectory's.
-        index: The point under way, from 0; the one it ended at when it is over.
+        index: The point under way, from 0; the one it ended at, once it has ended.
         count: How many points a cycle has.
         cycle, cycles: Which cycle, from 1, of how many; 0 endless.
         done: Share of the cycle that is done, 0–1.

@@ -47,7 +47,7 @@ def cut_short(context: Context) -> bool:
 
 
 def cut_short_for(context: Context, reason: Refusal) -> None:
-    """The same for a run that cannot go on, unless the reason says that it is no use.
+    """The same for a run that cannot go on, unless its reason makes sending pointless.
 
     An arm that is blocked, or whose run took too long, would otherwise set out for the point of a
     run long over as soon as it can.

@@ -102,14 +102,14 @@ class OtherCommand:
         return new
 
     def reconnected(self) -> None:
-        """Another connection begins: what moved the arm a moment ago may do so still."""
+        """Another connection begins: a host that moved the arm just before may still do so."""
         self.mode = None
         self._void_before_s = -math.inf
 
     def _mode_of(
         self, traffic: OtherTraffic, offsets: tuple[int, ...], state: ArmState
     ) -> OtherMode | None:
-        """By 0x2A1 byte 2, or by a mode word that the arm has had no time to show, or cannot show.
+        """The mode in 0x2A1 byte 2, or in a mode word that the arm cannot report, or not yet.
 
         0x2A1 shows high-follow as MOVE J: it lasts until the arm is seen to have left it. A stop
         ends any of them, though 0x2A1 goes on showing the mode that was asked for last.

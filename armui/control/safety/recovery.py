@@ -71,7 +71,7 @@ _Deed = Callable[[Step], Refusal | None]
 
 @dataclass(slots=True)
 class _PendingAction:
-    """An action under way; it is over when the arm is in another state.
+    """An action under way; it ends when the arm is in another state.
 
     Attributes:
         step: What it is to settle.

@@ -34,7 +34,7 @@ class Action(enum.Enum):
     TAKE_OVER = "take_over"
     """The arm is taken from another host."""
     STANDBY = "standby"
-    """The command is taken from whoever has it; nothing moves in standby."""
+    """This host takes the command from another controller; in standby nothing moves."""
     WITHDRAW_STOP = "withdraw_stop"
     """The stop button stands beside it: this is the other answer."""
 

@@ -179,4 +179,4 @@ class Stopping:
             self._halted_s = None
             self._tell(EventCode.HALT_AT_REST)
         elif now_s - self._halted_s > _AT_REST_S:
-            self._halted_s = None  # a cancel that is not heeded is told by whoever knows who moves
+            self._halted_s = None  # the authority reports a cancel without effect

@@ -1,11 +1,11 @@
 """MIT control and high-follow: 0x151 byte 3 = 0xAD hands the joints to their drivers' own loop.
 
-What single users report and no text of the maker denies, taken at its worst for whoever relies on
-it: every mode word that arrives while 0xAD is in force, or that brings it, voids the setpoints;
-each joint is limp, though powered, until its next one. That is a frame 0x15A–0x15F in MIT, a
-complete joint target in high-follow, and in the MOVE modes without 0xAD the next target of any
-kind, which the joints take up from where they have sunk to. A joint that is switched on in MIT or
-high-follow is limp until then, too.
+This follows reports of single users that no text of the maker denies, in their worst reading:
+every mode word that arrives while 0xAD is in force, or that brings it, voids the setpoints; each
+joint is limp, though powered, until its next one. That is a frame 0x15A–0x15F in MIT, a complete
+joint target in high-follow, and in the MOVE modes without 0xAD the next target of any kind, which
+the joints take up from where they have sunk to. A joint that is switched on in MIT or high-follow
+is limp until then, too.
 """
 
 from __future__ import annotations
