@@ -1,4 +1,4 @@
-"""The commands: the program itself, ``armui sim`` and ``armui decode``."""
+"""The commands: the program itself, ``armui sim``, ``armui decode`` and ``armui doctor``."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from collections.abc import Sequence
 from typing import Final
 
 from armui import __version__
-from armui.start import StartOptions
 
 _COMMANDS: Final = {
     "decode": ("armui.decode", "print a recorded CAN log frame by frame, in words and units"),
+    "doctor": ("armui.doctor", "say what is wrong with this computer, the bus and the arm"),
     "sim": ("armui.sim.command", "run the simulated arm on a CAN bus until Ctrl-C"),
 }
 """Command to its module, which has ``add_arguments(parser)`` and ``run(options)``, and its purpose.
@@ -53,14 +53,23 @@ def _run_window(parser: argparse.ArgumentParser, options: argparse.Namespace) ->
     if _no_display():
         print(
             "armui: no display found. Start it in a desktop session, or set DISPLAY or "
-            "WAYLAND_DISPLAY.",
+            "WAYLAND_DISPLAY. `armui doctor` tells more.",
             file=sys.stderr,
         )
         return 2
-    from armui.system.quick_start import begin_quickly  # noqa: PLC0415 - as below
+    try:
+        from armui.system.quick_start import begin_quickly  # noqa: PLC0415 - as below
 
-    begin_quickly()
-    from armui import app  # noqa: PLC0415 - Qt is loaded only for the window
+        begin_quickly()
+        from armui import app  # noqa: PLC0415 - Qt is loaded only for the window
+        from armui.start import StartOptions  # noqa: PLC0415 - needs packages that may be missing
+    except ImportError as error:  # a package, or a system library that Qt wants
+        print(
+            f"armui: the window cannot be loaded: {error}. `armui doctor` says what is missing, "
+            "and how to install it.",
+            file=sys.stderr,
+        )
+        return 2
 
     return app.run(
         StartOptions(

@@ -1,6 +1,7 @@
 """Faults put into the frames of the simulated arm: what its drivers say, byte by byte."""
 
 import weakref
+from typing import Any
 
 from armui.protocol.frame import Frame
 from armui.sim.firmware import Firmware
@@ -75,3 +76,15 @@ class HardOfHearing:
             return []
         self.heard.append(frame)
         return [each for each in on_frame(frame) if each.arbitration_id not in self.mute_on]
+
+
+LYING_DEG = (5.0, 10.0, -20.0, 0.0, 30.0, -40.0)
+
+
+def laid_down(bench: Any) -> Any:
+    """A connected arm whose joints read `LYING_DEG`, and whose ear the test can stop."""
+    bench.connect()
+    bench.firmware.mechanics.count_anew(LYING_DEG)
+    bench.run(0.1)
+    bench.ear = HardOfHearing(bench.firmware)
+    return bench

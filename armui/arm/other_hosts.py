@@ -99,7 +99,7 @@ class OtherTraffic:
         """
         for offset in offsets:
             wanted = {each + offset for each in _LEADER}
-            series = [each for each in self.motion((offset,)) if each.count > 0]
+            series = self.motion((offset,))
             counts = [each.count for each in series]
             if {each.arbitration_id for each in series} != wanted:
                 continue

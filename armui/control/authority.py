@@ -76,7 +76,7 @@ class Authority:
         self._cancelled_s: float | None = None
         self._zero_since_s = 0.0
         self._mode_sent: tuple[MoveMode, float] | None = None
-        self._limits: tuple[JointLimits | None, ...] = (None,) * 6
+        self._limits: tuple[JointLimits | None, ...] = ()
         self.other = OtherCommand()
         self.command: MotionCommand | None = None
         self.ended: End | None = None
@@ -115,10 +115,7 @@ class Authority:
         seen, command = self._seen, self.command
         if seen is None or command is None:
             return False
-        if seen.now_s - command.sent_s < _TAKEN_IN_S:
-            return True
-        status = seen.state.status
-        return status is not None and not status.value.reached and not self.at_rest
+        return seen.now_s - command.sent_s < _TAKEN_IN_S or self._moves
 
     @property
     def mover(self) -> Mover:
@@ -258,14 +255,15 @@ class Authority:
 
     def told_percent(self, percent: int) -> None:
         """The arm has been told another speed percentage."""
-        moves = self.under_way or self._moves_unasked
         self.arm_percent = percent
-        if percent == 0 and moves and self._seen is not None:
+        seen = self._seen
+        if percent > 0:
+            if self.command is not None:
+                self.command = replace(self.command, speed_percent=percent)
+                self._overspeed.restart()
+        elif seen is not None and (self.under_way or self._moves):
             self.holds |= {Hold.SPEED_ZERO}
-            self._zero_since_s = self._seen.now_s
-        if self.command is not None and percent > 0:
-            self.command = replace(self.command, speed_percent=percent)
-            self._overspeed.restart()
+            self._zero_since_s = seen.now_s
 
     def paused(self) -> None:
         """The arm was told to hold its motion back (0x150 byte 1 = 1)."""
@@ -321,7 +319,8 @@ class Authority:
         return command.speed_percent
 
     @property
-    def _moves_unasked(self) -> bool:
+    def _moves(self) -> bool:
+        """Whether the arm says that it has not reached its target, and is measured to move."""
         seen = self._seen
         status = None if seen is None else seen.state.status
         return status is not None and not status.value.reached and not self.at_rest
@@ -395,5 +394,5 @@ class Authority:
         since_s = now_s - self._cancelled_s
         if self.other.commands or (self.at_rest and since_s >= _REST_SHOWS_S):
             self._cancelled_s, self.cancel_unheeded = None, False
-        elif now_s - self._cancelled_s > _CANCEL_WITHIN_S:
+        elif since_s > _CANCEL_WITHIN_S:
             self.cancel_unheeded = True

@@ -3,27 +3,32 @@
 from __future__ import annotations
 
 import os
-import shutil
-import stat
 import sys
-import tempfile
-from contextlib import closing, contextmanager
+from itertools import chain
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
-from armui.decode.entries import FrameKind, LogFrame, NotALogError, Unreadable
-from armui.decode.lines import json_line, text_line
-from armui.decode.logs import read_log
+import numpy as np
+
+from armui.decode.lines import LineFormat
 from armui.protocol.codec import Codec
 from armui.protocol.detect import GenerationDetector
+from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.system.error_text import error_text
+from armui.session.frames import NOT_OF_THE_ARM, NotALogError
+from armui.session.reader import SUFFIXES, LogFile
 
 if TYPE_CHECKING:
     import argparse
     from collections.abc import Iterator
 
     from armui.protocol.detect import GenerationVerdict
+    from armui.session.frames import FrameBatch
+
+_FRAMES_LOOKED_AT: Final = 6_000
+"""So many frames, two seconds of an arm, tell the generation as well as all of them."""
+_MOST_FRAMES_LOOKED_AT: Final = 200_000
+"""Among foreign frames the arm's are looked for longer, but not without end."""
 
 EXIT_COMPLETE = 0
 """Every frame of the log was read; unknown frames are no failure."""
@@ -43,7 +48,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "2 the file is no log."
     )
     parser.add_argument(
-        "file", type=Path, help="log: .log (candump -L), .asc, .blf, .trc or .csv, also with .gz"
+        "file",
+        type=Path,
+        help=f"log: .log (candump -L) and whatever else python-can reads ({', '.join(SUFFIXES)}), "
+        "also with .gz",
     )
     parser.add_argument(
         "--generation",
@@ -65,12 +73,8 @@ def run(options: argparse.Namespace) -> int:
     """
     path = Path(options.file)
     try:
-        if options.generation == "auto":
-            with _rereadable(path) as log:
-                verdict = _detect(log)
-                _complain(path, f"read as generation {int(verdict.generation)}: {verdict.reason}")
-                return _decode(path, log, verdict.generation, as_json=options.json)
-        return _decode(path, path, Generation(int(options.generation)), as_json=options.json)
+        with LogFile(path) as log:
+            return _decode(log, options.generation, as_json=options.json)
     except NotALogError as error:
         _complain(path, str(error))
         return EXIT_NO_LOG
@@ -82,51 +86,57 @@ def run(options: argparse.Namespace) -> int:
         return EXIT_INTERRUPTED
 
 
-def _decode(path: Path, log: Path, generation: Generation, *, as_json: bool) -> int:
-    codec = Codec(generation)
-    line = json_line if as_json else text_line
-    exit_code = EXIT_COMPLETE
-    with closing(read_log(log)) as entries:
-        for entry in entries:
-            if isinstance(entry, Unreadable):
-                _complain(path, f"{entry.place} cannot be read: {entry.reason}")
-                exit_code = EXIT_INCOMPLETE
-            else:
-                sys.stdout.write(line(entry, codec) + "\n")
+def _decode(log: LogFile, wanted: str, *, as_json: bool) -> int:
+    batches = log.batches()
+    if wanted == "auto":
+        looked_at, verdict = _detect(batches)
+        generation = verdict.generation
+        _complain(log.path, f"read as generation {int(generation)}: {verdict.reason}")
+        batches = chain(looked_at, batches)
+    else:
+        generation = Generation(int(wanted))
+    lines = LineFormat(Codec(generation), as_json=as_json)
+    said = 0
+    for batch in batches:
+        sys.stdout.write("\n".join(lines.lines(batch)))
+        sys.stdout.write("\n")
+        said = _say_damages(log, said)
     sys.stdout.flush()
-    return exit_code
+    _say_damages(log, said)
+    if log.damages.not_kept:
+        _complain(log.path, f"{log.damages.not_kept} further places cannot be read")
+    return EXIT_INCOMPLETE if log.damages.count else EXIT_COMPLETE
 
 
-def _detect(log: Path) -> GenerationVerdict:
-    """Reads the log until its generation is certain, or to its end."""
+def _say_damages(log: LogFile, said: int) -> int:
+    """Says the damaged places met since the last call."""
+    for damage in log.damages.since(said):
+        words = "contradicts itself" if damage.frame_given else "cannot be read"
+        _complain(log.path, f"{damage.place} {words}: {damage.reason}")
+    return len(log.damages)
+
+
+def _detect(batches: Iterator[FrameBatch]) -> tuple[list[FrameBatch], GenerationVerdict]:
+    """Reads a log's beginning until its generation is certain.
+
+    Returns:
+        What was read for it, and the verdict.
+    """
     detector = GenerationDetector()
-    with closing(read_log(log)) as entries:
-        for entry in entries:
-            if isinstance(entry, LogFrame) and entry.kind is FrameKind.DATA:
-                detector.feed(entry.frame, entry.time_s)
+    looked_at: list[FrameBatch] = []
+    count = 0
+    for batch in batches:
+        looked_at.append(batch)
+        for row in np.flatnonzero((batch.flags & NOT_OF_THE_ARM) == 0).tolist():
+            detector.feed(Frame(int(batch.ids[row]), batch.data(row)), float(batch.times_s[row]))
             if detector.certain:
-                break
-    return detector.verdict()
-
-
-@contextmanager
-def _rereadable(path: Path) -> Iterator[Path]:
-    """A path to the same bytes that can be read twice: pipes are copied to a temporary file."""
-    try:
-        is_pipe = stat.S_ISFIFO(path.stat().st_mode)
-    except OSError:
-        is_pipe = False  # opening it will tell what is wrong
-    if not is_pipe:
-        yield path
-        return
-    with tempfile.TemporaryDirectory() as folder:
-        copy = Path(folder) / path.name
-        try:
-            with path.open("rb") as source, copy.open("wb") as target:
-                shutil.copyfileobj(source, target)
-        except OSError as error:
-            raise NotALogError(error_text(error)) from error
-        yield copy
+                return looked_at, detector.verdict()
+            count += 1
+            if count >= _FRAMES_LOOKED_AT and detector.has_evidence:
+                return looked_at, detector.verdict()
+        if count >= _MOST_FRAMES_LOOKED_AT:
+            break
+    return looked_at, detector.verdict()
 
 
 def _complain(path: Path, text: str) -> None:

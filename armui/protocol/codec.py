@@ -148,6 +148,10 @@ class Codec:
             and isinstance(self.decode(frame), Message)
         )
 
+    def layout(self, arbitration_id: int) -> MessageLayout | None:
+        """The message with an identifier on the wire, None when it is not in the tables."""
+        return self._by_wire_id.get(arbitration_id)
+
     def signals(self, message: str) -> tuple[str, ...]:
         """Names of a message's signals in the order of bytes and, within a byte, of bits.
 

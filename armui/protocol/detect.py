@@ -54,6 +54,12 @@ class GenerationDetector:
         one, two = self._votes.values()
         return bool(self._version) or abs(one - two) >= _CLEAR_LEAD
 
+    @property
+    def has_evidence(self) -> bool:
+        """Whether anything so far speaks for one of the generations."""
+        one, two = self._votes.values()
+        return bool(self._version) or one != two or bool(self._intervals_s)
+
     def feed(self, frame: Frame, time_s: float) -> None:
         """Takes one data frame with an 11-bit identifier into account.
 

@@ -37,6 +37,9 @@ class SignalLayout:
             value that is legal beside the range.
         legal_raw: Every raw value that means something.
         unchanged_raw: The raw value that leaves a setting as it is, or None.
+        first_bit: The signal's highest bit, counted from the payload's first and highest one.
+        bits: Its length.
+        is_signed: Two's complement.
     """
 
     name: str
@@ -50,6 +53,9 @@ class SignalLayout:
     exhaustive: bool
     legal_raw: Container[int]
     unchanged_raw: int | None
+    first_bit: int
+    bits: int
+    is_signed: bool
 
     @property
     def is_count(self) -> bool:
@@ -160,6 +166,8 @@ def _signal_layout(signal: DbcSignal) -> SignalLayout:
     scale, offset = float(signal.scale), float(signal.offset)
     inverse = 1 / scale
     whole = abs(inverse - round(inverse)) < 1e-9
+    if signal.byte_order != "big_endian":
+        raise ValueError(f"{signal.name} is little-endian in the DBC file; the protocol is not")
     if signal.minimum is None or signal.maximum is None:
         raise ValueError(f"{signal.name} has no range in the DBC file; give it one")
     minimum, maximum = float(signal.minimum), float(signal.maximum)
@@ -181,6 +189,9 @@ def _signal_layout(signal: DbcSignal) -> SignalLayout:
         exhaustive=exhaustive,
         legal_raw=legal,
         unchanged_raw=next((raw for raw, word in words.items() if word == LEAVE_UNCHANGED), None),
+        first_bit=signal.start // 8 * 8 + 7 - signal.start % 8,
+        bits=signal.length,
+        is_signed=signal.is_signed,
     )
 
 

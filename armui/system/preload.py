@@ -13,6 +13,7 @@ from typing import Any, Final
 _PACKAGES: Final = (
     *(
         "armui.arm",
+        "armui.kinematics",
         "armui.protocol",
         "armui.telemetry",
         "armui.trajectory",

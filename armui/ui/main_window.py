@@ -26,6 +26,7 @@ from armui.ui.dialogs.close_question import CloseQuestion
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.motion_panel import MotionPanel
+from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
 from armui.ui.shell.failure_line import FailureLine
 from armui.ui.shell.joint_status_button import JointStatusButton
 from armui.ui.shell.leaving import end_motion_then, end_single_motion_then
@@ -95,6 +96,7 @@ class MainWindow(Translated, QMainWindow):
         self._may_close = False
         self._entries = menu_entries(controller, preferences, self.open_backup_dialog)
         self._joint_monitor = JointMonitor(controller, parent=self)
+        self._diagnosis = DiagnosisDialogs(controller, files or workers, self)
         self._joint_status_button = JointStatusButton(self._joint_monitor)
         self._preview_bar = PreviewBar()
         self._preview = PathPreview(view, self._preview_bar, self)
@@ -220,7 +222,9 @@ class MainWindow(Translated, QMainWindow):
         def make() -> QDialog:
             from armui.ui.dialogs.connect import ConnectDialog  # noqa: PLC0415 - faster start
 
-            return ConnectDialog(self._controller, self, before_leaving=self._leave_arm_then)
+            dialog = ConnectDialog(self._controller, self, before_leaving=self._leave_arm_then)
+            dialog.diagnosis_wanted.connect(self._diagnosis.open_doctor)
+            return dialog
 
         self._open("connect", make)
 
@@ -298,6 +302,8 @@ class MainWindow(Translated, QMainWindow):
 
             dialog = SettingsDialog(self._preferences, self._controller, self)
             self._view.load_failed.connect(dialog.show_robot_problem)
+            dialog.diagnosis_wanted.connect(self._diagnosis.open_doctor)
+            dialog.about_arm_wanted.connect(self._diagnosis.open_about_arm)
             return dialog
 
         self._open("settings", make)
@@ -347,6 +353,7 @@ class MainWindow(Translated, QMainWindow):
         for dialog in self._dialogs.values():
             if isinstance(dialog, KeepsWork):
                 dialog.keep_work()
+        self._diagnosis.close()
         super().closeEvent(event)
 
     def _close_unless_moving(self) -> None:

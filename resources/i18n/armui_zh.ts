@@ -2,6 +2,152 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en_US">
 <context>
+    <name>AboutArm</name>
+    <message>
+        <source>Model</source>
+        <translation>型号</translation>
+    </message>
+    <message>
+        <source>unknown: the arm does not tell it</source>
+        <translation>未知：机械臂不提供</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>固件版本</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>协议</translation>
+    </message>
+    <message>
+        <source>Adapter</source>
+        <translation>适配器</translation>
+    </message>
+    <message>
+        <source>Serial number of the adapter</source>
+        <translation>适配器序列号</translation>
+    </message>
+    <message>
+        <source>Bit rate</source>
+        <translation>波特率</translation>
+    </message>
+    <message>
+        <source>Identifiers of the feedback</source>
+        <translation>反馈指令 ID</translation>
+    </message>
+    <message>
+        <source>Identifiers of the commands</source>
+        <translation>控制指令 ID</translation>
+    </message>
+    <message>
+        <source>Frames received</source>
+        <translation>接收报文</translation>
+    </message>
+    <message>
+        <source>Heard without a break for</source>
+        <translation>持续在线时间</translation>
+    </message>
+    <message>
+        <source>Running time of the arm</source>
+        <translation>机械臂运行时间</translation>
+    </message>
+    <message>
+        <source>Joint {joint}</source>
+        <translation>关节 {joint}</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>末端</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>unknown: generation 1 does not tell it</source>
+        <translation>未知：第 1 代协议不提供</translation>
+    </message>
+    <message>
+        <source>Generation {generation}</source>
+        <translation>第 {generation} 代</translation>
+    </message>
+    <message>
+        <source>none connected</source>
+        <translation>未连接</translation>
+    </message>
+    <message>
+        <source>none: it is simulated</source>
+        <translation>无：仿真机械臂</translation>
+    </message>
+    <message>
+        <source>none: it is no CAN bus</source>
+        <translation>无：不是 CAN 总线</translation>
+    </message>
+    <message>
+        <source>{bitrate} bit/s, set by the operating system</source>
+        <translation>{bitrate} bit/s，由操作系统设置</translation>
+    </message>
+    <message>
+        <source>{bitrate} bit/s, set by this program</source>
+        <translation>{bitrate} bit/s，由本程序设置</translation>
+    </message>
+    <message>
+        <source>{ids}, not proven: the arm cannot be asked</source>
+        <translation>{ids}，未证实：无法向机械臂查询</translation>
+    </message>
+    <message>
+        <source>0x{first} to 0x{last} (offset 0x{offset})</source>
+        <translation>0x{first} 至 0x{last}（偏移 0x{offset}）</translation>
+    </message>
+    <message>
+        <source>{rate} a second</source>
+        <translation>每秒 {rate} 帧</translation>
+    </message>
+    <message>
+        <source>not heard</source>
+        <translation>未收到</translation>
+    </message>
+    <message>
+        <source>unknown: not read from the arm</source>
+        <translation>未知：未从机械臂读取</translation>
+    </message>
+    <message>
+        <source>{minimum}° to {maximum}°, at most {speed}°/s</source>
+        <translation>{minimum}° 至 {maximum}°，最大 {speed}°/s</translation>
+    </message>
+    <message>
+        <source>{limits} and {acceleration}°/s²</source>
+        <translation>{limits}、{acceleration}°/s²</translation>
+    </message>
+    <message>
+        <source>at most {linear} m/s and {angular} rad/s</source>
+        <translation>最大 {linear} m/s、{angular} rad/s</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+</context>
+<context>
+    <name>AboutArmDialog</name>
+    <message>
+        <source>About this arm</source>
+        <translation>关于本机械臂</translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation>复制为文本</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Copied: paste it into a mail.</source>
+        <translation>已复制，可粘贴到邮件中。</translation>
+    </message>
+</context>
+<context>
     <name>ActButtons</name>
     <message>
         <source>Gives the motor power: it holds its position.</source>
@@ -785,6 +931,10 @@
         <source>Disconnect to change it.</source>
         <translation>断开后可更改。</translation>
     </message>
+    <message>
+        <source>Diagnosis…</source>
+        <translation>诊断…</translation>
+    </message>
 </context>
 <context>
     <name>ControlMode</name>
@@ -914,6 +1064,57 @@
     <message>
         <source>Connection lost</source>
         <translation>连接断开</translation>
+    </message>
+</context>
+<context>
+    <name>DoctorDialog</name>
+    <message>
+        <source>Diagnosis</source>
+        <translation>诊断</translation>
+    </message>
+    <message>
+        <source>Copy report</source>
+        <translation>复制报告</translation>
+    </message>
+    <message>
+        <source>Examine again</source>
+        <translation>重新诊断</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Only looked and listened: nothing was sent. In a terminal: armui doctor</source>
+        <translation>仅查看和监听，没有发送任何报文。终端命令：armui doctor</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation>zh</translation>
+    </message>
+    <message>
+        <source>The examination is under way.</source>
+        <translation>正在诊断。</translation>
+    </message>
+    <message>
+        <source>There is no report yet.</source>
+        <translation>还没有报告。</translation>
+    </message>
+    <message>
+        <source>Looking at this computer, its CAN devices and the bus…</source>
+        <translation>正在检查本机、CAN 设备和总线…</translation>
+    </message>
+    <message>
+        <source>The examination failed: {text}</source>
+        <translation>诊断失败：{text}</translation>
+    </message>
+    <message>
+        <source>Faults: {faults}, warnings: {warnings}</source>
+        <translation>故障 {faults} 项，注意 {warnings} 项</translation>
+    </message>
+    <message>
+        <source>No fault was found.</source>
+        <translation>没有发现故障。</translation>
     </message>
 </context>
 <context>
@@ -1342,6 +1543,13 @@
     <message>
         <source>The tool would be {value} mm below the plane the arm stands on. Accept this only if there is nothing.</source>
         <translation>末端将低于机械臂安装平面 {value} mm。确认下方没有物体时才可接受。</translation>
+    </message>
+</context>
+<context>
+    <name>FindingRow</name>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
     </message>
 </context>
 <context>
@@ -5614,6 +5822,14 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Such a stop is always told as a fault. With this, it is also sent again by itself.</source>
         <translation>这种情况总会作为故障提示。勾选后还会自动再次发送急停。</translation>
+    </message>
+    <message>
+        <source>Diagnosis…</source>
+        <translation>诊断…</translation>
+    </message>
+    <message>
+        <source>About this arm…</source>
+        <translation>关于本机械臂…</translation>
     </message>
 </context>
 <context>

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from tests.control.test_authority import HERE, Arm, status
+from armui.control.motion.motion_command import CommandKind
+from tests.control.heard_arm import HERE, Arm, status
 
 
 @pytest.fixture
@@ -48,3 +49,59 @@ def test_a_joint_that_brakes_to_a_lower_speed_is_not_too_fast(arm):
         arm.joints_deg = (place, *HERE[1:])
         arm.wait(0.02)
         assert arm.authority.overspeed is None
+
+
+def too_fast(arm):
+    """Whether joint 1 at 100 °/s is told as too fast for the command under way."""
+    arm.status = status(reached=False)
+    arm.turn(8, 2.0)
+    return arm.authority.overspeed is not None
+
+
+@pytest.mark.parametrize("kind", CommandKind)
+def test_all_but_replays_are_watched(arm, kind):
+    """A replay is watched by how far it lags behind what was recorded."""
+    arm.send(HERE, kind, 10)
+    assert too_fast(arm) is (kind is not CommandKind.REPLAY)
+
+
+def test_a_motion_that_is_not_ours_is_nothing_to_compare_with(arm):
+    assert not too_fast(arm)
+
+
+def test_nor_is_a_command_that_is_not_under_way(arm):
+    arm.send(HERE, percent=10)
+    arm.wait(0.4)
+    arm.status = status()
+    arm.joints_deg = (0.4, *HERE[1:])
+    arm.wait(0.02)
+    assert not arm.authority.under_way
+    assert arm.authority.overspeed is None
+
+
+@pytest.mark.parametrize(
+    "does",
+    [lambda arm: arm.send(HERE, percent=10), lambda arm: arm.authority.told_percent(10)],
+    ids=["another command", "another percentage"],
+)
+def test_another_speed_shown_is_compared_with_what_comes_after(arm, does):
+    arm.send(HERE, percent=90)
+    assert not too_fast(arm)
+    arm.authority.told_percent(10)
+    arm.turn(4, 2.0)
+    assert arm.authority.overspeed is None
+    does(arm)
+    arm.turn(4, 2.0)
+    assert arm.authority.overspeed is None
+    arm.turn(3, 2.0)
+    assert arm.authority.overspeed is not None
+
+
+def test_zero_percent_is_no_other_speed(arm):
+    """What was moving is braking: it goes on to be compared with the speed it had."""
+    arm.send(HERE, percent=10)
+    arm.status = status(reached=False)
+    arm.turn(4, 2.0)
+    arm.authority.told_percent(0)
+    arm.turn(2, 2.0)
+    assert arm.authority.overspeed is not None

@@ -5,12 +5,13 @@ from __future__ import annotations
 import pytest
 
 from armui.arm.other_hosts import OtherHosts
+from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
 from armui.control.safety.other_command import OtherCommand, OtherMode
 from armui.protocol.codes import ArmStatusCode, ControlMode
-from tests.control.test_authority import status
+from tests.control.heard_arm import status
 
-NOW_S = 100.0
+NOW_S = 0.25
 HERE = (0,)
 
 
@@ -25,11 +26,13 @@ class Company:
         """The other host sends a frame."""
         self.hosts.note(arbitration_id, bytes.fromhex(data), at_s)
 
-    def look(self, now_s: float, status_s: float | None = None, *, at_rest=True, **changes):
+    def look(
+        self, now_s: float, status_s: float | None = None, *, at_rest=True, offsets=HERE, **changes
+    ):
         """Hear the arm's status, made at a time, and judge; the mode it is in."""
         heard = Reading(status(**changes), now_s if status_s is None else status_s)
         state = ArmState(last_feedback_s=now_s, status=heard)
-        self.other.observe(self.hosts.traffic(), HERE, state, now_s, at_rest=at_rest)
+        self.other.observe(self.hosts.traffic(), offsets, state, now_s, at_rest=at_rest)
         return self.other.mode
 
 
@@ -46,6 +49,8 @@ WORDS = {
     "01 01 32 00 00 00 00 00": None,
     "01 00 32 00 00 00 00 00": None,
     "01 02 32 AD 00 00 00 00": None,
+    "01 00 32 AD 00 00 00 00": None,
+    "01 01 32 AE 00 00 00 00": None,
 }
 """Mode words of firmware-versions and protocol-generations, and what they put the arm in."""
 
@@ -69,7 +74,7 @@ def test_an_old_status_shows_nothing(company):
     assert company.look(NOW_S, NOW_S - 0.4, move_mode=4) is OtherMode.MIT
 
 
-@pytest.mark.parametrize(("status_s", "mode"), [(0.29, OtherMode.MIT), (0.31, None)])
+@pytest.mark.parametrize(("status_s", "mode"), [(0.29, OtherMode.MIT), (0.3, None)])
 def test_three_tenths_later_the_arm_has_shown_what_it_took(company, status_s, mode):
     company.say(0x151, "01 04 00 AD 00 00 00 00")
     assert company.look(NOW_S + 0.4, NOW_S + status_s, move_mode=1) is mode
@@ -79,8 +84,11 @@ def test_three_tenths_later_the_arm_has_shown_what_it_took(company, status_s, mo
     ("changes", "mode"),
     [
         ({}, OtherMode.HIGH_FOLLOW),
+        ({"arm_status": ArmStatusCode.NO_SOLUTION}, OtherMode.HIGH_FOLLOW),
         ({"move_mode": 0}, None),
+        ({"move_mode": 2}, None),
         ({"control_mode": ControlMode.STANDBY}, None),
+        ({"control_mode": ControlMode.TEACHING}, None),
         ({"arm_status": ArmStatusCode.EMERGENCY_STOP}, None),
     ],
 )
@@ -98,6 +106,12 @@ def test_a_stop_ends_a_mode_that_the_arm_goes_on_showing(company):
     assert company.look(NOW_S + 3.0, move_mode=4) is None
 
 
+@pytest.mark.parametrize("code", set(ArmStatusCode) - {ArmStatusCode.EMERGENCY_STOP})
+def test_no_other_fault_ends_it(company, code):
+    company.look(NOW_S, move_mode=4, arm_status=code)
+    assert company.look(NOW_S + 1.0, move_mode=4) is OtherMode.MIT
+
+
 @pytest.mark.parametrize(
     "frame",
     [
@@ -113,8 +127,9 @@ def test_after_the_stop_a_new_word_or_setpoint_brings_it_back(company, frame):
     assert company.look(NOW_S + 2.0, move_mode=4) is OtherMode.MIT
 
 
-def test_a_word_too_short_to_be_one_says_nothing(company):
-    company.say(0x151, "01 04 00")
+@pytest.mark.parametrize("word", ["", "01 04", "01 04 00"])
+def test_a_word_too_short_to_be_one_says_nothing(company, word):
+    company.say(0x151, word)
     assert company.look(NOW_S + 0.1) is None
 
 
@@ -122,9 +137,19 @@ def test_a_new_connection_starts_without_a_mode(company):
     company.look(NOW_S, move_mode=4)
     company.other.reconnected()
     assert company.other.mode is None
+    assert company.look(NOW_S + 0.1, move_mode=4) is OtherMode.MIT
 
 
-@pytest.mark.parametrize(("period_s", "rate"), [(0.005, 200), (0.0047, 210), (0.1, 10), (0.3, 3)])
+def test_over_a_new_connection_a_stop_of_before_ends_no_mode(company):
+    company.look(NOW_S, move_mode=4, arm_status=ArmStatusCode.EMERGENCY_STOP)
+    company.other.reconnected()
+    assert company.look(NOW_S + 0.1, move_mode=4) is OtherMode.MIT
+
+
+@pytest.mark.parametrize(
+    ("period_s", "rate"),
+    [(0.005, 200), (0.0047, 210), (0.1, 10), (0.3, 3), (1 / 20.6, 20), (1 / 19.4, 19)],
+)
 def test_its_rate_is_told_in_two_digits(company, period_s, rate):
     for k in range(6):
         company.say(0x155, "00" * 8, NOW_S + k * period_s)
@@ -137,13 +162,14 @@ def test_its_frames_are_named_while_they_are_of_late(company):
     company.say(0x151, "01 01 32 00 00 00 00 00", NOW_S + 1.5)
     company.look(NOW_S + 1.9)
     assert company.other.frames == "0x151, 0x155"
-    company.look(NOW_S + 2.1)
-    assert company.other.frames == "0x151"
+    for later_s in (2.0, 2.5):
+        company.look(NOW_S + later_s)
+        assert company.other.frames == "0x151"
 
 
 @pytest.mark.parametrize(
     ("after_s", "at_rest", "commands"),
-    [(1.9, True, True), (2.1, True, False), (2.1, False, True), (60.0, False, True)],
+    [(1.9, True, True), (2.0, True, False), (2.1, False, True), (60.0, False, True)],
 )
 def test_it_is_over_two_seconds_later_and_at_rest(company, after_s, at_rest, commands):
     company.say(0x155, "00" * 8)
@@ -154,7 +180,13 @@ def test_it_is_over_two_seconds_later_and_at_rest(company, after_s, at_rest, com
 
 
 @pytest.mark.parametrize(
-    ("after_s", "code"), [(0.49, "other_host_streams"), (0.51, None), (2.1, "nobody_else")]
+    ("after_s", "code"),
+    [
+        (0.49, RefusalCode.OTHER_HOST_STREAMS),
+        (0.5, None),
+        (0.75, None),
+        (2.1, RefusalCode.NOBODY_ELSE),
+    ],
 )
 def test_when_it_may_be_taken_over(company, after_s, code):
     company.say(0x155, "00" * 8)
@@ -169,9 +201,71 @@ def test_when_it_may_be_taken_over(company, after_s, code):
 
 @pytest.mark.parametrize(
     ("mode", "reason"),
-    [("01 04 00 AD 00 00 00 00", "other_mode"), ("01 01 32 00 00 00 00 00", "other_host")],
+    [
+        ("01 04 00 AD 00 00 00 00", RefusalCode.OTHER_MODE),
+        ("01 01 32 00 00 00 00 00", RefusalCode.OTHER_HOST),
+    ],
 )
 def test_the_reason_names_the_mode_before_the_host(company, mode, reason):
     company.say(0x151, mode)
     company.look(NOW_S + 0.1)
     assert company.other.why_not().code == reason
+
+
+def test_nobody_is_there_at_first(company):
+    other = OtherCommand()
+    assert not other.commands
+    assert not other.is_leader
+    assert other.why_not() is None
+    assert not other.may_be_taken_over
+    company.look(NOW_S)
+    assert company.other.rate_hz == 0
+    assert company.other.why_not() is None
+
+
+def test_a_leader_arm_is_named_as_one(company):
+    company.look(NOW_S)
+    for k in range(10):
+        for each in (0x151, 0x155, 0x156, 0x157, 0x159):
+            company.say(each, "01 01 32 00 00 00 00 00", NOW_S + 0.005 * k)
+        company.look(NOW_S + 0.005 * k)
+    assert company.other.is_leader
+    assert company.other.why_not().code == RefusalCode.LEADER_ARM
+    company.say(0x150, "01 00 00 00 00 00 00 00", NOW_S + 0.05)
+    company.look(NOW_S + 0.05)
+    assert not company.other.is_leader
+    assert company.other.why_not().code == RefusalCode.OTHER_HOST
+
+
+def test_frames_for_another_arm_count_until_our_own_offset_is_known(company):
+    company.say(0x155, "00" * 8, NOW_S)
+    company.say(0x165, "00" * 8, NOW_S + 1.0)
+    company.look(NOW_S + 1.0, offsets=(0x00, 0x10, 0x20))
+    assert company.other.frames == "0x155, 0x165"
+    company.look(NOW_S + 1.5)
+    assert company.other.frames == "0x155"
+    company.look(NOW_S + 1.5, offsets=(0x00, 0x10))
+    assert company.other.frames == "0x155, 0x165"
+    company.look(NOW_S + 1.5)
+    assert company.other.last_s == NOW_S + 1.0  # what was heard was heard
+    company.look(NOW_S + 2.9)
+    assert company.other.commands
+    company.look(NOW_S + 3.0)
+    assert not company.other.commands
+    company.look(NOW_S + 3.0, offsets=(0x20,))
+    assert not company.other.commands
+
+
+def test_each_motion_frame_of_it_is_new_once(company):
+    def new(at_s):
+        return company.other.observe(company.hosts.traffic(), HERE, ArmState(), at_s, at_rest=True)
+
+    assert not new(NOW_S)
+    company.say(0x155, "00" * 8, NOW_S)
+    assert new(NOW_S)
+    assert not new(NOW_S + 0.1)
+    assert company.other.since_s == NOW_S
+    company.say(0x155, "00" * 8, NOW_S + 0.2)
+    assert new(NOW_S + 0.2)
+    assert company.other.since_s == NOW_S
+    assert company.other.last_s == NOW_S + 0.2

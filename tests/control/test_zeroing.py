@@ -7,9 +7,8 @@ import pytest
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.frame import Frame
-from tests.faulty_arm import FaultyDrivers, HardOfHearing
+from tests.faulty_arm import FaultyDrivers, laid_down
 
-LYING_DEG = (5.0, 10.0, -20.0, 0.0, 30.0, -40.0)
 ANSWER = 0x476
 
 
@@ -24,11 +23,7 @@ ZERO_ALL = {1: setting("07 AE 00 00 00 00 00 00"), 2: setting("07 AE 00 7F FF 00
 
 @pytest.fixture
 def arm(any_bench):
-    any_bench.connect()
-    any_bench.firmware.mechanics.count_anew(LYING_DEG)
-    any_bench.run(0.1)
-    any_bench.ear = HardOfHearing(any_bench.firmware)
-    return any_bench
+    return laid_down(any_bench)
 
 
 def sent(arm):

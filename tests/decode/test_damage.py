@@ -32,24 +32,23 @@ from tests.examples import examples
 DAMAGED = {
     ".log": [
         "garbage", "(1.0) can0 2A5", "(1.0) can0 2A5#0", "(1.0) can0 2A5#00GG", "(x) can0 2A5#00",
-        "(nan) can0 2A5#00", "(1.0) can0 2A5#000000000000000000", "(1.0) can0 FFF#00", "# comment",
+        "(nan) can0 2A5#00", "# comment",
         "(1.0) can0 #00", "(1.0) can0 2A5##", "\x00\x01\x02", "(1.0) can0 -2A#00",
     ],
     ".asc": [
-        "garbage", "1.000000 1  2A5             Rx   d 8 00 00 00 00 00 00 00",
-        "1.000000 1  2A5             Rx   d 8 00 00 00 00 00 00 00 GG",
+        "garbage", "1.000000 1  2A5             Rx   d 8 00 00 00 00 00 00 00 GG",
         "1.000000 1  XYZ             Rx   d 1 00", "1.000000 1  2A5             Rx   d",
-        "1.000000 1  FFF             Rx   d 1 00", "1.0x 1 2A5 Rx d 0",
+        "1.0x 1 2A5 Rx d 0",
         "1.000000 CANFD   1 Rx        2A5   0 0",
     ],
     ".trc": [
-        "garbage", "  1  1000.000 DT 02A5 Rx 8 00 00", "  1  1000.000 DT 02A5 Rx 8 00 GG",
+        "garbage", "  1  1000.000 DT 02A5 Rx 8 00 GG",
         "  1  x DT 02A5 Rx 1 00", "  1  1000.000 QQ 02A5 Rx 1 00", "  1",
         "  1  1.0 DT 02A5 Rx x 00",
     ],
     ".csv": [
         "garbage", "1.0,0x2a5,0,0,0,8", "x,0x2a5,0,0,0,0,", "1.0,zz,0,0,0,0,",
-        "1.0,0x2a5,0,0,0,8,AAA=", "1.0,0x2a5,0,0,0,8,!", "nan,0x2a5,0,0,0,0,",
+        "nan,0x2a5,0,0,0,0,", "1.0,0xFFFFFFFFFFFFFFFFFF,0,0,0,0,",
         "1.0,0x2a5,0,0,0,x,AAAAAAAAAAA=",
     ],
 }  # fmt: skip
@@ -70,6 +69,31 @@ def test_a_damaged_line_is_reported_by_number_and_the_rest_decoded(
     first = HEADER[suffix].count("\n") + 3
     reported = [line.split(": ")[2] for line in errors.splitlines()]
     assert reported == [f"line {n} cannot be read" for n in (first, first + 2, first + 3)]
+
+
+CONTRADICTORY = [
+    (".log", "(1.0) can0 2A5#000000000000000000"),
+    (".log", "(1.0) can0 FFF#00"),
+    (".asc", "1.000000 1  2A5             Rx   d 8 00 00 00 00 00 00 00"),
+    (".asc", "1.000000 1  FFF             Rx   d 1 00"),
+    (".trc", "  1  1000.000 DT 02A5 Rx 8 00 00"),
+    (".csv", "1.0,0x2a5,0,0,0,8,AAA="),
+]
+
+
+@pytest.mark.parametrize(("suffix", "line"), CONTRADICTORY)
+def test_a_frame_that_no_bus_can_have_carried_is_shown_and_named(tmp_path, capsys, suffix, line):
+    """python-can reads it, so nothing is lost; what is wrong is said beside it."""
+    good = GOOD[suffix]
+    log = tmp_path / f"run{suffix}"
+    log.write_text(HEADER[suffix] + f"{good}\n{line}\n{good}\n")
+    assert decode(log, "--generation", "2", "--json") == 1
+    lines, errors = objects(capsys)
+    assert [each["message"] for each in lines] == ["JointFeedback12", None, "JointFeedback12"]
+    assert lines[1]["oddity"]["kind"] == "impossible frame"
+    number = HEADER[suffix].count("\n") + 2
+    assert errors.count("\n") == 1
+    assert f"line {number} contradicts itself" in errors
 
 
 @pytest.mark.parametrize("suffix", TEXT_SUFFIXES)
@@ -164,15 +188,20 @@ def test_a_truncated_blf_is_decoded_up_to_the_break(blf, capsys):
     assert f"after {len(lines)} frames" in errors
 
 
-def test_a_blf_damaged_in_the_middle_says_where(blf, capsys):
+def test_a_blf_damaged_in_the_middle_says_where_and_goes_on_behind_it(blf, capsys):
     whole = bytearray(blf.read_bytes())
     second = whole.index(b"LOBJ", whole.index(b"LOBJ") + 4)
+    third = whole.index(b"LOBJ", second + 4)
     whole[second : second + 4] = b"JUNK"
     blf.write_bytes(whole)
     assert decode(blf, "--generation", "2", "--json") == 1
     lines, errors = objects(capsys)
-    assert len(lines) > 0
-    assert f"damaged here (BLFParseError), after {len(lines)} frames" in errors
+    angles = [line["signals"]["J1"]["value"] for line in lines]
+    assert angles[0] == 0
+    assert angles[-1] == 0.399
+    assert 300 < len(lines) < 400
+    assert f"byte {second} cannot be read: damaged here; the next object begins at" in errors
+    assert f"at byte {third}" in errors
 
 
 def test_a_whole_blf_is_no_complaint(blf, capsys):
@@ -226,11 +255,13 @@ class TestNoLog:
         assert_one_line_and_exit_2(log, capsys, "", *options)
 
 
-@pytest.mark.parametrize("name", ["notes.txt", "noextension", "run.gz", "run.txt.gz"])
+@pytest.mark.parametrize("name", ["notes.md", "noextension", "run.gz", "run.db.gz"])
 def test_unknown_suffix(tmp_path, capsys, name):
     log = tmp_path / name
     log.write_text(GOOD[".log"])
-    assert_one_line_and_exit_2(log, capsys, "known are .log, .asc, .blf, .trc, .csv")
+    assert_one_line_and_exit_2(
+        log, capsys, "known are .log, .asc, .blf, .trc, .csv, .db, .mf4, .txt"
+    )
 
 
 def test_something_else_with_gz(tmp_path, capsys):

@@ -11,8 +11,20 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QLineEdit
 
 from armui.arm.device import Device
+from armui.doctor.facts import (
+    CanFacts,
+    Facts,
+    HeardFacts,
+    LinkFacts,
+    OtherFrames,
+    ProgramFacts,
+    ScreenFacts,
+)
+from armui.doctor.judge import judge
+from armui.ui.dialogs.about_arm import AboutArmDialog
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
+from armui.ui.dialogs.doctor import DoctorDialog
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.dialogs.help import HelpDialog
 from armui.ui.dialogs.joint_status import JointStatusDialog
@@ -108,3 +120,68 @@ def confirm_resume(app_driver: AppDriver) -> QDialog:
 def confirm_close(app_driver: AppDriver) -> QDialog:
     app_driver.window.close()
     return app_driver.dialog(ConfirmDialog)
+
+
+def about_arm(app_driver: AppDriver) -> QDialog:
+    dialog = settings(app_driver)
+    QTest.mouseClick(dialog.about_arm_button, Qt.MouseButton.LeftButton)
+    return app_driver.dialog(AboutArmDialog)
+
+
+PROGRAM = ProgramFacts("0.1.0", "3.12.3", True, "/usr/bin/python3", "Linux 6.8 x86_64", ("ubuntu",))
+SCREEN = ScreenFacts(True, "6.11.3", "xcb", opengl="Mesa Intel(R) UHD Graphics 620, 4.6")
+TROUBLE = Facts(
+    PROGRAM,
+    ScreenFacts(
+        True, "6.11.3", None, "could not load the plugin xcb", ("libxcb-cursor.so.0",),
+        "llvmpipe (LLVM 17.0.6, 256 bits), 4.5",
+    ),
+    CanFacts(
+        links=(
+            LinkFacts("can0", "can", True, "ERROR-PASSIVE", 500_000, restart_ms=100, tx_errors=128,
+                      rx_errors=0, serial="0031002F"),
+            LinkFacts("can1", "can", False, serial="206E3599"),
+        )
+    ),
+    (
+        HeardFacts("socketcan", "can0", 2.0, 800, shifted_feedback=(0x3A1, 0x3A2),
+                   other_hosts=(OtherFrames(0x155, 400, 200.0),)),
+    ),
+)  # fmt: skip
+
+
+class Done:
+    """An examination that has ended."""
+
+    def end(self) -> None:
+        """Nothing is left to be ended."""
+
+
+def examined(facts: Facts):
+    """An examination that finds these facts at once."""
+
+    def examine(_arguments, tell):
+        tell(judge(facts))
+        return Done()
+
+    return examine
+
+
+def _doctor(app_driver: AppDriver, examine) -> QDialog:
+    dialog = DoctorDialog(app_driver.controller, app_driver.window, examine)
+    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    dialog.open()
+    return dialog
+
+
+def doctor_trouble(app_driver: AppDriver) -> QDialog:
+    return _doctor(app_driver, examined(TROUBLE))
+
+
+def doctor_in_order(app_driver: AppDriver) -> QDialog:
+    link = LinkFacts("can0", "can", True, "ERROR-ACTIVE", 1_000_000, restart_ms=100)
+    return _doctor(app_driver, examined(Facts(PROGRAM, SCREEN, CanFacts(links=(link,)))))
+
+
+def doctor_under_way(app_driver: AppDriver) -> QDialog:
+    return _doctor(app_driver, lambda _arguments, _tell: Done())

@@ -5,22 +5,17 @@ import pytest
 from armui.arm.parameters import Batch, Group, Parameter
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.parameters.parameter_reader import ParameterReader
-from tests.faulty_arm import HardOfHearing
+from tests.faulty_arm import HardOfHearing, laid_down
 
 END = Batch(Group.END_LIMITS)
 LINEAR_SPEED = Parameter("max_linear_speed_m_s")
 QUESTIONS = {0x472, 0x477}
 ANSWER = 0x476
-LYING_DEG = (5.0, 10.0, -20.0, 0.0, 30.0, -40.0)
 
 
 @pytest.fixture
 def arm(any_bench):
-    any_bench.connect()
-    any_bench.firmware.mechanics.count_anew(LYING_DEG)
-    any_bench.run(0.1)
-    any_bench.ear = HardOfHearing(any_bench.firmware)
-    return any_bench
+    return laid_down(any_bench)
 
 
 def zeros(arm):

@@ -100,8 +100,8 @@ class OffsetFollower:
         if came and self.addressing.control_offset:
             self.control_known = False  # nothing proves that it is the arm that was set
         own = OFFSETS.index(self.addressing.feedback_offset)
-        last_s = max(state.status_heard_s[own] or 0.0, self._listening_since_s)
-        if now_s - last_s < _SILENT_S:
+        since_s = self._listening_since_s
+        if now_s - max(state.status_heard_s[own] or since_s, since_s) < _SILENT_S:
             return False
         heard = [
             offset

@@ -13,7 +13,7 @@ from __future__ import annotations
 import enum
 from collections import deque
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
@@ -88,7 +88,7 @@ class _Phase(enum.Enum):
     READING = enum.auto()
 
 
-@dataclass(slots=True)
+@dataclass(eq=False, slots=True)
 class _Task:
     """An order and how far it has come.
 
@@ -105,10 +105,10 @@ class _Task:
     arm: int | None
     begin_by_s: float | None
     phase: _Phase
-    attempt: int = 0
-    send_by_s: float = 0.0
-    sent_s: float = 0.0
-    deadline_s: float = 0.0
+    attempt: int = field(init=False)
+    send_by_s: float = field(init=False)
+    sent_s: float = field(init=False)
+    deadline_s: float = field(init=False)
     unanswered: Refusal | None = None
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Final
 
 from armui.arm.state import ArmState
@@ -18,6 +19,27 @@ _AWAY_S: Final = 1.0
 """An arm not heard for so long was away: it may be another, or switched on again."""
 
 
+@dataclass(slots=True)
+class _Outstanding:
+    """A stop that has been asked for and not been confirmed.
+
+    Attributes:
+        frames: What is sent.
+        since_s: Since when the arm's word is awaited.
+        asked_s: When it was asked for last.
+        sent_s: When it was sent last.
+        reached_s: When the arm was heard last.
+        lapsed: It is not sent by itself any more.
+    """
+
+    frames: Sequence[Frame]
+    since_s: float
+    asked_s: float
+    sent_s: float
+    reached_s: float
+    lapsed: bool = False
+
+
 class EmergencyStop:
     """Sends a stop at once and again every 100 ms until 0x2A1 confirms it.
 
@@ -31,59 +53,49 @@ class EmergencyStop:
 
     def __init__(self, send: Callable[[Sequence[Frame]], bool]) -> None:
         self._send = send
-        self._frames: Sequence[Frame] = ()
-        self._requested_s: float | None = None
-        self._asked_s = 0.0
-        self._last_sent_s = 0.0
-        self._reached_s = 0.0
-        self._lapsed = False
+        self._stop: _Outstanding | None = None
 
     @property
     def requested(self) -> bool:
         """Whether a stop has been asked for that the arm has not confirmed."""
-        return self._requested_s is not None
+        return self._stop is not None
 
     @property
     def lapsed(self) -> bool:
         """Whether it is outstanding and not sent by itself any more."""
-        return self.requested and self._lapsed
+        return self._stop is not None and self._stop.lapsed
 
     def unconfirmed(self, now_s: float) -> bool:
         """Whether the confirmation is overdue."""
-        return self._requested_s is not None and now_s - self._requested_s > _UNCONFIRMED_S
+        return self._stop is not None and now_s - self._stop.since_s > _UNCONFIRMED_S
 
     def request(self, frames: Sequence[Frame], now_s: float) -> bool:
         """Stop now; says whether the frames are on the bus."""
-        if self._requested_s is None or self._lapsed:
-            self._requested_s = now_s
-        self._frames = frames
-        self._lapsed = False
-        self._asked_s = self._reached_s = self._last_sent_s = now_s
+        before = self._stop
+        since_s = now_s if before is None or before.lapsed else before.since_s
+        self._stop = _Outstanding(frames, since_s, asked_s=now_s, sent_s=now_s, reached_s=now_s)
         return self._send(frames)
 
     def advance(self, state: ArmState, now_s: float, *, online: bool) -> bool:
         """Take in what was heard, repeat the stop if due; whether it was confirmed just now."""
-        if self._requested_s is None:
+        stop = self._stop
+        if stop is None:
             return False
-        if state.status is not None and state.status.at_s > self._requested_s and is_stopped(state):
-            self._requested_s = None
+        if state.status is not None and state.status.at_s > stop.since_s and is_stopped(state):
+            self._stop = None
             return True
-        self._note_reach(now_s, online=online)
-        if not self._lapsed and now_s - self._last_sent_s >= _REPEAT_S:
-            self._last_sent_s = now_s
-            self._send(self._frames)
-        return False
-
-    def _note_reach(self, now_s: float, *, online: bool) -> None:
-        if now_s - self._asked_s > _BY_ITSELF_S and now_s - self._reached_s > _AWAY_S:
-            self._lapsed = True
+        if now_s - stop.asked_s > _BY_ITSELF_S and now_s - stop.reached_s > _AWAY_S:
+            stop.lapsed = True
         if online:
-            self._reached_s = now_s
+            stop.reached_s = now_s
+        if not stop.lapsed and now_s - stop.sent_s >= _REPEAT_S:
+            stop.sent_s = now_s
+            self._send(stop.frames)
+        return False
 
     def forget(self) -> None:
         """It is withdrawn, or another arm is connected."""
-        self._requested_s = None
-        self._lapsed = False
+        self._stop = None
 
     def state(self, state: ArmState, now_s: float, *, online: bool, resuming: bool) -> StopState:
         """Where the stop stands.

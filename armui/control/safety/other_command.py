@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import enum
+import math
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
@@ -62,7 +63,7 @@ class OtherCommand:
         self._now_s = 0.0
         self._sorted: tuple[OtherTraffic | None, tuple[int, ...]] = (None, ())
         self._motion: tuple[FrameSeries, ...] = ()
-        self._void_before_s = 0.0
+        self._void_before_s = -math.inf
 
     def observe(
         self,
@@ -103,7 +104,7 @@ class OtherCommand:
     def reconnected(self) -> None:
         """Another connection begins: what moved the arm a moment ago may do so still."""
         self.mode = None
-        self._void_before_s = 0.0
+        self._void_before_s = -math.inf
 
     def _mode_of(
         self, traffic: OtherTraffic, offsets: tuple[int, ...], state: ArmState
@@ -117,7 +118,7 @@ class OtherCommand:
         if status is not None and status.value.arm_status == ArmStatusCode.EMERGENCY_STOP:
             self._void_before_s = self._now_s
         asked = (traffic.mode_word(offsets), traffic.mit_frames(offsets), traffic.cpv_frames())
-        newest_s = max((each.last_s for each in asked if each is not None), default=0.0)
+        newest_s = max((each.last_s for each in asked if each is not None), default=-math.inf)
         ended = self._void_before_s > newest_s
         shown = None if ended else _shown(state, self._now_s)
         word = asked[0]
@@ -178,8 +179,4 @@ def _shown(state: ArmState, now_s: float) -> OtherMode | None:
 
 def _has_left(status: Status) -> bool:
     """Whether the arm is seen to have left the mode that a mode word with MOVE J put it in."""
-    return (
-        status.control_mode != ControlMode.CAN_CONTROL
-        or status.arm_status == ArmStatusCode.EMERGENCY_STOP
-        or status.move_mode != MoveMode.MOVE_J
-    )
+    return status.control_mode != ControlMode.CAN_CONTROL or status.move_mode != MoveMode.MOVE_J

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Final
 
 from armui.arm.limits import JOINTS
@@ -23,6 +24,15 @@ STILL_DEG_S: Final = 1.0
 """Slower than this a joint stands still: drivers report a little noise at rest."""
 
 
+@dataclass(slots=True)
+class _Standing:
+    """Where the joints stand, since when, and when they were last measured there."""
+
+    angles_deg: Sequence[float]
+    since_s: float
+    measured_s: float
+
+
 class RestWatch:
     """Compares the measured angles over time.
 
@@ -34,35 +44,31 @@ class RestWatch:
     def __init__(self, within_deg: float = SETTLED_DEG, for_s: float = SETTLED_S) -> None:
         self._within_deg = within_deg
         self._for_s = for_s
-        self._angles_deg: Sequence[float] | None = None
-        self._since_s = 0.0
-        self._measured_s = 0.0
+        self._standing: _Standing | None = None
 
     def observe(self, state: ArmState, now_s: float) -> None:
         """Take in what is measured; angles that are not fresh are none."""
-        angles_deg, measured_s = state.angles_deg(), _measured_s(state)
+        angles_deg = state.angles_deg()
+        # the angle heard longest ago tells when the arm was measured
+        measured_s = min((each.at_s for each in state.joints_deg if each is not None), default=None)
         if angles_deg is None or measured_s is None or not is_fresh(measured_s, now_s):
             self.forget()
             return
-        last_deg = self._angles_deg
-        if last_deg is None or _apart(angles_deg, last_deg, self._within_deg):
-            self._angles_deg, self._since_s = angles_deg, measured_s
-        self._measured_s = measured_s
+        standing = self._standing
+        if standing is None or _apart(angles_deg, standing.angles_deg, self._within_deg):
+            self._standing = _Standing(angles_deg, measured_s, measured_s)
+        else:
+            standing.measured_s = measured_s
 
     @property
     def at_rest(self) -> bool:
         """Whether no joint has moved of late."""
-        return self._angles_deg is not None and self._measured_s - self._since_s >= self._for_s
+        standing = self._standing
+        return standing is not None and standing.measured_s - standing.since_s >= self._for_s
 
     def forget(self) -> None:
         """Nothing is known any more."""
-        self._angles_deg = None
-
-
-def _measured_s(state: ArmState) -> float | None:
-    """When the angle heard longest ago was heard."""
-    times = [each.at_s for each in state.joints_deg if each is not None]
-    return min(times) if len(times) == len(state.joints_deg) else None
+        self._standing = None
 
 
 def _apart(angles_deg: Sequence[float], others_deg: Sequence[float], within_deg: float) -> bool:

@@ -63,6 +63,7 @@ def from_text(text: str) -> ArmSettingsRecord:
 
 def _settings(record: Fields) -> ArmSettingsRecord:
     joints = (len(JOINTS),)
+    teaching = _teaching(record.object("teaching"))
     linkage = record.object("linkage")
     return ArmSettingsRecord(
         limits=[
@@ -73,7 +74,7 @@ def _settings(record: Fields) -> ArmSettingsRecord:
         end_limits=record.numbers("end_limits", (_END_LIMITS,)),
         collision_levels=record.wholes("collision_levels", len(JOINTS), range(_HIGHEST_LEVEL + 1)),
         load=EndLoad(record.whole("load", allowed=_LOADS)),
-        teaching=_teaching(record.object("teaching")),
+        teaching=teaching,
         linkage=LinkageSettings(
             LinkageRole(linkage.whole("role", allowed=list(LinkageRole))),
             *(

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QItemSelection, QItemSelectionModel, Qt
+from PySide6.QtCore import QItemSelection, QItemSelectionModel, Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -52,7 +52,12 @@ class ConnectDialog(ArmDialog):
         controller: Searches and connects.
         parent: The main window.
         before_leaving: Asks about what is not saved, before the arm is left for another or none.
+
+    Signals:
+        diagnosis_wanted: The operator wants to know why a device, or no arm, answers.
     """
+
+    diagnosis_wanted = Signal(object)
 
     def __init__(
         self,
@@ -76,6 +81,7 @@ class ConnectDialog(ArmDialog):
         self.connect_button.clicked.connect(self._on_connect)
         self.disconnect_button.clicked.connect(self._on_disconnect)
         self.refresh_button.clicked.connect(controller.search_devices)
+        self.diagnosis_button.clicked.connect(self._on_diagnosis)
         self.close_button.clicked.connect(self.close)
         self._manual.entered.connect(self._on_entered)
         controller.devices_found.connect(self._on_devices_found)
@@ -107,7 +113,14 @@ class ConnectDialog(ArmDialog):
         self._progress.setTextVisible(False)
         _keep_room(self._progress)
         self._progress.hide()
-        self.body.addWidget(self._message)
+        self.diagnosis_button = QPushButton()
+        self.diagnosis_button.setObjectName("connect_diagnosis")
+        self.diagnosis_button.setAutoDefault(False)
+        said = QHBoxLayout()
+        said.setSpacing(8)
+        said.addWidget(self._message, 1)
+        said.addWidget(self.diagnosis_button)
+        self.body.addLayout(said)
         self.body.addWidget(self._table, 1)
         self.body.addWidget(self._progress)
         self.body.addLayout(self._build_bitrate())
@@ -158,6 +171,7 @@ class ConnectDialog(ArmDialog):
         self.refresh_button.setText(self.tr("Refresh"))
         self.connect_button.setText(self.tr("Connect"))
         self.disconnect_button.setText(self.tr("Disconnect"))
+        self.diagnosis_button.setText(self.tr("Diagnosis…"))
         self.close_button.setText(self.tr("Close"))
         self._bitrate_label.setText(self.tr("Bit rate"))
         self.listen_only_box.setText(self.tr("Listen only"))
@@ -188,6 +202,9 @@ class ConnectDialog(ArmDialog):
             device = replace(device, bitrate=self.bitrate_box.currentData())
         chosen = replace(device, listen_only=self.listen_only_box.isChecked())
         self._leave_then(lambda: self._controller.connect_device(chosen))
+
+    def _on_diagnosis(self) -> None:
+        self.diagnosis_wanted.emit(self._selected())
 
     def _on_disconnect(self) -> None:
         self._leave_then(self._controller.disconnect_device)
@@ -289,6 +306,8 @@ class ConnectDialog(ArmDialog):
 
     def _refresh_message(self) -> None:
         operating_state = self._operating_state
+        failed = operating_state.link_problem is not None
+        self.diagnosis_button.setVisible(failed or operating_state.link is LinkState.OFFLINE)
         name = (
             words.device_name(operating_state.device) if operating_state.device is not None else ""
         )

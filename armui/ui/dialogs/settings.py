@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -46,7 +46,14 @@ class SettingsDialog(ArmDialog):
         store: The settings.
         controller: Whom the emergency stop tells.
         parent: The main window.
+
+    Signals:
+        diagnosis_wanted: The operator wants to know what is wrong.
+        about_arm_wanted: The operator wants to know which arm this is.
     """
+
+    diagnosis_wanted = Signal()
+    about_arm_wanted = Signal()
 
     def __init__(
         self, store: SettingsStore, controller: ArmController, parent: QWidget | None = None
@@ -64,6 +71,8 @@ class SettingsDialog(ArmDialog):
         self.stop_again_box.clicked.connect(self._on_stop_again)
         self.browse_button.clicked.connect(self._on_browse)
         self.built_in_button.clicked.connect(self._on_built_in)
+        self.diagnosis_button.clicked.connect(self.diagnosis_wanted)
+        self.about_arm_button.clicked.connect(self.about_arm_wanted)
         self.close_button.clicked.connect(self.close)
         self.language_box.setFocus()
         self.retranslate_ui()
@@ -82,6 +91,9 @@ class SettingsDialog(ArmDialog):
         self.stop_again_box = QCheckBox()
         self.stop_again_box.setObjectName("stop_again_box")
         self.browse_button, self.built_in_button = QPushButton(), QPushButton()
+        self.diagnosis_button, self.about_arm_button = QPushButton(), QPushButton()
+        self.diagnosis_button.setObjectName("diagnosis_button")
+        self.about_arm_button.setObjectName("about_arm_button")
         self.close_button = QPushButton()
         for code, name in _LANGUAGES:
             self.language_box.addItem(name, code)
@@ -90,7 +102,13 @@ class SettingsDialog(ArmDialog):
         self.jog_step_edit.setFixedWidth(_STEP_WIDTH_PX)
         self.jog_step_edit.setAlignment(Qt.AlignmentFlag.AlignRight)
         self._jog_hint.setProperty("rank", "muted")
-        for button in (self.browse_button, self.built_in_button, self.close_button):
+        for button in (
+            self.browse_button,
+            self.built_in_button,
+            self.diagnosis_button,
+            self.about_arm_button,
+            self.close_button,
+        ):
             button.setAutoDefault(False)
 
         grid = QGridLayout()
@@ -112,6 +130,8 @@ class SettingsDialog(ArmDialog):
         self.body.addLayout(grid)
         self.body.addStretch(1)
         self.body.addWidget(self._message)
+        self.footer.addWidget(self.diagnosis_button)
+        self.footer.addWidget(self.about_arm_button)
         self.footer.addStretch(1)
         self.footer.addWidget(self.close_button)
 
@@ -138,6 +158,8 @@ class SettingsDialog(ArmDialog):
         )
         self.browse_button.setText(self.tr("Browse…"))
         self.built_in_button.setText(self.tr("Use the built-in one"))
+        self.diagnosis_button.setText(self.tr("Diagnosis…"))
+        self.about_arm_button.setText(self.tr("About this arm…"))
         self.close_button.setText(self.tr("Close"))
         self._refresh()
 

@@ -1,0 +1,139 @@
+"""The command line of `armui doctor`."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from armui.doctor.facts import CanFacts, Facts, HeardFacts, ProgramFacts, ScreenFacts
+from armui.doctor.judge import an_arm_answers, judge
+from armui.doctor.probes.can_devices import look_at_can
+from armui.doctor.probes.listening import listen
+from armui.doctor.probes.program import look_at_program
+from armui.doctor.probes.screen import look_at_screen
+from armui.doctor.report import Language, Words, as_json, as_text, language_of_system
+
+EXIT_ARM_ANSWERS: Final = 0
+EXIT_NO_ARM: Final = 1
+
+_SECONDS: Final = 2.0
+_LONGEST_S: Final = 60.0
+_DEFAULT_CHANNELS: Final = {"udp_multicast": "ff15:7079:7468:6f6e:6465:6d6f:6d63:6173"}
+"""Where `armui sim` is heard when neither of the two names a channel."""
+
+
+@dataclass(frozen=True, slots=True)
+class Probes:
+    """What looks at this computer; tests put others in."""
+
+    program: Callable[[], ProgramFacts] = look_at_program
+    screen: Callable[[], ScreenFacts] = look_at_screen
+    can: Callable[[], CanFacts] = look_at_can
+    hear: Callable[..., HeardFacts] = listen
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Says which options the command takes."""
+    parser.description = (
+        "Look at this computer, its CAN devices and the bus, and say what is wrong, each with a "
+        "command that mends it. Nothing is sent but with --ask."
+    )
+    parser.epilog = "Exit code: 0 an arm answers, 1 none does."
+    parser.add_argument("--json", action="store_true", help="one JSON object instead of text")
+    parser.add_argument(
+        "--interface", help="python-can's name of the adapter to listen to (default: all found)"
+    )
+    parser.add_argument("--channel", help="the adapter's channel, e.g. can0")
+    parser.add_argument("--bitrate", type=int, help="bit/s, where the program sets it (1000000)")
+    parser.add_argument(
+        "--ask",
+        action="store_true",
+        help="send questions to the arm, too: version, limits, teaching handle. They move and "
+        "change nothing, but other programs on the bus see them",
+    )
+    parser.add_argument(
+        "--seconds",
+        type=_seconds,
+        default=_SECONDS,
+        help=f"so long each device is listened to ({_SECONDS:g})",
+    )
+    parser.add_argument(
+        "--no-listen", action="store_true", help="leave the bus alone: open no device"
+    )
+    parser.add_argument("--lang", choices=("zh", "en"), help="language of the report")
+
+
+def run(options: argparse.Namespace, probes: Probes = Probes()) -> int:
+    """Runs the command with options read by `add_arguments`; returns the exit code."""
+    facts = look(options, probes)
+    findings = judge(facts)
+    answers = an_arm_answers(facts)
+    language: Language = options.lang or language_of_system(_settings_file())
+    render = as_json if options.json else as_text
+    text = render(findings, Words(language), arm_answers=answers, asked=options.ask)
+    try:
+        sys.stdout.write(text)
+    except UnicodeEncodeError:  # a terminal that knows no Chinese
+        sys.stdout.write(text.encode("ascii", "backslashreplace").decode("ascii"))
+    return EXIT_ARM_ANSWERS if answers else EXIT_NO_ARM
+
+
+def look(options: argparse.Namespace, probes: Probes) -> Facts:
+    """Every fact the options ask for."""
+    program, screen, can = probes.program(), probes.screen(), probes.can()
+    heard = () if options.no_listen else _listen(options, can, probes)
+    return Facts(program, screen, can, heard)
+
+
+def _listen(options: argparse.Namespace, can: CanFacts, probes: Probes) -> tuple[HeardFacts, ...]:
+    try:
+        from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours  # noqa: PLC0415
+    except ImportError:  # what is missing is among the findings
+        return ()
+    down = {each.name for each in can.links if not each.up}
+    if options.interface is None:
+        places = [
+            (each.interface, each.channel)
+            for each in can.devices
+            if not (each.interface == "socketcan" and each.channel in down)
+        ]
+    else:
+        channel = options.channel or _DEFAULT_CHANNELS.get(options.interface, "")
+        places = [(options.interface, channel)]
+    bitrate = options.bitrate or DEFAULT_BITRATE
+    return tuple(
+        probes.hear(
+            Device(interface, _number(channel), bitrate if bitrate_is_ours(interface) else None),
+            options.seconds,
+            ask=options.ask,
+        )
+        for interface, channel in places
+    )
+
+
+def _number(channel: str) -> int | str:
+    """Back-ends that count their channels want a number."""
+    return int(channel) if channel.isdigit() else channel
+
+
+def _settings_file() -> Path | None:
+    try:
+        from armui.settings import default_path  # noqa: PLC0415 - packages may be missing
+
+        return default_path()
+    except ImportError:
+        return None
+
+
+def _seconds(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = 0.0
+    if not 0.1 <= seconds <= _LONGEST_S:
+        raise argparse.ArgumentTypeError(f"{text!r} is not within 0.1 to {_LONGEST_S:g} seconds")
+    return seconds

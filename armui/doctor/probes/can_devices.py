@@ -1,0 +1,174 @@
+"""CAN interfaces, adapters on the USB, serial ports, and what python-can finds."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any, Final
+
+from armui.doctor.facts import CanFacts, DeviceFacts, LinkFacts, SerialPortFacts, UsbAdapterFacts
+
+_PATIENCE_S: Final = 5.0
+_CAN_HARDWARE: Final = "280"
+"""ARPHRD_CAN in /sys/class/net/*/type."""
+_ADAPTER_IDS: Final = {
+    "1d50:606f": "candleLight (gs_usb)",
+    "1209:2323": "candleLight (gs_usb)",
+    "1cd2:606f": "CES CANext FD (gs_usb)",
+    "16d0:10b8": "ABE CANdebugger FD (gs_usb)",
+    "16d0:0f30": "Xylanta SAINT3 (gs_usb)",
+}
+"""Adapters that Linux' gs_usb driver serves."""
+_NET: Final = Path("/sys/class/net")
+_USB: Final = Path("/sys/bus/usb/devices")
+_DEV: Final = Path("/dev")
+
+
+def look_at_can() -> CanFacts:
+    """The facts; takes up to some seconds."""
+    error = ""
+    devices: tuple[DeviceFacts, ...] = ()
+    try:
+        from armui.bus.adapters import find_devices  # noqa: PLC0415 - python-can may be missing
+
+        devices = tuple(
+            DeviceFacts(each.interface, str(each.channel), each.serial) for each in find_devices()
+        )
+    except Exception as caught:  # noqa: BLE001 - drivers of others: any may fail in any way
+        error = str(caught) or type(caught).__name__
+    if not sys.platform.startswith("linux"):
+        return CanFacts(devices=devices, error=error)
+    return CanFacts(
+        links=look_at_links(),
+        usb=tuple(usb_adapters(_USB)),
+        ports=tuple(_serial_ports(_DEV)),
+        devices=devices,
+        error=error,
+    )
+
+
+def look_at_links() -> tuple[LinkFacts, ...]:
+    """The CAN interfaces of Linux; none elsewhere."""
+    if not sys.platform.startswith("linux"):
+        return ()
+    return tuple(links_of(_ip_json(), _serials(_NET)))
+
+
+def links_of(text: str, serials: Mapping[str, str]) -> list[LinkFacts]:
+    """The CAN interfaces in what ``ip -details -statistics -json link show`` prints.
+
+    Args:
+        text: Its output; anything else gives none.
+        serials: Serial number of the adapter, by interface.
+    """
+    try:
+        links = json.loads(text)
+    except ValueError:
+        return []
+    return [_link(each, serials) for each in links if each.get("link_type") == "can"]
+
+
+def _link(link: Mapping[str, Any], serials: Mapping[str, str]) -> LinkFacts:
+    info = link.get("linkinfo", {})
+    data = info.get("info_data", {})
+    counters = data.get("berr_counter", {})
+    name = str(link.get("ifname", ""))
+    received = link.get("stats64", link.get("stats", {})).get("rx", {})
+    return LinkFacts(
+        name=name,
+        kind=str(info.get("info_kind", "can")),
+        up="UP" in link.get("flags", ()),
+        state=str(data.get("state", "")),
+        bitrate=data.get("bittiming", {}).get("bitrate"),
+        listen_only="LISTEN-ONLY" in data.get("ctrlmode", ()),
+        restart_ms=int(data.get("restart_ms", 0)),
+        tx_errors=counters.get("tx"),
+        rx_errors=counters.get("rx"),
+        bus_offs=int(info.get("info_xstats", {}).get("bus_off", 0)),
+        dropped=int(received.get("dropped", 0)),
+        serial=serials.get(name),
+    )
+
+
+def _ip_json() -> str:
+    ip = shutil.which("ip", path=os.environ.get("PATH", "") + ":/sbin:/usr/sbin")
+    if ip is None:
+        return ""
+    try:
+        done = subprocess.run(  # noqa: S603 - the system's ip, which only shows
+            [ip, "-details", "-statistics", "-json", "link", "show"],
+            capture_output=True,
+            timeout=_PATIENCE_S,
+            check=False,
+        )
+    except (OSError, subprocess.TimeoutExpired):
+        return ""
+    return done.stdout.decode("utf-8", "replace")
+
+
+def _serials(net: Path) -> dict[str, str]:
+    serials = {}
+    for link in _folders(net):
+        if _text(link / "type") == _CAN_HARDWARE and (serial := _usb_serial(link / "device")):
+            serials[link.name] = serial
+    return serials
+
+
+def _usb_serial(device: Path) -> str | None:
+    """The serial number of the USB device that a link belongs to: some folders above it."""
+    try:
+        place = device.resolve(strict=True)
+    except OSError:
+        return None
+    for folder in (place, *place.parents[:3]):
+        if serial := _text(folder / "serial"):
+            return serial
+    return None
+
+
+def usb_adapters(usb: Path) -> list[UsbAdapterFacts]:
+    """CAN adapters that Linux has a driver for, in the folder of USB devices."""
+    found = []
+    for folder in _folders(usb):
+        usb_id = f"{_text(folder / 'idVendor')}:{_text(folder / 'idProduct')}"
+        if usb_id in _ADAPTER_IDS:
+            links = sorted(each.name for each in folder.glob("*/net/*"))
+            name = _text(folder / "product") or _ADAPTER_IDS[usb_id]
+            serial = _text(folder / "serial") or None
+            found.append(UsbAdapterFacts(usb_id, name, serial, tuple(links)))
+    return found
+
+
+def _serial_ports(dev: Path) -> list[SerialPortFacts]:
+    paths = sorted([*dev.glob("ttyACM*"), *dev.glob("ttyUSB*")])
+    return [SerialPortFacts(str(each), _may_open(each), _group(each)) for each in paths]
+
+
+def _may_open(path: Path) -> bool:
+    return os.access(path, os.R_OK | os.W_OK)
+
+
+def _group(path: Path) -> str:
+    try:
+        return path.group()
+    except (OSError, KeyError, NotImplementedError):
+        return ""
+
+
+def _folders(path: Path) -> Iterable[Path]:
+    try:
+        return sorted(path.iterdir())
+    except OSError:
+        return ()
+
+
+def _text(path: Path) -> str:
+    try:
+        return path.read_text("utf-8", "replace").strip()
+    except OSError:
+        return ""

@@ -1,0 +1,129 @@
+"""Qt, the libraries it wants of the system, and OpenGL: looked at in processes of their own.
+
+What lacks a library does not raise an exception, it ends the process.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Final
+
+from armui.doctor.facts import ScreenFacts
+
+_PATIENCE_S: Final = 30.0
+_QT_CODE: Final = """
+import PySide6
+print("qt", PySide6.__version__, flush=True)
+from PySide6.QtWidgets import QApplication
+app = QApplication([])
+print("platform", app.platformName(), flush=True)
+"""
+_OPENGL_CODE: Final = """
+import vtkmodules.vtkRenderingOpenGL2
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
+window = vtkRenderWindow()
+window.SetOffScreenRendering(1)
+window.SetSize(16, 16)
+window.AddRenderer(vtkRenderer())
+window.Render()
+print(window.ReportCapabilities(), flush=True)
+"""
+_RENDERER: Final = re.compile(r"OpenGL renderer string:\s*(.+)")
+_VERSION: Final = re.compile(r"OpenGL version string:\s*(.+)")
+_MISSING: Final = re.compile(r"^\s*(\S+) => not found", re.MULTILINE)
+_IN_MESSAGE: Final = re.compile(r"(lib[\w.+-]+\.so[.\d]*): cannot open shared object")
+_LAST_WORDS: Final = 400
+_QT_LIBRARIES: Final = ("Qt/lib/libQt6Gui.so.6", "Qt/lib/libQt6Widgets.so.6")
+_QT_PLATFORMS: Final = ("Qt/plugins/platforms/libqxcb.so",)
+_QT_WAYLAND: Final = ("Qt/plugins/platforms/libqwayland.so",)
+
+
+def look_at_screen() -> ScreenFacts:
+    """The facts; takes some seconds."""
+    answers, error = _run(_QT_CODE)
+    words = dict(line.split(" ", 1) for line in answers.splitlines() if " " in line)
+    missing = dict.fromkeys([*missing_libraries(), *_IN_MESSAGE.findall(error)])
+    opengl, opengl_error = _look_at_opengl()
+    return ScreenFacts(
+        has_display=has_display(),
+        qt=words.get("qt"),
+        platform=words.get("platform"),
+        qt_error=error,
+        missing_libraries=tuple(missing),
+        opengl=opengl,
+        opengl_error=opengl_error,
+    )
+
+
+def has_display() -> bool:
+    """Whether there is a desktop session to show a window in."""
+    if sys.platform in {"win32", "darwin"} or os.environ.get("QT_QPA_PLATFORM"):
+        return True
+    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+def _look_at_opengl() -> tuple[str | None, str]:
+    answers, error = _run(_OPENGL_CODE)
+    renderer, version = _RENDERER.search(answers), _VERSION.search(answers)
+    if renderer is None:
+        return None, error or "the picture could not be drawn"
+    return f"{renderer.group(1)}, {version.group(1) if version else ''}".strip(", "), ""
+
+
+def _run(code: str) -> tuple[str, str]:
+    """What a piece of Python printed, and its last words if it failed."""
+    environment = dict(os.environ, PYTHONFAULTHANDLER="")
+    if not has_display():
+        environment["QT_QPA_PLATFORM"] = "offscreen"
+    try:
+        done = subprocess.run(  # noqa: S603 - this Python, with the text above
+            [sys.executable, "-c", code],
+            capture_output=True,
+            timeout=_PATIENCE_S,
+            env=environment,
+            check=False,
+        )
+    except subprocess.TimeoutExpired as error:
+        said = (error.stdout or b"").decode("utf-8", "replace")
+        return said, f"no answer within {_PATIENCE_S:.0f} s"
+    except OSError as error:
+        return "", str(error)
+    said = done.stdout.decode("utf-8", "replace")
+    if done.returncode == 0:
+        return said, ""
+    words = done.stderr.decode("utf-8", "replace").strip()
+    return said, words[-_LAST_WORDS:] or f"it ended with {done.returncode}"
+
+
+def missing_libraries() -> list[str]:
+    """System libraries that Qt's files name and that are not there; Linux only."""
+    ldd = shutil.which("ldd")
+    spec = find_spec("PySide6")
+    if ldd is None or spec is None or not spec.submodule_search_locations:
+        return []
+    folder = Path(next(iter(spec.submodule_search_locations)))
+    files = [*_QT_LIBRARIES, *_QT_PLATFORMS]
+    if os.environ.get("WAYLAND_DISPLAY"):
+        files += _QT_WAYLAND
+    missing: list[str] = []
+    for name in files:
+        path = folder / name
+        if path.is_file():
+            missing += _MISSING.findall(_ldd(ldd, path))
+    return list(dict.fromkeys(missing))
+
+
+def _ldd(ldd: str, path: Path) -> str:
+    try:
+        done = subprocess.run(  # noqa: S603 - the system's ldd on Qt's own file
+            [ldd, str(path)], capture_output=True, timeout=_PATIENCE_S, check=False
+        )
+    except (OSError, subprocess.TimeoutExpired):
+        return ""
+    return done.stdout.decode("utf-8", "replace")

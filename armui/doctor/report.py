@@ -1,0 +1,154 @@
+"""Findings as text to read, or as JSON, in Chinese or English."""
+
+from __future__ import annotations
+
+import json
+import locale
+import os
+from collections.abc import Mapping, Sequence
+from functools import cache
+from pathlib import Path
+from typing import Final, Literal
+
+from armui import __version__
+from armui.doctor.finding import Finding, Section, Severity
+
+Language = Literal["zh", "en"]
+
+_TEXTS: Final = Path("doctor") / "texts.toml"
+_MARKS: Final = {
+    "en": {
+        Severity.OK: "[ ok ]",
+        Severity.NOTE: "[note]",
+        Severity.WARNING: "[warn]",
+        Severity.FAULT: "[FAIL]",
+    },
+    "zh": {
+        Severity.OK: "[正常]",
+        Severity.NOTE: "[提示]",
+        Severity.WARNING: "[注意]",
+        Severity.FAULT: "[故障]",
+    },
+}
+_INDENT: Final = "       "
+
+
+class Words:
+    """The words of one language.
+
+    Args:
+        language: Which.
+    """
+
+    def __init__(self, language: Language) -> None:
+        self.language: Language = language
+
+    def text(self, finding: Finding) -> str:
+        """A finding as a sentence."""
+        return self._get("finding", finding.code).format_map(finding.params)
+
+    def section(self, section: Section) -> str:
+        """What a section is called."""
+        return self._get("section", section.value)
+
+    def plain(self, name: str) -> str:
+        """A sentence of the report itself."""
+        return self._get("report", name)
+
+    def mark(self, severity: Severity) -> str:
+        """How a severity is marked at the beginning of a line."""
+        return _MARKS[self.language][severity]
+
+    def _get(self, table: str, name: str) -> str:
+        return load_texts()[table][name][self.language]
+
+
+@cache
+def load_texts() -> Mapping[str, Mapping[str, Mapping[str, str]]]:
+    """The words, by table, name and language; read once, by whoever may wait for the disk."""
+    import tomllib  # noqa: PLC0415 - Python 3.10 lacks it, and is to be told so
+
+    return tomllib.loads((_resources() / _TEXTS).read_text("utf-8"))
+
+
+def _resources() -> Path:
+    """As `armui.system.paths` has it, which wants a package that may be missing."""
+    package = Path(__file__).resolve().parents[1]
+    installed = package / "resources"
+    return installed if installed.is_dir() else package.parent / "resources"
+
+
+def language_of_system(settings_file: Path | None = None) -> Language:
+    """The language chosen in the program, else Chinese if the system speaks it, else English."""
+    if settings_file is not None:
+        try:
+            chosen = json.loads(settings_file.read_text("utf-8")).get("language")
+        except (OSError, ValueError, AttributeError):
+            chosen = None
+        if chosen == "zh":
+            return "zh"
+        if chosen == "en":
+            return "en"
+    names = [os.environ.get(name, "") for name in ("LC_ALL", "LC_MESSAGES", "LANG")]
+    name = next((each for each in names if each), "") or (locale.getlocale()[0] or "")
+    return "zh" if name.lower().startswith(("zh", "chinese")) else "en"
+
+
+def as_text(findings: Sequence[Finding], words: Words, *, arm_answers: bool, asked: bool) -> str:
+    """The report for people, and for a support mail."""
+    lines = [f"armui doctor {__version__}"]
+    lines.append(words.plain("asked" if asked else "listened"))
+    for section in Section:
+        mine = [each for each in findings if each.section is section]
+        if mine:
+            lines += ["", words.section(section)]
+        for finding in mine:
+            lines.append(f"{words.mark(finding.severity)} {words.text(finding)}")
+            lines += [f"{_INDENT}$ {command}" for command in finding.commands]
+    lines += ["", words.plain("arm_answers" if arm_answers else "no_arm_answers")]
+    return "\n".join(lines) + "\n"
+
+
+def as_json(findings: Sequence[Finding], words: Words, *, arm_answers: bool, asked: bool) -> str:
+    """One object: "armui", "arm_answers", "asked", and "findings" with their parts and words."""
+    return (
+        json.dumps(
+            {
+                "armui": __version__,
+                "arm_answers": arm_answers,
+                "asked": asked,
+                "findings": [
+                    {
+                        "section": each.section.value,
+                        "code": each.code,
+                        "severity": each.severity.value,
+                        "text": words.text(each),
+                        "commands": list(each.commands),
+                        "params": dict(each.params),
+                    }
+                    for each in findings
+                ],
+            },
+            ensure_ascii=False,
+            indent=2,
+        )
+        + "\n"
+    )
+
+
+def findings_of_json(text: str) -> list[Finding]:
+    """The findings in what :func:`as_json` made.
+
+    Raises:
+        ValueError, KeyError: It is something else.
+    """
+    return [
+        Finding(
+            Section(each["section"]),
+            each["code"],
+            Severity(each["severity"]),
+            each["params"],
+            tuple(each["commands"]),
+        )
+        for each in json.loads(text)["findings"]
+    ]

@@ -1,0 +1,145 @@
+"""Logs that are databases: python-can's own (.db, SQLite) and ASAM's (.mf4, with asammdf)."""
+
+from __future__ import annotations
+
+import sqlite3
+from importlib.util import find_spec
+from typing import TYPE_CHECKING, Any, Final
+
+import can
+
+from armui.session.frames import NotALogError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+    from armui.session.frames import FrameBatch
+    from armui.session.gather import Gatherer
+
+_ROWS: Final = 4_096
+_MOST_FAILURES: Final = 200
+_ALL_ROWS: Final = "SELECT * FROM messages"
+_LONGEST_VALUE: Final = 1 << 16
+"""Bytes of a value; a frame has 64 at most."""
+
+
+class _Database(can.SqliteReader):
+    """python-can's reader on a database that is only read, row by row past damaged ones."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__(path)
+        self._conn.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, _LONGEST_VALUE)
+        self._conn.execute("PRAGMA query_only = 1")
+
+    def has_table(self) -> bool:
+        """Whether there is a table of frames; a view might never end."""
+        found = self._conn.execute(
+            "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = 'messages'"
+        )
+        return found.fetchone() is not None
+
+    def rows(self) -> Iterator[can.Message | Exception]:
+        """Each row's message, or why it is none.
+
+        Raises:
+            sqlite3.Error: The file is damaged from here on.
+        """
+        number = 0
+        for _failure in range(_MOST_FAILURES):
+            try:
+                for row in self._conn.execute(f"{_ALL_ROWS} LIMIT -1 OFFSET {number}"):
+                    number += 1
+                    yield self._message(row)
+            except sqlite3.Error:
+                # sqlite3 reads one row ahead: the last one before the bad one was not given yet
+                try:
+                    row = self._conn.execute(f"{_ALL_ROWS} LIMIT 1 OFFSET {number}").fetchone()
+                except sqlite3.Error as error:
+                    yield error
+                else:
+                    yield self._message(row)
+                number += 1
+            else:
+                return
+        raise sqlite3.DatabaseError("too many of its rows cannot be read")
+
+    def _message(self, row: Any) -> can.Message | Exception:
+        try:
+            return self._assemble_message(row)
+        except Exception as error:  # noqa: BLE001 - a row holds whatever somebody put there
+            return error
+
+
+def read_database(path: Path, gatherer: Gatherer) -> Iterator[FrameBatch]:
+    """Frames of a log that `can.SqliteWriter` wrote, in the order of its table.
+
+    Raises:
+        NotALogError: It is no database, or none with such a table.
+    """
+    try:
+        database = _Database(path)
+    except sqlite3.Error as error:
+        raise NotALogError(f"no CAN log: {error}") from error
+    with database:
+        try:
+            has_table = database.has_table()
+        except sqlite3.Error as error:
+            raise NotALogError(f"no CAN log: {error}") from error
+        if not has_table:
+            raise NotALogError("no CAN log: the database has no table «messages»")
+        gatherer.header_seen = True
+        yield from _gathered(database.rows(), gatherer)
+
+
+def read_mf4(path: Path, gatherer: Gatherer) -> Iterator[FrameBatch]:
+    """Frames of a bus log in ASAM's format.
+
+    Raises:
+        NotALogError: asammdf is not installed, or cannot open the file.
+    """
+    if find_spec("asammdf") is None:
+        raise NotALogError(
+            ".mf4 files are read with asammdf, which is missing: pip install asammdf"
+        )
+    try:
+        reader = can.MF4Reader(path)
+        messages = iter(reader)
+    except Exception as error:  # a damaged file makes it raise whatever it hits
+        raise NotALogError(f"no CAN log: {str(error) or type(error).__name__}") from error
+    with reader:
+        gatherer.header_seen = True
+        yield from _gathered(messages, gatherer)
+
+
+def _gathered(
+    entries: Iterator[can.Message | Exception], gatherer: Gatherer
+) -> Iterator[FrameBatch]:
+    """Batches of the rows that are frames, up to where the file can be read."""
+    gathered: list[can.Message] = []
+    places: list[int] = []
+    row = 0
+
+    def place(index: int) -> str:
+        return f"row {places[index]}"
+
+    while True:
+        row += 1
+        try:
+            entry = next(entries, None)
+        except Exception as error:  # noqa: BLE001 - a damaged file raises whatever it hits
+            reason = f"the file is damaged from here on ({str(error) or type(error).__name__})"
+            gatherer.note(f"row {row}", reason, len(gathered))
+            entry = None
+        if isinstance(entry, Exception):
+            gatherer.note(f"row {row}", str(entry) or type(entry).__name__, len(gathered))
+            continue
+        if entry is not None:
+            gathered.append(entry)
+            places.append(row)
+        if gathered and (entry is None or len(gathered) >= _ROWS):
+            yield gatherer.batch(gathered, place)
+            gathered.clear()
+            places.clear()
+        if entry is None:
+            return

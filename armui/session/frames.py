@@ -1,0 +1,169 @@
+"""Frames of a log in batches of columns, and what was damaged between them."""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
+
+import numpy as np
+
+from armui.protocol.frame import Frame
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+
+    from numpy.typing import NDArray
+
+CLASSIC_BYTES = 8
+"""Data bytes of a classic CAN frame at most."""
+MOST_BYTES = 64
+"""Data bytes of a CAN FD frame at most."""
+MOST_DAMAGES = 1_000
+"""So many damaged places are kept one by one; further ones are only counted."""
+
+Channel: TypeAlias = int | str | None
+"""A channel as the log names it: "can0", 1, or None where the format has no channels."""
+
+
+class FrameFlag(enum.IntFlag):
+    """What sort of frame was recorded; the arm sends none of these but TRANSMITTED ones.
+
+    EXTENDED: the identifier has 29 bits. REMOTE: a request without data. ERROR: an error frame.
+    FD, BITRATE_SWITCH, ERROR_STATE: CAN FD and its bits. TRANSMITTED: sent by the recording
+    computer, not received. IMPOSSIBLE: its parts contradict one another, so that no bus can have
+    carried it; it is given as it was recorded.
+    """
+
+    EXTENDED = 1
+    REMOTE = 2
+    ERROR = 4
+    FD = 8
+    BITRATE_SWITCH = 16
+    ERROR_STATE = 32
+    TRANSMITTED = 64
+    IMPOSSIBLE = 128
+
+
+NOT_OF_THE_ARM = ~FrameFlag.TRANSMITTED & 0xFF
+"""Flags that a frame of the arm's protocol does not have."""
+
+
+class LoggedFrame(NamedTuple):
+    """One frame of a log.
+
+    Attributes:
+        time_s: As recorded: since the start of the log or since 1970, as its format has it.
+        frame: Identifier and payload; a frame of the arm's protocol only without flags.
+        flags: What sort of frame it is.
+        channel: As the log names it.
+    """
+
+    time_s: float
+    frame: Frame
+    flags: FrameFlag
+    channel: Channel
+
+
+@dataclass(frozen=True, slots=True)
+class FrameBatch:
+    """Consecutive frames of a log, one row each.
+
+    Attributes:
+        first: Number of the first frame within the log, from 0.
+        times_s: Time of each frame as recorded, float64.
+        ids: Identifiers, uint32.
+        flags: `FrameFlag` bits, uint8.
+        lengths: Bytes of data, uint8; of a remote frame the bytes it asks for.
+        payloads: The first 8 bytes of data, zeros behind its end; uint8, shape (rows, 8).
+        channels: Index into `channel_names`, uint8.
+        channel_names: The channels met in the log so far.
+        long_data: Data of the frames with more than 8 bytes, by row.
+    """
+
+    first: int
+    times_s: NDArray[np.float64]
+    ids: NDArray[np.uint32]
+    flags: NDArray[np.uint8]
+    lengths: NDArray[np.uint8]
+    payloads: NDArray[np.uint8]
+    channels: NDArray[np.uint8]
+    channel_names: tuple[Channel, ...]
+    long_data: Mapping[int, bytes] = field(default_factory=dict)
+
+    def __len__(self) -> int:
+        return len(self.ids)
+
+    def data(self, row: int) -> bytes:
+        """Data of one frame; empty for a remote frame."""
+        if self.flags[row] & FrameFlag.REMOTE:
+            return b""
+        whole = self.long_data.get(row)
+        return self.payloads[row, : self.lengths[row]].tobytes() if whole is None else whole
+
+    def frame(self, row: int) -> LoggedFrame:
+        """One row as an object."""
+        return LoggedFrame(
+            float(self.times_s[row]),
+            Frame(int(self.ids[row]), self.data(row)),
+            FrameFlag(int(self.flags[row])),
+            self.channel_names[self.channels[row]],
+        )
+
+    def __iter__(self) -> Iterator[LoggedFrame]:
+        return map(self.frame, range(len(self)))
+
+
+class Damage(NamedTuple):
+    """A place in a log that could not be read, or only with a contradiction.
+
+    Attributes:
+        place: Where: "line 12", "byte 4711", "frame 3".
+        reason: Why, or what stands there.
+        before_frame: Number, from 0, of the frame that it stands before or in.
+        frame_given: The frame was read all the same, and is marked as impossible.
+    """
+
+    place: str
+    reason: str
+    before_frame: int
+    frame_given: bool = False
+
+
+class DamageList:
+    """Damaged places of a log in the order they were met; bounded, beyond that counted.
+
+    Attributes:
+        count: All of them, the uncounted ones included.
+    """
+
+    def __init__(self) -> None:
+        self._kept: list[Damage] = []
+        self.count = 0
+
+    def add(self, damage: Damage) -> None:
+        """Keeps or counts one more."""
+        self.count += 1
+        if len(self._kept) < MOST_DAMAGES:
+            self._kept.append(damage)
+
+    def __len__(self) -> int:
+        return len(self._kept)
+
+    def since(self, index: int) -> list[Damage]:
+        """The places kept from a position of the list on."""
+        return self._kept[index:]
+
+    @property
+    def full(self) -> bool:
+        """Whether further places are only counted."""
+        return len(self._kept) >= MOST_DAMAGES
+
+    @property
+    def not_kept(self) -> int:
+        """How many were counted only."""
+        return self.count - len(self._kept)
+
+
+class NotALogError(Exception):
+    """The file cannot be opened, or nothing in it is a frame; the text says which, in one line."""

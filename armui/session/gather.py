@@ -1,0 +1,201 @@
+"""Messages of python-can's readers to batches of columns; what contradicts itself is said."""
+
+from __future__ import annotations
+
+import math
+from operator import attrgetter
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from armui.session.frames import (
+    CLASSIC_BYTES,
+    MOST_BYTES,
+    Channel,
+    Damage,
+    DamageList,
+    FrameBatch,
+    FrameFlag,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    import can
+    from numpy.typing import NDArray
+
+_TOP_STANDARD_ID = 0x7FF
+_TOP_EXTENDED_ID = 0x1FFFFFFF
+_TOP_ID = 0xFFFFFFFF
+_MOST_CHANNELS = 255
+_FLAGS = (
+    ("is_extended_id", FrameFlag.EXTENDED),
+    ("is_remote_frame", FrameFlag.REMOTE),
+    ("is_error_frame", FrameFlag.ERROR),
+    ("is_fd", FrameFlag.FD),
+    ("bitrate_switch", FrameFlag.BITRATE_SWITCH),
+    ("error_state_indicator", FrameFlag.ERROR_STATE),
+)
+_columns = attrgetter(
+    "timestamp", "arbitration_id", "data", "dlc", "channel", "is_rx", *(name for name, _ in _FLAGS)
+)
+
+
+class Gatherer:
+    """Turns messages into batches and keeps count of frames and channels.
+
+    Attributes:
+        frames: Frames given so far.
+        damages: Where contradictions are noted.
+        header_seen: The file begins as a log does: it is one, even when no frame follows.
+    """
+
+    def __init__(self, damages: DamageList) -> None:
+        self.frames = 0
+        self.header_seen = False
+        self.damages = damages
+        self._channels: dict[Channel, int] = {}
+
+    def batch(self, messages: list[can.Message], place: Callable[[int], str]) -> FrameBatch:
+        """The batch of some messages; those that are no frame at all are left out and noted.
+
+        Args:
+            messages: As a reader gave them.
+            place: Where the message with this index stands, for the notes.
+        """
+        try:
+            batch = self._columns(messages)
+            sound = batch is not None and bool(np.isfinite(batch.times_s).all())
+        except (TypeError, ValueError, OverflowError, AttributeError):
+            batch, sound = None, False
+        if batch is None or not sound:
+            kept = [
+                index for index, each in enumerate(messages) if self._usable(each, index, place)
+            ]
+            batch = self._columns([messages[index] for index in kept])
+            places = kept
+        else:
+            places = list(range(len(messages))) if batch.flags.max(initial=0) >= 128 else []
+        for row in np.flatnonzero(batch.flags & FrameFlag.IMPOSSIBLE).tolist():
+            self.note(place(places[row]), _contradiction(batch, row), row, frame_given=True)
+        return self.count(batch)
+
+    def note(self, place: str, reason: str, rows_before: int, *, frame_given: bool = False) -> None:
+        """Notes a damaged place, a number of rows behind the frames given so far."""
+        self.damages.add(Damage(place, reason, self.frames + rows_before, frame_given))
+
+    def _columns(self, messages: list[can.Message]) -> FrameBatch:
+        count = len(messages)
+        columns: Any = zip(*map(_columns, messages), strict=True) if count else ((),) * 12
+        times_s, ids, data, dlcs, channels, received, *marks = columns
+        id_column = np.array(ids, np.int64)
+        if count and not 0 <= id_column.min() <= id_column.max() <= _TOP_ID:
+            raise ValueError("identifiers of more than 32 bits")
+        flags = np.zeros(count, np.uint8)
+        for (_name, flag), values in zip(_FLAGS, marks, strict=True):
+            if True in values:
+                flags |= np.where(np.array(values, bool), flag, 0).astype(np.uint8)
+        if False in received:
+            flags |= np.where(np.array(received, bool), 0, FrameFlag.TRANSMITTED).astype(np.uint8)
+        sizes = np.array(list(map(len, data)), np.int64)
+        if count and sizes.max() > MOST_BYTES:
+            raise ValueError("more data than any frame holds")
+        flags |= _impossible(id_column, flags, sizes, np.array(dlcs, np.int64))
+        return FrameBatch(
+            first=self.frames,
+            times_s=np.array(times_s, np.float64),
+            ids=id_column.astype(np.uint32),
+            flags=flags,
+            lengths=_lengths(flags, sizes, dlcs),
+            payloads=_payloads(data, sizes),
+            channels=self.channel_column(channels),
+            channel_names=self.channel_names,
+            long_data={
+                row: bytes(data[row]) for row in np.flatnonzero(sizes > CLASSIC_BYTES).tolist()
+            },
+        )
+
+    @property
+    def channel_names(self) -> tuple[Channel, ...]:
+        """The channels met so far, in the order of the indices that batches carry."""
+        return tuple(self._channels)
+
+    def count(self, batch: FrameBatch) -> FrameBatch:
+        """Takes a batch made elsewhere into account, and passes it on."""
+        self.frames += len(batch)
+        return batch
+
+    def channel_column(self, channels: tuple[Channel, ...]) -> NDArray[np.uint8]:
+        """Indices of channels.
+
+        Raises:
+            ValueError: The log names more of them than any recording has.
+        """
+        for channel in dict.fromkeys(channels):
+            if channel not in self._channels:
+                if len(self._channels) > _MOST_CHANNELS:
+                    raise ValueError("more channels than can be told apart")
+                self._channels[channel] = len(self._channels)
+        return np.array([self._channels[channel] for channel in channels], np.uint8)
+
+    def _usable(self, message: can.Message, index: int, place: Callable[[int], str]) -> bool:
+        """Whether a message has an identifier, data and a time at all."""
+        try:
+            self._columns([message])
+            reason = "" if math.isfinite(message.timestamp) else "its time is no number"
+        except (TypeError, ValueError, OverflowError, AttributeError) as error:
+            reason = str(error) or "its parts are no numbers"
+        if reason:
+            self.note(place(index), reason, index)
+        return not reason
+
+
+def _impossible(
+    ids: NDArray[np.int64],
+    flags: NDArray[np.uint8],
+    sizes: NDArray[np.int64],
+    dlcs: NDArray[np.int64],
+) -> NDArray[np.uint8]:
+    """The flag IMPOSSIBLE for every row whose parts contradict one another.
+
+    A classic frame may carry a length code of 9 to 15; its data are 8 bytes then (ISO 11898-1),
+    and readers tell that code, or the number of bytes that it would mean in CAN FD.
+    """
+    extended = (flags & FrameFlag.EXTENDED) != 0
+    fd = (flags & FrameFlag.FD) != 0
+    remote = (flags & FrameFlag.REMOTE) != 0
+    error = (flags & FrameFlag.ERROR) != 0
+    bad_id = ids > np.where(extended, _TOP_EXTENDED_ID, _TOP_STANDARD_ID)
+    most = np.where(fd, MOST_BYTES, CLASSIC_BYTES)
+    long_code = (sizes == CLASSIC_BYTES) & (dlcs > CLASSIC_BYTES) & (dlcs <= MOST_BYTES)
+    bad_size = ((sizes != dlcs) & ~long_code & ~fd & ~remote) | (sizes > most)
+    bad_dlc = (dlcs < 0) | (dlcs > MOST_BYTES)
+    bad = (bad_id | bad_size | bad_dlc) & ~error
+    return np.where(bad, np.uint8(FrameFlag.IMPOSSIBLE), np.uint8(0))
+
+
+def _contradiction(batch: FrameBatch, row: int) -> str:
+    """What is wrong with a frame that is marked as impossible."""
+    arbitration_id, flags = int(batch.ids[row]), int(batch.flags[row])
+    bits, top = (29, _TOP_EXTENDED_ID) if flags & FrameFlag.EXTENDED else (11, _TOP_STANDARD_ID)
+    if arbitration_id > top:
+        return f"identifier 0x{arbitration_id:X} in a frame whose identifiers have {bits} bits"
+    return f"0x{arbitration_id:03X} with {batch.lengths[row]} bytes of data, but another length"
+
+
+def _lengths(
+    flags: NDArray[np.uint8], sizes: NDArray[np.int64], dlcs: tuple[int, ...]
+) -> NDArray[np.uint8]:
+    remote = (flags & FrameFlag.REMOTE) != 0
+    if remote.any():
+        sizes = np.where(remote, np.clip(np.array(dlcs, np.int64), 0, MOST_BYTES), sizes)
+    return sizes.astype(np.uint8)
+
+
+def _payloads(data: tuple[bytearray, ...], sizes: NDArray[np.int64]) -> NDArray[np.uint8]:
+    joined = (
+        b"".join(data)
+        if (sizes == CLASSIC_BYTES).all()
+        else b"".join([each[:CLASSIC_BYTES].ljust(CLASSIC_BYTES, b"\0") for each in data])
+    )
+    return np.frombuffer(joined, np.uint8).reshape(-1, CLASSIC_BYTES)

@@ -1,0 +1,174 @@
+"""Opens a recorded CAN log of any format that python-can reads, and reads what can be read of it.
+
+Used by `armui decode`, and the way in for replay, index and exports: a log is a sequence of
+batches of frames and a list of damaged places.
+"""
+
+from __future__ import annotations
+
+import logging
+import re
+from typing import TYPE_CHECKING, Final
+
+from armui.session.blf_logs import read_blf_log
+from armui.session.database_logs import read_database, read_mf4
+from armui.session.frames import DamageList, FrameBatch, NotALogError
+from armui.session.gather import Gatherer
+from armui.session.source import Source
+from armui.session.text_formats import TEXT_FORMATS
+from armui.session.text_logs import NonsenseError, read_text_log
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+    from types import TracebackType
+    from typing import Self
+
+SUFFIXES: Final = (".log", ".asc", ".blf", ".trc", ".csv", ".db", ".mf4", ".txt")
+_BEGINNING: Final = 4_096
+_SIGNS: Final = {
+    ".blf": re.compile(rb"\ALOGG"),
+    ".db": re.compile(rb"\ASQLite format 3\0"),
+    ".mf4": re.compile(rb"\AMDF "),
+    ".gz": re.compile(rb"\A\x1f\x8b"),
+    ".trc": re.compile(rb"^;\$FILEVERSION", re.MULTILINE),
+    ".asc": re.compile(rb"^base\s+(hex|dec)\s", re.MULTILINE | re.IGNORECASE),
+    ".csv": re.compile(rb"^timestamp,arbitration_id,"),
+    ".log": re.compile(rb"^\(\d+\.\d+\) \S+ [0-9A-Fa-f]+#", re.MULTILINE),
+}
+"""What the files of each format have near their beginning."""
+_NOT_PACKED: Final = (".db", ".mf4")
+"""Formats that are not read from their beginning to their end, so that .gz cannot be put on top."""
+
+
+class LogFile:
+    """An open log; use it in a ``with`` statement.
+
+    Attributes:
+        path: The file.
+        damages: Damaged places met so far.
+    """
+
+    def __init__(self, path: Path) -> None:
+        """Open a log and read its first frames.
+
+        Formats: candump -L, or its screen output with times (.log, .txt), Vector (.asc, .blf), PEAK
+        (.trc), python-can (.csv, .db), ASAM (.mf4, where asammdf is installed); compressed ones
+        but .db and .mf4 with .gz behind. Memory stays bounded whatever the file holds.
+
+        Raises:
+            NotALogError: The file cannot be opened, its suffix is of no known format, or nothing in
+                it is a frame.
+        """
+        # The readers comment on damaged lines through logging; here they are noted by number.
+        logging.getLogger("can").addHandler(logging.NullHandler())
+        self.path = path
+        self.damages = DamageList()
+        self._suffix = _log_suffix(path)
+        self._gatherer = Gatherer(self.damages)
+        self._source = Source(path)
+        try:
+            self._batches = self._read()
+            self._first = next(self._batches, None)
+        except NonsenseError:
+            self.close()
+            raise self._no_log() from None
+        except BaseException:
+            self.close()
+            raise
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    @property
+    def size(self) -> int:
+        """Bytes of the file, 0 where it is not known."""
+        return self._source.size
+
+    @property
+    def position(self) -> int:
+        """Bytes of the file read so far."""
+        return self._source.position
+
+    @property
+    def frames(self) -> int:
+        """Frames read so far."""
+        return self._gatherer.frames
+
+    def batches(self) -> Iterator[FrameBatch]:
+        """The frames, in the order of the file; only once."""
+        if self._first is not None:
+            first, self._first = self._first, None
+            yield first
+        yield from self._batches
+
+    def close(self) -> None:
+        """Closes the file."""
+        self._source.close()
+
+    def _read(self) -> Iterator[FrameBatch]:
+        """Batches with frames in them.
+
+        Raises:
+            NotALogError: There are none, and nothing else that tells of a log.
+        """
+        found = False
+        for batch in self._read_format():
+            if len(batch):
+                found = True
+                yield batch
+        if not found and not self._gatherer.header_seen:
+            raise self._no_log()
+
+    def _read_format(self) -> Iterator[FrameBatch]:
+        if self._suffix == ".blf":
+            return read_blf_log(self._source, self._gatherer)
+        if self._suffix == ".db":
+            return read_database(self.path, self._gatherer)
+        if self._suffix == ".mf4":
+            return read_mf4(self.path, self._gatherer)
+        return read_text_log(self._source, TEXT_FORMATS[self._suffix], self._gatherer)
+
+    def _no_log(self) -> NotALogError:
+        looks_like = _looks_like(self.path)
+        hint = ""
+        if self._source.broken:
+            hint = f" ({self._source.broken})"
+        elif looks_like not in {"", self._suffix}:
+            hint = f"; it looks like a {looks_like} file: give it that suffix"
+        return NotALogError(
+            f"no CAN log: nothing in it reads as a frame of a {self._suffix} file{hint}"
+        )
+
+
+def _looks_like(path: Path) -> str:
+    """The suffix that a file's beginning speaks for, "" if none."""
+    try:
+        with path.open("rb") as stream:
+            beginning = stream.read(_BEGINNING)
+    except OSError:
+        return ""
+    return next((suffix for suffix, sign in _SIGNS.items() if sign.search(beginning)), "")
+
+
+def _log_suffix(path: Path) -> str:
+    suffixes = [suffix.lower() for suffix in path.suffixes]
+    packed = bool(suffixes) and suffixes[-1] == ".gz"
+    if packed:
+        suffixes.pop()
+    suffix = suffixes[-1] if suffixes else ""
+    if suffix not in SUFFIXES or (packed and suffix in _NOT_PACKED):
+        known = ", ".join(SUFFIXES)
+        raise NotALogError(
+            f"unknown kind of log {''.join(path.suffixes[-2:])!r}; known are {known}, "
+            f"and these but {' and '.join(_NOT_PACKED)} with .gz"
+        )
+    return suffix

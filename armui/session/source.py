@@ -1,0 +1,107 @@
+"""The bytes of a log: opened, unpacked, counted, and never more of them in memory than a block."""
+
+from __future__ import annotations
+
+import gzip
+import zlib
+from typing import IO, TYPE_CHECKING, cast
+
+from armui.session.frames import NotALogError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+_BLOCK = 1 << 18
+_LONGEST_LINE = 16_384
+READ_ERRORS = (OSError, EOFError, zlib.error)
+"""What reading a damaged or vanished file raises."""
+
+
+class Source:
+    """An open file, read from its beginning to its end.
+
+    Attributes:
+        size: Bytes on the disk, 0 where it is not known (a pipe).
+        taken: Bytes read so far, unpacked.
+        broken: Why it could not be read to its end, "" if it could.
+    """
+
+    def __init__(self, path: Path) -> None:
+        """Open a file.
+
+        Raises:
+            NotALogError: It cannot be opened.
+        """
+        try:
+            self._raw = path.open("rb")
+            self.size = path.stat().st_size
+        except OSError as error:
+            raise NotALogError(error.strerror or str(error)) from error
+        is_packed = path.suffix.lower() == ".gz"
+        self._stream: IO[bytes] = (
+            cast("IO[bytes]", gzip.GzipFile(fileobj=self._raw)) if is_packed else self._raw
+        )
+        self._is_pipe = not self._raw.seekable()
+        self.taken = 0
+        self.broken = ""
+
+    @property
+    def position(self) -> int:
+        """Bytes of the file on the disk that are read, for a progress bar."""
+        return self.taken if self._is_pipe else self._raw.tell()
+
+    def read(self, size: int) -> bytes:
+        """The next bytes, fewer at the end or where the file breaks."""
+        if self.broken or size <= 0:
+            return b""
+        try:
+            data = self._stream.read(size)
+        except READ_ERRORS as error:
+            self.broken = _reason(error)
+            return b""
+        self.taken += len(data)
+        return data
+
+    def close(self) -> None:
+        """Closes the file."""
+        self._stream.close()
+        self._raw.close()
+
+    def lines(self) -> Iterator[list[str]]:
+        """Blocks of stripped lines, blank ones too; of an overlong line its beginning.
+
+        Only a line end ends a line, so that their numbers are those of an editor.
+        """
+        carry = b""
+        dropping = False
+        first = True
+        while block := self.read(_BLOCK):
+            *whole, rest = block.split(b"\n")
+            if whole:
+                if not dropping:
+                    whole[0] = carry + whole[0]
+                else:
+                    whole[0] = carry
+                carry, dropping = rest, False
+            elif not dropping:
+                carry += rest
+            if len(carry) > _LONGEST_LINE:
+                carry, dropping = carry[:_LONGEST_LINE], True
+            yield self._texts(whole, first)
+            first = first and not whole
+        if carry:
+            yield self._texts([carry], first)
+
+    @staticmethod
+    def _texts(lines: list[bytes], first: bool) -> list[str]:
+        if first and lines:
+            lines[0] = lines[0].removeprefix(b"\xef\xbb\xbf")
+        text = b"\n".join([line[:_LONGEST_LINE] for line in lines]).decode("utf-8", "replace")
+        return [line.strip() for line in text.split("\n")] if lines else []
+
+
+def _reason(error: BaseException) -> str:
+    return (
+        (error.strerror if isinstance(error, OSError) else "") or str(error) or type(error).__name__
+    )

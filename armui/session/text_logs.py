@@ -1,0 +1,254 @@
+"""Reads the line-based log formats with python-can, past lines that its readers give up on.
+
+A reader of python-can is one generator: an exception in a line ends it. Here it is fed with lines
+one by one; when the reader fails, the line is noted and a new generator of the same reader goes on
+with the next one.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Final
+
+from armui.session.candump import quick_batch
+from armui.session.text_formats import CANDUMP
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    import can
+
+    from armui.session.frames import FrameBatch
+    from armui.session.gather import Gatherer
+    from armui.session.source import Source
+    from armui.session.text_formats import TextFormat
+
+_ROWS: Final = 4_096
+"""Frames of a batch at most."""
+_LINES_AT_ONCE: Final = 512
+"""Lines that go through python-can's reader together when one of them is out of the ordinary."""
+_EXCERPT: Final = 60
+_PATIENT_LINES: Final = 1_000
+"""So many unreadable lines before the first frame, and the file is no log."""
+_PATIENT_BYTES: Final = 1 << 26
+"""So many bytes without a frame, and the file is no log, or none from here on."""
+
+
+class NonsenseError(Exception):
+    """Too much was unreadable before the first frame."""
+
+
+class _Lines:
+    """The lines as the reader gets them.
+
+    Attributes:
+        number: Number of the line handed out last, from 1.
+        pending: That line, until a frame came of it; "" then.
+        rows: Frames gathered for the batch under way; set by who reads.
+        hopeful: A frame has been read, so that nonsense no longer ends the reading.
+    """
+
+    def __init__(self, source: Source, log_format: TextFormat, gatherer: Gatherer) -> None:
+        self._source = source
+        self._gatherer = gatherer
+        self._blocks: Iterable[list[str]] = ()
+        self._header = re.compile(log_format.header, re.IGNORECASE)
+        self._silent = re.compile(log_format.silent, re.IGNORECASE)
+        self._sound = re.compile(log_format.sound, re.IGNORECASE)
+        self._format = log_format
+        self._strict = bool(log_format.sound)
+        self._opening = log_format.opening
+        self._opened = not self._opening
+        self._plain = not log_format.opening and log_format.header == r"(?!)"
+        self._again: str | None = None
+        self._rewritten = 0
+        self._frames_before = 0
+        self._sense_until = 0
+        self._unreadable = 0
+        self.number = 0
+        self.pending = ""
+        self.rows = 0
+        self.hopeful = False
+
+    def feed(self, blocks: Iterable[list[str]]) -> None:
+        """What to hand out from here on."""
+        self._blocks = blocks
+
+    def __iter__(self) -> Iterator[str]:
+        """Lines that are not blank, once each, and lines given back.
+
+        Raises:
+            NonsenseError: The file begins with too much that is no frame.
+        """
+        for block in self._blocks:
+            for line in block:
+                self.number += 1
+                if not line:
+                    continue
+                if not self._plain:
+                    if self._header.match(line):
+                        self._gatherer.header_seen = True
+                        self._opened = self._opened or line.startswith(self._opening)
+                        yield line
+                        continue
+                    if not self._opened and not self._silent.match(line):
+                        self._opened = True
+                        yield self._opening
+                self.pending = line
+                if self._strict and not self._sound.match(line):
+                    self.go_on()
+                else:
+                    yield line
+                while self._again is not None:
+                    self.pending, self._again = self._again, None
+                    yield self.pending
+                if self.pending:
+                    self.settle()
+            self.look_for_end()
+
+    def look_for_end(self) -> None:
+        """Gives up on a file that has been nothing but nonsense for long.
+
+        Raises:
+            NonsenseError: It has, from its beginning.
+        """
+        frames = self._gatherer.frames + self.rows
+        if frames > self._frames_before:
+            self._frames_before, self._sense_until = frames, self._source.taken
+        elif self._source.taken - self._sense_until > _PATIENT_BYTES:
+            if not self.hopeful:
+                raise NonsenseError
+            self._source.broken = "nothing in so many bytes is a frame; the rest is not read"
+
+    def close(self) -> None:
+        """Called by readers at their end; the file belongs to whoever opened it."""
+
+    def go_on(self) -> None:
+        """After the reader has failed: the line is tried in other words once, or noted.
+
+        A new generator of the reader comes next, which swallows the opening again.
+        """
+        self._opened = not self._opening
+        can_rewrite = self.number != self._rewritten
+        self._again = self._format.rewrite(self.pending) if can_rewrite else None
+        self._rewritten = self.number
+        if self._again is None:
+            self.skip()
+
+    def settle_with(self, message: can.Message) -> bool:
+        """Takes the pending line for read, if a message can have come of it."""
+        if not self._sound.match(self.pending):
+            self.skip()
+            return False
+        if message.is_error_frame or message.is_extended_id:
+            self._format.complete(message, self.pending)
+        self.pending = ""
+        self.hopeful = True
+        return True
+
+    def end(self) -> None:
+        """Notes where the file breaks off, if it does."""
+        if self._source.broken:
+            self._gatherer.note(f"after line {self.number}", self._source.broken, 0)
+
+    def settle(self) -> None:
+        """The reader is done with the pending line: it is noted unless it may yield nothing."""
+        if self.pending and not self._silent.match(self.pending):
+            self.skip()
+        self.pending = ""
+
+    def skip(self) -> None:
+        """Notes the pending line as unreadable."""
+        if not self.pending:
+            return
+        if self._gatherer.damages.full:
+            self._gatherer.damages.count += 1
+        else:
+            text = self.pending
+            excerpt = text if len(text) <= _EXCERPT else text[:_EXCERPT] + "..."
+            self._gatherer.note(f"line {self.number}", ascii(excerpt), self.rows)
+        self.pending = ""
+        self._unreadable += 1
+        if not self.hopeful and self._unreadable > _PATIENT_LINES:
+            raise NonsenseError
+
+
+def read_text_log(
+    source: Source, log_format: TextFormat, gatherer: Gatherer
+) -> Iterator[FrameBatch]:
+    """Frames of a log in order.
+
+    Args:
+        source: The file.
+        log_format: Its format.
+        gatherer: Makes the batches, and is told what cannot be read.
+
+    Raises:
+        NonsenseError: The file begins with too much that is no frame.
+    """
+    lines = _Lines(source, log_format, gatherer)
+    if log_format is CANDUMP:
+        yield from _read_candump(source, lines, gatherer)
+    else:
+        lines.feed(source.lines())
+        yield from _read(lines, log_format, gatherer)
+        lines.end()
+
+
+def _read_candump(source: Source, lines: _Lines, gatherer: Gatherer) -> Iterator[FrameBatch]:
+    """Blocks of ordinary lines at once, all others through python-can's reader, line by line."""
+    for whole in source.lines():
+        batch = quick_batch(whole, gatherer)
+        step = _LINES_AT_ONCE if batch is None else len(whole)
+        for start in range(0, len(whole), step or 1):
+            block = whole[start : start + step]
+            batch = batch or quick_batch(block, gatherer)
+            if batch is None:
+                lines.feed([block])
+                yield from _read(lines, CANDUMP, gatherer)
+            else:
+                lines.number += len(block)
+                lines.hopeful = lines.hopeful or len(batch) > 0
+                yield batch
+            batch = None
+        lines.look_for_end()
+    lines.end()
+
+
+def _read(lines: _Lines, log_format: TextFormat, gatherer: Gatherer) -> Iterator[FrameBatch]:
+    """Whatever python-can's reader makes of the lines."""
+    handed_out = iter(lines)
+    reader = log_format.reader(handed_out)
+    messages = iter(reader)
+    gathered: list[can.Message] = []
+    places: list[int] = []
+
+    def place(index: int) -> str:
+        return f"line {places[index]}"
+
+    while True:
+        try:
+            message = next(messages)
+        except StopIteration:
+            break
+        except NonsenseError:
+            raise
+        except Exception:  # noqa: BLE001 - a damaged line makes the readers raise whatever it hits
+            if not lines.pending:
+                break
+            lines.go_on()
+            messages = iter(reader)
+            continue
+        if not lines.settle_with(message):
+            continue
+        gathered.append(message)
+        places.append(lines.number)
+        lines.rows = len(gathered)
+        if len(gathered) >= _ROWS:
+            yield gatherer.batch(gathered, place)
+            gathered.clear()
+            places.clear()
+            lines.rows = 0
+    if gathered:
+        yield gatherer.batch(gathered, place)
+        lines.rows = 0

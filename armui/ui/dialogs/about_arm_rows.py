@@ -1,0 +1,220 @@
+"""What is known of the arm and of the way to it, as labelled lines."""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Sequence
+from typing import Final, NamedTuple
+
+from PySide6.QtCore import QCoreApplication
+
+from armui import __version__
+from armui.arm.device import Device
+from armui.arm.limits import JOINTS
+from armui.arm.state import ArmState
+from armui.control.operating_state import LinkState, OperatingState
+from armui.doctor.facts import LinkFacts
+from armui.protocol.addressing import Addressing
+from armui.protocol.generation import Generation
+from armui.ui import format as fmt
+from armui.ui import words
+
+_FEEDBACK: Final = (0x2A1, 0x2A8)
+_COMMANDS: Final = (0x150, 0x15F)
+_NO_BITRATE: Final = frozenset({"virtual", "udp_multicast"})
+
+
+class Row(NamedTuple):
+    """One line.
+
+    Attributes:
+        key: Its name in the program.
+        label, value: In the operator's language.
+    """
+
+    key: str
+    label: str
+    value: str
+
+
+def about_rows(
+    state: ArmState,
+    now: OperatingState,
+    links: Sequence[LinkFacts],
+    *,
+    online_s: float | None,
+    frames_per_s: float | None,
+) -> list[Row]:
+    """The lines, always the same ones in the same order.
+
+    Args:
+        state: The arm as heard.
+        now: The connection.
+        links: What the operating system knows of its CAN interfaces.
+        online_s: For so long the arm has been heard; ``None``: it is not.
+        frames_per_s: Received; ``None``: not measured yet.
+    """
+    online = now.link is LinkState.ONLINE
+    rows = [
+        Row(
+            "model",
+            translate("AboutArm", "Model"),
+            translate("AboutArm", "unknown: the arm does not tell it"),
+        ),
+        Row("firmware", translate("AboutArm", "Firmware"), _firmware(state, now)),
+        Row("generation", translate("AboutArm", "Protocol"), _generation(now)),
+        Row("device", translate("AboutArm", "Adapter"), _device(now.device)),
+        Row(
+            "serial",
+            translate("AboutArm", "Serial number of the adapter"),
+            _serial(now.device, links),
+        ),
+        Row("bitrate", translate("AboutArm", "Bit rate"), _bitrate(now.device, links)),
+        Row(
+            "feedback",
+            translate("AboutArm", "Identifiers of the feedback"),
+            _feedback(now, online=online),
+        ),
+        Row(
+            "commands",
+            translate("AboutArm", "Identifiers of the commands"),
+            _commands(now, online=online),
+        ),
+        Row("rate", translate("AboutArm", "Frames received"), _rate(frames_per_s, online=online)),
+        Row("online", translate("AboutArm", "Heard without a break for"), _duration(online_s)),
+        Row(
+            "running",
+            translate("AboutArm", "Running time of the arm"),
+            translate("AboutArm", "unknown: the arm does not tell it"),
+        ),
+    ]
+    rows += [
+        Row(
+            f"joint_{joint}",
+            translate("AboutArm", "Joint {joint}").format(joint=joint),
+            _limits(state, joint),
+        )
+        for joint in JOINTS
+    ]
+    rows.append(Row("end", translate("AboutArm", "End"), _end_limits(state)))
+    system = f"{platform.system()} {platform.release()}, Python {platform.python_version()}"
+    rows.append(Row("program", translate("AboutArm", "Program"), f"armui {__version__}, {system}"))
+    return rows
+
+
+def _firmware(state: ArmState, now: OperatingState) -> str:
+    if state.firmware is not None:
+        return state.firmware
+    if now.generation is Generation.ONE:
+        return translate("AboutArm", "unknown: generation 1 does not tell it")
+    return _unknown()
+
+
+def _generation(now: OperatingState) -> str:
+    if now.generation is None:
+        return _unknown()
+    return translate("AboutArm", "Generation {generation}").format(generation=int(now.generation))
+
+
+def _device(device: Device | None) -> str:
+    if device is None:
+        return translate("AboutArm", "none connected")
+    name = words.device_name(device)
+    return name if device.simulated else f"{device.interface}, {name}"
+
+
+def _serial(device: Device | None, links: Sequence[LinkFacts]) -> str:
+    link = _link(device, links)
+    serial = (device.serial if device is not None else None) or (link.serial if link else None)
+    if device is not None and device.simulated:
+        return translate("AboutArm", "none: it is simulated")
+    return serial or _unknown()
+
+
+def _bitrate(device: Device | None, links: Sequence[LinkFacts]) -> str:
+    if device is not None and (device.simulated or device.interface in _NO_BITRATE):
+        return translate("AboutArm", "none: it is no CAN bus")
+    link = _link(device, links)
+    if link is not None and link.bitrate is not None:
+        return translate("AboutArm", "{bitrate} bit/s, set by the operating system").format(
+            bitrate=link.bitrate
+        )
+    if device is not None and device.bitrate is not None:
+        return translate("AboutArm", "{bitrate} bit/s, set by this program").format(
+            bitrate=device.bitrate
+        )
+    return _unknown()
+
+
+def _link(device: Device | None, links: Sequence[LinkFacts]) -> LinkFacts | None:
+    if device is None or device.interface != "socketcan":
+        return None
+    return next((each for each in links if each.name == str(device.channel)), None)
+
+
+def _feedback(now: OperatingState, *, online: bool) -> str:
+    return _range(_FEEDBACK, now.addressing.feedback_offset) if online else _unknown()
+
+
+def _commands(now: OperatingState, *, online: bool) -> str:
+    if not online:
+        return _unknown()
+    text = _range(_COMMANDS, now.addressing.control_offset)
+    if now.control_certain or now.addressing == Addressing():
+        return text
+    return translate("AboutArm", "{ids}, not proven: the arm cannot be asked").format(ids=text)
+
+
+def _range(ids: tuple[int, int], offset: int) -> str:
+    first, last = (each + offset for each in ids)
+    return translate("AboutArm", "0x{first} to 0x{last} (offset 0x{offset})").format(
+        first=f"{first:03X}", last=f"{last:03X}", offset=f"{offset:02X}"
+    )
+
+
+def _rate(frames_per_s: float | None, *, online: bool) -> str:
+    if frames_per_s is None or not online:
+        return _unknown()
+    return translate("AboutArm", "{rate} a second").format(rate=f"{frames_per_s:.0f}")
+
+
+def _duration(seconds: float | None) -> str:
+    if seconds is None:
+        return translate("AboutArm", "not heard")
+    minutes, left = divmod(int(seconds), 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours}:{minutes:02}:{left:02}"
+
+
+def _limits(state: ArmState, joint: int) -> str:
+    limits, acceleration = state.limits[joint - 1], state.accelerations_deg_s2[joint - 1]
+    if limits is None:
+        return translate("AboutArm", "unknown: not read from the arm")
+    text = translate("AboutArm", "{minimum}° to {maximum}°, at most {speed}°/s").format(
+        minimum=fmt.number(limits.value.min_deg, 1),
+        maximum=fmt.number(limits.value.max_deg, 1),
+        speed=f"{limits.value.max_speed_deg_s:.1f}",
+    )
+    if acceleration is None:
+        return text
+    return translate("AboutArm", "{limits} and {acceleration}°/s²").format(
+        limits=text, acceleration=f"{acceleration.value:.1f}"
+    )
+
+
+def _end_limits(state: ArmState) -> str:
+    if state.end_limits is None:
+        return translate("AboutArm", "unknown: not read from the arm")
+    end = state.end_limits.value
+    return translate("AboutArm", "at most {linear} m/s and {angular} rad/s").format(
+        linear=f"{end.max_linear_speed_m_s:.3f}", angular=f"{end.max_angular_speed_rad_s:.3f}"
+    )
+
+
+def _unknown() -> str:
+    return translate("AboutArm", "unknown")
+
+
+def translate(context: str, text: str) -> str:
+    """The name by which Qt's tools find the words."""
+    return QCoreApplication.translate(context, text)

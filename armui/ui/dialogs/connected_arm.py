@@ -1,0 +1,53 @@
+"""What the doctor says about the arm that the window is connected to, from what it hears itself."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from armui.control.operating_state import LinkState
+from armui.doctor.facts import HeardFacts
+from armui.doctor.finding import Finding, Section, Severity
+from armui.doctor.hearing import arm_facts
+from armui.doctor.judge_arm import judge_heard
+from armui.protocol.codec import Codec
+from armui.protocol.generation import Generation
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+
+def judge_connected(controller: ArmController, *, frames: int, seconds: float) -> list[Finding]:
+    """Findings about the arm on the open device; none where no device is open.
+
+    Args:
+        controller: Who hears it.
+        frames: So many frames were received while it was listened to.
+        seconds: So long that was.
+    """
+    now = controller.operating_state
+    if now.device is None:
+        return []
+    generation = now.generation or Generation.TWO
+    online = now.link is LinkState.ONLINE
+    arm = arm_facts(
+        controller.state,
+        Codec(generation, now.addressing),
+        reason="",
+        frames_per_s=frames / seconds if seconds > 0 else 0.0,
+        firmware=controller.state.firmware,
+    )
+    heard = HeardFacts(
+        interface=now.device.interface,
+        channel=str(now.device.channel),
+        seconds=seconds,
+        frames=frames,
+        arm=arm if online else None,
+        problem="" if now.link_problem is None else now.link_problem.code,
+        problem_text="" if now.link_problem is None else str(now.link_problem.params),
+        leader=now.teaching_input,
+    )
+    findings = judge_heard(heard)
+    if now.other_host is not None and not now.teaching_input:
+        params = {"device": now.device.name, "frames": now.other_host.frames}
+        findings.append(Finding(Section.ARM, "other_host", Severity.WARNING, params))
+    return findings

@@ -1,0 +1,285 @@
+"""The window 诊断: what is wrong with this computer, the bus and the arm, and what mends it."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Any, Final, Protocol
+
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QCloseEvent, QGuiApplication
+from PySide6.QtWidgets import (
+    QFrame,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+
+from armui.arm.device import Device
+from armui.control.events import Level
+from armui.doctor.finding import Finding, Section, Severity
+from armui.doctor.process import DoctorProcess
+from armui.doctor.report import Words, as_text
+from armui.ui.dialogs.base import ArmDialog
+from armui.ui.dialogs.connected_arm import judge_connected
+from armui.ui.dialogs.finding_row import FindingRow
+from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.message_line import MessageLine
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_SIZE_PX: Final = (860, 640)
+_GAP_PX: Final = 12
+_AT_ONCE: Final = 8
+
+
+class Examination(Protocol):
+    """Something under way that can be ended."""
+
+    def end(self) -> None:
+        """Nobody waits for it any more."""
+
+
+Examine = Callable[[Sequence[str], Callable[[list[Finding] | str], object]], Examination]
+"""Begins an examination; see :class:`armui.doctor.process.DoctorProcess`."""
+
+
+class DoctorDialog(ArmDialog):
+    """Examines at each opening, in a process of its own; an open device is left alone.
+
+    Args:
+        controller: Tells about the arm that is connected.
+        parent: The main window.
+        examine: Begins an examination.
+    """
+
+    _told = Signal(object, object)
+
+    def __init__(
+        self,
+        controller: ArmController,
+        parent: QWidget | None = None,
+        examine: Examine = DoctorProcess,
+    ) -> None:
+        super().__init__(controller, parent)
+        self._controller = controller
+        self._examine = examine
+        self._device: Device | None = None
+        self._under_way: Examination | None = None
+        self._number = 0
+        self._began = (0.0, 0)
+        self._answer: list[Finding] | str | None = None
+        self._rows: list[Callable[[], QWidget]] = []
+        self._build()
+        self.resize(*_SIZE_PX)
+        self.copy_button.clicked.connect(self._on_copy)
+        self.again_button.clicked.connect(self.examine)
+        self.close_button.clicked.connect(self.close)
+        # queued, for an answer may come while the examination is being begun
+        self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
+        self.retranslate_ui()
+
+    # Layout -----------------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        self._message = MessageLine()
+        self._message.setObjectName("doctor_message")
+        self._progress = QProgressBar()
+        self._progress.setRange(0, 0)
+        self._progress.setTextVisible(False)
+        self._note = QLabel()
+        self._note.setProperty("rank", "muted")
+        self._note.setTextFormat(Qt.TextFormat.PlainText)
+        self._note.setWordWrap(True)
+        self._area = QScrollArea()
+        self._area.setObjectName("doctor_findings")
+        self._area.setWidgetResizable(True)
+        self._area.setFrameShape(QFrame.Shape.NoFrame)
+        self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.copy_button = QPushButton()
+        self.copy_button.setObjectName("doctor_copy")
+        self.again_button = QPushButton()
+        self.again_button.setObjectName("doctor_again")
+        self.close_button = QPushButton()
+        for button in (self.copy_button, self.again_button, self.close_button):
+            button.setAutoDefault(False)
+        self.close_button.setDefault(True)
+        self.body.addWidget(self._message)
+        self.body.addWidget(self._progress)
+        self.body.addWidget(self._area, 1)
+        self.body.addWidget(self._note)
+        self.footer.addWidget(self.copy_button)
+        self.footer.addStretch(1)
+        self.footer.addWidget(self.again_button)
+        self.footer.addWidget(self.close_button)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.tr("Diagnosis"))
+        self.copy_button.setText(self.tr("Copy report"))
+        self.again_button.setText(self.tr("Examine again"))
+        self.close_button.setText(self.tr("Close"))
+        self._note.setText(
+            self.tr("Only looked and listened: nothing was sent. In a terminal: armui doctor")
+        )
+        self._refresh()
+
+    # What the operator does -------------------------------------------------------------------
+
+    def examine_device(self, device: Device | None) -> None:
+        """Open the dialog for a device that could not be connected, or ``None``: for all."""
+        self._device = device
+        self.open()
+
+    def open(self) -> None:
+        """Show the dialog and examine."""
+        super().open()
+        self.examine()
+
+    def examine(self) -> None:
+        """Begin anew."""
+        self._end()
+        self._number += 1
+        number = self._number
+        self._answer = None
+        self._began = (time.monotonic(), self._controller.state.frames)
+        self._under_way = self._examine(
+            self._arguments(), lambda answer: self._told.emit(number, answer)
+        )
+        self._refresh()
+
+    def _arguments(self) -> list[str]:
+        if self._controller.operating_state.device is not None:
+            return ["--no-listen"]  # two programs on one adapter: one of them would lose it
+        device = self._device
+        if device is None or device.simulated:
+            return []
+        bitrate = [] if device.bitrate is None else ["--bitrate", str(device.bitrate)]
+        return ["--interface", device.interface, "--channel", str(device.channel), *bitrate]
+
+    def _on_copy(self) -> None:
+        QGuiApplication.clipboard().setText(self.report())
+
+    def report(self) -> str:
+        """The report as text, for a support mail."""
+        findings = self._findings()
+        answers = any(each.code == "arm" for each in findings)
+        return as_text(findings, self._words(), arm_answers=answers, asked=False)
+
+    # What comes back --------------------------------------------------------------------------
+
+    def _on_told(self, number: int, answer: Any) -> None:
+        if number != self._number:
+            return
+        self._under_way = None
+        self._answer = answer
+        if not isinstance(answer, str):
+            began_s, frames = self._began
+            seconds = time.monotonic() - began_s
+            heard = max(0, self._controller.state.frames - frames)
+            connected = judge_connected(self._controller, frames=heard, seconds=seconds)
+            if connected:
+                answer = [each for each in answer if each.section is not Section.ARM]
+            self._answer = [*answer, *connected]
+        self._refresh()
+
+    def _findings(self) -> list[Finding]:
+        return self._answer if isinstance(self._answer, list) else []
+
+    def _words(self) -> Words:
+        # Translators: the code of the language that is shown, "zh" for Chinese
+        return Words("zh" if self.tr("en") == "zh" else "en")
+
+    def _refresh(self) -> None:
+        waiting = self._under_way is not None
+        self._progress.setVisible(waiting)
+        reason = self.tr("The examination is under way.") if waiting else ""
+        enable_or_explain(self.again_button, reason)
+        nothing = reason or ("" if self._findings() else self.tr("There is no report yet."))
+        enable_or_explain(self.copy_button, nothing)
+        self._refresh_message(waiting=waiting)
+        self._refresh_rows()
+
+    def _refresh_message(self, *, waiting: bool) -> None:
+        if waiting:
+            self._message.show_message(
+                self.tr("Looking at this computer, its CAN devices and the bus…")
+            )
+            return
+        if isinstance(self._answer, str):
+            text = self.tr("The examination failed: {text}").format(text=self._answer)
+            self._message.show_message(text, Level.FAULT)
+            return
+        levels = [each.severity for each in self._findings()]
+        faults, warnings = levels.count(Severity.FAULT), levels.count(Severity.WARNING)
+        if faults or warnings:
+            text = self.tr("Faults: {faults}, warnings: {warnings}").format(
+                faults=faults, warnings=warnings
+            )
+            level = Level.FAULT if faults else Level.WARNING
+            self._message.show_message(text, level)
+        elif levels:
+            self._message.show_message(self.tr("No fault was found."), Level.DONE)
+        else:
+            self._message.show_message("")
+
+    def _refresh_rows(self) -> None:
+        words = self._words()
+        self._rows = []
+        for section in Section:
+            findings = [each for each in self._findings() if each.section is section]
+            if findings:
+                self._rows.append(partial(_heading, words.section(section)))
+            self._rows += [partial(_row, each, words) for each in findings]
+        column = QWidget()
+        layout = QVBoxLayout(column)
+        layout.setContentsMargins(0, 0, _GAP_PX, 0)
+        layout.setSpacing(_GAP_PX)
+        layout.addStretch(1)
+        self._column = layout
+        self._add_rows()
+        column.setAutoFillBackground(False)
+        self._area.setWidget(column)
+        self._area.viewport().setAutoFillBackground(False)
+
+    def _add_rows(self) -> None:
+        """Some rows at a time: many at once would hold up the window, and the stop with it."""
+        now, self._rows = self._rows[:_AT_ONCE], self._rows[_AT_ONCE:]
+        for make in now:
+            self._column.insertWidget(self._column.count() - 1, make())
+        if self._rows:
+            QTimer.singleShot(0, self, self._add_rows)
+
+    # The end ----------------------------------------------------------------------------------
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Nobody waits for an examination any more."""
+        self._end()
+        self._refresh()
+        super().closeEvent(event)
+
+    def reject(self) -> None:
+        """Escape does the same."""
+        self._end()
+        super().reject()
+
+    def _end(self) -> None:
+        self._number += 1
+        if self._under_way is not None:
+            self._under_way.end()
+            self._under_way = None
+
+
+def _heading(text: str) -> QWidget:
+    label = QLabel(text)
+    label.setProperty("rank", "muted")
+    return label
+
+
+def _row(finding: Finding, words: Words) -> QWidget:
+    return FindingRow(finding, words.text(finding), words.mark(finding.severity))

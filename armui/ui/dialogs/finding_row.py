@@ -1,0 +1,90 @@
+"""One finding of the diagnosis: how grave, what, and the commands that mend it, to be copied."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Final
+
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QFontDatabase, QGuiApplication
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
+
+from armui.doctor.finding import Finding, Severity
+from armui.ui.theme import colors_of
+from armui.ui.widgets import icons
+
+_ICON_PX: Final = 18
+_GAP_PX: Final = 10
+
+
+class FindingRow(QWidget):
+    """Shows a finding.
+
+    Args:
+        finding: What was found.
+        text: The same in words.
+        mark: How grave it is, in a word: for those who do not see the colour.
+    """
+
+    def __init__(
+        self, finding: Finding, text: str, mark: str, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._level = finding.severity
+        self._icon = QLabel()
+        self._icon.setFixedWidth(_ICON_PX)
+        self._icon.setToolTip(mark)
+        label = QLabel(text)
+        label.setTextFormat(Qt.TextFormat.PlainText)
+        label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        label.setWordWrap(True)
+        label.setAccessibleName(f"{mark} {text}")
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setHorizontalSpacing(_GAP_PX)
+        grid.setVerticalSpacing(4)
+        grid.setColumnStretch(1, 1)
+        grid.addWidget(self._icon, 0, 0, Qt.AlignmentFlag.AlignTop)
+        grid.addWidget(label, 0, 1)
+        self.copy_buttons: list[QPushButton] = []
+        for row, command in enumerate(finding.commands, 1):
+            grid.addLayout(self._command(command), row, 1)
+        self._draw_icon()
+
+    def _command(self, command: str) -> QHBoxLayout:
+        field = QLineEdit(command)
+        field.setReadOnly(True)
+        field.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
+        field.setCursorPosition(0)
+        field.setToolTip(command)
+        field.setAccessibleName(command)
+        button = QPushButton(self.tr("Copy"))
+        button.setObjectName("copy_command")
+        button.setAutoDefault(False)
+        button.clicked.connect(partial(_copy, command))
+        self.copy_buttons.append(button)
+        line = QHBoxLayout()
+        line.setSpacing(8)
+        line.addWidget(field, 1)
+        line.addWidget(button)
+        return line
+
+    def _draw_icon(self) -> None:
+        colors = colors_of(self)
+        name, ink = {
+            Severity.OK: ("info", colors.ok),
+            Severity.NOTE: ("info", colors.accent),
+            Severity.WARNING: ("warning", colors.warn),
+            Severity.FAULT: ("warning", colors.stop),
+        }[self._level]
+        self._icon.setPixmap(icons.pixmap(name, ink, _ICON_PX, self.devicePixelRatioF()))
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the colours."""
+        if event.type() == QEvent.Type.PaletteChange:
+            self._draw_icon()
+        super().changeEvent(event)
+
+
+def _copy(command: str) -> None:
+    QGuiApplication.clipboard().setText(command)

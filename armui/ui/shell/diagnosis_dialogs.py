@@ -1,0 +1,64 @@
+"""The windows that tell what is wrong, and which arm this is; made when they are first opened."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QWidget
+
+from armui.ui.background import Background
+from armui.ui.dialogs.online_since import OnlineSince
+
+if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
+    from armui.arm.device import Device
+    from armui.control.arm_controller import ArmController
+    from armui.ui.dialogs.about_arm import AboutArmDialog
+    from armui.ui.dialogs.doctor import DoctorDialog
+
+
+class DiagnosisDialogs:
+    """Opens them.
+
+    Args:
+        controller: Who knows the arm.
+        files: Who does what waits for the operating system.
+        window: The main window.
+    """
+
+    def __init__(self, controller: ArmController, files: Executor, window: QWidget) -> None:
+        self._controller = controller
+        self._files = files
+        self._window = window
+        self._online = OnlineSince(controller, window)
+        self._doctor: DoctorDialog | None = None
+        self._about_arm: AboutArmDialog | None = None
+
+    def open_doctor(self, device: Device | None = None) -> None:
+        """Show what is wrong with this computer, the bus and the arm.
+
+        Args:
+            device: The one that could not be connected; all of them by default.
+        """
+        from armui.ui.dialogs.doctor import DoctorDialog  # noqa: PLC0415 - faster start
+
+        if self._doctor is None:
+            self._doctor = DoctorDialog(self._controller, self._window)
+        self._doctor.examine_device(device)
+
+    def open_about_arm(self) -> None:
+        """Show which arm this is, and by which way it is reached."""
+        from armui.ui.dialogs.about_arm import AboutArmDialog  # noqa: PLC0415 - faster start
+
+        if self._about_arm is None:
+            background = Background(self._files, parent=self._window)
+            self._about_arm = AboutArmDialog(
+                self._controller, self._online, background, self._window
+            )
+        self._about_arm.open()
+
+    def close(self) -> None:
+        """The program ends: nobody waits for an examination any more."""
+        if self._doctor is not None:
+            self._doctor.close()

@@ -1,0 +1,324 @@
+"""What the authority is told of the link, and what the operator is told of the authority."""
+
+from __future__ import annotations
+
+from typing import Any, cast
+
+import pytest
+
+from armui.arm.other_hosts import OtherHosts
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.arm.state import ArmState, Reading
+from armui.control.authority import Authority
+from armui.control.authority_watch import AuthorityWatch
+from armui.control.events import EventCode
+from armui.control.link.offsets import OffsetFollower
+from armui.control.motion.motion_command import CommandKind, End, Mover
+from armui.control.operating_state import LinkState
+from armui.protocol.addressing import Addressing
+from armui.protocol.codes import MoveMode
+from tests.control.heard_arm import DRIVER, HERE, status
+from tests.moments import now
+from tests.ui.arm_states import heard_six
+
+BEGIN_S = 0.25
+STEP_S = 0.015625
+LEADER = (0x151, 0x155, 0x156, 0x157, 0x159)
+
+
+class Connection:
+    """Stands for the way to an arm that is heard without a pause."""
+
+    def __init__(self, program) -> None:
+        self._program = program
+        self.device: object | None = object()
+        self.offsets = OffsetFollower()
+        self.link = LinkState.ONLINE
+        self.idle = True
+        self.hosts = OtherHosts()
+        self.joints_deg = HERE
+        self.status = status()
+        self.voided: list[int] = []
+
+    @property
+    def newest(self) -> ArmState:
+        now_s = self._program.now_s
+        return ArmState(
+            status=Reading(self.status, now_s),
+            joints_deg=heard_six(self.joints_deg, now_s),
+            drivers_slow=(Reading(DRIVER, now_s),) * 6,
+        )
+
+    @property
+    def traffic(self):
+        return self.hosts.traffic()
+
+    def void(self, number: int) -> None:
+        self.voided.append(number)
+
+
+class Program:
+    """An `AuthorityWatch` and what came of it.
+
+    Attributes:
+        told: Code and figures of each notice.
+        ended: The reasons for which our motion was ended.
+    """
+
+    def __init__(self) -> None:
+        self.now_s = BEGIN_S
+        self.told: list[tuple[EventCode, dict[str, Any]]] = []
+        self.ended: list[Refusal] = []
+        self.authority = Authority()
+        self.connection = Connection(self)
+        self.watch = AuthorityWatch(
+            self.authority, cast("Any", self.connection), self._tell, self.ended.append
+        )
+        self.wait(0.5)
+
+    def _tell(self, code, **params) -> None:
+        self.told.append((code, params))
+
+    def wait(self, seconds: float, deg: float = 0.0) -> None:
+        """Advance every 1/64 s while joint 1 turns so far each time."""
+        end_s = self.now_s + seconds
+        while self.now_s < end_s:
+            self.now_s += STEP_S
+            joints_deg = self.connection.joints_deg
+            self.connection.joints_deg = (joints_deg[0] + deg, *joints_deg[1:])
+            self.watch.advance(self.now_s)
+
+    def other(self, *identifiers: int) -> None:
+        """Another host sends frames now."""
+        for each in identifiers:
+            self.connection.hosts.note(each, bytes(8), self.now_s)
+
+    def send(self, percent: int = 30):
+        """A command of ours."""
+        return self.authority.begin(
+            CommandKind.JOINTS,
+            now_s=self.now_s,
+            move_mode=MoveMode.MOVE_J,
+            speed_percent=percent,
+            joints_deg=HERE,
+        )
+
+    @property
+    def codes(self) -> list[EventCode]:
+        """The codes of the notices."""
+        return [code for code, _ in self.told]
+
+
+@pytest.fixture
+def program():
+    return Program()
+
+
+# What the authority is told -----------------------------------------------------------------------
+
+
+def test_it_hears_the_arm(program):
+    assert now(program.authority.mover) is Mover.NOBODY
+    program.connection.link = LinkState.OFFLINE
+    program.wait(STEP_S)
+    assert program.authority.mover is Mover.UNKNOWN
+
+
+def test_without_a_device_nothing_is_heard(program):
+    program.connection.device = None
+    program.connection.link = LinkState.NO_DEVICE
+    program.watch.observe(program.now_s)
+    assert now(program.authority.mover) is Mover.NOBODY
+
+
+def test_frames_that_have_not_left_are_about_to_move_the_arm(program):
+    command = program.send()
+    program.wait(0.5)
+    assert program.authority.command.sent_s == command.sent_s
+    program.connection.idle = False
+    program.wait(STEP_S)
+    assert program.authority.command.sent_s == program.now_s
+
+
+@pytest.mark.parametrize(
+    ("own", "certain", "identifier", "counts"),
+    [
+        (0x00, True, 0x155, True),
+        (0x00, True, 0x165, False),
+        (0x10, True, 0x165, True),
+        (0x10, True, 0x155, False),
+        (0x10, False, 0x155, True),
+        (0x10, False, 0x175, True),
+    ],
+)
+def test_whose_frames_move_the_arm(program, own, certain, identifier, counts):
+    program.connection.offsets.addressing = Addressing(0x00, own)
+    program.connection.offsets.control_known = certain
+    program.other(identifier)
+    program.wait(STEP_S)
+    assert program.authority.other.commands is counts
+
+
+def test_what_waits_is_voided_when_a_command_has_ended_and_only_then(program):
+    assert program.connection.voided == []
+    command = program.send()
+    program.wait(STEP_S)
+    assert program.connection.voided == [command.number]
+    program.wait(0.1)
+    assert len(program.connection.voided) == 1
+    program.other(0x155)
+    program.wait(0.1)
+    assert program.authority.ended is End.OTHER_HOST
+    assert program.connection.voided == [command.number, program.authority.number]
+    assert program.authority.number > command.number
+
+
+# What the operator is told ------------------------------------------------------------------------
+
+
+def test_another_host_is_named_a_tenth_of_a_second_later_and_when_it_is_gone(program):
+    program.other(0x155, 0x151)
+    program.wait(0.09375)
+    assert program.told == []
+    program.wait(STEP_S)
+    assert program.told == [(EventCode.OTHER_HOST_MOVES, {"frames": "0x151, 0x155"})]
+    program.wait(1.5)
+    assert len(program.told) == 1
+    program.wait(0.5)
+    assert program.codes == [EventCode.OTHER_HOST_MOVES, EventCode.OTHER_HOST_GONE]
+
+
+def test_a_leader_is_named_as_one(program):
+    for _ in range(12):
+        program.other(*LEADER)
+        program.wait(STEP_S)
+    assert program.codes == [EventCode.LEADER_ARM_MOVES]
+
+
+def test_the_same_host_beginning_anew_is_named_at_once(program):
+    """It is known by then; a take-over ends what the operator was told of."""
+    program.other(0x155)
+    program.wait(0.6)
+    assert program.watch.take_over(program.now_s) is None
+    program.wait(STEP_S)
+    assert program.codes == [
+        EventCode.OTHER_HOST_MOVES,
+        EventCode.TAKEN_OVER,
+        EventCode.OTHER_HOST_GONE,
+    ]
+    program.other(0x155)
+    program.wait(0.125)
+    assert program.codes[3:] == [EventCode.OTHER_HOST_MOVES]
+
+
+def test_a_stream_is_not_taken_over(program):
+    program.other(0x155)
+    program.wait(0.25)
+    refusal = program.watch.take_over(program.now_s)
+    assert refusal.code == RefusalCode.OTHER_HOST_STREAMS
+    assert EventCode.TAKEN_OVER not in program.codes
+
+
+def test_a_frame_heard_just_before_a_take_over_counts(program):
+    program.other(0x155)
+    program.wait(0.6)
+    program.other(0x155)
+    assert program.watch.take_over(program.now_s).code == RefusalCode.OTHER_HOST_STREAMS
+
+
+def test_a_cancel_that_is_not_heeded_is_told_once(program):
+    for count in (1, 2):
+        program.authority.cancelled(program.now_s)
+        program.wait(1.5, deg=1.0)
+        assert program.codes == [EventCode.CANCEL_UNHEEDED] * count
+        program.wait(1.0)
+
+
+def test_a_motion_that_is_far_too_fast_is_ended_and_told(program):
+    program.connection.status = status(reached=False)
+    program.send(5)
+    program.wait(0.25, deg=1.0)
+    assert {each.code for each in program.ended} == {RefusalCode.TOO_FAST}
+    code, params = program.told[0]
+    assert code == EventCode.MOTION_TOO_FAST
+    assert params == {"reason": program.ended[0]}
+
+
+def test_a_motion_at_its_speed_is_left_alone(program):
+    program.connection.status = status(reached=False)
+    program.send(100)
+    program.wait(0.25, deg=1.0)
+    assert program.ended == []
+    assert program.told == []
+
+
+# Who it is ----------------------------------------------------------------------------------------
+
+
+def test_nobody_else_is_not_reported(program):
+    assert program.watch.report() is None
+
+
+def test_another_host_is_reported_while_it_stands_against_a_motion(program):
+    for _ in range(7):
+        program.other(0x155)
+        program.wait(STEP_S)
+    report = program.watch.report()
+    assert report.frames == "0x155"
+    assert report.rate_hz == 60
+    assert report.reason.code == RefusalCode.OTHER_HOST
+    assert report.may_be_taken_over is False
+    program.wait(0.6)
+    later = program.watch.report()
+    assert later.may_be_taken_over is True
+    assert later.since is report.since
+    program.wait(2.0)
+    assert program.watch.report() is None
+
+
+@pytest.mark.parametrize("between", ["gone", "forgotten", "taken over"])
+def test_the_next_one_has_a_time_of_its_own(program, between):
+    program.other(0x155)
+    program.wait(0.6)
+    first = program.watch.report().since
+    if between == "gone":
+        program.wait(2.0)
+        assert program.watch.report() is None
+    elif between == "forgotten":
+        program.watch.forget()
+    else:
+        assert program.watch.take_over(program.now_s) is None
+    program.other(0x155)
+    program.wait(STEP_S)
+    assert program.watch.report().since is not first
+
+
+def test_a_mode_without_frames_is_reported_too(program):
+    program.connection.status = status(move_mode=MoveMode.MOVE_M)
+    program.wait(STEP_S)
+    report = program.watch.report()
+    assert report.reason.code == RefusalCode.OTHER_MODE
+    assert report.since is program.watch.report().since
+    program.connection.status = status()
+    program.wait(STEP_S)
+    assert program.watch.report() is None
+    program.connection.status = status(move_mode=MoveMode.MOVE_M)
+    program.wait(STEP_S)
+    assert program.watch.report().since is not report.since
+
+
+def test_over_another_connection_it_is_told_anew(program):
+    program.other(0x155)
+    program.wait(0.2)
+    program.watch.forget()
+    program.wait(STEP_S)
+    assert program.codes == [EventCode.OTHER_HOST_MOVES] * 2
+
+
+def test_over_another_connection_a_cancel_is_told_anew(program):
+    program.authority.cancelled(program.now_s)
+    program.wait(1.5, deg=1.0)
+    program.watch.forget()
+    program.wait(STEP_S, deg=1.0)
+    assert program.codes == [EventCode.CANCEL_UNHEEDED] * 2

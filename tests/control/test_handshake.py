@@ -1,0 +1,232 @@
+"""What the program asks an arm when it comes online: its generation and its limits."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from armui.arm.limits import FACTORY_LIMITS
+from armui.arm.state import ArmState, Reading
+from armui.control.link.handshake import Handshake, HandshakePhase
+from armui.protocol.addressing import Addressing
+from armui.protocol.codec import Codec
+from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
+from tests.moments import now
+from tests.ui.arm_states import heard_six
+
+BEGIN_S = 0.25
+STEP_S = 0.015625
+VERSION = Frame(0x4AF, bytes.fromhex("01 00 00 00 00 00 00 00"))
+NOTHING = ArmState()
+ALL_LIMITS = replace(
+    NOTHING,
+    limits=heard_six(FACTORY_LIMITS, BEGIN_S),
+    accelerations_deg_s2=(Reading(286.5, BEGIN_S),) * 6,
+)
+
+
+def questions(*joints):
+    """0x472: the joint, 1 for its limits or 2 for its acceleration."""
+    return [
+        Frame(0x472, bytes([joint, kind, 0, 0, 0, 0, 0, 0])) for joint in joints for kind in (1, 2)
+    ]
+
+
+class Wire:
+    """Stands for the bus thread."""
+
+    def __init__(self) -> None:
+        self.sent: list[Frame] = []
+        self.codecs: list[Codec] = []
+        self.may_send = True
+
+    def send(self, frames) -> bool:
+        self.sent.extend(frames)
+        return self.may_send
+
+    def use_codec(self, codec) -> None:
+        self.codecs.append(codec)
+
+    def take(self) -> list[Frame]:
+        """What was sent since this was asked last."""
+        sent, self.sent = self.sent, []
+        return sent
+
+
+class Talk:
+    """A handshake and the wire, moment by moment."""
+
+    def __init__(self, addressing: Addressing | None = None) -> None:
+        self.wire = Wire()
+        self.now_s = BEGIN_S
+        more = [] if addressing is None else [addressing]
+        self.handshake = Handshake(self.wire, self.now_s, *more)
+
+    def wait(self, seconds: float, state: ArmState = NOTHING) -> None:
+        """Advance every 1/64 s."""
+        end_s = self.now_s + seconds
+        while self.now_s < end_s:
+            self.now_s += STEP_S
+            self.handshake.advance(state, self.now_s)
+
+    def settle(self) -> None:
+        """The arm names its version."""
+        self.wait(STEP_S, replace(NOTHING, firmware="S-V1.8-8"))
+        self.wire.take()
+
+
+@pytest.fixture
+def talk():
+    return Talk()
+
+
+def test_it_begins_with_nothing_heard_in_the_newer_generation(talk):
+    (codec,) = talk.wire.codecs
+    assert codec is talk.handshake.codec
+    assert codec.generation is Generation.TWO
+    assert codec.addressing == Addressing()
+    assert talk.wire.sent == []
+    assert now(talk.handshake.generation) is None
+    assert talk.handshake.firmware is None
+    assert talk.handshake.phase is HandshakePhase.GENERATION
+    assert not talk.handshake.done
+
+
+def test_a_version_settles_generation_2(talk):
+    talk.wait(STEP_S)
+    assert talk.wire.take() == [VERSION]
+    talk.wait(STEP_S, replace(NOTHING, firmware="S-V1.8-8"))
+    assert talk.handshake.generation is Generation.TWO
+    assert talk.handshake.firmware == "S-V1.8-8"
+    assert talk.handshake.phase is HandshakePhase.LIMITS
+    assert len(talk.wire.codecs) == 1
+
+
+def test_the_question_is_asked_at_once_and_once_again_after_half_a_second(talk):
+    talk.handshake.advance(NOTHING, BEGIN_S)
+    assert talk.wire.take() == [VERSION]
+    talk.wait(0.484375)
+    assert talk.wire.take() == []
+    talk.wait(STEP_S)
+    assert talk.wire.take() == [VERSION]
+    talk.wait(0.484375)
+    assert talk.wire.take() == []
+    assert now(talk.handshake.generation) is None
+
+
+def test_an_arm_that_is_asked_and_does_not_answer_is_of_generation_1(talk):
+    offsets = Addressing(0x10, 0x20)
+    talk = Talk(offsets)
+    talk.wait(1.0)
+    assert now(talk.handshake.generation) is None
+    talk.wait(STEP_S, replace(NOTHING, frames=10_000))  # its pace says nothing
+    assert talk.handshake.generation is Generation.ONE
+    assert talk.handshake.firmware is None
+    assert talk.handshake.phase is HandshakePhase.LIMITS
+    first, second = talk.wire.codecs
+    assert (first.generation, second.generation) == (Generation.TWO, Generation.ONE)
+    assert first.addressing == second.addressing == offsets
+    assert talk.handshake.codec is second
+
+
+def test_an_answer_that_cannot_be_read_is_of_generation_2_all_the_same(talk):
+    talk.wait(1.0, replace(NOTHING, version_heard_s=BEGIN_S + 0.1))
+    assert now(talk.handshake.generation) is None
+    talk.wait(STEP_S, replace(NOTHING, version_heard_s=BEGIN_S + 0.1))
+    assert talk.handshake.generation is Generation.TWO
+    assert talk.handshake.firmware is None
+    assert len(talk.wire.codecs) == 1
+
+
+@pytest.mark.parametrize(
+    ("per_s", "generation"), [(1500.0, Generation.ONE), (1600.0, Generation.TWO)]
+)
+def test_an_arm_that_may_not_be_asked_is_told_by_its_pace(talk, per_s, generation):
+    talk.wire.may_send = False
+    talk.wait(1.0)
+    talk.now_s += 3.0
+    heard = round(per_s * (talk.now_s + STEP_S - BEGIN_S))
+    talk.wait(STEP_S, replace(NOTHING, frames=heard))
+    assert talk.handshake.generation is generation
+
+
+@pytest.mark.parametrize("asked", [(True, False), (False, True)])
+def test_an_arm_that_was_asked_once_is_not_told_by_its_pace(talk, asked):
+    talk.wire.may_send = asked[0]
+    talk.wait(0.25)
+    talk.wire.may_send = asked[1]
+    talk.wait(1.0, replace(NOTHING, frames=10_000))
+    assert talk.handshake.generation is Generation.ONE
+
+
+# Its limits ---------------------------------------------------------------------------------------
+
+
+def test_the_limits_of_all_joints_are_asked_for(talk):
+    talk.settle()
+    talk.handshake.advance(NOTHING, talk.now_s)
+    assert talk.wire.take() == questions(1, 2, 3, 4, 5, 6)
+    assert not talk.handshake.done
+
+
+def test_they_are_asked_for_as_soon_as_the_version_is_known(talk):
+    talk.wait(STEP_S)
+    talk.settle()
+    talk.wait(STEP_S)
+    assert talk.wire.take() == questions(1, 2, 3, 4, 5, 6)
+
+
+def test_what_is_missing_is_asked_for_again_after_a_fifth_of_a_second(talk):
+    talk.settle()
+    some = replace(ALL_LIMITS, limits=(*ALL_LIMITS.limits[:4], None, ALL_LIMITS.limits[5]))
+    talk.wait(STEP_S, some)
+    assert talk.wire.take() == questions(5)
+    talk.wait(0.1875, some)
+    assert talk.wire.take() == []
+    talk.wait(STEP_S, some)
+    assert talk.wire.take() == questions(5)
+
+
+def test_a_further_question_after_exactly_a_fifth_of_a_second():
+    talk = Talk()
+    talk.handshake = Handshake(talk.wire, 0.0)
+    talk.handshake.advance(replace(NOTHING, firmware="S-V1.8-8"), 0.0)
+    talk.handshake.advance(NOTHING, 0.0)
+    talk.wire.take()
+    talk.handshake.advance(NOTHING, 0.2)
+    assert talk.wire.take() == questions(1, 2, 3, 4, 5, 6)
+
+
+def test_it_is_done_when_they_are_all_read(talk):
+    talk.settle()
+    talk.wait(STEP_S)
+    talk.wire.take()
+    talk.wait(STEP_S, ALL_LIMITS)
+    assert talk.handshake.done
+    assert talk.handshake.phase is HandshakePhase.DONE
+    talk.wait(2.0)
+    assert talk.wire.take() == []
+
+
+def test_limits_that_are_known_already_are_not_asked_for(talk):
+    talk.settle()
+    talk.wait(STEP_S, ALL_LIMITS)
+    assert talk.handshake.done
+    assert talk.wire.take() == []
+
+
+@pytest.mark.parametrize(
+    ("version", "after_s"), [(None, 1.0 + STEP_S), ("S-V1.8-8", STEP_S)], ids=["gen1", "gen2"]
+)
+def test_after_five_questions_it_is_done_with_what_was_read(talk, version, after_s):
+    talk.wait(after_s, replace(NOTHING, firmware=version))
+    talk.wire.take()
+    talk.wait(0.25 * 4)
+    asked = len(talk.wire.sent) // 12
+    assert asked == 5
+    assert not talk.handshake.done
+    talk.wait(0.25)
+    assert talk.handshake.done
+    assert len(talk.wire.sent) // 12 == 5

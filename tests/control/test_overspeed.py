@@ -1,0 +1,169 @@
+"""When a motion of ours is measured to be faster than the speed shown."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from armui.arm.limits import JointLimits
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.arm.state import ArmState, Reading
+from armui.control.safety.overspeed import OverspeedWatch
+from tests.ui.arm_states import heard_six
+
+BEGIN_S = 0.25
+STEP_S = 0.015625
+"""Times are sums of powers of two, so that the arithmetic of the limits is exact."""
+
+LIMITS = JointLimits(-180.0, 180.0, 100.0)
+PERCENT = 20
+"""20 % of 100 °/s is 20 °/s; half again and 2 °/s of slack make 32 °/s."""
+
+
+class Motion:
+    """Joints that turn at a speed, and the watch."""
+
+    def __init__(self, limits: JointLimits | None = LIMITS) -> None:
+        self.watch = OverspeedWatch()
+        self.now_s = BEGIN_S
+        self.angles_deg = [0.0] * 6
+        self.limits = (None if limits is None else Reading(limits, BEGIN_S),) * 6
+        self.refusal: Refusal | None = None
+
+    def state(self) -> ArmState:
+        """The arm as heard now."""
+        heard = heard_six(self.angles_deg, self.now_s)
+        return ArmState(joints_deg=heard, limits=self.limits)
+
+    def turn(self, speed_deg_s: float, steps: int, joint: int = 1, percent: int | None = PERCENT):
+        """Measure so many times, each 1/64 s after the last; what is said at the end."""
+        for _ in range(steps):
+            self.refusal = self.watch.observe(self.state(), percent)
+            self.now_s += STEP_S
+            self.angles_deg[joint - 1] += speed_deg_s * STEP_S
+        return self.refusal
+
+
+@pytest.fixture
+def motion():
+    return Motion()
+
+
+@pytest.mark.parametrize("joint", range(1, 7))
+@pytest.mark.parametrize("direction", [1, -1])
+def test_the_joint_its_speed_and_the_speed_shown_are_named(motion, joint, direction):
+    refusal = motion.turn(direction * 40.25, 9, joint)
+    assert refusal.code == RefusalCode.TOO_FAST
+    assert refusal.params == {"joint": joint, "value": 40.2, "maximum": 20.0}
+
+
+@pytest.mark.parametrize(("speed_deg_s", "too_fast"), [(32.0, False), (32.5, True)])
+def test_half_again_and_two_degrees_a_second_of_slack_are_allowed(motion, speed_deg_s, too_fast):
+    assert (motion.turn(speed_deg_s, 20) is not None) is too_fast
+
+
+@pytest.mark.parametrize(("speed_deg_s", "too_fast"), [(1.5, False), (2.5, True)])
+def test_of_a_motion_at_zero_percent_only_the_slack_is_allowed(motion, speed_deg_s, too_fast):
+    assert (motion.turn(speed_deg_s, 20, percent=0) is not None) is too_fast
+
+
+def test_it_takes_a_tenth_of_a_second(motion):
+    assert motion.turn(50.0, 7) is None  # 6/64 s
+    assert motion.turn(50.0, 1) is not None  # 7/64 s
+
+
+def test_a_jolt_within_the_tenth_of_a_second_is_none(motion):
+    motion.turn(0.0, 10)
+    assert motion.turn(40.0, 3) is None
+    assert motion.turn(0.0, 20) is None
+
+
+def test_only_the_last_tenth_of_a_second_counts(motion):
+    motion.turn(0.0, 60)
+    assert motion.turn(50.0, 9) is not None
+
+
+def test_a_motion_that_was_too_fast_and_is_not_any_more(motion):
+    assert motion.turn(50.0, 9) is not None
+    assert motion.turn(10.0, 20) is None
+
+
+@pytest.mark.parametrize(("later_deg_s", "too_fast"), [(38.75, True), (36.0, False)])
+def test_a_joint_that_brakes_is_on_its_way_to_the_speed_it_was_told(motion, later_deg_s, too_fast):
+    """Of 40 °/s 95 % are 38 °/s."""
+    motion.turn(40.0, 4)
+    assert (motion.turn(later_deg_s, 5) is not None) is too_fast
+
+
+def test_a_joint_that_gets_faster_is_not_braking(motion):
+    motion.turn(34.0, 4)
+    assert motion.turn(60.0, 5) is not None
+
+
+@pytest.mark.parametrize(
+    ("limits", "shown"),
+    [
+        (LIMITS, 20.0),
+        (None, 34.4),
+        (JointLimits(-180.0, 180.0, 6553.5), 34.4),
+        (JointLimits(-180.0, 180.0, 0.0), 34.4),
+    ],
+    ids=["read", "not read", "0xFFFF", "0"],
+)
+def test_limits_that_cannot_be_true_are_the_factorys(limits, shown):
+    """The factory's highest speed is 171.9 °/s."""
+    assert Motion(limits).turn(100.0, 9).params["maximum"] == shown
+
+
+def test_nothing_is_compared_without_a_speed_shown(motion):
+    assert motion.turn(100.0, 20, percent=None) is None
+    assert motion.turn(100.0, 7) is None  # what was measured before is not of this motion
+    assert motion.turn(100.0, 1) is not None
+
+
+def test_another_speed_shown_begins_anew(motion):
+    motion.turn(100.0, 7)
+    motion.watch.restart()
+    assert motion.turn(100.0, 7) is None
+    assert motion.turn(100.0, 1) is not None
+
+
+@pytest.mark.parametrize("index", [0, 5])
+def test_angles_that_are_not_all_known_are_none(motion, index):
+    motion.turn(100.0, 7)
+    state = motion.state()
+    some = (*state.joints_deg[:index], None, *state.joints_deg[index + 1 :])
+    assert motion.watch.observe(replace(state, joints_deg=some), PERCENT) is None
+    assert motion.watch.observe(state, PERCENT) is None
+    assert motion.turn(100.0, 7) is None
+
+
+def test_the_same_angles_seen_again_are_measured_once(motion):
+    motion.turn(50.0, 7)
+    state = motion.state()
+    first = motion.watch.observe(state, PERCENT)
+    again = [motion.watch.observe(state, PERCENT) for _ in range(20)]
+    assert first is not None
+    assert again == [first] * 20
+
+
+def test_a_measurement_is_complete_with_its_last_frame(motion):
+    """0x2A7 comes last: until then the new angles of other joints have no time of their own."""
+    motion.turn(30.0, 8)
+    newer = motion.now_s
+    last = Reading(0.0, float(str(newer - STEP_S)))
+    early = (Reading(motion.angles_deg[0] + 2.0, newer), *(Reading(0.0, newer),) * 3, last, last)
+    state = replace(motion.state(), joints_deg=early)
+    assert [motion.watch.observe(state, PERCENT) for _ in range(3)] == [None] * 3
+
+
+def test_a_long_gap_between_two_measurements_is_judged_by_what_lies_between(motion):
+    motion.turn(0.0, 1)
+    motion.now_s += 1.0
+    motion.angles_deg[0] = 20.0
+    assert motion.turn(0.0, 1) is None  # 20 °/s
+    motion.now_s += 1.0
+    motion.angles_deg[0] = 90.0
+    assert motion.turn(0.0, 1).params["value"] > 60.0

@@ -1,0 +1,121 @@
+"""What the probes make of what this computer shows."""
+
+from __future__ import annotations
+
+import json
+import sys
+
+import pytest
+
+from armui.doctor.probes.can_devices import links_of, usb_adapters
+from armui.doctor.probes.program import look_at_program, satisfies
+from armui.doctor.probes.screen import look_at_screen, missing_libraries
+
+# ip -details -statistics -json link show, iproute2 6.1, abridged
+IP = [
+    {"ifname": "lo", "flags": ["LOOPBACK", "UP"], "link_type": "loopback"},
+    {
+        "ifname": "can0", "flags": ["NOARP", "UP", "LOWER_UP", "ECHO"], "link_type": "can",
+        "operstate": "UP",
+        "linkinfo": {
+            "info_kind": "can",
+            "info_data": {
+                "ctrlmode": ["LISTEN-ONLY"], "state": "ERROR-PASSIVE",
+                "berr_counter": {"tx": 128, "rx": 3}, "restart_ms": 100,
+                "bittiming": {"bitrate": 500000, "sample_point": "0.875"}, "clock": 48000000,
+            },
+            "info_xstats": {"restarts": 0, "bus_error": 0, "bus_off": 2},
+        },
+        "stats64": {"rx": {"packets": 10, "dropped": 4}, "tx": {"packets": 0, "dropped": 0}},
+    },
+    {
+        "ifname": "can1", "flags": ["NOARP", "ECHO"], "link_type": "can", "operstate": "DOWN",
+        "linkinfo": {"info_kind": "can", "info_data": {"state": "STOPPED", "restart_ms": 0}},
+    },
+    {
+        "ifname": "vcan0", "flags": ["NOARP", "UP"], "link_type": "can",
+        "linkinfo": {"info_kind": "vcan"},
+    },
+]  # fmt: skip
+
+
+def test_interfaces_of_linux():
+    can0, can1, vcan0 = links_of(json.dumps(IP), {"can0": "0031002F"})
+    assert (can0.name, can0.kind, can0.up, can0.state) == ("can0", "can", True, "ERROR-PASSIVE")
+    assert (can0.bitrate, can0.listen_only, can0.restart_ms) == (500_000, True, 100)
+    assert (can0.tx_errors, can0.rx_errors, can0.bus_offs, can0.dropped) == (128, 3, 2, 4)
+    assert can0.serial == "0031002F"
+    assert (can1.up, can1.bitrate, can1.tx_errors) == (False, None, None)
+    assert (vcan0.kind, vcan0.up, vcan0.bitrate) == ("vcan", True, None)
+
+
+@pytest.mark.parametrize("text", ["", "no json", "[]"])
+def test_an_ip_that_tells_nothing(text):
+    assert links_of(text, {}) == []
+
+
+def test_adapters_on_the_usb(tmp_path):
+    def device(name: str, **files: str):
+        folder = tmp_path / name
+        folder.mkdir()
+        for each, text in files.items():
+            (folder / each).write_text(text + "\n")
+        return folder
+
+    device("1-1", idVendor="1d50", idProduct="606f", product="canable2", serial="0031")
+    served = device("1-2", idVendor="1d50", idProduct="606f")
+    (served / "1-2:1.0" / "net" / "can0").mkdir(parents=True)
+    device("1-3", idVendor="046d", idProduct="c52b", product="a mouse")
+    first, second = usb_adapters(tmp_path)
+    assert (first.name, first.serial, first.links) == ("canable2", "0031", ())
+    assert (second.serial, second.links) == (None, ("can0",))
+
+
+@pytest.mark.parametrize(
+    ("installed", "wanted", "does"),
+    [
+        ("2.4.1", ">=1.26", True),
+        ("1.25", ">=1.26", False),
+        ("6.11.1", ">=6.8,!=6.11.0,!=6.11.1,!=6.12.0", False),
+        ("6.11.3", ">=6.8,!=6.11.0,!=6.11.1,!=6.12.0", True),
+        ("4.5", ">=4.5.0", True),
+        ("45.1.0+local.7", ">=40", True),
+        ("1.4.9", "~=1.4", True),
+        ("2.0", "~=1.4", False),
+        ("3.0", "<3", False),
+        ("anything", "", True),
+    ],
+)
+def test_versions(installed, wanted, does):
+    assert satisfies(installed, wanted) is does
+
+
+def test_this_python_and_its_packages():
+    facts = look_at_program()
+    assert facts.executable == sys.executable
+    assert facts.python_suffices
+    by_name = {each.name.lower(): each for each in facts.packages}
+    assert by_name["numpy"].satisfied
+    assert by_name["pyside6-essentials"].installed is not None
+    assert by_name["gs-usb"].extra == "adapters"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows finds libraries in another way")
+def test_system_libraries_that_qt_wants_and_that_are_not_there(tmp_path, monkeypatch):
+    ldd = tmp_path / "ldd"
+    ldd.write_text(
+        "#!/bin/sh\necho '\tlibxcb-cursor.so.0 => not found'\n"
+        "echo '\tlibc.so.6 => /lib/libc.so.6 (0x1)'\necho '\tlibEGL.so.1 => not found'\n"
+    )
+    ldd.chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=":")
+    assert missing_libraries() == ["libxcb-cursor.so.0", "libEGL.so.1"]
+
+
+@pytest.mark.timeout(120)
+def test_this_screen():
+    """Whatever runs the tests has Qt, and draws off screen."""
+    facts = look_at_screen()
+    assert facts.qt is not None
+    assert facts.platform == "offscreen"
+    assert facts.has_display
