@@ -33,7 +33,9 @@ _SLOWEST_MS: Final = 500
 _VALUES_EVERY_S: Final = 0.25
 """So often for a look at the figures beside the names."""
 CURSORS: Final = 2
-_AT_ONCE_S: Final = 0.008
+_BREATH_MS: Final = 1
+"""With 0 the next piece of work would be done before the window system is asked for a press."""
+_AT_ONCE_S: Final = 0.004
 """So long plots are drawn before whatever else waits in the thread: a press, for one."""
 
 
@@ -142,7 +144,7 @@ class PlotBoard(QWidget):
             self._choose(place)
             self._area.ensureWidgetVisible(self.panes[place])
         elif place < len(self.plot_layout.plots):
-            QTimer.singleShot(0, self, lambda: self.reveal(place))
+            QTimer.singleShot(_BREATH_MS, self, lambda: self.reveal(place))
 
     def _after_change(self) -> None:
         self.frame.forget_plots()
@@ -179,7 +181,7 @@ class PlotBoard(QWidget):
             pane = self._new_pane(place, self.plot_layout.plots[place])
             self.panes.append(pane)
             self._stack.insertWidget(place, pane, 1)
-            QTimer.singleShot(0, self, self._build_next)
+            QTimer.singleShot(_BREATH_MS, self, self._build_next)
         self._choose(self.chosen)
         self.draw_soon()
 
@@ -342,7 +344,7 @@ class PlotBoard(QWidget):
             if pane in self.panes:
                 self._draw_pane(pane, self._picture_s)
             if self._waiting and time.perf_counter() - began_s > _AT_ONCE_S:
-                QTimer.singleShot(0, self, self._draw_some)
+                QTimer.singleShot(_BREATH_MS, self, self._draw_some)
                 return
 
     def draw(self, now_s: float) -> None:
