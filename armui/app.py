@@ -9,6 +9,7 @@ import signal
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -17,15 +18,15 @@ from PySide6.QtWidgets import QApplication
 
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.control.arm_controller import ArmController
-from armui.control.link.neighbours import Neighbours
 from armui.control.part_failure import end_motion_of
 from armui.protocol.generation import Generation
 from armui.settings import Choices, Settings, SettingsStore, default_path
 from armui.start import StartOptions
-from armui.system import failures, paths, preload
+from armui.system import failures, paths
 from armui.system.failures import Failure, FailureHandler
 from armui.system.helper_process import FileThread, HelperProcess
 from armui.system.log_file import log_to
+from armui.system.quick_start import begun
 from armui.ui.main_window import MainWindow
 from armui.ui.theme import Theme, apply_theme
 from armui.ui.translation import Translator
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
 
     import can
 
+    from armui.control.link.neighbours import Neighbours
     from armui.viewport.client import PictureClient
 
 _SWITCH_INTERVAL_S: Final = 0.0005
@@ -105,11 +107,17 @@ class Program:
         self._relay.failed.connect(self._on_failed)
         self._failure_handler = FailureHandler(self._relay.failed.emit)
         logging.getLogger("armui").addHandler(self._failure_handler)
-        self._neighbours = (
-            None if meeting_place is None else Neighbours(controller, store.path, meeting_place)
-        )
+        self._neighbours: Neighbours | None = None
+        if meeting_place is not None:
+            meet = partial(self._meet, store.path, meeting_place)
+            QTimer.singleShot(0, self._relay, meet)  # once the window stands
         for problem in store.problems:
             self.window.show_problem(problem)
+
+    def _meet(self, settings: Path, place: Path) -> None:
+        from armui.control.link.neighbours import Neighbours  # noqa: PLC0415 - faster start
+
+        self._neighbours = Neighbours(self.controller, settings, place)
 
     def shutdown(self) -> None:
         """End the motion and every thread.
@@ -179,6 +187,8 @@ def _run(options: StartOptions) -> int:
 
 def _preload_when_idle(app: QApplication) -> None:
     """Load the rest of the program while the operator has not asked for anything yet."""
+    from armui.system import preload  # noqa: PLC0415 - faster start
+
     left = preload.steps()
     timer = QTimer(app, interval=0)
     timer.timeout.connect(lambda: timer.stop() if next(left, None) is None else None)
@@ -191,7 +201,7 @@ def keep_from_collector() -> None:
     That would stop every thread, the stop's too, for tens of milliseconds at a time. The libraries
     of a first connection follow within seconds.
     """
-    gc.freeze()
+    begun()
     QTimer.singleShot(_CONNECTED_MS, gc.freeze)
 
 

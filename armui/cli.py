@@ -57,6 +57,9 @@ def _run_window(parser: argparse.ArgumentParser, options: argparse.Namespace) ->
             file=sys.stderr,
         )
         return 2
+    from armui.system.quick_start import begin_quickly  # noqa: PLC0415 - as below
+
+    begin_quickly()
     from armui import app  # noqa: PLC0415 - Qt is loaded only for the window
 
     return app.run(

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import contextlib
 import errno
-import hashlib
 import json
 import math
 import stat
@@ -20,7 +19,6 @@ from pathlib import Path
 from typing import Any, Final, Literal, TypedDict, Unpack, get_args
 
 import platformdirs
-from filelock import FileLock, Timeout
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -218,6 +216,8 @@ class SettingsStore:
 
     def _save(self, choices: Choices) -> Refusal | None:
         """Write what was chosen; what another program has written meanwhile stays."""
+        from filelock import FileLock, Timeout  # noqa: PLC0415 - faster start
+
         params = {"path": str(self._path)}
         try:
             with FileLock(_lock_path(self._path), timeout=_LOCK_S):
@@ -241,6 +241,8 @@ def _lock_path(path: Path) -> Path:
     """
     folder = paths.runtime()
     folder.mkdir(parents=True, exist_ok=True)
+    import hashlib  # noqa: PLC0415 - brings OpenSSL, faster start
+
     name = hashlib.sha256(str(path.absolute()).encode("utf-8", "surrogatepass")).hexdigest()[:16]
     return folder / f"settings-{name}.lock"
 

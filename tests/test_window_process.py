@@ -32,7 +32,7 @@ def main():
             self.watch.start()
 
         def look(self):
-            online = self.controller.situation.link is LinkState.ONLINE
+            online = self.controller.operating_state.link is LinkState.ONLINE
             if self.view._picture is None and online:
                 self.online_before = True
             if self.view.is_settled and online:

@@ -8,7 +8,7 @@ nothing.
 from __future__ import annotations
 
 import enum
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from types import MappingProxyType
@@ -236,13 +236,20 @@ def faults(state: ArmState, generation: Generation | None) -> list[tuple[int, It
     ]
 
 
-def worst(state: ArmState, generation: Generation | None) -> Worst:
+def worst(
+    state: ArmState, generation: Generation | None, faulty_items: Sequence[tuple[int, Item, Word]]
+) -> Worst:
     """The worst of the six states of an arm that is being heard.
 
     A fault stands until the arm itself has taken it back: a joint that falls silent with a fault
     still has it.
+
+    Args:
+        state: The arm as heard.
+        generation: Which protocol it speaks, once that is known.
+        faulty_items: Its :func:`faults`.
     """
-    faulty = tuple(dict.fromkeys(joint for joint, _item, _word in faults(state, generation)))
+    faulty = tuple(dict.fromkeys(joint for joint, _item, _word in faulty_items))
     if faulty:
         return Worst(StatusVerdict.FAULT, faulty)
     unknown = tuple(

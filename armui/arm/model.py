@@ -9,7 +9,7 @@ from armui.arm.limits import JointLimits
 
 if TYPE_CHECKING:
     from armui.arm.state import EndLimits
-    from armui.kinematics.kinematics import Kinematics
+    from armui.kinematics.arm_kinematics import Kinematics
 
 
 @dataclass(frozen=True, slots=True)

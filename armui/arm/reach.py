@@ -11,14 +11,15 @@ import numpy as np
 from armui.arm.limits import JointLimits, check_joints
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.kinematics.kinematics import Joints, Kinematics, Matrix, Pose, pose_to_matrix
-from armui.kinematics.tool_path import ToolPath, follow
+from armui.kinematics.arm_kinematics import Kinematics
+from armui.kinematics.follow import follow
+from armui.kinematics.poses import Joints, Matrix, Pose
+from armui.kinematics.singularity import fine_steps, leaps
+from armui.kinematics.tool_path import ToolPath
 
-_STEP_MM: Final = 2.0
-_STEP_DEG: Final = 0.5
+_FINE_STEPS: Final = 2.0
+"""Between two places that are looked at."""
 _FEWEST_STEPS: Final = 8
-_STEEPEST_DEG: Final = 10.0
-"""A joint that turns further from one place of a path to the next is at a singular pose."""
 
 
 def check_pose(
@@ -61,15 +62,15 @@ def check_path(
         start_deg: Where the joints are.
         limits: Of the six joints.
     """
-    joints = follow(kinematics, places(path), start_deg)
+    joints = follow(kinematics.geometry, places(path)[None], np.array([start_deg]))[0]
+    singular = leaps(joints, _FINE_STEPS)
     for index in range(1, len(joints)):
         gone_percent = round(100.0 * index / (len(joints) - 1))
-        here, before = joints[index], joints[index - 1]
+        here = joints[index]
         if np.isnan(here[0]):
             return Refusal(RefusalCode.PATH_OUT_OF_REACH, {"gone": gone_percent})
-        steps = np.abs(here - before)
-        if steps.max() > _STEEPEST_DEG:
-            joint = int(np.argmax(steps)) + 1
+        if singular[index - 1]:
+            joint = int(np.argmax(np.abs(here - joints[index - 1]))) + 1
             return Refusal(RefusalCode.PATH_SINGULAR, {"joint": joint, "gone": gone_percent})
         beyond = check_joints(here.tolist(), limits)
         if beyond is not None:
@@ -79,13 +80,5 @@ def check_path(
 
 def places(path: ToolPath) -> Matrix:
     """(n, 4, 4) transforms along a path, no further apart than 2 mm or 0.5°."""
-    steps = max(path.length_mm / _STEP_MM, path.angle_deg / _STEP_DEG, _FEWEST_STEPS)
+    steps = max(fine_steps(path.length_mm, path.angle_deg) / _FINE_STEPS, _FEWEST_STEPS)
     return path.poses(np.linspace(0.0, 1.0, math.ceil(steps) + 1))
-
-
-def apart(one: Pose, other: Pose) -> tuple[float, float]:
-    """How far two poses are from one another, in mm, and turned against one another, in degrees."""
-    first, second = pose_to_matrix(one), pose_to_matrix(other)
-    cosine = (float(np.trace(first[:3, :3].T @ second[:3, :3])) - 1.0) / 2.0
-    turned_deg = math.degrees(math.acos(min(1.0, max(-1.0, cosine))))
-    return math.dist(one[:3], other[:3]), turned_deg

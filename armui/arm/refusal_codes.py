@@ -77,6 +77,7 @@ class RefusalCode(StrEnum):
     HALT_LISTEN_ONLY = "halt_listen_only"
     HEADER_UNKNOWN = "header_unknown"
     HELD_AT_ZERO = "held_at_zero"
+    HOLD_UNATTENDED = "hold_unattended"  # seconds
     JOG_AT_LIMIT = "jog_at_limit"  # joint, limit
     JOG_HELD_UP = "jog_held_up"  # value
     JOG_NO_FEEDBACK = "jog_no_feedback"

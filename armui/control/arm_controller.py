@@ -17,8 +17,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.bus.link import BusReport
-from armui.control.assessment import assess
-from armui.control.assessment_inputs import assessment_inputs
+from armui.control.assessment_inputs import Assessor
 from armui.control.authority import Authority
 from armui.control.authority_watch import AuthorityWatch
 from armui.control.context import Context, ControllerPart
@@ -131,8 +130,17 @@ class ArmController(QObject):
         self._stop = Stopping(self._connection, self._notice, clock, self._halt_parts)
         authority = self._authority = Authority()
         self._watch = AuthorityWatch(authority, self._connection, self._notice, self._end_too_fast)
+        self._assessor = Assessor(self, self._connection, self._stop, self._watch, clock)
+        self._refresh = self._assessor.refresh
         context = self._context = Context(
-            self._connection, self._notice, clock, lambda: self._state, self._refresh, authority
+            self._connection,
+            self._notice,
+            clock,
+            lambda: self._state,
+            self._assessor.read,
+            self._assessor.refresh,
+            self._assessor.observe,
+            authority,
         )
         self.motion = Motion(context)
         self.cartesian = Cartesian(context, self.motion)
@@ -179,14 +187,17 @@ class ArmController(QObject):
             self.teaching,
             self.planned_motion,
             DroppedFrames(context),
-            self.recovery,  # the last: it looks at what the others are doing
         )
-        self._parts = Parts(parts, self._notice, lambda module: end_motion_of(self, [module]))
+        self._parts = Parts(
+            parts,
+            self._notice,
+            lambda module: end_motion_of(self, [module]),
+            last=self.recovery,
+        )
         self._link_watch = LinkWatch(self._connection, self._notice)
         self._was_stopped = False
         self._lets_finish = False
         self._state = ArmState()
-        self._operating_state = OperatingState(speed_percent=self.motion.speed_percent)
         self._timer = QTimer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.setInterval(_TICK_MS)
@@ -200,7 +211,7 @@ class ArmController(QObject):
     @property
     def operating_state(self) -> OperatingState:
         """What the operator can do now."""
-        return self._operating_state
+        return self._assessor.read()
 
     # Devices ----------------------------------------------------------------------------------
 
@@ -295,9 +306,11 @@ class ArmController(QObject):
         finally:
             self._follow_stop(now_s)  # a stop is repeated whatever else fails
         self._watch.advance(now_s)
+        self._assessor.assess()
         self._parts.advance()
         self._link_watch.follow_handshake(heard)
-        self._refresh()
+        self._assessor.assess()  # once more, with what the parts have begun and ended
+        self._parts.advance_last()
         if heard is not before:
             self.state_changed.emit(heard)
 
@@ -381,20 +394,3 @@ class ArmController(QObject):
         """The angles are counted anew: no place that was asked for before means the same."""
         self._authority.end(End.ZERO_CHANGED)
         self.player.drop()
-
-    def _refresh(self) -> OperatingState:
-        now_s = self._clock()
-        self._watch.observe(now_s)
-        around = assessment_inputs(
-            self,
-            self._connection,
-            self._stop,
-            authority=self._authority,
-            other_host=self._watch.report(),
-            now_s=now_s,
-        )
-        operating_state = assess(self._state, around, now_s)
-        if operating_state != self._operating_state:
-            self._operating_state = operating_state
-            self.operating_state_changed.emit(operating_state)
-        return self._operating_state

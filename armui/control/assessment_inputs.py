@@ -1,50 +1,94 @@
-"""What the controller's parts are doing, gathered for the assessment."""
+"""What the controller's parts are doing, gathered, and what the operator can do by it."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from armui.control.assessment import Activity, AssessmentInputs
-from armui.control.operating_state import Busy
+from armui.control.assessment import Activity, AssessmentInputs, assess
+from armui.control.operating_state import Busy, OperatingState
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
-    from armui.control.authority import Authority
+    from armui.control.authority_watch import AuthorityWatch
     from armui.control.link.connection import Connection
-    from armui.control.operating_state import OtherHostReport
     from armui.control.safety.stopping import Stopping
 
 
-def assessment_inputs(
-    controller: ArmController,
-    connection: Connection,
-    stopping: Stopping,
-    *,
-    authority: Authority,
-    other_host: OtherHostReport | None,
-    now_s: float,
-) -> AssessmentInputs:
-    """What the program knows beside the arm's own words at monotonic time ``now_s``."""
-    busy = controller.motors.busy or (Busy.ZEROING if controller.zeroing.busy else None)
-    keeper = stopping.keeper
-    return AssessmentInputs(
-        link=connection.link,
-        device=connection.device,
-        link_problem=connection.problem,
-        stop=stopping.state(controller.state, now_s, resuming=busy is Busy.RESUMING),
-        stop_unconfirmed=keeper.unconfirmed(now_s),
-        stop_lapsed=keeper.lapsed,
-        busy=busy,
-        speed_percent=controller.motion.speed_percent,
-        generation=connection.generation,
-        offsets=connection.offsets,
-        authority=authority,
-        other_host=other_host,
-        activity=Activity(
-            running=controller.player.running or controller.replayer.running,
-            jogging=controller.jogging.active,
-            recording=controller.recorder.recording,
-            altering=controller.orders.altering,
-            run_sets_lamps=controller.player.sets_lamps,
-        ),
-    )
+class Assessor:
+    """Keeps the operating state: to read it costs nothing, :meth:`refresh` looks anew.
+
+    Args:
+        controller: Has the parts, and the signal for another operating state.
+        connection: The way to the arm.
+        stopping: Follows the stops.
+        watch: Feeds the authority, which knows who moves the arm.
+        clock: Monotonic time in seconds.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        connection: Connection,
+        stopping: Stopping,
+        watch: AuthorityWatch,
+        clock: Callable[[], float],
+    ) -> None:
+        self._controller = controller
+        self._connection = connection
+        self._stopping = stopping
+        self._watch = watch
+        self._clock = clock
+        self._operating_state: OperatingState | None = None
+
+    def read(self) -> OperatingState:
+        """What the operator can do, as of the last look."""
+        if self._operating_state is None:
+            return OperatingState(speed_percent=self._controller.motion.speed_percent)
+        return self._operating_state
+
+    def observe(self) -> None:
+        """Let the authority know what is heard by now."""
+        self._watch.observe(self._clock())
+
+    def refresh(self) -> OperatingState:
+        """Look at the arm and at other hosts anew, and assess."""
+        self.observe()
+        return self.assess()
+
+    def assess(self) -> OperatingState:
+        """What the operator can do, by what the authority has seen and the parts are doing."""
+        now_s = self._clock()
+        controller = self._controller
+        operating_state = assess(controller.state, self._circumstances(now_s), now_s)
+        if operating_state != self.read():
+            self._operating_state = operating_state
+            controller.operating_state_changed.emit(operating_state)
+        return self.read()
+
+    def _circumstances(self, now_s: float) -> AssessmentInputs:
+        """What the program knows beside the arm's own words at monotonic time ``now_s``."""
+        controller, connection, keeper = self._controller, self._connection, self._stopping.keeper
+        busy = controller.motors.busy or (Busy.ZEROING if controller.zeroing.busy else None)
+        resuming = busy is Busy.RESUMING
+        return AssessmentInputs(
+            link=connection.link,
+            device=connection.device,
+            link_problem=connection.problem,
+            stop=self._stopping.state(controller.state, now_s, resuming=resuming),
+            stop_unconfirmed=keeper.unconfirmed(now_s),
+            stop_lapsed=keeper.lapsed,
+            busy=busy,
+            speed_percent=controller.motion.speed_percent,
+            generation=connection.generation,
+            offsets=connection.offsets,
+            authority=self._watch.authority,
+            other_host=self._watch.report(),
+            activity=Activity(
+                running=controller.player.running or controller.replayer.running,
+                jogging=controller.jogging.active,
+                recording=controller.recorder.recording,
+                altering=controller.orders.altering,
+                run_sets_lamps=controller.player.sets_lamps,
+            ),
+        )

@@ -30,7 +30,7 @@ from armui.protocol.codes import ArmStatusCode, ControlMode, MoveMode
 if TYPE_CHECKING:
     from armui.arm.limits import JointLimits
     from armui.arm.state import ArmState
-    from armui.kinematics.kinematics import Matrix
+    from armui.kinematics.poses import Matrix
 
 ARRIVED_DEG: Final = 0.5
 """Measured this close to its target a joint has arrived: it may sag by that much under load."""

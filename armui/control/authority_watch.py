@@ -30,6 +30,9 @@ class AuthorityWatch:
         connection: The way to the arm.
         tell: Takes the notices.
         end_motion: Ends our motion with a reason.
+
+    Attributes:
+        authority: What it feeds.
     """
 
     def __init__(
@@ -39,7 +42,7 @@ class AuthorityWatch:
         tell: Tell,
         end_motion: Callable[[Refusal], None],
     ) -> None:
-        self._authority = authority
+        self.authority = authority
         self._connection = connection
         self._tell = tell
         self._end_motion = end_motion
@@ -54,7 +57,7 @@ class AuthorityWatch:
         if connection.device is None:
             return
         offsets = connection.offsets
-        self._authority.observe(
+        self.authority.observe(
             Observation(
                 state=connection.newest,
                 traffic=connection.traffic,
@@ -64,14 +67,14 @@ class AuthorityWatch:
                 waiting=not connection.idle,
             )
         )
-        if self._authority.number != self._voided:
-            self._voided = self._authority.number
+        if self.authority.number != self._voided:
+            self._voided = self.authority.number
             connection.void(self._voided)
 
     def advance(self, now_s: float) -> None:
         """Tell who else moves the arm, and end a motion of ours that is too fast."""
         self.observe(now_s)
-        authority = self._authority
+        authority = self.authority
         other = authority.other
         named = other.since_s is not None and now_s - other.since_s >= _NAMED_AFTER_S
         commanded = other.commands and (named or self._was_commanded)
@@ -93,14 +96,14 @@ class AuthorityWatch:
         Its last motion goes on until a motion of ours replaces it.
         """
         self.observe(now_s)
-        refusal = self._authority.other.take_over()
+        refusal = self.authority.other.take_over()
         if refusal is None:
             self._tell(EventCode.TAKEN_OVER)
         return refusal
 
     def report(self) -> OtherHostReport | None:
         """Who else moves the arm, for the operator."""
-        other = self._authority.other
+        other = self.authority.other
         reason = other.why_not()
         if reason is None:
             self._began = None

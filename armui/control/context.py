@@ -18,7 +18,7 @@ from armui.protocol.codes import ControlMode
 
 if TYPE_CHECKING:
     from armui.control.link.connection import Connection
-    from armui.kinematics.kinematics import Matrix
+    from armui.kinematics.poses import Matrix
     from armui.protocol.codes import MoveMode
     from armui.protocol.frame import Frame
 
@@ -38,7 +38,12 @@ class Context:
         tell: Takes the notices.
         clock: Monotonic time in seconds.
         state: The arm as last heard.
-        operating_state: What the operator can do now, computed anew.
+        operating_state: What the operator can do, as of the last look: the controller's tick looks,
+            and :attr:`refresh`.
+        refresh: Looks at the arm and at other hosts anew, tells the windows if the operator can do
+            something else now, and answers with the operating state. Each command of the operator
+            begins with it, and ends with it where it has changed that state itself.
+        observe: Lets the authority know what is heard by now, and nothing more.
         authority: Who moves the arm, and what our own command is.
     """
 
@@ -47,6 +52,8 @@ class Context:
     clock: Callable[[], float]
     state: Callable[[], ArmState]
     operating_state: Callable[[], OperatingState]
+    refresh: Callable[[], OperatingState]
+    observe: Callable[[], None]
     authority: Authority
 
     def refuse(self, refusal: Refusal) -> Refusal:
@@ -55,8 +62,12 @@ class Context:
         return refusal
 
     def why_no_motion(self) -> Refusal | None:
-        """The reason against a motion frame of ours by who moves the arm now, or ``None``."""
-        self.operating_state()
+        """The reason against a motion frame of ours by who moves the arm now, or ``None``.
+
+        The gate that every motion frame passes: it judges by what is heard at this very moment,
+        not by the controller's last tick.
+        """
+        self.observe()
         return self.authority.why_not()
 
     def send_motion(

@@ -22,6 +22,8 @@ class Parts:
         tell: Takes the notices.
         end_motion: Called with the module of a part that fails after it has worked: the motion it
             is in charge of must not go on unwatched.
+        last: Looks at what the others are doing: it acts after them, once the operating state has
+            been assessed anew.
     """
 
     def __init__(
@@ -29,8 +31,10 @@ class Parts:
         parts: Sequence[ControllerPart],
         tell: Tell,
         end_motion: Callable[[str], None] = lambda _module: None,
+        last: ControllerPart | None = None,
     ) -> None:
         self._parts = parts
+        self._last = () if last is None else (last,)
         self._tell = tell
         self._end_motion = end_motion
         self._failed: set[str] = set()
@@ -38,19 +42,26 @@ class Parts:
 
     def advance(self) -> None:
         """Have each look at what was heard; see :meth:`ControllerPart.advance`."""
-        for part in self._parts:
-            if self._have(part, part.advance):
-                self._out_of_order.discard(type(part).__name__)
+        self._advance(self._parts)
+
+    def advance_last(self) -> None:
+        """Have the last look at what the others are doing."""
+        self._advance(self._last)
 
     def halt(self) -> None:
         """Have each give up what would move the arm; see :meth:`ControllerPart.halt`."""
-        for part in self._parts:
+        for part in (*self._parts, *self._last):
             self._have(part, part.halt)
 
     def forget(self) -> None:
         """Tell each that the arm is gone; see :meth:`ControllerPart.forget`."""
-        for part in self._parts:
+        for part in (*self._parts, *self._last):
             self._have(part, part.forget)
+
+    def _advance(self, parts: Sequence[ControllerPart]) -> None:
+        for part in parts:
+            if self._have(part, part.advance):
+                self._out_of_order.discard(type(part).__name__)
 
     def _have(self, part: ControllerPart, act: Callable[[], None]) -> bool:
         name = type(part).__name__

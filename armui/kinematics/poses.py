@@ -1,40 +1,114 @@
-"""Poses put together: the tool centre point on the flange, and steps along the axes of a frame."""
+"""Poses as six figures and as transforms: put together, taken apart, moved and compared."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
-from typing import Final
+from typing import Final, NamedTuple, TypeVar
 
 import numpy as np
-from scipy.spatial.transform import Rotation
+import numpy.typing as npt
 
-from armui.kinematics.axes import LINEAR_AXES, JogFrame
-from armui.kinematics.kinematics import Matrix, Pose, matrix_to_pose, pose_to_matrix
+from armui.kinematics.axes import JogFrame
+
+Matrix = npt.NDArray[np.float64]
+Joints = tuple[float, ...]
+"""Six angles in degrees, joint 1 first."""
+_Angle = TypeVar("_Angle", float, Matrix)
+
+
+class Pose(NamedTuple):
+    """Position and orientation of the flange in the base frame.
+
+    R = Rz(rz)·Ry(ry)·Rx(rx), as the end pose feedback 0x2A2–0x2A4 has it.
+    """
+
+    x_mm: float
+    y_mm: float
+    z_mm: float
+    rx_deg: float
+    ry_deg: float
+    rz_deg: float
+
 
 NO_TOOL: Final = Pose(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 """The tool centre point is the flange's."""
 
 
+def pose_to_matrix(pose: Sequence[float] | Matrix) -> Matrix:
+    """The homogeneous transforms of poses, lengths in mm: (…, 6) becomes (…, 4, 4)."""
+    figures = np.asarray(pose, dtype=np.float64)
+    angles = np.radians(figures[..., 3:])
+    cx, cy, cz = components(np.cos(angles))
+    sx, sy, sz = components(np.sin(angles))
+    rows = (
+        (cz * cy, cz * sy * sx - sz * cx, cz * sy * cx + sz * sx, figures[..., 0]),
+        (sz * cy, sz * sy * sx + cz * cx, sz * sy * cx - cz * sx, figures[..., 1]),
+        (-sy, cy * sx, cy * cx, figures[..., 2]),
+    )
+    matrix = np.zeros((*figures.shape[:-1], 4, 4))
+    for index, row in enumerate(rows):
+        for column, values in enumerate(row):
+            matrix[..., index, column] = values
+    matrix[..., 3, 3] = 1.0
+    return matrix
+
+
+def components(vectors: Matrix) -> list[Matrix]:
+    """The columns of (…, n): n times (…)."""
+    return [vectors[..., index] for index in range(vectors.shape[-1])]
+
+
+def matrix_to_pose(matrix: Matrix) -> Pose:
+    """The pose of a 4×4 homogeneous transform, lengths in mm; at RY = ±90° RZ is taken as 0."""
+    return rows_to_pose(matrix[:3].ravel().tolist())
+
+
+def rows_to_pose(rows: Sequence[float]) -> Pose:
+    """The pose of the twelve figures of a transform's upper three rows."""
+    xx, _, _, x, yx, yy, yz, y, zx, zy, zz, z = rows
+    horizontal = math.hypot(xx, yx)
+    ry = math.atan2(-zx, horizontal)
+    if horizontal > 1e-9:
+        rx, rz = math.atan2(zy, zz), math.atan2(yx, xx)
+    else:
+        rx, rz = math.atan2(-yz, yy), 0.0
+    return Pose(x, y, z, math.degrees(rx), math.degrees(ry), math.degrees(rz))
+
+
+def wrapped_deg(angle_deg: _Angle) -> _Angle:
+    """The same angles within −180° to 180°."""
+    return (angle_deg + 180.0) % 360.0 - 180.0
+
+
+def apart(one: Pose, other: Pose) -> tuple[float, float]:
+    """How far two poses are from one another, in mm, and turned against one another, in degrees."""
+    first, second = pose_to_matrix(np.array((one, other)))
+    cosine = (float(np.trace(first[:3, :3].T @ second[:3, :3])) - 1.0) / 2.0
+    turned_deg = math.degrees(math.acos(min(1.0, max(-1.0, cosine))))
+    return math.dist(one[:3], other[:3]), turned_deg
+
+
 def tool_matrix(flange: Matrix, tool: Sequence[float]) -> Matrix:
     """The 4×4 transform of the tool centre point of a tool mounted on the flange."""
-    result: Matrix = flange @ pose_to_matrix(Pose(*tool))
+    result: Matrix = flange @ pose_to_matrix(tool)
     return result
 
 
 def flange_matrix(tool_point: Matrix, tool: Sequence[float]) -> Matrix:
     """Where the flange must be for a tool centre point to be somewhere."""
-    result: Matrix = tool_point @ np.linalg.inv(pose_to_matrix(Pose(*tool)))
+    result: Matrix = tool_point @ np.linalg.inv(pose_to_matrix(tool))
     return result
 
 
 def tool_pose(flange: Sequence[float], tool: Sequence[float]) -> Pose:
     """The pose of the tool centre point, from the flange's and the tool's in it (mm, degrees)."""
-    return matrix_to_pose(tool_matrix(pose_to_matrix(Pose(*flange)), tool))
+    return matrix_to_pose(tool_matrix(pose_to_matrix(flange), tool))
 
 
 def flange_pose(tool_point: Sequence[float], tool: Sequence[float]) -> Pose:
     """The flange's pose, from that of the tool centre point and the tool's in the flange."""
-    return matrix_to_pose(flange_matrix(pose_to_matrix(Pose(*tool_point)), tool))
+    return matrix_to_pose(flange_matrix(pose_to_matrix(tool_point), tool))
 
 
 def shifted(tool_point: Matrix, axis: int, amount: float, frame: JogFrame) -> Matrix:
@@ -46,17 +120,9 @@ def shifted(tool_point: Matrix, axis: int, amount: float, frame: JogFrame) -> Ma
         amount: In mm or degrees.
         frame: Whose axes.
     """
-    step = np.eye(4)
-    if axis < LINEAR_AXES:
-        step[axis, 3] = amount
-    else:
-        step[:3, :3] = Rotation.from_euler(
-            "xyz"[axis - LINEAR_AXES], amount, degrees=True
-        ).as_matrix()
-    if frame is JogFrame.TOOL:
-        moved: Matrix = tool_point @ step
-        return moved
-    moved = tool_point.copy()
-    moved[:3, 3] += step[:3, 3]
-    moved[:3, :3] = step[:3, :3] @ tool_point[:3, :3]
+    step = pose_to_matrix([amount if each == axis else 0.0 for each in range(6)])
+    moved: Matrix = tool_point @ step
+    if frame is JogFrame.BASE:
+        moved[:3, 3] = tool_point[:3, 3] + step[:3, 3]
+        moved[:3, :3] = step[:3, :3] @ tool_point[:3, :3]
     return moved

@@ -1,4 +1,4 @@
-"""Where the tool goes: straight lines and arcs of the flange, and the joints that lead it there.
+"""Where the tool goes: straight lines and arcs of the flange.
 
 Geometry without time; the simulated arm moves by it, and the host checks by it before it sends.
 """
@@ -6,15 +6,13 @@ Geometry without time; the simulated arm moves by it, and the host checks by it 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import Final, Protocol
 
 import numpy as np
 import numpy.typing as npt
-from scipy.spatial.transform import Rotation, RotationSpline, Slerp
+from scipy.spatial.transform import Rotation, RotationSpline
 
-from armui.kinematics.kinematics import Kinematics, Matrix, wrapped_deg
-from armui.kinematics.wrist import STRETCHED_DEG, bend_deg, bent_wrist, stretched_wrist
+from armui.kinematics.poses import Matrix
 
 _SMALLEST_TRIANGLE: Final = 1e-4
 """Sine of the angle at an arc's start under which its three points lie on a line."""
@@ -47,17 +45,38 @@ class Line:
     """Straight, with the hand turning evenly about one axis."""
 
     def __init__(self, start: Matrix, end: Matrix) -> None:
-        self._start_mm = start[:3, 3]
-        self._way_mm = end[:3, 3] - start[:3, 3]
-        ends = Rotation.from_matrix(np.stack((start[:3, :3], end[:3, :3])))
-        self._turn = Slerp((0.0, 1.0), ends)
-        self.length_mm = float(np.linalg.norm(self._way_mm))
-        self.angle_deg = math.degrees((ends[0].inv() * ends[1]).magnitude())
+        self._lines = StraightLines(start[None], end[None])
+        self.length_mm = float(self._lines.lengths_mm[0])
+        self.angle_deg = float(self._lines.angles_deg[0])
 
     def poses(self, shares: Shares) -> Matrix:
         """(n, 4, 4) transforms at parts of the way."""
-        places = self._start_mm + shares[:, None] * self._way_mm
-        return _transforms(places, self._turn(shares))
+        poses: Matrix = self._lines.poses(shares)[0]
+        return poses
+
+
+class StraightLines:
+    """Many lines at once.
+
+    Attributes:
+        lengths_mm, angles_deg: (m,) of the ways.
+    """
+
+    def __init__(self, starts: Matrix, ends: Matrix) -> None:
+        self._starts = starts
+        self._ways_mm = ends[:, :3, 3] - starts[:, :3, 3]
+        first, last = (Rotation.from_matrix(poses[:, :3, :3]) for poses in (starts, ends))
+        self._turns_rad = (first.inv() * last).as_rotvec()
+        self.lengths_mm: Matrix = np.linalg.norm(self._ways_mm, axis=1)
+        self.angles_deg: Matrix = np.degrees(np.linalg.norm(self._turns_rad, axis=1))
+
+    def poses(self, shares: Shares) -> Matrix:
+        """(m, n, 4, 4) transforms at parts of the ways."""
+        starts = self._starts[:, None]
+        turns = (self._turns_rad[:, None] * shares[:, None]).reshape(-1, 3)
+        turned_by = Rotation.from_rotvec(turns).as_matrix().reshape(len(starts), -1, 3, 3)
+        places = starts[..., :3, 3] + shares[:, None] * self._ways_mm[:, None]
+        return _transforms(places, starts[..., :3, :3] @ turned_by)
 
 
 class Arc:
@@ -93,51 +112,13 @@ class Arc:
         """(n, 4, 4) transforms at parts of the way."""
         angles = (shares * self._angle_rad)[:, None]
         places = self._centre_mm + np.cos(angles) * self._ahead + np.sin(angles) * self._aside
-        return _transforms(places, self._turn(shares))
+        return _transforms(places, self._turn(shares).as_matrix())
 
     def _angle_to(self, point_mm: Matrix) -> float:
         """The angle from the start, in the sense in which the middle comes before the end."""
         spoke = point_mm - self._centre_mm
         angle = math.atan2(float(spoke @ self._aside), float(spoke @ self._ahead))
         return angle % (2.0 * math.pi)
-
-
-def follow(kinematics: Kinematics, targets: Matrix, start_deg: Sequence[float]) -> Matrix:
-    """Joints along a path, on the branch where the arm stands.
-
-    Args:
-        kinematics: Of the arm.
-        targets: (n, 4, 4) transforms of the flange, the first of them where it is.
-        start_deg: Six joint angles there.
-
-    Returns:
-        (n, 6) angles in degrees, NaN from where the branch ends.
-    """
-    ways = kinematics.arm_branches(targets)
-    gaps = np.abs(ways[0] - np.asarray(start_deg[:3])).max(axis=1)
-    arms = ways[:, int(np.argmin(np.where(np.isnan(gaps), math.inf, gaps)))]
-    joints = np.full((len(targets), len(start_deg)), math.nan)
-    missing = np.isnan(arms[:, 0])
-    count = int(np.argmax(missing)) if missing.any() else len(targets)
-    joints[:count, :3] = arms[:count]
-    hands = kinematics.hands(arms[:count], targets[:count])
-    stretched = bend_deg(hands) < STRETCHED_DEG
-    joints[0] = start_deg
-    last: Sequence[float] = tuple(start_deg[3:])
-    for index, wrists in enumerate(bent_wrist(hands).tolist()):
-        if stretched[index]:
-            wrists = [stretched_wrist(hands[index], last[0])]  # noqa: PLW2901 - the same thing
-        near = [
-            [
-                before + wrapped_deg(angle - before)
-                for angle, before in zip(wrist, last, strict=True)
-            ]
-            for wrist in wrists
-        ]
-        last = min(near, key=lambda wrist: math.dist(wrist, last))
-        if index:
-            joints[index, 3:] = last
-    return joints
 
 
 def _to_centre(over: Matrix, across: Matrix) -> Matrix:
@@ -148,9 +129,9 @@ def _to_centre(over: Matrix, across: Matrix) -> Matrix:
     return centre
 
 
-def _transforms(places_mm: Matrix, turns: Rotation) -> Matrix:
-    transforms = np.zeros((len(places_mm), 4, 4))
-    transforms[:, :3, :3] = turns.as_matrix()
-    transforms[:, :3, 3] = places_mm
-    transforms[:, 3, 3] = 1.0
+def _transforms(places_mm: Matrix, turns: Matrix) -> Matrix:
+    transforms = np.zeros((*places_mm.shape[:-1], 4, 4))
+    transforms[..., :3, :3] = turns
+    transforms[..., :3, 3] = places_mm
+    transforms[..., 3, 3] = 1.0
     return transforms

@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from typing import Final
 
 from armui.arm.limits import JOINTS
-from armui.kinematics.kinematics import Kinematics
+from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec, InvalidFrame, OddityKind
 from armui.protocol.codes import (

@@ -13,7 +13,12 @@ from typing import Any, Final
 _PACKAGES: Final = (
     *("armui.arm", "armui.protocol", "armui.trajectory", "armui.bus", "armui.control", "armui.ui"),
 )
-_OTHERS: Final = ("scipy.spatial.transform", "concurrent.futures.process", "multiprocessing")
+_OTHERS: Final = (
+    "filelock",
+    "scipy.spatial.transform",
+    "concurrent.futures.process",
+    "multiprocessing",
+)
 
 
 def steps() -> Iterator[str]:

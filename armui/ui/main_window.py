@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QCloseEvent, QShowEvent
 from PySide6.QtWidgets import (
     QHBoxLayout,
@@ -31,7 +31,7 @@ from armui.ui.shell.joint_status_button import JointStatusButton
 from armui.ui.shell.leaving import end_motion_then, end_single_motion_then
 from armui.ui.shell.library_button import LibraryButton
 from armui.ui.shell.operation_area import OperationArea
-from armui.ui.shell.panel_menu import PanelMaker
+from armui.ui.shell.panel_menu import menu_entries
 from armui.ui.shell.recovery_line import RecoveryLine
 from armui.ui.shell.side_menu import SideMenu
 from armui.ui.shell.status_bar import StatusBar
@@ -41,6 +41,7 @@ from armui.ui.shell.view_region import ViewRegion
 from armui.ui.theme import DARK, colors_of
 from armui.ui.trajectory.preview.path_preview import PathPreview
 from armui.ui.trajectory.preview.preview_bar import PreviewBar
+from armui.ui.widgets.translated import Translated
 from armui.viewport import palette as scene_palette
 
 if TYPE_CHECKING:
@@ -58,7 +59,7 @@ _FIRST_SIZE: Final = QSize(1440, 900)
 _PANEL_WIDTH_PX: Final = 440
 
 
-class MainWindow(QMainWindow):
+class MainWindow(Translated, QMainWindow):
     """Shows the arm and takes the operator's wishes; knows nothing of the bus.
 
     Args:
@@ -90,8 +91,7 @@ class MainWindow(QMainWindow):
         self._settings = preferences.settings
         self._dialogs: dict[str, QDialog] = {}
         self._may_close = False
-        maker = PanelMaker(controller, preferences, self.open_backup_dialog)
-        self._entries = maker.entries()
+        self._entries = menu_entries(controller, preferences, self.open_backup_dialog)
         self._joint_monitor = JointMonitor(controller, parent=self)
         self._joint_status_button = JointStatusButton(self._joint_monitor)
         self._preview_bar = PreviewBar()
@@ -102,7 +102,7 @@ class MainWindow(QMainWindow):
         self._connect()
         self.resize(_FIRST_SIZE.boundedTo(self.screen().availableSize()))
         self.retranslate_ui()
-        self._color_view()
+        self._recolor()
 
     # -- layout -------------------------------------------------------------------------------
 
@@ -194,7 +194,7 @@ class MainWindow(QMainWindow):
         self._view.set_joints(state.angles_deg(), gripper_mm, stale=joints_stale)
         self._view.set_pose(state.end_pose(), stale=pose_stale)
 
-    def _color_view(self) -> None:
+    def _recolor(self) -> None:
         dark = colors_of(self) is DARK
         self._view.set_theme(scene_palette.DARK if dark else scene_palette.LIGHT)
 
@@ -305,14 +305,6 @@ class MainWindow(QMainWindow):
         """Put the title into the operator's language."""
         self.setWindowTitle(self.tr("armui – PiPER arm"))
         self._view.setAccessibleName(self.tr("3D view of the arm"))
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language and the colours."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        elif event.type() == QEvent.Type.PaletteChange:
-            self._color_view()
-        super().changeEvent(event)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Catch up with what went by while the window was hidden."""

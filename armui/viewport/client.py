@@ -10,12 +10,11 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QImage
 
-from armui.viewport.messages import BYTES_PER_PIXEL, JointPicked, LoadFailed, MarkPicked
 from armui.viewport.news import Lost, PictureFrame, UpToDate, Wanted
 from armui.viewport.picture_age import LONGEST_S, PictureAge
-from armui.viewport.process_link import ENTRY, ProcessLink
 
 if TYPE_CHECKING:
+    from armui.viewport.process_link import ProcessLink
     from armui.viewport.view_state import ViewState
 
 _LOOK_AGAIN_MS: Final = 20
@@ -31,6 +30,8 @@ class Picture:
     """
 
     def __init__(self, frame: PictureFrame) -> None:
+        from armui.viewport.messages import BYTES_PER_PIXEL  # noqa: PLC0415 - see PictureClient
+
         self.frame = frame
         width, height = frame.size_px
         stride = width * BYTES_PER_PIXEL
@@ -52,8 +53,10 @@ class PictureClient(QObject):
         aged: the picture has begun or ceased to look old.
 
     Args:
-        entry: What the process runs; see :data:`armui.viewport.process_link.ENTRY`.
+        entry: What the process runs; by default :data:`armui.viewport.process_link.ENTRY`.
     """
+
+    # What speaks to the process is loaded with it, when the window stands.
 
     frame_ready = Signal(object)
     joint_picked = Signal(object)
@@ -63,7 +66,7 @@ class PictureClient(QObject):
     aged = Signal()
     _told = Signal(object)
 
-    def __init__(self, entry: str = ENTRY, parent: QObject | None = None) -> None:
+    def __init__(self, entry: str | None = None, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._entry = entry
         self._link: ProcessLink | None = None
@@ -97,8 +100,10 @@ class PictureClient(QObject):
 
     def start(self) -> None:
         """Begin to draw, or begin again after the process was given up."""
+        from armui.viewport.process_link import ENTRY, ProcessLink  # noqa: PLC0415 - see above
+
         self.stop()
-        self._link = ProcessLink(self._tell, self._entry)
+        self._link = ProcessLink(self._tell, self._entry or ENTRY)
         if self._latest is not None:
             self._link.show(self._latest)
         self._link.start()
@@ -133,6 +138,12 @@ class PictureClient(QObject):
             self._told.emit((self._link, news))
 
     def _on_told(self, told: tuple[ProcessLink | None, object]) -> None:
+        from armui.viewport.messages import (  # noqa: PLC0415 - see above
+            JointPicked,
+            LoadFailed,
+            MarkPicked,
+        )
+
         link, news = told
         if link is not self._link or link is None:
             return  # of a process that was given up

@@ -6,10 +6,13 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QCoreApplication, QRect, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPainter
+from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
 from armui.arm.refusal_codes import RefusalCode
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from armui.viewport.news import Lost
     from armui.viewport.palette import ScenePalette
 
@@ -44,6 +47,20 @@ def lost_text(lost: Lost) -> str:
             "ArmView", "It ended three times in a minute; the arm is not affected."
         )
     return f"{text}\n{outlook}"
+
+
+def add_again_button(view: QWidget, start_again: Callable[[], object]) -> QPushButton:
+    """A button over the picture's place, for when it does not come back by itself; hidden."""
+    button = QPushButton(view)
+    button.setObjectName("picture_again_button")
+    button.setAutoDefault(False)
+    button.clicked.connect(start_again)
+    button.hide()
+    layout = QVBoxLayout(view)
+    layout.addStretch(3)
+    layout.addWidget(button, 0, Qt.AlignmentFlag.AlignHCenter)
+    layout.addStretch(1)
+    return button
 
 
 def paint_plate(painter: QPainter, place: QRect, text: str, palette: ScenePalette) -> None:

@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QCoreApplication, QEvent, QPointF, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QPainter, QPen
-from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from armui.arm.limits import JOINTS
 from armui.viewport.camera import HOME_CAMERA
 from armui.viewport.camera_input import Drag, press_key, turn_wheel
 from armui.viewport.client import Picture, PictureClient
 from armui.viewport.hud import Hud, HudValues
-from armui.viewport.overlay import FADED_OPACITY, lost_text, paint_plate
+from armui.viewport.overlay import FADED_OPACITY, add_again_button, lost_text, paint_plate
 from armui.viewport.palette import LIGHT, ScenePalette
 from armui.viewport.view_state import (
     BUILT_IN_ROBOT,
@@ -49,6 +49,8 @@ if TYPE_CHECKING:
 
 _VIEWERS = itertools.count()
 _START_MS = 20
+_FIGURES_WAIT_MS = 50
+"""So long new figures wait for the picture of the same moment, to be painted with it."""
 
 
 class ArmView(QWidget):
@@ -107,7 +109,9 @@ class ArmView(QWidget):
         self._client.load_failed.connect(self.load_failed)
         self._client.lost.connect(self._on_lost)
         self._client.aged.connect(self.update)
-        self._again_button = self._make_again_button()
+        self._again_button = add_again_button(self, self._start_again)
+        self._figures_wait = QTimer(self, singleShot=True, interval=_FIGURES_WAIT_MS)
+        self._figures_wait.timeout.connect(self._paint_figures)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setMinimumSize(240, 200)
@@ -115,20 +119,7 @@ class ArmView(QWidget):
         if application is not None:
             # A child gets no close event when its window closes.
             application.aboutToQuit.connect(self.shutdown)
-
-    def _make_again_button(self) -> QPushButton:
-        """Offered when the picture does not come back by itself."""
-        button = QPushButton(self)
-        button.setObjectName("picture_again_button")
-        button.setAutoDefault(False)
-        button.clicked.connect(self._start_again)
-        button.hide()
-        layout = QVBoxLayout(self)
-        layout.addStretch(3)
-        layout.addWidget(button, 0, Qt.AlignmentFlag.AlignHCenter)
-        layout.addStretch(1)
-        self.retranslate_ui(button)
-        return button
+        self.retranslate_ui(self._again_button)
 
     def sizeHint(self) -> QSize:
         """Room for the arm and the figures."""
@@ -171,10 +162,9 @@ class ArmView(QWidget):
         if angles_deg is not None and len(angles_deg) != len(JOINTS):
             raise ValueError(f"{len(angles_deg)} joint angles instead of {len(JOINTS)}")
         angles = None if angles_deg is None else tuple(angles_deg)
+        shown = self._state.angles_deg if look_alike(angles, self._state.angles_deg) else angles
+        self._show(replace(self._state, angles_deg=shown, gripper_mm=gripper_mm, stale=stale))
         self._set_hud(replace(self._hud, angles_deg=angles, angles_stale=stale))
-        if look_alike(angles, self._state.angles_deg):
-            angles = self._state.angles_deg
-        self._show(replace(self._state, angles_deg=angles, gripper_mm=gripper_mm, stale=stale))
 
     def set_pose(self, pose: Sequence[float] | None, stale: bool = False) -> None:
         """Show the measured end pose: X, Y, Z in mm, RX, RY, RZ in degrees; None: never heard."""
@@ -220,9 +210,16 @@ class ArmView(QWidget):
             self._client.show(state)
 
     def _set_hud(self, values: HudValues) -> None:
-        if values != self._hud:
-            self._hud = values
-            self.update(self._hud_painter.frame(self.font()).toAlignedRect())
+        if values == self._hud:
+            return
+        self._hud = values
+        if not self._client.is_running or self._client.is_settled or self._lost is not None:
+            self._paint_figures()  # no picture is on its way
+        elif not self._figures_wait.isActive():
+            self._figures_wait.start()
+
+    def _paint_figures(self) -> None:
+        self.update(self._hud_painter.frame(self.font()).toAlignedRect())
 
     def _fit(self) -> None:
         """Ask for a picture as large as the widget, in device pixels."""
@@ -305,12 +302,16 @@ class ArmView(QWidget):
         palette = self._state.palette
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.fillRect(self.rect(), QColor(palette.background))
         notice = self._notice()
-        if self._picture is not None:
+        image = None if self._picture is None else self._picture.image
+        covered = None if image is None else image.deviceIndependentSize().boundedTo(self.size())
+        if notice or covered != self.size():
+            painter.fillRect(self.rect(), QColor(palette.background))
+        if image is not None:
             painter.setOpacity(FADED_OPACITY if notice else 1.0)
-            self._paint_picture(painter, self._picture.image)
+            self._paint_picture(painter, image)
             painter.setOpacity(1.0)
+        self._figures_wait.stop()
         self._hud_painter.paint(painter, self._hud, palette, self.font())
         if notice:
             paint_plate(painter, self.rect(), notice, palette)

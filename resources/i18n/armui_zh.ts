@@ -4214,6 +4214,10 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>收不到机械臂的关节角度。请检查电源和 CAN 线。</translation>
     </message>
     <message>
+        <source>Jogging ended: held for {seconds} s without a movement of the mouse or another key. Let go and press again; move the mouse a little while you hold it for long.</source>
+        <translation>点动已结束：按住 {seconds} 秒期间鼠标未移动，也没有按其他键。请松开后重新按下；需要长时间按住时，请稍微移动鼠标。</translation>
+    </message>
+    <message>
         <source>The program was held up for {value} ms. Let go and press again.</source>
         <translation>程序停顿了 {value} 毫秒。请松开后重新按下。</translation>
     </message>

@@ -81,7 +81,7 @@ class Arm:
         return self.history.cell(self.state, self.generation, item, joint)
 
     def worst(self):
-        return worst(self.state, self.generation)
+        return worst(self.state, self.generation, faults(self.state, self.generation))
 
 
 @pytest.fixture

@@ -16,7 +16,7 @@ from ruckig import InputParameter, Ruckig
 from ruckig import Trajectory as JointPlan
 
 from armui.arm.reach import check_path, check_pose
-from armui.kinematics.kinematics import Pose, pose_to_matrix
+from armui.kinematics.poses import Pose, pose_to_matrix
 from armui.kinematics.tool_path import Line
 from armui.trajectory.planning.check import check
 from armui.trajectory.planning.timing import plan_path

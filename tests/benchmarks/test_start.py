@@ -38,6 +38,8 @@ def pss_mb(pid):
 
 def main():
     # not above: the picture's process imports this file, too
+    from armui.system.quick_start import begin_quickly, begun
+    begin_quickly()  # as the command does
     from PySide6.QtCore import QTimer
     from PySide6.QtWidgets import QApplication
     from armui.app import Program, SIMULATED, open_device
@@ -53,6 +55,7 @@ def main():
     program.window.show()
     app.processEvents()
     print("usable", flush=True)
+    begun()
     controller.connect_device(SIMULATED[0])
     told = set()
 
@@ -62,7 +65,7 @@ def main():
             print(word, flush=True)
 
     def look():
-        tell("connected", controller.situation.link is LinkState.ONLINE)
+        tell("connected", controller.operating_state.link is LinkState.ONLINE)
         tell("picture", program.view._picture is not None and not program.view._is_frame_new)
         if len(told) == 2:
             timer.stop()

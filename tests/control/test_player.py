@@ -7,7 +7,7 @@ import pytest
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.run.progress import ENDLESS, Run, RunPhase
-from armui.kinematics.kinematics import Kinematics
+from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import Generation
 from armui.sim.faults import schedule as faults

@@ -2,7 +2,7 @@
 
 import pytest
 
-from armui.kinematics.kinematics import Kinematics
+from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
 
 FIRST, SECOND, THIRD = (

@@ -7,7 +7,7 @@ from collections import Counter
 
 import pytest
 
-from armui.kinematics.kinematics import Kinematics
+from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codec import Codec, Message
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation

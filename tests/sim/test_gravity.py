@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from armui.arm.limits import FACTORY_LIMITS
-from armui.kinematics.kinematics import Kinematics
+from armui.kinematics.arm_kinematics import Kinematics
 from armui.sim.mechanics.gravity import gravity_torques_nm
 
 poses = st.tuples(*(st.floats(j.min_deg, j.max_deg) for j in FACTORY_LIMITS))

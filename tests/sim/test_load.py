@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from armui.kinematics.kinematics import Kinematics
+from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codec import Codec, Message
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware

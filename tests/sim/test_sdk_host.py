@@ -22,7 +22,7 @@ from typing import IO, Any, NamedTuple
 import can
 import pytest
 
-from armui.kinematics.kinematics import Kinematics
+from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import ArmStatusCode, EndLoad, MotionState
 from armui.protocol.generation import Generation
 from armui.sim.faults.schedule import Fault, fault

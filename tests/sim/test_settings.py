@@ -7,7 +7,8 @@ from itertools import pairwise
 
 import pytest
 
-from armui.kinematics.kinematics import Geometry, Kinematics
+from armui.kinematics.arm_kinematics import Kinematics
+from armui.kinematics.geometry import Geometry
 from armui.protocol.codec import Codec, Message
 from armui.protocol.codes import ArmStatusCode, EndLoad
 from armui.protocol.frame import Frame

@@ -8,7 +8,8 @@ from collections.abc import Callable, Sequence
 import numpy as np
 import pytest
 
-from armui.kinematics.kinematics import Kinematics, Matrix, Pose, pose_to_matrix
+from armui.kinematics.arm_kinematics import Kinematics
+from armui.kinematics.poses import Matrix, Pose, pose_to_matrix
 from armui.kinematics.tool_path import Arc, Line
 from armui.protocol.codes import ArmStatusCode, MotionState
 from armui.protocol.generation import Generation

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from armui.arm.limits import FACTORY_LIMITS, check_joints
-from armui.kinematics.kinematics import Kinematics, Pose, matrix_to_pose, pose_to_matrix
+from armui.kinematics.arm_kinematics import Kinematics
+from armui.kinematics.poses import Pose, matrix_to_pose, pose_to_matrix
 from armui.kinematics.tool_path import Line
 from armui.protocol.codes import ArmStatusCode, MotionState
 from armui.protocol.generation import Generation

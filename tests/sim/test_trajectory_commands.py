@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from armui.kinematics.kinematics import Kinematics
+from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MotionState
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware

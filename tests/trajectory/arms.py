@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS
 from armui.arm.model import ArmModel
 from armui.arm.state import EndLimits
-from armui.kinematics.kinematics import Kinematics
+from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.program import Trajectory, Waypoint
 

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from armui.kinematics.batch import skeletons
+from armui.kinematics.forward import links
 from armui.trajectory.planning.check import Report, check
 from armui.trajectory.planning.collision import collisions, segment_distances
 from armui.trajectory.planning.findings import SEVERITIES, Severity
@@ -175,10 +175,10 @@ def test_the_hand_in_the_base_is_an_error() -> None:
     low, high = (-150, 0, -170, -100, -70, -120), (150, 180, 0, 100, 70, 120)
     joints = draw.uniform(low, high, (60_000, 6))
 
-    hits = collisions(KINEMATICS, joints, 140.0)
+    hits = collisions(KINEMATICS.geometry, joints, 140.0)
 
     assert len(hits) < 3000
-    bones = skeletons(KINEMATICS, joints)
+    bones = links(KINEMATICS.geometry, joints)
     tips = bones.flange + 140.0 * bones.hand
     inside = (np.hypot(tips[:, 0], tips[:, 1]) < 30) & (tips[:, 2] > 10) & (tips[:, 2] < 120)
     assert inside.any()
@@ -193,13 +193,13 @@ def test_the_hand_in_the_base_is_an_error() -> None:
 def test_the_arm_at_rest_and_at_work_touches_nothing() -> None:
     poses = np.array([(0,) * 6, (0, 90, -90, 0, 0, 0), HERE, (90, 60, -80, -20, 40, 60)], float)
 
-    assert collisions(KINEMATICS, poses, 140.0) == {}
-    assert collisions(KINEMATICS, poses, 0.0) == {}
+    assert collisions(KINEMATICS.geometry, poses, 140.0) == {}
+    assert collisions(KINEMATICS.geometry, poses, 0.0) == {}
 
 
 def test_a_collision_on_the_way_is_found_though_both_ends_are_free() -> None:
     start, end = (-16, 81, -2, 51, 31, 59), (9, 93, -7, -63, 70, 117)
-    assert collisions(KINEMATICS, np.array([start, end], dtype=float), 140.0) == {}
+    assert collisions(KINEMATICS.geometry, np.array([start, end], dtype=float), 140.0) == {}
 
     report = checked(joint(*start), joint(*end), start=start)
 

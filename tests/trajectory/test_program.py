@@ -14,7 +14,7 @@ from hypothesis import given
 from armui.arm.limits import FACTORY_LIMITS
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.kinematics.kinematics import Kinematics
+from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
 from armui.trajectory.planning.convert import to_joints, to_pose
 from armui.trajectory.points import search

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from armui.control.run import replayer
-from armui.kinematics.kinematics import Geometry, Kinematics
+from armui.kinematics.arm_kinematics import Kinematics
+from armui.kinematics.geometry import Geometry
 from armui.kinematics.tool_path import Line
 from armui.protocol.codes import MotionState, MoveMode
 from armui.protocol.generation import Generation

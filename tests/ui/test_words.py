@@ -98,9 +98,8 @@ def test_a_notice_reads_as_words(
 
 
 def test_what_nobody_foresaw_is_still_said(qapp: QApplication) -> None:
-    odd = Refusal("odd", {"a": 1})  # type: ignore[arg-type]
-    assert words.refusal(odd) == "Not possible now: odd(a=1)."
-    assert notice("odd") == "Event: odd"  # type: ignore[arg-type]
+    picture = Refusal(RefusalCode.NO_OPENGL, {"a": 1})
+    assert words.refusal(picture) == "Not possible now: no_opengl(a=1)."
 
 
 # Files -------------------------------------------------------------------------------------------

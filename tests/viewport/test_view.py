@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+import time
 from dataclasses import replace
 from typing import Any
 
@@ -15,6 +16,8 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.system.paths import URDF
 from armui.viewport.camera import HOME_CAMERA
+from armui.viewport.client import PictureClient
+from armui.viewport.hud import Hud
 from armui.viewport.palette import DARK
 from armui.viewport.process.urdf_file import load_robot
 from armui.viewport.view import ArmView
@@ -266,3 +269,19 @@ def test_importing_the_view_imports_nothing_slow():
         [sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=60
     )
     assert result.returncode == 0, result.stderr
+
+
+def test_figures_wait_for_the_picture_of_the_same_moment_but_not_for_long(view, qtbot, monkeypatch):
+    painted, paint = [], Hud.paint
+
+    def noted(hud, *args):
+        painted.append(time.monotonic())
+        paint(hud, *args)
+
+    monkeypatch.setattr(Hud, "paint", noted)
+    monkeypatch.setattr(PictureClient, "is_settled", False)
+    monkeypatch.setattr(PictureClient, "show", lambda _client, _state: None)  # none ever comes
+    began_s = time.monotonic()
+    view.set_pose((6.0, 5.0, 4.0, 3.0, 2.0, time.monotonic()))
+    qtbot.wait_until(lambda: bool(painted), timeout=LIMIT_MS)
+    assert painted[0] - began_s >= 0.03

@@ -41,6 +41,7 @@ class EndReports:
         The arm answers and cannot be asked for it: the answer is all there is to know.
         """
         context = self._context
+        context.refresh()
         refusal = self._why_not() or self.why_no_load()
         if refusal is not None:
             return context.refuse(refusal)

@@ -99,7 +99,7 @@ class GripperControl:
             return Refusal(RefusalCode.RUN_UNDER_WAY)
         if not moving:
             return None
-        no_motion = context.why_no_motion()
+        no_motion = context.authority.why_not()
         if no_motion is not None:
             return no_motion
         mode = None if state.status is None else state.status.value.control_mode
@@ -129,6 +129,7 @@ class GripperControl:
             ``None`` if it is on its way, or why nothing was sent.
         """
         figures = self.figures
+        self._context.refresh()
         refusal = (
             self.why_not(moving=True)
             or check(figures.travel, travel)
@@ -146,6 +147,7 @@ class GripperControl:
 
     def enable(self, effort: float) -> Refusal | None:
         """Give it power where it is."""
+        self._context.refresh()
         refusal = self.why_not(moving=True) or check(self.figures.effort, effort)
         heard = self._heard()
         if refusal is not None or heard is None:
@@ -156,6 +158,7 @@ class GripperControl:
 
     def disable(self) -> Refusal | None:
         """Take its power: it lets go of what it holds. A run under way ends."""
+        self._context.refresh()
         refusal = self.why_not(moving=False, letting_go=True)
         if refusal is not None:
             return self._context.refuse(refusal)
@@ -166,6 +169,7 @@ class GripperControl:
 
     def clear_error(self) -> Refusal | None:
         """Clear its driver's error; it stays without power until it is enabled or moved."""
+        self._context.refresh()
         refusal = self.why_not(moving=False)
         if refusal is not None:
             return self._context.refuse(refusal)
@@ -175,6 +179,7 @@ class GripperControl:
 
     def set_zero(self) -> Refusal | None:
         """Make where it stands its zero, in generation 2; it has no power afterwards."""
+        self._context.refresh()
         refusal = self.why_not(moving=False)
         if refusal is None and self._context.connection.generation is not Generation.TWO:
             refusal = Refusal(RefusalCode.GRIPPER_NO_ZERO)

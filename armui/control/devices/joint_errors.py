@@ -47,6 +47,7 @@ class JointErrors:
     def clear(self, joint: int) -> Refusal | None:
         """Ask a joint (1–6, 7 all) to clear its error: ``None`` if it is on its way, or why not."""
         context = self._context
+        context.refresh()
         refusal = self.why_not()
         if refusal is None and self._joint is not None:
             refusal = Refusal(RefusalCode.BUSY, {"what": "clearing_error"})

@@ -80,12 +80,13 @@ class JointMonitor(QObject):
 
     def _follow(self, _news: ArmState | OperatingState | None = None) -> None:
         state, generation = self._controller.state, self.generation
-        self._history.follow(state, generation, self._wall_clock())
-        faults = joint_status.faults(state, generation)
+        faults = self._faults
+        if self._history.follow(state, generation, self._wall_clock()):
+            faults = joint_status.faults(state, generation)
         if self._controller.operating_state.link in _SILENT:
             worst = Worst(StatusVerdict.OFFLINE)
         else:
-            worst = joint_status.worst(state, generation)
+            worst = joint_status.worst(state, generation, faults)
         if (worst, faults) != (self._worst, self._faults):
             self._worst, self._faults = worst, faults
             self.worst_changed.emit()

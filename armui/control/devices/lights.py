@@ -53,7 +53,7 @@ class Lights:
         Returns:
             ``None`` if it is on its way, or why nothing was sent.
         """
-        refusal = self._context.operating_state().cannot_set_lamps or check_light(
+        refusal = self._context.refresh().cannot_set_lamps or check_light(
             joint=joint, lamp=lamp, red=red, green=green, blue=blue
         )
         if refusal is None:

@@ -58,6 +58,7 @@ class LinkageControl:
             ``None`` if it is on its way, or why nothing was sent.
         """
         context = self._context
+        context.refresh()
         refusal = self.why_not()
         for name, offset in (
             ("feedback_offset", feedback_offset),

@@ -74,6 +74,7 @@ class Motors:
     def resume(self) -> Refusal | None:
         """End the emergency stop: power is cut at once, the arm DROPS; then it must be enabled."""
         context = self._context
+        context.refresh()
         refusal = self.why_not_resume()
         if refusal is not None:
             return context.refuse(refusal)
@@ -111,7 +112,7 @@ class Motors:
 
     def _switch(self, joint: int, *, on: bool) -> Refusal | None:
         context = self._context
-        operating_state = context.operating_state()
+        operating_state = context.refresh()
         refusal = operating_state.cannot_switch_on if on else operating_state.cannot_enable
         if refusal is not None:
             return context.refuse(refusal)
@@ -144,4 +145,4 @@ class Motors:
         self._busy, self._joints = busy, joints
         self._request = Request(frames, seen, context.connection.send, _REPEAT_S, _ATTEMPTS)
         self._request.advance(context.state(), context.clock())
-        context.operating_state()
+        context.refresh()

@@ -62,6 +62,7 @@ class TeachingControl:
     def command(self, command: TeachingState) -> Refusal | None:
         """Give a command of 0x150 byte 2: ``None`` if it is on its way, or why it is not."""
         context = self._context
+        context.refresh()
         refusal = self.why_not(command)
         if refusal is not None:
             return context.refuse(refusal)

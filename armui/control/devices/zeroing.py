@@ -82,6 +82,7 @@ class Zeroing:
         context = self._context
         state = context.state()
         joints = JOINTS if joint == ALL_JOINTS else (joint,)
+        context.refresh()
         refusal = self.why_not() or why_not_still(state) or self._why_unheard(joints)
         if refusal is not None:
             return context.refuse(refusal)
@@ -109,7 +110,7 @@ class Zeroing:
                 alters="zeroing",
             )
         )
-        context.operating_state()
+        context.refresh()
         return None
 
     def _why_unheard(self, joints: Sequence[int]) -> Refusal | None:

@@ -56,6 +56,7 @@ class Neighbours(QObject):
             EventCode.SETTINGS_SHARED, str(settings.absolute()), str(settings)
         )
         controller.operating_state_changed.connect(self._on_situation)
+        self._on_situation(controller.operating_state)
 
     def close(self) -> None:
         """Leave every meeting place."""

@@ -25,7 +25,8 @@ from armui.protocol.codes import MoveMode
 # pose is asked for: the window starts without them.
 if TYPE_CHECKING:
     from armui.control.motion.joint_motion import Motion
-    from armui.kinematics.kinematics import Kinematics, Matrix, Pose
+    from armui.kinematics.arm_kinematics import Kinematics
+    from armui.kinematics.poses import Matrix, Pose
     from armui.protocol.frame import Frame
 
 _NO_TOOL: Final = (0.0,) * 6
@@ -69,7 +70,8 @@ class Cartesian:
         Older firmware counts joints 2 and 3 from other zeros, and an arm of generation 1 tells no
         version: its own pose does.
         """
-        from armui.kinematics.kinematics import Geometry, Kinematics  # noqa: PLC0415 - see above
+        from armui.kinematics.arm_kinematics import Kinematics  # noqa: PLC0415 - see above
+        from armui.kinematics.geometry import Geometry  # noqa: PLC0415 - see above
 
         state = self._context.state()
         if self._model is None or not self._fits(self._model, state):
@@ -83,10 +85,9 @@ class Cartesian:
         flange = state.end_pose()
         if flange is None:
             return None
-        from armui.kinematics.kinematics import Pose  # noqa: PLC0415 - see above
-        from armui.kinematics.poses import tool_pose  # noqa: PLC0415 - see above
+        from armui.kinematics import poses  # noqa: PLC0415 - see above
 
-        return tool_pose(flange, self.tool) if any(self.tool) else Pose(*flange)
+        return poses.tool_pose(flange, self.tool) if any(self.tool) else poses.Pose(*flange)
 
     def why_unknown(self) -> Refusal | None:
         """The reason against computing with poses: not heard, or not those of this kind of arm."""
@@ -101,8 +102,7 @@ class Cartesian:
 
     @staticmethod
     def _fits(model: Kinematics, state: ArmState) -> bool:
-        from armui.arm.reach import apart  # noqa: PLC0415 - see above
-        from armui.kinematics.kinematics import Pose  # noqa: PLC0415 - see above
+        from armui.kinematics.poses import Pose, apart  # noqa: PLC0415 - see above
 
         joints_deg, pose = state.angles_deg(), state.end_pose()
         if joints_deg is None or pose is None:
@@ -123,19 +123,18 @@ class Cartesian:
         if unknown is not None:
             return unknown
         from armui.arm.reach import check_path, check_pose  # noqa: PLC0415 - see above
-        from armui.kinematics.kinematics import pose_to_matrix  # noqa: PLC0415 - see above
-        from armui.kinematics.poses import flange_pose  # noqa: PLC0415 - see above
+        from armui.kinematics import poses  # noqa: PLC0415 - see above
         from armui.kinematics.tool_path import Line  # noqa: PLC0415 - see above
 
         model, start_deg = self.kinematics(), self._start_deg()
         limits = self._context.operating_state().limits
-        flange = flange_pose(target, self.tool)
+        flange = poses.flange_pose(target, self.tool)
         answer = check_pose(model, flange, start_deg, limits)
         if isinstance(answer, Refusal):
             return answer
         if move_mode is not MoveMode.MOVE_L:
             return None
-        line = Line(model.matrix(start_deg), pose_to_matrix(flange))
+        line = Line(model.matrix(start_deg), poses.pose_to_matrix(flange))
         return check_path(model, line, start_deg, limits)
 
     def move(self, target: Sequence[float], move_mode: MoveMode) -> Refusal | None:
@@ -155,20 +154,21 @@ class Cartesian:
             amount: In mm or degrees.
             frame: Whose axes.
         """
-        unknown = self._context.operating_state().cannot_move or self.why_unknown()
+        unknown = self._context.refresh().cannot_move or self.why_unknown()
         if unknown is not None:
             return self._context.refuse(unknown)
-        from armui.kinematics.kinematics import matrix_to_pose  # noqa: PLC0415 - see above
-        from armui.kinematics.poses import shifted, tool_matrix  # noqa: PLC0415 - see above
+        from armui.kinematics import poses  # noqa: PLC0415 - see above
 
         measured_deg = self._context.authority.measured_deg()
         if measured_deg is None:
             return self._context.refuse(Refusal(RefusalCode.JOINTS_UNKNOWN))
-        measured = tool_matrix(self.kinematics().matrix(measured_deg), self.tool)
-        target = shifted(self._base(measured), axis, amount, frame)
+        measured = poses.tool_matrix(self.kinematics().matrix(measured_deg), self.tool)
+        target = poses.shifted(self._base(measured), axis, amount, frame)
         unit = "mm" if axis < LINEAR_AXES else "°"
         figures: dict[str, object] = {"axis": AXES[axis], "step": f"{amount:+g} {unit}"}
-        return self._move(matrix_to_pose(target), MoveMode.MOVE_L, EventCode.STEPPED_TOOL, figures)
+        return self._move(
+            poses.matrix_to_pose(target), MoveMode.MOVE_L, EventCode.STEPPED_TOOL, figures
+        )
 
     def move_arc(self, *points: Sequence[float]) -> Refusal | None:
         """Move on the arc through three poses of the tool centre point (MOVE C).
@@ -179,9 +179,7 @@ class Cartesian:
             *points: Start, middle and end.
         """
         context = self._context
-        refusal = (
-            context.operating_state().cannot_move or self.why_unknown() or self.check_arc(*points)
-        )
+        refusal = context.refresh().cannot_move or self.why_unknown() or self.check_arc(*points)
         if refusal is not None:
             return context.refuse(refusal)
         from armui.kinematics.poses import flange_pose  # noqa: PLC0415 - see above
@@ -194,21 +192,20 @@ class Cartesian:
 
     def check_arc(self, *points: Sequence[float]) -> Refusal | None:
         """Whether the arm stands at the start of an arc and can follow it to its end."""
-        from armui.arm.reach import apart, check_path  # noqa: PLC0415 - see above
-        from armui.kinematics.kinematics import Pose, pose_to_matrix  # noqa: PLC0415 - see above
-        from armui.kinematics.poses import flange_pose  # noqa: PLC0415 - see above
+        from armui.arm.reach import check_path  # noqa: PLC0415 - see above
+        from armui.kinematics import poses  # noqa: PLC0415 - see above
         from armui.kinematics.tool_path import Arc, ArcError  # noqa: PLC0415 - see above
 
         model, start_deg = self.kinematics(), self._start_deg()
-        flanges = [flange_pose(Pose(*point), self.tool) for point in points]
-        off_mm, off_deg = apart(flanges[0], model.forward(start_deg))
+        flanges = [poses.flange_pose(point, self.tool) for point in points]
+        off_mm, off_deg = poses.apart(flanges[0], model.forward(start_deg))
         if off_mm > _AT_START_MM or off_deg > _AT_START_DEG:
             return Refusal(
                 RefusalCode.ARC_NOT_AT_START,
                 {"distance": round(off_mm, 1), "turned": round(off_deg, 1)},
             )
         try:
-            arc = Arc(*map(pose_to_matrix, flanges))
+            arc = Arc(*map(poses.pose_to_matrix, flanges))
         except ArcError:
             return Refusal(RefusalCode.ARC_IS_NONE)
         return check_path(model, arc, start_deg, self._context.operating_state().limits)
@@ -221,7 +218,7 @@ class Cartesian:
         figures: dict[str, object],
     ) -> Refusal | None:
         context = self._context
-        refusal = context.operating_state().cannot_move or self.check(target, move_mode)
+        refusal = context.refresh().cannot_move or self.check(target, move_mode)
         if refusal is not None:
             return context.refuse(refusal)
         from armui.kinematics.poses import flange_pose  # noqa: PLC0415 - see above
@@ -244,7 +241,7 @@ class Cartesian:
         code: EventCode,
         figures: dict[str, object],
     ) -> Refusal | None:
-        from armui.kinematics.kinematics import Pose, pose_to_matrix  # noqa: PLC0415 - see above
+        from armui.kinematics.poses import pose_to_matrix  # noqa: PLC0415 - see above
 
         context = self._context
         sent = context.send_motion(
@@ -252,7 +249,7 @@ class Cartesian:
             frames,
             move_mode=move_mode,
             speed_percent=self._motion.speed_percent,
-            tool=pose_to_matrix(Pose(*target)),
+            tool=pose_to_matrix(target),
         )
         if isinstance(sent, Refusal):
             return context.refuse(sent)
@@ -261,8 +258,7 @@ class Cartesian:
 
     def _base(self, measured: Matrix) -> Matrix:
         """Where a step of the tool starts from."""
-        from armui.arm.reach import apart  # noqa: PLC0415 - see above
-        from armui.kinematics.kinematics import matrix_to_pose  # noqa: PLC0415 - see above
+        from armui.kinematics.poses import apart, matrix_to_pose  # noqa: PLC0415 - see above
 
         authority = self._context.authority
         asked = authority.tool_base()

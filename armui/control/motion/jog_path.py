@@ -13,7 +13,8 @@ from armui.kinematics.axes import LINEAR_AXES, JogFrame
 
 if TYPE_CHECKING:
     from armui.control.motion.jog_pace import Pace
-    from armui.kinematics.kinematics import Kinematics, Matrix
+    from armui.kinematics.arm_kinematics import Kinematics
+    from armui.kinematics.poses import Matrix
 
 _TOOL_MM_S: Final = 60.0
 _TOOL_DEG_S: Final = 12.0
@@ -133,12 +134,11 @@ class ToolJogPath:
 
     def joints_at(self, gone: float, near_deg: Sequence[float]) -> tuple[float, ...] | Refusal:
         """The solution nearest to ``near_deg``, or why there is none."""
-        from armui.kinematics.kinematics import matrix_to_pose  # noqa: PLC0415 - see above
-        from armui.kinematics.poses import flange_matrix, shifted  # noqa: PLC0415 - see above
+        from armui.kinematics import poses  # noqa: PLC0415 - see above
 
         jog = self._jog
-        target = shifted(self._start, jog.axis, jog.direction * gone, jog.frame)
-        pose = matrix_to_pose(flange_matrix(target, self._tool))
+        target = poses.shifted(self._start, jog.axis, jog.direction * gone, jog.frame)
+        pose = poses.matrix_to_pose(poses.flange_matrix(target, self._tool))
         solutions = self._kinematics.inverse(pose, near_deg)
         if not solutions:
             return self.end()

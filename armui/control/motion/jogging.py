@@ -97,7 +97,7 @@ class Jogging:
         """
         self.stop()
         context = self._context
-        refusal = context.operating_state().cannot_move
+        refusal = context.refresh().cannot_move
         if refusal is None and isinstance(jog, ToolJog):
             refusal = self._cartesian.why_unknown()
         if refusal is not None:
@@ -105,7 +105,7 @@ class Jogging:
         now_s = context.clock()
         self._hold = _Hold(jog, now_s, now_s, before=context.authority.command)
         self._timer.start()
-        context.operating_state()
+        context.refresh()
         if isinstance(jog, JointJog):
             context.tell(EventCode.JOGGING_JOINT, joint=jog.joint, sign=_sign(jog.direction))
         else:
@@ -116,7 +116,7 @@ class Jogging:
         """Send no more setpoints: the arm rests at the last one, within 100 ms."""
         if self._hold is not None:
             self._let_go()
-            self._context.operating_state()
+            self._context.refresh()
 
     def _let_go(self) -> None:
         if self._hold is None:

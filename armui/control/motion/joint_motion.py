@@ -51,10 +51,10 @@ class Motion:
         context = self._context
         if not 0 <= percent <= 100:
             return context.refuse(Refusal(RefusalCode.SPEED_OUT_OF_RANGE, {"value": percent}))
-        if context.operating_state().running:
+        operating_state = context.refresh()
+        if operating_state.running:
             return context.refuse(Refusal(RefusalCode.RUN_UNDER_WAY))
         self.speed_percent = round(percent)
-        operating_state = context.operating_state()
         tellable = operating_state.control_certain and not operating_state.jogging
         tellable &= (
             interlocks.why_no_command(operating_state.unreachable, operating_state.stop, None)
@@ -64,6 +64,7 @@ class Motion:
             context.tell(EventCode.SENT_SPEED, percent=self.speed_percent)
         elif context.authority.holds:
             context.tell(EventCode.SPEED_WAITS, percent=self.speed_percent)
+        context.refresh()
         return None
 
     def tell_speed(self) -> bool:
@@ -81,7 +82,7 @@ class Motion:
     def jog(self, joint: int, delta_deg: float) -> Refusal | None:
         """Move one joint by a step at once; the other five stay where they are or were going."""
         context = self._context
-        operating_state = context.operating_state()
+        operating_state = context.refresh()
         base_deg = context.authority.joint_base_deg()
         if base_deg is None:
             return context.refuse(
@@ -111,7 +112,7 @@ class Motion:
     ) -> Refusal | None:
         """Send six angles if that may be, and tell so with a notice."""
         context = self._context
-        operating_state = context.operating_state()
+        operating_state = context.refresh()
         refusal = operating_state.cannot_move or check_joints(angles_deg, operating_state.limits)
         if refusal is not None:
             return context.refuse(refusal)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from armui.arm.other_hosts import OtherTraffic
     from armui.arm.state import ArmState
-    from armui.kinematics.kinematics import Matrix
+    from armui.kinematics.poses import Matrix
 
 
 class Mover(enum.Enum):

@@ -76,6 +76,7 @@ class PlannedMotion:
             EncodeError: The command is one of the transfer of points.
         """
         context = self._context
+        context.refresh()
         refusal = self.why_not(command)
         if refusal is None:
             frames = commands.trajectory_command(context.connection.codec, command)

@@ -181,7 +181,7 @@ class ArmSettings(QObject):
 
     def _codec(self) -> Codec | Refusal:
         """What to speak, or why nothing can be set now."""
-        refusal = self._why_unknown() or self._context.operating_state().occupied
+        refusal = self._why_unknown() or self._context.refresh().occupied
         if refusal is None and self.busy:
             refusal = Refusal(RefusalCode.BUSY, {"what": "settings"})
         if refusal is None:

@@ -64,7 +64,8 @@ class Transaction:
         index: What the answer names; ``None``: no answer is awaited.
         against: What speaks against it by the answer itself.
         read_back: How it is checked, where that can be.
-        recheck: Asked before each sending of the frames: the reason against it now, or ``None``.
+        recheck: Asked before each sending of the frames, by the newest operating state: the
+            reason against it now, or ``None``.
         attempts: How often the frames are sent at most while no answer comes.
         ends_with_stop: It must not be given again to an arm that is being stopped.
         alters: What it sets that a motion counts on, as a key of the words for what is under way;
@@ -243,6 +244,7 @@ class TransactionQueue:
             frames = () if order.read_back is None else order.read_back.query
             keep_s = _KEEP_S
         else:
+            self._context.refresh()
             refusal = self._why_another_arm(task) or order.recheck()
             frames = order.frames
             keep_s = min(_KEEP_S, task.send_by_s - now_s)

@@ -63,7 +63,7 @@ class Player(Execution):
     def start(self, run: Run) -> Refusal | None:
         """Begin a run: ``None`` if the arm is on its way, or why not."""
         context = self._context
-        operating_state = context.operating_state()
+        operating_state = context.refresh()
         refusal = operating_state.occupied or operating_state.cannot_run or _why_empty(run)
         if refusal is None:
             refusal = why_not_possible(context.connection.generation, run.points)
@@ -97,7 +97,7 @@ class Player(Execution):
             return None
         if self._phase is not RunPhase.PAUSED:
             return self._context.refuse(Refusal(RefusalCode.NOT_PAUSED))
-        refusal = self._context.operating_state().cannot_run
+        refusal = self._context.refresh().cannot_run
         if refusal is not None:
             return self._context.refuse(refusal)
         if self._paused_phase is RunPhase.MOVING:

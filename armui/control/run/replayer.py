@@ -68,7 +68,7 @@ class Replayer(Execution):
         from armui.control.run.replay import why_not  # noqa: PLC0415 - numpy, loaded with the first
 
         context = self._context
-        operating_state = context.operating_state()
+        operating_state = context.refresh()
         refusal = (
             operating_state.occupied
             or operating_state.cannot_run
@@ -96,7 +96,7 @@ class Replayer(Execution):
         """End a pause."""
         if self._phase is not RunPhase.PAUSED:
             return self._context.refuse(Refusal(RefusalCode.NOT_PAUSED))
-        refusal = self._context.operating_state().cannot_run
+        refusal = self._context.refresh().cannot_run
         if refusal is not None:
             return self._context.refuse(refusal)
         self._phase = RunPhase.MOVING

@@ -155,6 +155,7 @@ class Recovery:
         Raises:
             KeyError: The action is none of the controller's: connecting is the window's.
         """
+        self._context.refresh()
         now = self._look()
         wanted = step.action if action is None else action
         if now.kind is not step.kind or wanted is None or wanted not in now.actions:
@@ -168,6 +169,7 @@ class Recovery:
         refusal = self._deeds[wanted](now)
         if refusal is None and wanted not in _AT_ONCE:
             self._attempt = _PendingAction(now)
+        self._context.refresh()
         self.advance()
         return refusal
 

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from math import dist, radians
 from typing import Final, NamedTuple
 
-from armui.kinematics.kinematics import Kinematics
+from armui.kinematics.arm_kinematics import Kinematics
 
 _NUDGE_DEG: Final = 0.01
 _MM_PER_M: Final = 1000.0

@@ -8,7 +8,8 @@ from functools import partial
 from typing import Protocol
 
 from armui.arm.limits import JOINTS
-from armui.kinematics.kinematics import Kinematics, Pose
+from armui.kinematics.arm_kinematics import Kinematics
+from armui.kinematics.poses import Pose
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation

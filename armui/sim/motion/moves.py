@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Final
 
-from armui.kinematics.kinematics import Kinematics
+from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import ArcPointNumber, TrajectoryCommand
 from armui.sim.condition import Condition
 from armui.sim.mechanics.mechanics import Mechanics

@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Final
 
-from armui.kinematics.kinematics import Kinematics, Pose, pose_to_matrix
+from armui.kinematics.arm_kinematics import Kinematics
+from armui.kinematics.poses import Pose, pose_to_matrix
 from armui.kinematics.tool_path import Arc, ArcError, Line
 from armui.protocol.codes import ArcPointNumber, ArmStatusCode, MoveMode
 from armui.sim.condition import Condition

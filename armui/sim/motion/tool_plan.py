@@ -11,9 +11,11 @@ import numpy.typing as npt
 from scipy.interpolate import CubicSpline
 
 from armui.arm.limits import ANGLE_STEP_DEG
-from armui.kinematics.kinematics import Kinematics
+from armui.kinematics.arm_kinematics import Kinematics
+from armui.kinematics.follow import follow
 from armui.kinematics.pace import FINER, Demand, joint_demand, pace, tool_demand
-from armui.kinematics.tool_path import ToolPath, follow
+from armui.kinematics.singularity import fine_steps, leaps
+from armui.kinematics.tool_path import ToolPath
 from armui.protocol.codes import ArmStatusCode
 from armui.sim.mechanics.powered_joints import JOINT_COUNT, STANDSTILL, SixValues
 from armui.sim.motion.path_profile import PathProfile
@@ -21,17 +23,10 @@ from armui.sim.parameters.settings import ArmSettingsRecord
 
 Values = npt.NDArray[np.float64]
 
-_STEP_MM: Final = 1.0
-_STEP_DEG: Final = 0.25
 _FEWEST_STEPS: Final = 16
 
 _LONGEST_MM: Final = 5000.0
 """No line or arc longer than this stays within reach; it need not be looked at in detail."""
-
-_STEEPEST_DEG: Final = 5.0
-"""A joint that would turn more than this in one step of the path is at a singular pose."""
-_JITTER_DEG: Final = 0.01
-"""But this much is rounding, in however short a path."""
 
 _REPLAY_START_1_S: Final = 4.0
 """A replay takes at least a quarter of a second to come to its pace."""
@@ -125,10 +120,10 @@ def plan(
     """
     if path.length_mm > _LONGEST_MM:
         raise PlanningError(ArmStatusCode.NO_SOLUTION)
-    units = max(path.length_mm / _STEP_MM, path.angle_deg / _STEP_DEG)
+    units = float(fine_steps(path.length_mm, path.angle_deg))
     steps = max(math.ceil(units), _FEWEST_STEPS)
     targets = path.poses(np.linspace(0.0, 1.0, steps + 1))
-    joints = follow(kinematics, targets, start_deg)
+    joints = follow(kinematics.geometry, targets[None], np.array([start_deg]))[0]
     _check(joints, units / steps, settings)
     places = np.linspace(0.0, units, steps + 1)
     way = CubicSpline(places, joints)
@@ -172,10 +167,9 @@ def _check(joints: Values, units_a_step: float, settings: ArmSettingsRecord) -> 
     half_step = ANGLE_STEP_DEG / 2
     low = np.array([limits.min_deg - half_step for limits in settings.limits])
     high = np.array([limits.max_deg + half_step for limits in settings.limits])
-    steepest = _STEEPEST_DEG * min(units_a_step, 1.0) + _JITTER_DEG
     outside = (joints < low) | (joints > high)
     jumps = np.zeros(len(joints), dtype=bool)
-    jumps[1:] = (np.abs(np.diff(joints, axis=0)) > steepest).any(axis=1)
+    jumps[1:] = leaps(joints, units_a_step)
     bad = np.isnan(joints[:, 0]) | jumps | outside.any(axis=1)
     if not bad.any():
         return

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import Final
 
-from armui.kinematics.kinematics import Geometry
+from armui.kinematics.geometry import Geometry
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
 

@@ -11,7 +11,8 @@ import numpy.typing as npt
 
 from armui.arm.limits import JOINTS
 from armui.arm.model import ArmModel
-from armui.kinematics.batch import flange_heights, jacobians, margins
+from armui.kinematics.forward import flange_heights
+from armui.kinematics.singularity import NEAR_SINGULAR, margins, smallest_singular_values
 from armui.trajectory.planning.collision import collisions
 from armui.trajectory.planning.findings import Finding, FindingCode, Severity
 from armui.trajectory.planning.planned_path import PlannedPath
@@ -29,8 +30,6 @@ FAR_FROM_START_DEG: Final = 30.0
 """A first point further from where the joints are is worth a look."""
 LARGE_TURN_DEG: Final = 90.0
 """So is a joint that turns further to a pose: the arm may hold it in another way than meant."""
-NEAR_SINGULAR: Final = 0.02
-"""Smallest singular value, m and rad a rad: a hand at 60 mm/s then asks a joint for its 3 rad/s."""
 FLOOR_MM: Final = 0.0
 """The plane the arm stands on."""
 _SPEED_SLACK: Final = 1.02
@@ -143,12 +142,12 @@ def _limits(path: PlannedPath, led: Flags, arm: ArmModel) -> Iterator[Finding]:
 def _near_singular(path: PlannedPath, led: Flags, arm: ArmModel) -> Iterator[Finding]:
     places = np.flatnonzero(led)
     nearness = np.zeros(len(path.rows))
-    nearness[places] = -margins(arm.kinematics, path.joints_deg[places])
+    geometry = arm.kinematics.geometry
+    nearness[places] = -margins(geometry, path.joints_deg[places])
     nearest = np.array(list(_worst(led, nearness, path.rows)), dtype=np.int64)
     if not len(nearest):
         return
-    grids = jacobians(arm.kinematics, path.joints_deg[nearest])
-    smallest = np.linalg.svd(grids, compute_uv=False)[:, -1]
+    smallest = smallest_singular_values(geometry, path.joints_deg[nearest])
     for index, value in zip(nearest.tolist(), smallest.tolist(), strict=True):
         if value < NEAR_SINGULAR:
             yield _at(
@@ -176,7 +175,8 @@ def _far_from_start(path: PlannedPath) -> Iterator[Finding]:
 
 
 def _below_floor(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
-    heights = np.minimum(path.places_mm[:, 2], flange_heights(arm.kinematics, path.joints_deg))
+    flanges_mm = flange_heights(arm.kinematics.geometry, path.joints_deg)
+    heights = np.minimum(path.places_mm[:, 2], flanges_mm)
     below = FLOOR_MM - heights
     for index in _worst(below > 0.0, below, path.rows, path.expected_s == ()):
         yield _at(path, index, FindingCode.BELOW_FLOOR, {"value": round(float(below[index]), 1)})
@@ -198,7 +198,7 @@ def _collisions(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
     turned = np.abs(np.diff(path.joints_deg, axis=0)).max(axis=1, initial=0.0)
     strides = np.floor(np.concatenate(([0.0], np.cumsum(turned))) / _COLLISION_STEP_DEG)
     looked_at = np.flatnonzero(np.diff(strides, prepend=-1.0) != 0.0)
-    hits = collisions(arm.kinematics, path.joints_deg[looked_at], arm.tool_mm)
+    hits = collisions(arm.kinematics.geometry, path.joints_deg[looked_at], arm.tool_mm)
     told: set[int] = set()
     for which in sorted(hits):
         index = int(looked_at[which])

@@ -1,4 +1,4 @@
-"""Whether parts of the arm would pass through each other: capsules along its bones.
+"""Whether parts of the arm would pass through each other: capsules along its links.
 
 Their sizes are those of the meshes in ``urdf/``, a little within the covers: what is told touches.
 Neighbours are left out, their joints' limits keep them apart.
@@ -13,8 +13,8 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from armui.kinematics.batch import Skeleton, skeletons
-from armui.kinematics.kinematics import BASE_MM, ELBOW_MM, HAND_MM, UPPER_ARM_MM, Kinematics
+from armui.kinematics.forward import Links, links
+from armui.kinematics.geometry import BASE_MM, ELBOW_MM, HAND_MM, UPPER_ARM_MM, Geometry
 
 Array = npt.NDArray[np.float64]
 Whole = npt.NDArray[np.int64]
@@ -49,23 +49,23 @@ class _Capsule:
     radius_mm: float
 
 
-def collisions(kinematics: Kinematics, joints_deg: Array, tool_mm: float) -> dict[int, str]:
+def collisions(geometry: Geometry, joints_deg: Array, tool_mm: float) -> dict[int, str]:
     """Where parts of the arm would be in each other.
 
     Args:
-        kinematics: Of the arm.
+        geometry: Of the arm.
         joints_deg: (n, 6).
         tool_mm: How far the gripper reaches beyond the flange; 0 if there is none.
 
     Returns:
         By index, the two parts, as ``upper arm/gripper``.
     """
-    bones = skeletons(kinematics, joints_deg)
-    close = np.flatnonzero(_close(bones, tool_mm))
+    arm = links(geometry, joints_deg)
+    close = np.flatnonzero(_close(arm, tool_mm))
     found: dict[int, str] = {}
     if not len(close):
         return found
-    near = Skeleton(*(each[close] for each in bones))
+    near = Links(*(each[close] for each in arm))
     for fixed, moving in _pairs(near, tool_mm):
         gaps = segment_distances(fixed.start, fixed.end, moving.start, moving.end)
         for index in close[gaps < fixed.radius_mm + moving.radius_mm].tolist():
@@ -91,51 +91,47 @@ def segment_distances(a: Array, b: Array, c: Array, d: Array) -> Array:
     return gap
 
 
-def _close(bones: Skeleton, tool_mm: float) -> npt.NDArray[np.bool_]:
+def _close(arm: Links, tool_mm: float) -> npt.NDArray[np.bool_]:
     """Whether hand or forearm could touch anything, by the spheres around them."""
     half_mm = (HAND_MM + tool_mm) / 2.0
-    middle = bones.centre + half_mm * bones.hand
+    middle = arm.centre + half_mm * arm.hand
     reach_mm = half_mm + _FURTHEST_MM
     to_axis = np.hypot(middle[:, 0], middle[:, 1])
     to_column = np.hypot(to_axis, np.maximum(middle[:, 2] - BASE_MM, 0.0))
     shoulder = np.array((0.0, 0.0, BASE_MM))
-    along = np.clip(_dot(middle - shoulder, bones.upper_arm), 0.0, UPPER_ARM_MM)
-    off_arm = np.linalg.norm(middle - shoulder - along[:, None] * bones.upper_arm, axis=1)
+    along = np.clip(_dot(middle - shoulder, arm.upper_arm), 0.0, UPPER_ARM_MM)
+    off_arm = np.linalg.norm(middle - shoulder - along[:, None] * arm.upper_arm, axis=1)
     near_arm = off_arm < reach_mm + _UPPER_ARM_RADIUS_MM + _KNEE_MM[1]
-    wrist = bones.centre[:, 2] < BASE_MM + _COLUMN_RADIUS_MM + _FOREARM_RADIUS_MM
+    wrist = arm.centre[:, 2] < BASE_MM + _COLUMN_RADIUS_MM + _FOREARM_RADIUS_MM
     return np.asarray((to_column < reach_mm + _COLUMN_RADIUS_MM) | near_arm | wrist)
 
 
-def _pairs(bones: Skeleton, tool_mm: float) -> Iterator[tuple[_Capsule, _Capsule]]:
+def _pairs(arm: Links, tool_mm: float) -> Iterator[tuple[_Capsule, _Capsule]]:
     """The parts that could meet."""
-    foot = np.zeros_like(bones.elbow)
+    foot = np.zeros_like(arm.elbow)
     shoulder = foot + np.array((0.0, 0.0, BASE_MM))
-    knee = (
-        shoulder
-        + _KNEE_MM[0] * bones.upper_arm
-        - _KNEE_MM[1] * np.cross(bones.side, bones.upper_arm)
-    )
+    knee = shoulder + _KNEE_MM[0] * arm.upper_arm - _KNEE_MM[1] * np.cross(arm.side, arm.upper_arm)
     column = _Capsule("base", foot, shoulder, _COLUMN_RADIUS_MM)
     low = foot + np.array((_SOCKET_MM[0], 0.0, 0.0))
     socket = _Capsule("base", low, low + np.array((0.0, 0.0, _SOCKET_MM[1])), _SOCKET_RADIUS_MM)
     upper = (
         _Capsule("upper arm", shoulder, knee, _UPPER_ARM_RADIUS_MM),
-        _Capsule("upper arm", knee, bones.elbow, _UPPER_ARM_RADIUS_MM),
+        _Capsule("upper arm", knee, arm.elbow, _UPPER_ARM_RADIUS_MM),
     )
-    bar = bones.elbow + ELBOW_MM * bones.across + _FOREARM_FROM_MM * bones.forearm
-    yield column, _Capsule("forearm", bar, bones.centre, _FOREARM_RADIUS_MM)
-    for moving in _hand(bones, tool_mm):
+    bar = arm.elbow + ELBOW_MM * arm.across + _FOREARM_FROM_MM * arm.forearm
+    yield column, _Capsule("forearm", bar, arm.centre, _FOREARM_RADIUS_MM)
+    for moving in _hand(arm, tool_mm):
         for fixed in (column, socket, *upper):
             yield fixed, moving
 
 
-def _hand(bones: Skeleton, tool_mm: float) -> Iterator[_Capsule]:
-    yield _Capsule("hand", bones.centre, bones.flange, _HAND_RADIUS_MM)
+def _hand(arm: Links, tool_mm: float) -> Iterator[_Capsule]:
+    yield _Capsule("hand", arm.centre, arm.flange, _HAND_RADIUS_MM)
     if tool_mm > _PALM_AT_MM:
-        palm = bones.flange + _PALM_AT_MM * bones.hand
-        aside = _PALM_HALF_MM * bones.palm
+        palm = arm.flange + _PALM_AT_MM * arm.hand
+        aside = _PALM_HALF_MM * arm.palm
         yield _Capsule("gripper", palm - aside, palm + aside, _PALM_RADIUS_MM)
-        tip = bones.flange + (tool_mm - _FINGER_RADIUS_MM) * bones.hand
+        tip = arm.flange + (tool_mm - _FINGER_RADIUS_MM) * arm.hand
         yield _Capsule("gripper", palm, tip, _FINGER_RADIUS_MM)
 
 

@@ -8,7 +8,8 @@ from dataclasses import replace
 from armui.arm.limits import JointLimits, check_joints
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.kinematics.kinematics import Kinematics, Pose
+from armui.kinematics.arm_kinematics import Kinematics
+from armui.kinematics.poses import Pose
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.program import Waypoint
 

@@ -8,8 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from armui.arm.model import ArmModel
-from armui.kinematics.batch import skeletons
-from armui.kinematics.kinematics import Joints
+from armui.kinematics.forward import links
+from armui.kinematics.poses import Joints
 from armui.trajectory.planning.findings import Finding
 
 Array = npt.NDArray[np.float64]
@@ -87,8 +87,8 @@ def sampled_path(
     problems: tuple[Finding, ...] = (),
 ) -> PlannedPath:
     """A path with the places and the speeds of the tool's tip worked out."""
-    bones = skeletons(arm.kinematics, joints_deg)
-    places = bones.flange + arm.tool_mm * bones.hand
+    arm_links = links(arm.kinematics.geometry, joints_deg)
+    places = arm_links.flange + arm.tool_mm * arm_links.hand
     return PlannedPath(
         times_s, joints_deg, places, _speeds(times_s, places), rows, expected_s, problems
     )

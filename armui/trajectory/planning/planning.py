@@ -9,10 +9,11 @@ from typing import Final
 import numpy as np
 
 from armui.arm.model import ArmModel
-from armui.kinematics.kinematics import Joints, Matrix, matrix_to_pose
+from armui.kinematics.inverse import missing_mm
+from armui.kinematics.poses import Joints, Matrix, pose_to_matrix
 from armui.kinematics.tool_path import Arc, ArcError
 from armui.trajectory.planning.findings import Finding, FindingCode
-from armui.trajectory.planning.stops import TOOL_MOVES, Route, Stops, choose, stops, transforms
+from armui.trajectory.planning.stops import TOOL_MOVES, Route, Stops, choose, stops
 from armui.trajectory.planning.tool_moves import Paths, PlannedToolMoves, plan_tool_moves
 from armui.trajectory.points.program import Waypoint
 
@@ -72,9 +73,8 @@ def _paths(
             continue
         arc = None
         if point.middle is not None:
-            middle = transforms(np.array([point.middle], dtype=float))[0]
             try:
-                arc = Arc(table.goals[origin], middle, table.goals[stop])
+                arc = Arc(table.goals[origin], pose_to_matrix(point.middle), table.goals[stop])
             except ArcError:
                 found[stop] = Finding(FindingCode.ARC_NO_CIRCLE, row=stop - 1)
                 continue
@@ -90,7 +90,6 @@ def _paths(
         table.goals[origins],
         table.goals[wanted],
         route.ends_deg[origins],
-        route.ways[wanted],
         arcs,
     )
 
@@ -114,7 +113,7 @@ def _same_place(start: Matrix, goal: Matrix) -> bool:
 
 
 def _out_of_reach(table: Stops, arm: ArmModel, stop: int) -> Finding:
-    missing = arm.kinematics.missing_mm(matrix_to_pose(table.goals[stop]))
+    missing = missing_mm(table.goals[stop])
     place = table.goals[stop, :3, 3] + arm.tool_mm * table.goals[stop, :3, 2]
     params = {"missing": round(missing, 1)}
     return Finding(FindingCode.OUT_OF_REACH, params, stop - 1, place_mm=tuple(place.tolist()))

@@ -12,13 +12,13 @@ from typing import Final
 
 import numpy as np
 import numpy.typing as npt
-from scipy.spatial.transform import Rotation
 
 from armui.arm.limits import ANGLE_STEP_DEG
 from armui.arm.model import ArmModel
-from armui.kinematics.batch import WAYS, flanges, solutions
-from armui.kinematics.kinematics import Joints, Pose, matrix_to_pose, wrapped_deg
-from armui.kinematics.wrist import STRETCHED_DEG
+from armui.kinematics.forward import flange_transforms
+from armui.kinematics.inverse import WAYS, nearest_first, solutions
+from armui.kinematics.poses import Joints, pose_to_matrix
+from armui.kinematics.wrist import STRETCHED_DEG, continued
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.program import Waypoint
 
@@ -36,7 +36,7 @@ class Stops:
     Attributes:
         joints_deg: (n, 6) targets of MOVE J, and of the start; NaN for poses.
         goals: (n, 4, 4) transforms of the flange.
-        solutions_deg: (n, 8, 6) ways to hold the flange, see `armui.kinematics.batch.solutions`.
+        solutions_deg: (n, 8, 6) ways to hold the flange, see `armui.kinematics.inverse`.
         within: (n, 8) whether each is within the joints' limits.
         stretched: (n,) whether the wrist may be stretched there.
     """
@@ -54,23 +54,12 @@ def stops(points: Sequence[Waypoint], arm: ArmModel, start_deg: Sequence[float])
     posed = np.array([False, *(not point.is_joint for point in points)])
     joints_deg = np.where(posed[:, None], math.nan, targets)
     goals = np.empty((len(targets), 4, 4))
-    goals[~posed] = flanges(arm.kinematics, targets[~posed])
-    goals[posed] = transforms(targets[posed])
-    ways, bends = solutions(arm.kinematics, goals)
+    goals[~posed] = flange_transforms(arm.kinematics.geometry, targets[~posed])
+    goals[posed] = pose_to_matrix(targets[posed])
+    ways, bends = solutions(arm.kinematics.geometry, goals)
     low, high = bounds(arm)
     within = np.asarray(((ways >= low) & (ways <= high)).all(axis=2))
     return Stops(joints_deg, goals, ways, within, bends < STRETCHED_DEG)
-
-
-def transforms(poses: Array) -> Array:
-    """(n, 4, 4) of (n, 6) poses: X Y Z in mm, RX RY RZ in degrees."""
-    matrices = np.zeros((len(poses), 4, 4))
-    if len(poses):
-        turns = Rotation.from_euler("xyz", poses[:, 3:], degrees=True)
-        matrices[:, :3, :3] = turns.as_matrix()
-    matrices[:, :3, 3] = poses[:, :3]
-    matrices[:, 3, 3] = 1.0
-    return matrices
 
 
 def bounds(arm: ArmModel) -> tuple[Array, Array]:
@@ -88,13 +77,11 @@ class Route:
     Attributes:
         origins: (n,) the stop each motion begins at; −1 for stops that are left out.
         ends_deg: (n, 6) the joints at each stop; NaN where it is not known.
-        ways: (n,) the way of the arm on which a tool move begins.
         unreachable: Poses no way leads to.
     """
 
     origins: Whole
     ends_deg: Array
-    ways: Whole
     unreachable: list[int]
 
 
@@ -118,7 +105,7 @@ def choose(
         followed: By stop, the joints a tool move was followed from, and to.
     """
     count = len(points) + 1
-    route = Route(np.full(count, -1), np.full((count, 6), math.nan), np.zeros(count, int), [])
+    route = Route(np.full(count, -1), np.full((count, 6), math.nan), [])
     joints: Joints = tuple(table.joints_deg[0].tolist())
     route.ends_deg[0] = joints
     here = 0
@@ -129,12 +116,11 @@ def choose(
         if point.is_joint:
             end = point.target
         elif point.move in TOOL_MOVES:
-            way = _way_at(table.solutions_deg[here], joints)
-            route.ways[stop] = way
             before = followed.get(stop)
             if before is not None and before[0] == joints:
                 end = before[1]
             else:
+                way = _way_at(table.solutions_deg[here], joints)
                 end = _wrist_near(table.solutions_deg[stop, 2 * way : 2 * way + 2], joints)
         else:
             end = _nearest(table, stop, joints, arm)
@@ -159,23 +145,14 @@ def _wrist_near(ways_deg: Array, joints: Joints) -> Joints | None:
     """Of two bends of the wrist the nearer one, without a turn more than needed."""
     if math.isnan(ways_deg[0, 0]):
         return None
-    rows = [
-        (
-            *way[:3],
-            *(
-                before + wrapped_deg(angle - before)
-                for angle, before in zip(way[3:], joints[3:], strict=True)
-            ),
-        )
-        for way in ways_deg.tolist()
-    ]
+    rows = [(*way[:3], *continued(way[3:], joints[3:])) for way in ways_deg.tolist()]
     return min(rows, key=lambda row: math.dist(row[3:], joints[3:]))
 
 
 def _nearest(table: Stops, stop: int, joints: Joints, arm: ArmModel) -> Joints | None:
     """The nearest way to a pose, of those within the limits if there is one."""
     if table.stretched[stop]:
-        return _nearest_stretched(matrix_to_pose(table.goals[stop]), joints, arm)
+        return _nearest_stretched(table.goals[stop], joints, arm)
     ways = table.solutions_deg[stop]
     off: Array = ways - np.array(joints)
     gaps = np.einsum("ij,ij->i", off, off)
@@ -185,10 +162,10 @@ def _nearest(table: Stops, stop: int, joints: Joints, arm: ArmModel) -> Joints |
     return tuple(ways[best].tolist()) if math.isfinite(gaps[best]) else None
 
 
-def _nearest_stretched(pose: Pose, joints: Joints, arm: ArmModel) -> Joints | None:
+def _nearest_stretched(goal: Array, joints: Joints, arm: ArmModel) -> Joints | None:
     """The same with a wrist that is as good as stretched: joint 4 stays where it is."""
     low, high = bounds(arm)
-    ways = arm.kinematics.inverse(pose, joints)
+    ways = nearest_first(arm.kinematics.geometry, goal, joints)
     inside = [way for way in ways if (low <= way).all() and (way <= high).all()]
     best = inside or ways
     return best[0] if best else None

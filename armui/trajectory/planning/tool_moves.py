@@ -6,7 +6,6 @@ rounded up to a power of two. Where joints turn fast a move is looked at again m
 
 from __future__ import annotations
 
-import math
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -15,14 +14,12 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 from scipy.interpolate import CubicSpline
-from scipy.spatial.transform import Rotation
 
 from armui.arm.model import ArmModel
-from armui.kinematics.batch import arm_way
-from armui.kinematics.kinematics import Kinematics
+from armui.kinematics.follow import follow
 from armui.kinematics.pace import Demand, joint_demand, pace, tool_demand
-from armui.kinematics.tool_path import Arc, follow
-from armui.kinematics.wrist import STRETCHED_DEG, bend_deg, bent_wrist
+from armui.kinematics.singularity import JITTER_DEG, fine_steps, leaps, turns
+from armui.kinematics.tool_path import Arc, StraightLines
 
 Array = npt.NDArray[np.float64]
 Whole = npt.NDArray[np.int64]
@@ -30,8 +27,6 @@ Flags = npt.NDArray[np.bool_]
 
 _STEP_MM: Final = 5.0
 _STEP_DEG: Final = 1.5
-_FINE_STEP_MM: Final = 1.0
-_FINE_STEP_DEG: Final = 0.25
 _FEWEST_STEPS: Final = 8
 _MOST_STEPS: Final = 8192
 _MOST_PLACES: Final = 200_000
@@ -42,11 +37,6 @@ _BENT_DEG: Final = 0.5
 """So is one that turns by so much more, or less, in a step than in the step before."""
 _SHARP: Final = 4.0
 """So is one for which that difference is so many times its mean along the path."""
-_STEEPEST_DEG: Final = 5.0
-_JITTER_DEG: Final = 0.01
-"""What the simulated arm takes for a singular pose: so much in a fine step, and rounding."""
-_SURE_DEG: Final = 45.0
-"""While joints 4 and 6 turn less in a step, the nearer bend of the wrist is the same bend."""
 _FINER: Final = 2
 
 
@@ -95,7 +85,6 @@ class Paths:
         stops: (m,) the stops they lead to.
         starts, goals: (m, 4, 4) transforms of the flange.
         starts_deg: (m, 6) the joints at the start.
-        ways: (m,) the way of the arm they begin on.
         arcs: (m,) the arcs; ``None`` for lines.
     """
 
@@ -103,7 +92,6 @@ class Paths:
     starts: Array
     goals: Array
     starts_deg: Array
-    ways: Whole
     arcs: Sequence[Arc | None]
 
     def only(self, wanted: Whole) -> Paths:
@@ -113,20 +101,13 @@ class Paths:
             self.starts[wanted],
             self.goals[wanted],
             self.starts_deg[wanted],
-            self.ways[wanted],
             [self.arcs[index] for index in wanted.tolist()],
         )
 
-    def turns(self) -> Array:
-        """(m, 3) how the hand turns on a line, as rotation vectors in its own frame."""
-        first = Rotation.from_matrix(self.starts[:, :3, :3])
-        turns: Array = (first.inv() * Rotation.from_matrix(self.goals[:, :3, :3])).as_rotvec()
-        return turns
-
     def sizes(self) -> tuple[Array, Array]:
         """(m,) lengths in mm and turns in degrees."""
-        lengths = np.linalg.norm(self.goals[:, :3, 3] - self.starts[:, :3, 3], axis=1)
-        angles = np.degrees(np.linalg.norm(self.turns(), axis=1))
+        lines = StraightLines(self.starts, self.goals)
+        lengths, angles = lines.lengths_mm, lines.angles_deg
         for index, arc in enumerate(self.arcs):
             if arc is not None:
                 lengths[index], angles[index] = arc.length_mm, arc.angle_deg
@@ -134,14 +115,7 @@ class Paths:
 
     def poses(self, shares: Array) -> Array:
         """(m, places, 4, 4) transforms at parts of the ways."""
-        count, places = len(self.stops), len(shares)
-        poses = np.zeros((count, places, 4, 4))
-        first, last = self.starts[:, None, :3, 3], self.goals[:, None, :3, 3]
-        poses[:, :, :3, 3] = first + shares[None, :, None] * (last - first)
-        turned = Rotation.from_rotvec((self.turns()[:, None] * shares[:, None]).reshape(-1, 3))
-        turned_by = turned.as_matrix().reshape(count, places, 3, 3)
-        poses[:, :, :3, :3] = self.starts[:, None, :3, :3] @ turned_by
-        poses[:, :, 3, 3] = 1.0
+        poses = StraightLines(self.starts, self.goals).poses(shares)
         for index, arc in enumerate(self.arcs):
             if arc is not None:
                 poses[index] = arc.poses(shares)
@@ -153,7 +127,7 @@ def plan_tool_moves(paths: Paths, arm: ArmModel) -> list[PlannedToolMoves]:
     if not len(paths.stops):
         return []
     lengths, angles = paths.sizes()
-    units = np.maximum(lengths / _FINE_STEP_MM, angles / _FINE_STEP_DEG)
+    units = fine_steps(lengths, angles)
     coarse = _steps(np.maximum(lengths / _STEP_MM, angles / _STEP_DEG))
     fine = _steps(units)
     done: list[PlannedToolMoves] = []
@@ -170,52 +144,12 @@ def plan_tool_moves(paths: Paths, arm: ArmModel) -> list[PlannedToolMoves]:
     return [_paced(moves, paths, arm) for moves in done if len(moves.stops)]
 
 
-def lead(kinematics: Kinematics, targets: Array, starts_deg: Array, ways: Whole) -> Array:
-    """Joints along paths, each on the way where the arm stands: `follow`, for many.
-
-    Args:
-        kinematics: Of the arm.
-        targets: (m, places, 4, 4) transforms of the flange, the first of them where it is.
-        starts_deg: (m, 6) the joints there.
-        ways: (m,) the way of the arm there.
-
-    Returns:
-        (m, places, 6) angles in degrees, NaN from where the way ends.
-    """
-    count, places = targets.shape[:2]
-    flat = targets.reshape(-1, 4, 4)
-    arms = arm_way(kinematics, flat, np.repeat(ways, places))
-    hands = kinematics.hands(arms, flat)
-    wrists = bent_wrist(hands).reshape(count, places, 2, 3)
-    # joint 4 of one bend leaps by half a turn where joint 5 passes through 0: there the other
-    # bend goes on
-    crossed = np.abs(_wrapped(np.diff(wrists[:, :, 0, 0], axis=1))) > 90.0
-    crossings = np.zeros((count, places), dtype=np.int64)
-    np.cumsum(crossed, axis=1, out=crossings[:, 1:])
-    off = np.abs(_wrapped(wrists[:, 0] - starts_deg[:, None, 3:])).sum(axis=2)
-    bends = (np.argmin(np.nan_to_num(off, nan=math.inf), axis=1)[:, None] + crossings) % 2
-    chosen = np.take_along_axis(wrists, bends[:, :, None, None], axis=2)[:, :, 0]
-    joints = np.concatenate((arms.reshape(count, places, 3), chosen), axis=2)
-    joints[:, 0] = starts_deg
-    turned = _wrapped(np.diff(joints[:, :, 3:], axis=1))
-    joints[:, 1:, 3:] = starts_deg[:, None, 3:] + np.cumsum(turned, axis=1)
-    joints[np.logical_or.accumulate(np.isnan(joints[:, :, 0]), axis=1)] = math.nan
-    stretched = (bend_deg(hands) < STRETCHED_DEG).reshape(count, places)
-    unsure = stretched.any(axis=1)
-    unsure |= (np.abs(np.nan_to_num(turned)) > _SURE_DEG).any(axis=(1, 2))
-    for index in np.flatnonzero(unsure).tolist():
-        joints[index] = follow(kinematics, targets[index], starts_deg[index].tolist())
-    return joints
-
-
 def _followed(paths: Paths, arm: ArmModel, steps: int, units: Array) -> PlannedToolMoves:
     """Moves whose joints and troubles are known, and their pace not yet."""
     shares = np.linspace(0.0, 1.0, steps + 1)
-    joints = lead(arm.kinematics, paths.poses(shares), paths.starts_deg, paths.ways)
-    leaps = _leaps(joints)
-    steepest = _STEEPEST_DEG * units / steps + _JITTER_DEG
+    joints = follow(arm.kinematics.geometry, paths.poses(shares), paths.starts_deg)
     lost = np.isnan(joints[:, 1:, 0])
-    bad = lost | (leaps > steepest[:, None])
+    bad = lost | leaps(joints, units / steps)
     broken = np.where(bad.any(axis=1), np.argmax(bad, axis=1) + 1, -1)
     rows = np.arange(len(broken))
     singular = (broken > 0) & ~lost[rows, np.maximum(broken - 1, 0)]
@@ -288,17 +222,6 @@ def _uneven(joints_deg: Array) -> Flags:
     """(m,) whether joints turn so fast, or bend so suddenly, that the steps are too wide."""
     bends = np.nan_to_num(np.abs(np.diff(joints_deg, n=2, axis=1)).max(axis=2))
     sharpest, mean = bends.max(axis=1), bends.mean(axis=1)
-    sharp = (sharpest > _SHARP * mean) & (sharpest > _JITTER_DEG)
-    fast = (_leaps(joints_deg).max(axis=1) > _FAST_DEG) | (sharpest > _BENT_DEG)
+    sharp = (sharpest > _SHARP * mean) & (sharpest > JITTER_DEG)
+    fast = (turns(joints_deg).max(axis=1) > _FAST_DEG) | (sharpest > _BENT_DEG)
     return np.asarray(sharp | fast)
-
-
-def _leaps(joints_deg: Array) -> Array:
-    """(m, places − 1) how far the fastest joint turns in each step; 0 where it is not known."""
-    leaps: Array = np.nan_to_num(np.abs(np.diff(joints_deg, axis=1)).max(axis=2))
-    return leaps
-
-
-def _wrapped(angles_deg: Array) -> Array:
-    wrapped: Array = (angles_deg + 180.0) % 360.0 - 180.0
-    return wrapped

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.stop_button import StopButton
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -17,7 +18,7 @@ _MARGIN_PX: Final = 20
 _GAP_PX: Final = 14
 
 
-class ArmDialog(QDialog):
+class ArmDialog(Translated, QDialog):
     """A dialog with its title, halt and emergency stop at the top.
 
     It never blocks the main window: the stop there stays within reach too. Escape closes it.
@@ -80,9 +81,3 @@ class ArmDialog(QDialog):
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language; called anew when that changes."""
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QWidget
 
 from armui.ui.dialogs.base import ArmDialog
@@ -76,7 +76,7 @@ class ConfirmDialog(ArmDialog):
         self.footer.addWidget(self.action_button)
         self.footer.addWidget(self.cancel_button)
         self.cancel_button.setFocus()
-        self._draw_sign()
+        self._recolor()
         self.retranslate_ui()
 
     def show_text(self, text: str) -> None:
@@ -92,13 +92,7 @@ class ConfirmDialog(ArmDialog):
         self._hint.setText(self.tr("Hold the button, or the space bar on it, for one second."))
         self.cancel_button.setText(self.tr("Cancel"))
 
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the theme and the language."""
-        if event.type() == QEvent.Type.PaletteChange:
-            self._draw_sign()
-        super().changeEvent(event)
-
-    def _draw_sign(self) -> None:
+    def _recolor(self) -> None:
         ink = colors_of(self).warn
         self._sign.setPixmap(icons.pixmap("warning", ink, _SIGN_PX, self.devicePixelRatioF()))
 

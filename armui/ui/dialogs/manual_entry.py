@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
 
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
+from armui.ui.widgets.translated import Translated
 
 
-class ManualEntry(QWidget):
+class ManualEntry(Translated, QWidget):
     """Interface and channel as python-can names them.
 
     Args:
@@ -56,12 +57,6 @@ class ManualEntry(QWidget):
         self.channel_edit.setPlaceholderText(self.tr("e.g. COM5, /dev/ttyACM0, 239.0.0.1"))
         self.add_button.setText(self.tr("Add to the list"))
         self._on_changed()
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
 
     def _on_changed(self) -> None:
         complete = bool(self._interface() and self._channel())

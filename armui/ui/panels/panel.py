@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QLabel, QLayout, QScrollArea, QVBoxLayout, QWidget
 
@@ -15,6 +14,7 @@ from armui.control.events import Level, Notice
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -34,7 +34,7 @@ def level_of(refusal: Refusal) -> Level:
     return _LEVELS.get(refusal.code, Level.WARNING)
 
 
-class Panel(QWidget):
+class Panel(Translated, QWidget):
     """Shows what is new while it is seen, and catches up when it is shown again.
 
     A panel of its own makes its widgets, lays them out with :meth:`_stack`, and calls
@@ -131,12 +131,6 @@ class Panel(QWidget):
             on_confirmed=lambda: self._accepted(act()),
             hold=True,
         )
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Catch up with what went by while the panel was hidden."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
@@ -14,6 +14,7 @@ from armui.protocol.addressing import Addressing
 from armui.ui import words
 from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import painting
+from armui.ui.widgets.translated import Translated
 
 _SIGN_PX: Final = 8.0
 _WIDTH_PX: Final = 188
@@ -22,7 +23,7 @@ _TEXT_LEFT_PX: Final = 12 + 2 * _SIGN_PX + 12
 _TEXT_RIGHT_PX: Final = 8
 
 
-class CommunicationButton(QAbstractButton):
+class CommunicationButton(Translated, QAbstractButton):
     """A sign, a word and the device's name; each state has a sign of its own shape."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -92,12 +93,6 @@ class CommunicationButton(QAbstractButton):
             LinkState.ONLINE: self.tr("Online"),
             LinkState.LOST: self.tr("Connection lost"),
         }
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
 
     def sizeHint(self) -> QSize:
         """As large as it wants to be."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
@@ -13,13 +13,14 @@ from armui.control.operating_state import Busy, OperatingState
 from armui.ui import format as fmt
 from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import painting
+from armui.ui.widgets.translated import Translated
 
 _MARK_PX: Final = 20.0
 _GAP_PX: Final = 4.0
 _PAD_PX: Final = 10.0
 
 
-class EnableButton(QAbstractButton):
+class EnableButton(Translated, QAbstractButton):
     """Filled mark: enabled. Hollow: disabled. Dashed: not heard. Each joint by the arm's word."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -78,12 +79,6 @@ class EnableButton(QAbstractButton):
             self.tr("Unknown"),
             self.tr("Disabled"),
         ]
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
 
     def _word_width(self) -> int:
         metrics = QFontMetrics(scaled_font(self, 1.0, bold=True))

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
 from armui.control.events import Level
 from armui.system.failures import Failure
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.translated import Translated
 
 
-class FailureLine(QWidget):
+class FailureLine(Translated, QWidget):
     """Hidden until something goes wrong; shows the newest failure, and how often it happened."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -69,9 +69,3 @@ class FailureLine(QWidget):
         for button in (self._copy, self._close):
             button.setAccessibleName(button.text())
         self._say()
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPaintEvent
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
@@ -15,6 +15,7 @@ from armui.ui import words
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import painting, state_mark
 from armui.ui.widgets.state_mark import Mark
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from armui.control.devices.joint_monitor import JointMonitor
@@ -34,7 +35,7 @@ _MARKS: Final = {
 }
 
 
-class JointStatusButton(QAbstractButton):
+class JointStatusButton(Translated, QAbstractButton):
     """A mark, the name of the window, and in words how the joints are.
 
     Args:
@@ -78,12 +79,6 @@ class JointStatusButton(QAbstractButton):
         tip = self.tr("The worst of the six joints. Press to see all of them.")
         self.setToolTip("\n".join([self.state_text, *faults, tip]))
         self.update()
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
 
     def sizeHint(self) -> QSize:
         """As large as it wants to be."""

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
+from armui.ui.widgets.translated import Translated
 
 
-class LibraryButton(QToolButton):
+class LibraryButton(Translated, QToolButton):
     """An icon and the name of the window it opens."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -18,7 +19,7 @@ class LibraryButton(QToolButton):
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setIconSize(QSize(20, 20))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self._draw_icon()
+        self._recolor()
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
@@ -27,13 +28,5 @@ class LibraryButton(QToolButton):
         self.setAccessibleName(self.tr("Trajectory library"))
         self.setToolTip(self.tr("Make, check, run and record trajectories"))
 
-    def _draw_icon(self) -> None:
+    def _recolor(self) -> None:
         self.setIcon(icons.icon("library", colors_of(self).accent))
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language and the colours."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        elif event.type() == QEvent.Type.PaletteChange:
-            self._draw_icon()
-        super().changeEvent(event)

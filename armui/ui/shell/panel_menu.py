@@ -2,172 +2,76 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Sequence
+from functools import partial
+from importlib import import_module
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 from PySide6.QtWidgets import QWidget
 
-from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.shell.side_menu import MenuEntry
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.settings import SettingsStore
 
-# ruff: noqa: PLC0415 - a panel nobody has chosen does not delay the start
+# key, title, module and class below `armui.ui.panels`, what the panel gets beside the controller
+# fmt: off
+_PANELS: Final = (
+    ("motion", QT_TRANSLATE_NOOP("SideMenu", "Motion control"),
+     "jogging.motion_panel.MotionPanel", "jog_step"),
+    ("cartesian", QT_TRANSLATE_NOOP("SideMenu", "Tool control"),
+     "jogging.cartesian_panel.CartesianPanel", "preferences"),
+    ("light", QT_TRANSLATE_NOOP("SideMenu", "Light control"),
+     "light.light_panel.LightPanel", ""),
+    ("linkage", QT_TRANSLATE_NOOP("SideMenu", "Linkage control"),
+     "linkage_panel.LinkagePanel", ""),
+    ("joint_settings", QT_TRANSLATE_NOOP("SideMenu", "Joint settings"),
+     "parameters.joint_settings_panel.JointSettingsPanel", "open_backup"),
+    ("end_limits", QT_TRANSLATE_NOOP("SideMenu", "End speed limits"),
+     "parameters.end_limits_panel.EndLimitsPanel", "open_backup"),
+    ("collision", QT_TRANSLATE_NOOP("SideMenu", "Collision level"),
+     "parameters.collision_panel.CollisionPanel", "open_backup"),
+    ("motor", QT_TRANSLATE_NOOP("SideMenu", "Motor settings"),
+     "motors.motor_panel.MotorPanel", ""),
+    ("gripper", QT_TRANSLATE_NOOP("SideMenu", "Gripper control"),
+     "gripper.gripper_panel.GripperPanel", ""),
+    ("gripper_settings", QT_TRANSLATE_NOOP("SideMenu", "Gripper settings"),
+     "parameters.gripper_settings_panel.GripperSettingsPanel", "open_backup"),
+    ("end_load", QT_TRANSLATE_NOOP("SideMenu", "End load"),
+     "parameters.end_load_panel.EndLoadPanel", ""),
+    ("teaching", QT_TRANSLATE_NOOP("SideMenu", "Drag teaching"),
+     "teaching.teaching_panel.TeachingPanel", ""),
+)
+# fmt: on
 
 
-class PanelMaker:
-    """Makes the panels.
+def menu_entries(
+    controller: ArmController, preferences: SettingsStore, open_backup: Callable[[], object]
+) -> tuple[MenuEntry, ...]:
+    """The menu from top to bottom, in the manual's order where it has them.
 
     Args:
-        controller: Whom they talk to.
+        controller: Whom the panels talk to.
         preferences: What the operator chose.
         open_backup: Opens the window 参数备份.
     """
+    more: dict[str, Callable[[], Sequence[object]]] = {
+        "": tuple,
+        "jog_step": lambda: (preferences.settings.jog_step_deg,),
+        "preferences": lambda: (preferences,),
+        "open_backup": lambda: (open_backup,),
+    }
 
-    def __init__(
-        self,
-        controller: ArmController,
-        preferences: SettingsStore,
-        open_backup: Callable[[], object],
-    ) -> None:
-        self._controller = controller
-        self._preferences = preferences
-        self._open_backup = open_backup
-
-    def entries(self) -> tuple[MenuEntry, ...]:
-        """From top to bottom, in the manual's order where it has them."""
-        return (
-            MenuEntry(
-                "motion",
-                str(QT_TRANSLATE_NOOP("SideMenu", "Motion control")),
-                "motion",
-                self._motion,
-            ),
-            MenuEntry(
-                "cartesian",
-                str(QT_TRANSLATE_NOOP("SideMenu", "Tool control")),
-                "cartesian",
-                self._cartesian,
-            ),
-            MenuEntry(
-                "light",
-                str(QT_TRANSLATE_NOOP("SideMenu", "Light control")),
-                "light",
-                self._light,
-            ),
-            MenuEntry(
-                "linkage",
-                str(QT_TRANSLATE_NOOP("SideMenu", "Linkage control")),
-                "linkage",
-                self._linkage,
-            ),
-            MenuEntry(
-                "joint_settings",
-                str(QT_TRANSLATE_NOOP("SideMenu", "Joint settings")),
-                "joint_settings",
-                self._joint_settings,
-            ),
-            MenuEntry(
-                "end_limits",
-                str(QT_TRANSLATE_NOOP("SideMenu", "End speed limits")),
-                "end_limits",
-                self._end_limits,
-            ),
-            MenuEntry(
-                "collision",
-                str(QT_TRANSLATE_NOOP("SideMenu", "Collision level")),
-                "collision",
-                self._collision,
-            ),
-            MenuEntry(
-                "motor",
-                str(QT_TRANSLATE_NOOP("SideMenu", "Motor settings")),
-                "motor",
-                self._motor,
-            ),
-            MenuEntry(
-                "gripper",
-                str(QT_TRANSLATE_NOOP("SideMenu", "Gripper control")),
-                "gripper",
-                self._gripper,
-            ),
-            MenuEntry(
-                "gripper_settings",
-                str(QT_TRANSLATE_NOOP("SideMenu", "Gripper settings")),
-                "gripper_settings",
-                self._gripper_settings,
-            ),
-            MenuEntry(
-                "end_load",
-                str(QT_TRANSLATE_NOOP("SideMenu", "End load")),
-                "load",
-                self._end_load,
-            ),
-            MenuEntry(
-                "teaching",
-                str(QT_TRANSLATE_NOOP("SideMenu", "Drag teaching")),
-                "teaching",
-                self._teaching,
-            ),
+    def make(place: str, needs: str) -> QWidget:
+        module, _, name = place.rpartition(".")
+        panel: QWidget = getattr(import_module(f"armui.ui.panels.{module}"), name)(
+            controller, *more[needs]()
         )
+        return panel
 
-    def _motion(self) -> QWidget:
-        return MotionPanel(self._controller, self._preferences.settings.jog_step_deg)
-
-    def _cartesian(self) -> QWidget:
-        from armui.ui.panels.jogging.cartesian_panel import CartesianPanel
-
-        return CartesianPanel(self._controller, self._preferences)
-
-    def _light(self) -> QWidget:
-        from armui.ui.panels.light.light_panel import LightPanel
-
-        return LightPanel(self._controller)
-
-    def _linkage(self) -> QWidget:
-        from armui.ui.panels.linkage_panel import LinkagePanel
-
-        return LinkagePanel(self._controller)
-
-    def _joint_settings(self) -> QWidget:
-        from armui.ui.panels.parameters.joint_settings_panel import JointSettingsPanel
-
-        return JointSettingsPanel(self._controller, self._open_backup)
-
-    def _end_limits(self) -> QWidget:
-        from armui.ui.panels.parameters.end_limits_panel import EndLimitsPanel
-
-        return EndLimitsPanel(self._controller, self._open_backup)
-
-    def _collision(self) -> QWidget:
-        from armui.ui.panels.parameters.collision_panel import CollisionPanel
-
-        return CollisionPanel(self._controller, self._open_backup)
-
-    def _motor(self) -> QWidget:
-        from armui.ui.panels.motors.motor_panel import MotorPanel
-
-        return MotorPanel(self._controller)
-
-    def _gripper(self) -> QWidget:
-        from armui.ui.panels.gripper.gripper_panel import GripperPanel
-
-        return GripperPanel(self._controller)
-
-    def _gripper_settings(self) -> QWidget:
-        from armui.ui.panels.parameters.gripper_settings_panel import GripperSettingsPanel
-
-        return GripperSettingsPanel(self._controller, self._open_backup)
-
-    def _end_load(self) -> QWidget:
-        from armui.ui.panels.parameters.end_load_panel import EndLoadPanel
-
-        return EndLoadPanel(self._controller)
-
-    def _teaching(self) -> QWidget:
-        from armui.ui.panels.teaching.teaching_panel import TeachingPanel
-
-        return TeachingPanel(self._controller)
+    return tuple(
+        MenuEntry(key, str(title), partial(make, place, needs))
+        for key, title, place, needs in _PANELS
+    )

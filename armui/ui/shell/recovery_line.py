@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt
+from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QMouseEvent, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
@@ -17,6 +17,7 @@ from armui.ui.dialogs.confirm import confirm
 from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import icons, painting
 from armui.ui.widgets.hold_button import HoldButton
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -41,7 +42,7 @@ class StepButton(QPushButton):
         event.accept()
 
 
-class RecoveryLine(QWidget):
+class RecoveryLine(Translated, QWidget):
     """Says the next step and takes it; dangerous steps ask first.
 
     Its room is kept when there is nothing to do: nothing moves under the mouse when a fault comes
@@ -145,7 +146,7 @@ class RecoveryLine(QWidget):
         self._text.style().polish(self._text)
         self.setAccessibleName(text)
         self._show_button()
-        self._draw_icon()
+        self._recolor()
         self.update()
 
     def _show_button(self) -> None:
@@ -177,7 +178,7 @@ class RecoveryLine(QWidget):
             self._other_button.setText(label)
             self._other_button.setAccessibleName(label)
 
-    def _draw_icon(self) -> None:
+    def _recolor(self) -> None:
         colors = colors_of(self)
         ratio = self.devicePixelRatioF()
         if self._step.kind in _CALM:
@@ -190,13 +191,9 @@ class RecoveryLine(QWidget):
         name = "info" if self._step.level is Level.INFO else "warning"
         self._icon.setPixmap(icons.pixmap(name, ink, _ICON_PX, ratio))
 
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language and the colours."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._show_step()
-        elif event.type() == QEvent.Type.PaletteChange:
-            self._draw_icon()
-        super().changeEvent(event)
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._show_step()
 
     def sizeHint(self) -> QSize:
         """Always room for two lines and the button."""

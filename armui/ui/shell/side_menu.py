@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from PySide6.QtCore import QCoreApplication, QEvent, QSize, Qt, Signal
+from PySide6.QtCore import QCoreApplication, QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QButtonGroup,
     QScrollArea,
@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
+from armui.ui.widgets.translated import Translated
 
 _WIDTH_PX: Final = 176
 
@@ -27,19 +28,17 @@ class MenuEntry:
     """One panel of the operation area.
 
     Attributes:
-        key: Its name in the program; the button is called ``menu_<key>``.
+        key: Its name in the program and its icon's; the button is called ``menu_<key>``.
         title: What the menu says, marked for translation in the context ``SideMenu``.
-        icon: The name of its icon.
         make_panel: Makes the panel.
     """
 
     key: str
     title: str
-    icon: str
     make_panel: Callable[[], QWidget]
 
 
-class SideMenu(QWidget):
+class SideMenu(Translated, QWidget):
     """One entry a panel; the chosen one stands on pale blue. Scrolls on a low screen.
 
     Args:
@@ -87,14 +86,14 @@ class SideMenu(QWidget):
             whole.addWidget(widget)
         self._group.button(0).setChecked(True)
         self._group.idClicked.connect(self.chosen)
-        self._group.idClicked.connect(self._draw_icons)
+        self._group.idClicked.connect(self._recolor)
         self.retranslate_ui()
-        self._draw_icons()
+        self._recolor()
 
     def choose(self, place: int) -> None:
         """Show an entry as the chosen one, without telling anyone."""
         self._group.button(place).setChecked(True)
-        self._draw_icons()
+        self._recolor()
 
     def _scrolled(self, column: QWidget) -> QScrollArea:
         area = QScrollArea()
@@ -114,16 +113,8 @@ class SideMenu(QWidget):
             self._group.button(place).setText(f" {title}")
             self._group.button(place).setAccessibleName(title)
 
-    def _draw_icons(self) -> None:
+    def _recolor(self) -> None:
         colors = colors_of(self)
         for place, entry in enumerate(self._entries):
             color = colors.accent if place == self._group.checkedId() else colors.muted
-            self._group.button(place).setIcon(icons.icon(entry.icon, color))
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language and the colours."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        elif event.type() == QEvent.Type.PaletteChange:
-            self._draw_icons()
-        super().changeEvent(event)
+            self._group.button(place).setIcon(icons.icon(entry.key, color))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QSignalBlocker, Qt
+from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox, QWidget
 
 from armui.arm.refusal import Refusal
@@ -16,6 +16,7 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.freshness import is_stale
 from armui.ui.widgets.track_slider import TrackSlider
+from armui.ui.widgets.translated import Translated
 from armui.ui.widgets.value_label import ValueLabel
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 _WIDEST_PX: Final = 620
 
 
-class SpeedControl(QWidget):
+class SpeedControl(Translated, QWidget):
     """Slider and field for 0–100 % of the arm's highest speed (manual 1.0.3, 0x151 byte 2).
 
     Dragging sends when the handle is let go; keys, clicks and the field send at once.
@@ -128,9 +129,3 @@ class SpeedControl(QWidget):
         self._allow(self._controller.operating_state)
         self._arm_value.setAccessibleName(self.tr("Speed percentage reported by the arm"))
         self._explain(self._controller.operating_state.generation)
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)

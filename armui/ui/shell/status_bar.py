@@ -5,7 +5,7 @@ from __future__ import annotations
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 
@@ -21,6 +21,7 @@ from armui.ui.freshness import is_stale
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.elided_label import ElidedLabel
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -44,7 +45,7 @@ _WARNINGS: Final = frozenset(
 _ICON_PX: Final = 16
 
 
-class StatusBar(QWidget):
+class StatusBar(Translated, QWidget):
     """The notice gives way when there is no room; what the arm says never does."""
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
@@ -199,11 +200,8 @@ class StatusBar(QWidget):
         self._show_notice()
         self._show_status(self._controller.state)
 
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language and the colours."""
-        if event.type() in {QEvent.Type.LanguageChange, QEvent.Type.PaletteChange}:
-            self.retranslate_ui()
-        super().changeEvent(event)
+    def _recolor(self) -> None:
+        self.retranslate_ui()
 
     def showEvent(self, event: QShowEvent) -> None:
         """Catch up with what went by while the bar was hidden."""

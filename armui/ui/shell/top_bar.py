@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from armui.control.operating_state import OperatingState
@@ -16,12 +16,13 @@ from armui.ui.shell.enable_button import EnableButton
 from armui.ui.shell.speed_control import SpeedControl
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.stop_button import StopButton
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
 
-class TopBar(QWidget):
+class TopBar(Translated, QWidget):
     """What must be seen and reached whatever panel is open.
 
     Args:
@@ -100,8 +101,6 @@ class TopBar(QWidget):
             hold=True,
         )
 
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._describe_enable(self._controller.operating_state)
-        super().changeEvent(event)
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._describe_enable(self._controller.operating_state)

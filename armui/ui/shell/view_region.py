@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QPushButton, QWidget
 
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
+from armui.ui.widgets.translated import Translated
 
 
-class ViewRegion(QWidget):
+class ViewRegion(Translated, QWidget):
     """Lays 使用帮助, 视角还原 and 设置 over whatever widget shows the arm (manual 1.0.8)."""
 
     help_wanted = Signal()
@@ -59,7 +60,7 @@ class ViewRegion(QWidget):
         self._reset.clicked.connect(self.reset_wanted)
         self._settings.clicked.connect(self.settings_wanted)
         self.retranslate_ui()
-        self._draw_icons()
+        self._recolor()
 
     def retranslate_ui(self) -> None:
         """Put the words into the operator's language."""
@@ -74,14 +75,6 @@ class ViewRegion(QWidget):
             button.setAccessibleName(text)
             button.setToolTip(f"{tip} ({shortcut.toString(shortcut.SequenceFormat.NativeText)})")
 
-    def _draw_icons(self) -> None:
+    def _recolor(self) -> None:
         for name, button in self._buttons.items():
             button.setIcon(icons.icon(name, colors_of(self).muted))
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language and the colours."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        elif event.type() == QEvent.Type.PaletteChange:
-            self._draw_icons()
-        super().changeEvent(event)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
@@ -12,6 +12,7 @@ from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import painting
 from armui.ui.widgets.press_button import PressButton
 from armui.ui.widgets.stop_shortcut import HALT_KEY_NAME
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -25,7 +26,7 @@ _WORD_SCALE: Final = 1.15
 _CAPTION_SCALE: Final = 0.82
 
 
-class HaltButton(PressButton):
+class HaltButton(Translated, PressButton):
     """Ends the arm's motion when pressed down; the joints hold where they come to rest.
 
     Args:
@@ -59,12 +60,6 @@ class HaltButton(PressButton):
         )
         self.updateGeometry()
         self.update()
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
 
     def sizeHint(self) -> QSize:
         """Room for sign, word and key."""

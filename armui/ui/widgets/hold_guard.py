@@ -1,11 +1,15 @@
-"""What takes a held control away from the operator: another window, a hidden or closing one."""
+"""What takes a held control away from the operator: another window, a hidden or closing one.
+
+Also time without a sign of the operator: when the connection of a remote desktop drops, some
+servers leave the mouse button and the keys of the far side pressed for ever.
+"""
 
 from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
+from PySide6.QtGui import QGuiApplication, QKeyEvent
 from PySide6.QtWidgets import QWidget
 
 _ENDS: Final = frozenset(
@@ -17,6 +21,10 @@ _ENDS: Final = frozenset(
         QEvent.Type.Hide,
     }
 )
+_KEYS: Final = frozenset({QEvent.Type.KeyPress, QEvent.Type.KeyRelease})
+
+UNATTENDED_S: Final = 10
+"""So long a hold lasts without a movement of the pointer and without another key."""
 
 
 class HoldGuard(QObject):
@@ -24,14 +32,20 @@ class HoldGuard(QObject):
 
     Args:
         control: The widget that is held; the guard lives and dies with it.
+        unattended_s: How long a hold lasts without a sign of the operator.
     """
 
     lost = Signal()
     """The hold counts no more, whatever finger is still down."""
 
-    def __init__(self, control: QWidget) -> None:
+    unattended = Signal()
+    """The hold is lost because nothing moved for too long; comes after :attr:`lost`."""
+
+    def __init__(self, control: QWidget, unattended_s: float = UNATTENDED_S) -> None:
         super().__init__(control)
         self._control = control
+        self._patience = QTimer(self, singleShot=True, interval=round(1000 * unattended_s))
+        self._patience.timeout.connect(self._on_unattended)
         self._window: QWidget | None = None
         application = QGuiApplication.instance()
         if isinstance(application, QGuiApplication):
@@ -42,18 +56,31 @@ class HoldGuard(QObject):
         self.release()
         self._window = self._control.window()
         self._window.installEventFilter(self)
+        self._control.installEventFilter(self)
+        self._patience.start()
 
     def release(self) -> None:
         """The hold is over."""
+        self._patience.stop()
+        self._control.removeEventFilter(self)
         if self._window is not None:
             self._window.removeEventFilter(self)
             self._window = None
 
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
         """Tell, and let the window have its event."""
-        if event.type() in _ENDS:
+        kind = event.type()
+        if kind in _ENDS:
             self.lost.emit()
+        elif kind is QEvent.Type.MouseMove or (
+            kind in _KEYS and isinstance(event, QKeyEvent) and not event.isAutoRepeat()
+        ):
+            self._patience.start()
         return False
+
+    def _on_unattended(self) -> None:
+        self.lost.emit()
+        self.unattended.emit()
 
     def _on_application_state(self, state: Qt.ApplicationState) -> None:
         if self._window is not None and state is not Qt.ApplicationState.ApplicationActive:

@@ -30,6 +30,8 @@ class JogButton(QPushButton):
     """The button was pressed: move until it is let go."""
     let_go = Signal()
     """The hold is over; comes once after each :attr:`held`."""
+    unattended = Signal()
+    """It ended because the operator gave no sign for too long."""
 
     def __init__(self, sign: str, parent: QWidget | None = None) -> None:
         super().__init__(sign, parent)
@@ -43,6 +45,7 @@ class JogButton(QPushButton):
         self._timer = QTimer(self)
         self._timer.timeout.connect(self._on_timeout)
         self._guard.lost.connect(self._end)
+        self._guard.unattended.connect(self.unattended)
         self.pressed.connect(self._on_pressed)
         self.released.connect(self._end)
 

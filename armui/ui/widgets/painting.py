@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from PySide6.QtCore import QPointF, QRectF
-from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QPainter, QPalette, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
 CORNER_PX = 7.0
@@ -16,6 +16,17 @@ def begin(widget: QWidget) -> QPainter:
     painter = QPainter(widget)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     return painter
+
+
+def fill_ground(widget: QWidget) -> None:
+    """Have a widget on a card fill its own ground, in the card's colour.
+
+    It looks the same, and where a figure within changes, nothing behind the widget is painted
+    again: from the window down to the card by the style sheet, that takes five times as long as
+    the figure.
+    """
+    widget.setBackgroundRole(QPalette.ColorRole.Base)
+    widget.setAutoFillBackground(True)
 
 
 def panel(painter: QPainter, rect: QRectF, fill: str, line: str, line_px: float = 1.0) -> None:

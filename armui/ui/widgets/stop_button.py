@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QApplication, QWidget
 
@@ -14,6 +14,7 @@ from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import painting
 from armui.ui.widgets.press_button import PressButton
 from armui.ui.widgets.stop_shortcut import STOP_KEY_NAME
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -28,7 +29,7 @@ _CAPTION_SCALE: Final = 0.82
 _SIGN_GAP_PX: Final = 12.0
 
 
-class StopButton(PressButton):
+class StopButton(Translated, PressButton):
     """Stops the arm when pressed down; pressed again once the arm has stopped, it recovers it.
 
     Only a press on an arm that says it is stopped leads to recovery, which is asked about first
@@ -138,12 +139,6 @@ class StopButton(PressButton):
             self.tr("Resume"),
             self.tr("Resuming…"),
         ]
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
 
     def sizeHint(self) -> QSize:
         """Room for the longest of its words, so that the bar stands still."""

@@ -9,7 +9,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.arm.refusal_codes import RefusalCode
 
-BACKUP_REFUSALS: Final[Mapping[str, object]] = {
+BACKUP_REFUSALS: Final[Mapping[RefusalCode, object]] = {
     RefusalCode.BACKUP_NO_JSON: QT_TRANSLATE_NOOP(
         "Refusal",
         "The file is broken or cut short: line {line}, column {column} is no JSON. Nothing was "

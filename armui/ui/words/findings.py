@@ -10,7 +10,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from armui.trajectory.planning.findings import Finding, FindingCode
 from armui.ui.words.text import sentence
 
-_FINDINGS: Final[Mapping[str, object]] = {
+_FINDINGS: Final[Mapping[FindingCode, object]] = {
     FindingCode.EMPTY: QT_TRANSLATE_NOOP(
         "Finding", "There is nothing to run. Add points, or record."
     ),

@@ -9,7 +9,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.arm.refusal_codes import RefusalCode
 
-MOTOR_REFUSALS: Final[Mapping[str, object]] = {
+MOTOR_REFUSALS: Final[Mapping[RefusalCode, object]] = {
     RefusalCode.LOAD_NOT_CHOSEN: QT_TRANSLATE_NOOP(
         "Refusal", "No end load is chosen. Choose one first."
     ),

@@ -17,7 +17,7 @@ from armui.ui.words.refusals import refusal
 from armui.ui.words.teaching import teaching_command, trajectory_command
 from armui.ui.words.text import sentence
 
-_NOTICES: Final[Mapping[str, object]] = {
+_NOTICES: Final[Mapping[EventCode, object]] = {
     EventCode.SENT_JOINTS: QT_TRANSLATE_NOOP(
         "Notice", "Sent J1 {j1}°  J2 {j2}°  J3 {j3}°  J4 {j4}°  J5 {j5}°  J6 {j6}°"
     ),

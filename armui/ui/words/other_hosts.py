@@ -9,7 +9,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
 from armui.arm.refusal_codes import RefusalCode
 
-OTHER_HOST_REFUSALS: Final[Mapping[str, object]] = {
+OTHER_HOST_REFUSALS: Final[Mapping[RefusalCode, object]] = {
     RefusalCode.FEEDBACK_SILENT: QT_TRANSLATE_NOOP(
         "Refusal",
         "{frames} of the arm has not been heard for {seconds} s: nobody knows where it is. Check "

@@ -20,7 +20,7 @@ from armui.ui.words.setting_refusals import SETTING_REFUSALS, with_units
 from armui.ui.words.text import NOT_KNOWN, sentence
 from armui.ui.words.trajectory_refusals import TRAJECTORY_REFUSALS, with_figures
 
-_REFUSALS: Final[Mapping[str, object]] = {
+_REFUSALS: Final[Mapping[RefusalCode, object]] = {
     RefusalCode.NOT_CONNECTED: QT_TRANSLATE_NOOP(
         "Refusal",
         "No arm is connected. Click the button at the top left, choose a device and connect it.",
@@ -132,6 +132,11 @@ _REFUSALS: Final[Mapping[str, object]] = {
     RefusalCode.JOG_NO_FEEDBACK: QT_TRANSLATE_NOOP(
         "Refusal",
         "The joint angles are no longer heard from the arm. Check its power and the CAN cable.",
+    ),
+    RefusalCode.HOLD_UNATTENDED: QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Jogging ended: held for {seconds} s without a movement of the mouse or another key. Let "
+        "go and press again; move the mouse a little while you hold it for long.",
     ),
     RefusalCode.JOG_HELD_UP: QT_TRANSLATE_NOOP(
         "Refusal",
@@ -305,7 +310,7 @@ _REFUSALS: Final[Mapping[str, object]] = {
     ),
 }
 
-_ALL: Final[Mapping[str, object]] = {
+_ALL: Final[Mapping[RefusalCode, object]] = {
     **_REFUSALS,
     **SETTING_REFUSALS,
     **BACKUP_REFUSALS,

@@ -9,7 +9,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.arm.refusal_codes import RefusalCode
 
-ROBOT_REFUSALS: Final[Mapping[str, object]] = {
+ROBOT_REFUSALS: Final[Mapping[RefusalCode, object]] = {
     RefusalCode.URDF_MISSING: QT_TRANSLATE_NOOP(
         "Refusal",
         "Robot description: the file {path} is not there. Choose another file, or use the "

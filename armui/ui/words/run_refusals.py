@@ -9,7 +9,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.arm.refusal_codes import RefusalCode
 
-RUN_REFUSALS: Final[Mapping[str, object]] = {
+RUN_REFUSALS: Final[Mapping[RefusalCode, object]] = {
     RefusalCode.NO_ROWS_CHOSEN: QT_TRANSLATE_NOOP(
         "Refusal", "No row is chosen. Click one in the table first."
     ),

@@ -11,7 +11,7 @@ from armui.arm.parameters import KINDS, Parameter
 from armui.arm.refusal_codes import RefusalCode
 from armui.ui.words.parameters import full_name, value_text
 
-SETTING_REFUSALS: Final[Mapping[str, object]] = {
+SETTING_REFUSALS: Final[Mapping[RefusalCode, object]] = {
     RefusalCode.GENERATION_UNKNOWN: QT_TRANSLATE_NOOP(
         "Refusal",
         "The program is still finding out which protocol the arm speaks. Wait a second.",

@@ -10,7 +10,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from armui.arm.refusal_codes import RefusalCode
 from armui.ui.words.text import sentence
 
-_FILES: Final[Mapping[str, object]] = {
+_FILES: Final[Mapping[RefusalCode, object]] = {
     RefusalCode.FILE_GONE: QT_TRANSLATE_NOOP("Refusal", "It is not in the library any more."),
     RefusalCode.FILE_UNREADABLE: QT_TRANSLATE_NOOP("Refusal", "The file cannot be read: {text}."),
     RefusalCode.FILE_TOO_LARGE: QT_TRANSLATE_NOOP(
@@ -74,7 +74,7 @@ _FILES: Final[Mapping[str, object]] = {
     ),
 }
 
-_POINTS: Final[Mapping[str, object]] = {
+_POINTS: Final[Mapping[RefusalCode, object]] = {
     RefusalCode.POINT_OUT_OF_RANGE: QT_TRANSLATE_NOOP(
         "Refusal",
         "{field}: {value}{unit} is out of range. Enter a value from {minimum}{unit} to "
@@ -111,7 +111,7 @@ _POINTS: Final[Mapping[str, object]] = {
     ),
 }
 
-_LIBRARY: Final[Mapping[str, object]] = {
+_LIBRARY: Final[Mapping[RefusalCode, object]] = {
     RefusalCode.NAME_EMPTY: QT_TRANSLATE_NOOP("Refusal", "A trajectory needs a name. Enter one."),
     RefusalCode.NAME_TOO_LONG: QT_TRANSLATE_NOOP(
         "Refusal", "The name has {value} characters; up to {maximum} are kept. Shorten it."
@@ -149,7 +149,7 @@ _LIBRARY: Final[Mapping[str, object]] = {
     ),
 }
 
-_COLUMNS: Final[Mapping[str, object]] = {
+_COLUMNS: Final[Mapping[RefusalCode, object]] = {
     RefusalCode.COLUMNS_TWICE: QT_TRANSLATE_NOOP(
         "Refusal", "Columns {first} and {second} are both {field}. Leave one of them out."
     ),
@@ -161,7 +161,12 @@ _COLUMNS: Final[Mapping[str, object]] = {
     ),
 }
 
-TRAJECTORY_REFUSALS: Final[Mapping[str, object]] = {**_FILES, **_POINTS, **_LIBRARY, **_COLUMNS}
+TRAJECTORY_REFUSALS: Final[Mapping[RefusalCode, object]] = {
+    **_FILES,
+    **_POINTS,
+    **_LIBRARY,
+    **_COLUMNS,
+}
 
 _FIGURES: Final[Mapping[str, object]] = {
     "speed": QT_TRANSLATE_NOOP("PointFigure", "Speed"),

@@ -36,8 +36,17 @@ def settle_in() -> None:
 
 
 def stand_back() -> None:
-    """Draw behind the others, once the picture stands: to begin with, it is waited for."""
-    if hasattr(os, "nice"):
+    """Draw behind the others, once the picture stands: to begin with, it is waited for.
+
+    Linux counts it for each thread by itself, and those that a driver has begun, which do most of
+    the drawing in software, are no threads of Python's.
+    """
+    if sys.platform == "linux":
+        for thread in Path("/proc/self/task").iterdir():
+            with contextlib.suppress(OSError):  # it has just ended
+                if os.getpriority(os.PRIO_PROCESS, int(thread.name)) < _NICER_BY:
+                    os.setpriority(os.PRIO_PROCESS, int(thread.name), _NICER_BY)
+    elif hasattr(os, "nice"):
         os.nice(_NICER_BY)
 
 

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from functools import partial
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QWidget
 
 from armui.ui import format as fmt
+from armui.ui.widgets.translated import Translated
 
 Pose = tuple[float, ...]
 _POINTS = ("start", "middle", "end")
 
 
-class ArcBox(QWidget):
+class ArcBox(Translated, QWidget):
     """Three poses, each captured where the arm stands, and the two buttons that use them."""
 
     capture_wanted = Signal(int)
@@ -114,9 +115,3 @@ class ArcBox(QWidget):
         self.go_to_start.setAccessibleName(self.tr("Go to start"))
         self.send.setAccessibleName(self.send.text())
         self._show_poses()
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)

@@ -113,6 +113,7 @@ class CartesianPanel(JogPanel):
         self._rows.repeated.connect(self._on_repeated)
         self._rows.held.connect(self._on_held)
         self._rows.let_go.connect(self._on_let_go)
+        self._rows.unattended.connect(self._on_unattended)
         self._rows.edited.connect(self._on_edited)
         self._tool.changed.connect(self._on_tool_changed)
         self._arc.capture_wanted.connect(self._on_capture)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QHBoxLayout,
@@ -13,9 +12,10 @@ from PySide6.QtWidgets import (
 )
 
 from armui.kinematics.axes import JogFrame
+from armui.ui.widgets.translated import Translated
 
 
-class FrameChoice(QWidget):
+class FrameChoice(Translated, QWidget):
     """One button a frame; one of them is chosen."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -48,9 +48,3 @@ class FrameChoice(QWidget):
         for number, text in enumerate((self.tr("Base frame"), self.tr("Tool frame"))):
             self._buttons.button(number).setText(text)
             self._buttons.button(number).setAccessibleName(text)
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.devices.zeroing import ENDED
 from armui.control.events import EventCode, Notice
 from armui.control.operating_state import OperatingState
@@ -25,6 +26,7 @@ from armui.ui.panels.jogging.key_pad import KeyPad, Keys
 from armui.ui.panels.jogging.step_box import StepBox
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.card import scrolled
+from armui.ui.widgets.hold_guard import UNATTENDED_S
 
 if TYPE_CHECKING:
     from armui.arm.device import Device
@@ -105,6 +107,7 @@ class JogPanel(Panel):
         self._keys.toggled.connect(self._on_keys_toggled)
         self._key_pad.pressed.connect(self._on_key_pressed)
         self._key_pad.let_go.connect(self._on_let_go)
+        self._key_pad.unattended.connect(self._on_unattended)
         self._controller.operating_state_changed.connect(self._on_situation_changed)
         self._controller.noticed.connect(self._on_noticed)
 
@@ -156,6 +159,9 @@ class JogPanel(Panel):
 
     def _on_let_go(self) -> None:
         self._controller.jogging.stop()
+
+    def _on_unattended(self) -> None:
+        self._accepted(Refusal(RefusalCode.HOLD_UNATTENDED, {"seconds": UNATTENDED_S}))
 
     def _on_noticed(self, notice: Notice) -> None:
         """What ended a jog is said where the operator looks; a new zero makes targets void."""

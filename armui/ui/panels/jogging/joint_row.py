@@ -5,23 +5,25 @@ from __future__ import annotations
 from functools import partial
 from typing import Final
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from armui.arm.limits import ANGLE_STEP_DEG, JointLimits, check_joint
 from armui.arm.refusal import Refusal
 from armui.ui import format as fmt
 from armui.ui.theme import scaled_font
+from armui.ui.widgets import painting
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.track_slider import TrackSlider
+from armui.ui.widgets.translated import Translated
 from armui.ui.widgets.value_label import ValueLabel
 
 _WIDEST_ANGLE: Final = "-000.000°"
 _WIDEST_LIMIT: Final = "-000.00°"
 
 
-class JointRow(QWidget):
+class JointRow(Translated, QWidget):
     """The controls of one joint.
 
     Args:
@@ -36,11 +38,14 @@ class JointRow(QWidget):
     held = Signal(int, int)
     """Jog until :attr:`let_go`: the joint, and +1 or −1."""
     let_go = Signal()
+    unattended = Signal()
+    """A held button was let go by itself: the operator gave no sign for too long."""
     edited = Signal(int)
     """The operator changed the target of the joint; nothing is sent."""
 
     def __init__(self, joint: int, limits: JointLimits, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        painting.fill_ground(self)
         self.joint = joint
         self._limits = limits
         self._limits_read = False
@@ -68,6 +73,7 @@ class JointRow(QWidget):
             button.repeated.connect(partial(self.repeated.emit, joint, direction))
             button.held.connect(partial(self.held.emit, joint, direction))
             button.let_go.connect(self.let_go)
+            button.unattended.connect(self.unattended)
         self.field.value_edited.connect(self._on_field_edited)
         self.slider.valueChanged.connect(self._on_slider_moved)
         self.show_target(None)
@@ -213,9 +219,3 @@ class JointRow(QWidget):
         )
         self._minimum.setToolTip(origin)
         self._maximum.setToolTip(origin)
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)

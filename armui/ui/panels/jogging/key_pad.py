@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFocusEvent, QHideEvent, QKeyEvent
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QVBoxLayout, QWidget
 
 from armui.ui.widgets.hold_guard import HoldGuard
+from armui.ui.widgets.translated import Translated
 
 DEAD_MAN_KEY: Final = Qt.Key.Key_Space
 """Under the thumb of either hand, no letter, and none of the keys that stop the arm."""
@@ -28,7 +29,7 @@ _KEYS: Final = {
 _COLUMNS: Final = 3
 
 
-class KeyPad(QFrame):
+class KeyPad(Translated, QFrame):
     """Takes keys only while it has the focus, and says on itself which key does what.
 
     Releasing either key, a second key of a direction, the loss of the focus and all that
@@ -43,6 +44,8 @@ class KeyPad(QFrame):
     """A key of a direction went down: the place in ``keys``, and +1 or −1."""
     let_go = Signal()
     """The hold is over; comes once after each :attr:`pressed`."""
+    unattended = Signal()
+    """It ended because the operator gave no sign for too long."""
 
     def __init__(self, keys: Keys, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -57,6 +60,7 @@ class KeyPad(QFrame):
         self._continuous = False
         self._guard = HoldGuard(self)
         self._guard.lost.connect(self._forget)
+        self._guard.unattended.connect(self.unattended)
         self._hint = QLabel()
         self._hint.setObjectName(f"{name}_hint")
         self._hint.setWordWrap(True)
@@ -158,12 +162,6 @@ class KeyPad(QFrame):
         else:
             text = self.tr("Click here to jog by keys.")
         self._hint.setText(text)
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
 
 
 def _key(text: str) -> int:

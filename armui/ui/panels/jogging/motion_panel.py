@@ -110,6 +110,7 @@ class MotionPanel(JogPanel):
             row.repeated.connect(self._on_repeated)
             row.held.connect(self._on_held)
             row.let_go.connect(self._on_let_go)
+            row.unattended.connect(self._on_unattended)
             row.edited.connect(self._on_edited)
         self._home.clicked.connect(self._on_home)
         self._load.clicked.connect(self._on_load)

@@ -5,20 +5,22 @@ from __future__ import annotations
 from functools import partial
 from typing import Final
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 
 from armui.ui import format as fmt
 from armui.ui.theme import scaled_font
+from armui.ui.widgets import painting
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
+from armui.ui.widgets.translated import Translated
 from armui.ui.widgets.value_label import ValueLabel
 
 _WIDEST: Final = "-0000.000 mm"
 _NAME_PX: Final = 34
 
 
-class PoseRow(QWidget):
+class PoseRow(Translated, QWidget):
     """The controls of one axis.
 
     Args:
@@ -34,11 +36,14 @@ class PoseRow(QWidget):
     held = Signal(int, int)
     """Jog until :attr:`let_go`."""
     let_go = Signal()
+    unattended = Signal()
+    """A held button was let go by itself: the operator gave no sign for too long."""
     edited = Signal(int)
     """The operator changed the target; nothing is sent."""
 
     def __init__(self, place: int, name: str, unit: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        painting.fill_ground(self)
         self.name = name
         self._unit = unit
         self._label = QLabel(name)
@@ -65,6 +70,7 @@ class PoseRow(QWidget):
             button.repeated.connect(partial(self.repeated.emit, place, direction))
             button.held.connect(partial(self.held.emit, place, direction))
             button.let_go.connect(self.let_go)
+            button.unattended.connect(self.unattended)
         self.field.value_edited.connect(partial(self._on_edited, place))
         self.retranslate_ui()
 
@@ -108,9 +114,3 @@ class PoseRow(QWidget):
         self.field.setAccessibleName(self.tr("Target {axis}").format(axis=self.name))
         self.field.setToolTip(self.tr("Not sent before you press MOVE P or MOVE L."))
         self.measured.setToolTip(self.tr("Measured by the arm"))
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)

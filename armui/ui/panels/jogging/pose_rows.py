@@ -4,22 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.kinematics.axes import AXES, LINEAR_AXES
 from armui.ui.panels.jogging.pose_row import PoseRow
+from armui.ui.widgets.translated import Translated
 
 
-class PoseRows(QWidget):
+class PoseRows(Translated, QWidget):
     """Targets to type and jog; their signals are those of :class:`PoseRow`."""
 
     stepped = Signal(int, int)
     repeated = Signal(int, int)
     held = Signal(int, int)
     let_go = Signal()
+    unattended = Signal()
     edited = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -48,6 +50,7 @@ class PoseRows(QWidget):
             row.repeated.connect(self.repeated)
             row.held.connect(self.held)
             row.let_go.connect(self.let_go)
+            row.unattended.connect(self.unattended)
             row.edited.connect(self.edited)
         self.retranslate_ui()
 
@@ -104,9 +107,3 @@ class PoseRows(QWidget):
             self.tr("Tool centre point") if self._with_tool else self.tr("Flange (no tool set)")
         )
         self._measured_head.setText(self.tr("Measured"))
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)

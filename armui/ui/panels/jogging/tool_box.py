@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from armui.kinematics.axes import AXES, LINEAR_AXES
 from armui.ui import format as fmt
 from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.translated import Translated
 
 
-class ToolBox(QWidget):
+class ToolBox(Translated, QWidget):
     """Six small fields; what they hold counts as soon as a field is left."""
 
     changed = Signal(object)
@@ -62,9 +63,3 @@ class ToolBox(QWidget):
         self._title.setText(self.tr("Tool centre point on the flange (mm, °), kept on this PC"))
         for name, field in zip(AXES, self._fields, strict=True):
             field.setAccessibleName(self.tr("Tool {axis}").format(axis=name))
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import enum
 from typing import Final
 
-from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
+from PySide6.QtCore import QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
@@ -15,6 +15,7 @@ from armui.ui import format as fmt
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import painting, state_mark
 from armui.ui.widgets.state_mark import Mark
+from armui.ui.widgets.translated import Translated
 from armui.ui.widgets.value_label import ValueLabel
 
 _MARK_PX: Final = 7.0
@@ -58,7 +59,7 @@ class PowerMark(QWidget):
         painter.end()
 
 
-class ActButtons(QWidget):
+class ActButtons(Translated, QWidget):
     """使能, 失能, 零点设置, 清除错误 of one joint, or of all.
 
     Signals:
@@ -112,14 +113,8 @@ class ActButtons(QWidget):
             button.setText(words[act])
             button.setAccessibleName(f"{words[act]}: {whose}")
 
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
 
-
-class MotorRow(QWidget):
+class MotorRow(Translated, QWidget):
     """The driver's figures above the four buttons.
 
     Args:
@@ -201,9 +196,3 @@ class MotorRow(QWidget):
             self.figures[key].setAccessibleName(text)
             self.figures[key].setToolTip(text)
         self.power.setAccessibleName(self.tr("State of motor {joint}").format(joint=self.joint))
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)

@@ -7,10 +7,11 @@ from __future__ import annotations
 
 from typing import Final, Protocol, runtime_checkable
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QLineEdit, QWidget
 
 from armui.trajectory.files.log_points import LETTERS
+from armui.ui.widgets.translated import Translated
 
 _FIELD_PX: Final = 62
 _COLOR_PX: Final = 130
@@ -67,7 +68,7 @@ class MoveEditor(QComboBox):
         self.setCurrentText(text)
 
 
-class _Row(QWidget):
+class _Row(Translated, QWidget):
     """Fields side by side, over the cell and what is at its right."""
 
     def __init__(self, parent: QWidget) -> None:
@@ -94,12 +95,6 @@ class _Row(QWidget):
         label.setProperty("rank", "muted")
         self._layout.addWidget(label)
         return label
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
 
@@ -14,12 +14,13 @@ from armui.trajectory.points import search
 from armui.trajectory.points.cells import figure
 from armui.trajectory.points.program import JOINT_NAMES, POSE_NAMES, Waypoint
 from armui.ui import words
+from armui.ui.widgets.translated import Translated
 
 _NOTE: Final = "note"
 _FIELDS: Final = (_NOTE, *JOINT_NAMES, *POSE_NAMES, "speed", "dwell")
 
 
-class FindBar(QWidget):
+class FindBar(Translated, QWidget):
     """Asks for what to find and by what to replace it; its owner goes there and does it.
 
     Signals:
@@ -139,12 +140,6 @@ class FindBar(QWidget):
         self._replace.setText(self.tr("Replace"))
         self._replace_all.setText(self.tr("Replace all"))
         self._close.setText(self.tr("Close"))
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Escape puts it away and nothing else."""

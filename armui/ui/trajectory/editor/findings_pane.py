@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QHBoxLayout,
@@ -20,13 +20,14 @@ from armui.trajectory.planning.findings import Finding, Severity
 from armui.ui import words
 from armui.ui.theme import colors_of
 from armui.ui.trajectory.running.preflight import Preflight
+from armui.ui.widgets.translated import Translated
 
 _TALLEST_PX = 170
 _MOST = 100
 """More lines than an operator reads, or a window lays out at once, are counted instead."""
 
 
-class FindingsPane(QWidget):
+class FindingsPane(Translated, QWidget):
     """Shows a :class:`Preflight`; hidden while there is nothing to show.
 
     Signals:
@@ -138,10 +139,5 @@ class FindingsPane(QWidget):
         self._close_button.setText(self.tr("Close"))
         self._fill()
 
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language and the colours."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        elif event.type() == QEvent.Type.PaletteChange:
-            self._fill()
-        super().changeEvent(event)
+    def _recolor(self) -> None:
+        self._fill()

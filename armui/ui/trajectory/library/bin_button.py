@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from armui.control.events import Level
 from armui.ui.trajectory.library.bin_dialog import BinDialog
 from armui.ui.trajectory.library.library_actions import LibraryActions
 from armui.ui.trajectory.library.library_work import LibraryWork
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
 
-class BinButton(QPushButton):
+class BinButton(Translated, QPushButton):
     """Keeps what the window lists up to date while it is open.
 
     Args:
@@ -64,9 +64,3 @@ class BinButton(QPushButton):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self.setText(self.tr("Recently deleted…"))
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)

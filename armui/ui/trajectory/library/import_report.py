@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final, NamedTuple
 
-from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QHeaderView, QLabel, QPushButton, QTableWidgetItem, QWidget
 
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.widgets.plain_table import plain_table
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -92,7 +93,7 @@ class ImportReport(ArmDialog):
         return self.tr("✓ As “{name}”").format(name=result.name)
 
 
-class ReportButton(QPushButton):
+class ReportButton(Translated, QPushButton):
     """Opens the report of the last import; there while its message is.
 
     Args:
@@ -123,9 +124,3 @@ class ReportButton(QPushButton):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self.setText(self.tr("Results…"))
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)

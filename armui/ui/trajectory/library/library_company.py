@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent
-
 from armui.control.events import Level
 from armui.ui.trajectory.text import name_list
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.translated import Translated
 
 
-class LibraryCompany(MessageLine):
+class LibraryCompany(Translated, MessageLine):
     """Empty while this program is alone."""
 
     def __init__(self) -> None:
@@ -35,9 +34,3 @@ class LibraryCompany(MessageLine):
             "list. Do not edit the same trajectory in both."
         )
         self.show_message(text.format(names=name_list(list(self._others))), Level.WARNING)
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from armui.ui.trajectory.library.library_actions import LibraryActions
+from armui.ui.widgets.translated import Translated
 
 _WIDEST_PX: Final = 210
 _SIDES_PX: Final = 40
 
 
-class UndoButton(QPushButton):
+class UndoButton(Translated, QPushButton):
     """There while something can be undone; Ctrl+Z in its window presses it.
 
     Args:
@@ -43,8 +44,6 @@ class UndoButton(QPushButton):
         self.setAccessibleName(text)
         self.setVisible(bool(text))
 
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.show_step()
-        super().changeEvent(event)
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.show_step()

@@ -5,17 +5,18 @@ from __future__ import annotations
 import re
 from typing import Final
 
-from PySide6.QtCore import QElapsedTimer, QEvent, QSignalBlocker, QTimer, Signal
+from PySide6.QtCore import QElapsedTimer, QSignalBlocker, QTimer, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QWidget
 
 from armui.ui.widgets.track_slider import TrackSlider
+from armui.ui.widgets.translated import Translated
 from armui.ui.widgets.value_label import ValueLabel
 
 _STEP_S: Final = 0.01
 _FRAME_MS: Final = 33
 
 
-class PreviewBar(QFrame):
+class PreviewBar(Translated, QFrame):
     """Shows where in time the ghost is, and lets the operator move it. Nothing is ever sent.
 
     Signals:
@@ -126,12 +127,6 @@ class PreviewBar(QFrame):
         self._close.setText(self.tr("Close preview"))
         self._close.setAccessibleName(self._close.text())
         self._name_play()
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
 
 
 def _clock(time_s: float) -> str:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -32,6 +32,7 @@ from armui.ui.trajectory.running.run_options import RunOptions
 from armui.ui.trajectory.running.runner import Runner, can_go_on, can_pause, ended_early
 from armui.ui.trajectory.text import duration
 from armui.ui.widgets.hold_button import HoldButton
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -47,7 +48,7 @@ _SURPRISING_S: Final = 2.0
 """Nobody expects the arm to move so long after the button was pressed."""
 
 
-class RunStrip(QWidget):
+class RunStrip(Translated, QWidget):
     """Runs what its window gives it.
 
     Args:
@@ -377,12 +378,6 @@ class RunStrip(QWidget):
         """Nothing begins from a window that was closed."""
         self.drop_check()
         super().hideEvent(event)
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
 
 
 def _spin(name: str, least: int, most: int, value: int) -> QSpinBox:

@@ -4,20 +4,21 @@ from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QComboBox, QVBoxLayout, QWidget
 
 from armui.trajectory.columns import UNITS, Guess, Quantity, TableColumn
 from armui.ui import words
 from armui.ui.widgets.elided_label import ElidedLabel
+from armui.ui.widgets.translated import Translated
 
 _MARGIN_PX: Final = 3
 _SURE: Final = 1.0
 """The confidence of a guess whose title says quantity and unit."""
 
 
-class ColumnPicker(QWidget):
+class ColumnPicker(Translated, QWidget):
     """The title of a column, its quantity and its unit.
 
     Args:
@@ -126,12 +127,6 @@ class ColumnPicker(QWidget):
         self._quantity.setAccessibleName(self.tr("{column}: quantity").format(column=column))
         self._unit.setAccessibleName(self.tr("{column}: unit").format(column=column))
         self._show_origin()
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
 
 
 class _Choice(QComboBox):

@@ -7,18 +7,19 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from armui.trajectory import columns
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.table_import.columns_dialog import ColumnsDialog
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
 
-class ColumnsOffer(QPushButton):
+class ColumnsOffer(Translated, QPushButton):
     """Opens the dialog for one file after the other.
 
     Args:
@@ -95,9 +96,3 @@ class ColumnsOffer(QPushButton):
         """Put every word into the operator's language."""
         self.setText(self.tr("Import by columns…"))
         self.setToolTip("\n".join(path.name for path in self._paths))
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from typing import Any, Final
 
-from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSpinBox, QWidget
 
 from armui.trajectory.columns import LABELS, Dialect, Encoding, TableFile
 from armui.trajectory.columns.model import DECIMALS, DELIMITERS, SPACES
+from armui.ui.widgets.translated import Translated
 
 _FIELD_PX: Final = 34
 _MOST_LINES: Final = 9_999_999
 
 
-class BuildBar(QWidget):
+class BuildBar(Translated, QWidget):
     """Encoding, delimiter, decimal sign and the line of the first figures.
 
     Signals:
@@ -108,12 +109,6 @@ class BuildBar(QWidget):
         _name(self._delimiter, names)
         _name(self._decimal, {".": self.tr("point ."), ",": self.tr("comma ,")})
         _name(self._encoding, dict(LABELS))
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
 
 
 class _Line(QSpinBox):

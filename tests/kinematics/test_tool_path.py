@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from armui.kinematics.kinematics import Matrix, Pose, pose_to_matrix
+from armui.kinematics.poses import Matrix, Pose, pose_to_matrix
 from armui.kinematics.tool_path import Arc, ArcError, Line
 
 SHARES = np.linspace(0.0, 1.0, 101)

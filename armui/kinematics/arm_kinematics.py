@@ -1,0 +1,54 @@
+"""The kinematics of one arm for single poses, in the protocol's units."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from armui.kinematics.forward import flange_rows
+from armui.kinematics.geometry import Geometry
+from armui.kinematics.inverse import missing_mm, nearest_first
+from armui.kinematics.poses import Joints, Matrix, Pose, pose_to_matrix, rows_to_pose
+
+
+@dataclass(frozen=True, slots=True)
+class Kinematics:
+    """An arm's kinematics: angles in degrees, joint 1 first; lengths in mm.
+
+    Attributes:
+        geometry: Where its joints have their zeros.
+    """
+
+    geometry: Geometry = Geometry.CURRENT
+
+    def matrix(self, joints_deg: Sequence[float]) -> Matrix:
+        """The flange's 4×4 transform in the base frame."""
+        return np.array((*flange_rows(self.geometry, joints_deg), 0.0, 0.0, 0.0, 1.0)).reshape(4, 4)
+
+    def forward(self, joints_deg: Sequence[float]) -> Pose:
+        """The flange's pose at six joint angles."""
+        return rows_to_pose(flange_rows(self.geometry, joints_deg))
+
+    def inverse(self, pose: Pose, near_deg: Sequence[float]) -> list[Joints]:
+        """All ways to bring the flange to a pose, whatever the joints' limits.
+
+        Angles lie within half a turn of the middle of their joint's range. With a stretched wrist
+        joint 4 stays where it is in `near_deg`.
+
+        Args:
+            pose: Where the flange shall be.
+            near_deg: Six angles; the solutions nearest to them come first.
+
+        Returns:
+            Up to eight solutions; none when the pose is out of reach.
+        """
+        if not all(map(math.isfinite, pose)):
+            return []
+        return nearest_first(self.geometry, pose_to_matrix(pose), near_deg)
+
+    def missing_mm(self, pose: Pose) -> float:
+        """How far the wrist's centre is out of the arm's reach for a pose; 0 within it."""
+        return missing_mm(pose_to_matrix(pose))

@@ -1,0 +1,74 @@
+"""The joints along paths of the tool."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from armui.kinematics.geometry import Geometry
+from armui.kinematics.inverse import arm_joints, hand_orientations
+from armui.kinematics.poses import Matrix, wrapped_deg
+from armui.kinematics.wrist import STRETCHED_DEG, bend_deg, bent_wrist, continued, stretched_wrist
+
+_SURE_DEG: Final = 45.0
+"""While joints 4 and 6 turn less in a step, the nearer bend of the wrist is the same bend."""
+
+
+def follow(geometry: Geometry, targets: Matrix, starts_deg: Matrix) -> Matrix:
+    """Joints along paths, each on the way of the arm where it stands.
+
+    Args:
+        geometry: Of the arm.
+        targets: (m, places, 4, 4) transforms of the flange, the first of them where it is.
+        starts_deg: (m, 6) the joints there.
+
+    Returns:
+        (m, places, 6) angles in degrees, NaN from where the way ends.
+    """
+    arms = arm_joints(geometry, targets, nearest_way(geometry, targets[:, 0], starts_deg)[:, None])
+    hands = hand_orientations(geometry, arms, targets)
+    wrists = bent_wrist(hands)
+    # joint 4 of one bend leaps by half a turn where joint 5 passes through 0: there the other
+    # bend goes on
+    crossed = np.abs(wrapped_deg(np.diff(wrists[:, :, 0, 0], axis=1))) > 90.0
+    crossings = np.zeros(arms.shape[:2], dtype=np.int64)
+    np.cumsum(crossed, axis=1, out=crossings[:, 1:])
+    off = np.abs(wrapped_deg(wrists[:, 0] - starts_deg[:, None, 3:])).sum(axis=2)
+    bends = (np.argmin(np.nan_to_num(off, nan=math.inf), axis=1)[:, None] + crossings) % 2
+    chosen = np.take_along_axis(wrists, bends[:, :, None, None], axis=2)[:, :, 0]
+    joints = np.concatenate((arms, chosen), axis=2)
+    joints[:, 0] = starts_deg
+    turned = wrapped_deg(np.diff(joints[:, :, 3:], axis=1))
+    joints[:, 1:, 3:] = starts_deg[:, None, 3:] + np.cumsum(turned, axis=1)
+    unsure = (bend_deg(hands) < STRETCHED_DEG).any(axis=1)
+    unsure |= (np.abs(np.nan_to_num(turned)) > _SURE_DEG).any(axis=(1, 2))
+    for index in np.flatnonzero(unsure).tolist():
+        joints[index, 1:, 3:] = _step_by_step(hands[index], starts_deg[index, 3:].tolist())[1:]
+    joints[np.logical_or.accumulate(np.isnan(arms[:, :, 0]), axis=1)] = math.nan
+    joints[:, 0] = starts_deg
+    return joints
+
+
+def nearest_way(geometry: Geometry, targets: Matrix, joints_deg: Matrix) -> npt.NDArray[np.int64]:
+    """(m,) which way of the arm leads to each target with (m, 6) joints, or is nearest to that."""
+    gaps = np.abs(arm_joints(geometry, targets) - joints_deg[:, None, :3]).max(axis=2)
+    nearest: npt.NDArray[np.int64] = np.argmin(np.nan_to_num(gaps, nan=math.inf), axis=1)
+    return nearest
+
+
+def _step_by_step(hands: Matrix, start_deg: Sequence[float]) -> Matrix:
+    """(n, 3) joints 4–6 for (n, 3, 3) hands in turn: the nearest bend each time."""
+    last: Sequence[float] = start_deg
+    followed = []
+    stretched = bend_deg(hands) < STRETCHED_DEG
+    for index, bends in enumerate(bent_wrist(hands).tolist()):
+        if stretched[index]:
+            bends = [stretched_wrist(hands[index], last[0]).tolist()]  # noqa: PLW2901 - the same
+        near = [continued(wrist, last) for wrist in bends]
+        last = min(near, key=lambda wrist: math.dist(wrist, last))
+        followed.append(last)
+    return np.array(followed)

@@ -1,0 +1,82 @@
+"""Singular poses: where the wrist or the elbow is straight, or the wrist's centre above joint 1.
+
+There joints turn fast for little motion of the flange, or not all motions are possible.
+"""
+
+from __future__ import annotations
+
+from typing import Final, TypeVar
+
+import numpy as np
+import numpy.typing as npt
+
+from armui.kinematics.forward import plane_vectors
+from armui.kinematics.geometry import ELBOW_TO_WRIST_MM, UPPER_ARM_MM, Geometry
+from armui.kinematics.jacobian import jacobians
+from armui.kinematics.poses import Matrix
+
+_Figure = TypeVar("_Figure", float, Matrix)
+
+NEAR_SINGULAR: Final = 0.02
+"""Smallest singular value, m and rad a rad: a hand at 60 mm/s then asks a joint for its 3 rad/s."""
+
+_FINE_STEP_MM: Final = 1.0
+_FINE_STEP_DEG: Final = 0.25
+"""A fine step of a tool path: so far, or the hand turned so far."""
+_STEEPEST_DEG: Final = 5.0
+"""A joint that would turn further in a fine step of a path is at a singular pose."""
+JITTER_DEG: Final = 0.01
+"""But this much is rounding, in however short a step."""
+
+
+def margins(geometry: Geometry, joints_deg: Matrix) -> Matrix:
+    """(…) how far (…, 6) joint angles are from a singular pose, 0 to 1, quick to work out.
+
+    Tells which of the poses of one path is nearest to a singular one; how near, the smallest
+    singular value tells.
+    """
+    arm = plane_vectors(geometry, joints_deg)
+    (out, _, up), (elbow_out, _, elbow_up) = arm.centre, arm.elbow
+    elbow = arm.upper_arm[0] * (up - elbow_up) - arm.upper_arm[2] * (out - elbow_out)
+    wrist = np.sin(np.radians(joints_deg[..., 4]))
+    most = ELBOW_TO_WRIST_MM * (UPPER_ARM_MM + ELBOW_TO_WRIST_MM)
+    margin: Matrix = np.abs(wrist * elbow * out) / most
+    return margin
+
+
+def smallest_singular_values(geometry: Geometry, joints_deg: Matrix) -> Matrix:
+    """(…) of the Jacobians at (…, 6) joint angles: 0 in a singular pose, some 0.1 in a good one.
+
+    Its inverse is the most a joint turns for 1 m, or 1 rad, of the flange's way.
+    """
+    values = np.linalg.svd(jacobians(geometry, joints_deg), compute_uv=False)
+    return np.asarray(values[..., -1], dtype=np.float64)
+
+
+def fine_steps(length_mm: _Figure, angle_deg: _Figure) -> _Figure:
+    """How many fine steps tool paths have, from their lengths and the turns of the hand."""
+    steps: _Figure = np.maximum(length_mm / _FINE_STEP_MM, angle_deg / _FINE_STEP_DEG)
+    return steps
+
+
+def turns(joints_deg: Matrix) -> Matrix:
+    """(…, places − 1) how far the fastest joint turns from place to place of a path (…, places, 6).
+
+    0 where the joints are not known.
+    """
+    fastest: Matrix = np.nan_to_num(np.abs(np.diff(joints_deg, axis=-2)).max(axis=-1))
+    return fastest
+
+
+def leaps(joints_deg: Matrix, fine_steps: Matrix | float) -> npt.NDArray[np.bool_]:
+    """Whether a joint would turn too far from place to place of a path.
+
+    Args:
+        joints_deg: (…, places, 6) along paths.
+        fine_steps: How many fine steps lie between two places of each path.
+
+    Returns:
+        (…, places − 1)
+    """
+    most = _STEEPEST_DEG * np.asarray(fine_steps) + JITTER_DEG
+    return np.asarray(turns(joints_deg) > most[..., None])

@@ -1,0 +1,31 @@
+"""Following the operator's language and the colours of the theme."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QEvent
+
+if TYPE_CHECKING:
+    from PySide6.QtWidgets import QWidget as _Base
+else:
+    _Base = object
+
+
+class Translated(_Base):
+    """Of a widget that stands before its Qt class: words and colours follow what is chosen."""
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        raise NotImplementedError
+
+    def _recolor(self) -> None:
+        """Draw anew what the widget has painted in the theme's colours."""
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language and the colours."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+        elif event.type() == QEvent.Type.PaletteChange:
+            self._recolor()
+        super().changeEvent(event)

@@ -1,0 +1,59 @@
+"""The operating state is read without a look at the arm; what sends a motion looks for itself."""
+
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.authority import Authority
+from tests.company import OtherHost
+from tests.sim.talk import target
+
+
+def test_reading_looks_at_nothing_and_tells_nobody(rig, monkeypatch):
+    rig.ready()
+    seen: list[object] = []
+    told: list[object] = []
+    rig.controller.operating_state_changed.connect(told.append)
+    monkeypatch.setattr(Authority, "observe", lambda _self, observation: seen.append(observation))
+    rig.time_s += 5.0  # the arm is silent by now
+    before = rig.controller.operating_state
+    assert rig.controller.operating_state is before
+    assert rig.controller.recovery.why_not(rig.controller.recovery.step) is None
+    assert rig.controller.cartesian.why_unknown() is None
+    assert rig.controller.zeroing.why_not() is None
+    assert (seen, told) == ([], [])
+
+
+def test_a_tick_looks_once(rig, monkeypatch):
+    rig.ready()
+    seen, observe = [], Authority.observe
+
+    def noted(authority, observation):
+        seen.append(observation)
+        observe(authority, observation)
+
+    monkeypatch.setattr(Authority, "observe", noted)
+    rig.controller.tick()
+    assert len(seen) == 1
+
+
+def test_a_motion_is_judged_by_what_was_heard_since_the_last_tick(rig):
+    rig.ready()
+    other = OtherHost(rig)
+    rig.heard()
+    operating_state = rig.controller.operating_state
+    other.say(*target(10, 0, 0, 0, 0, 0))
+    rig._settle()  # heard by the bus thread; no tick has passed
+    assert rig.controller.operating_state is operating_state
+    assert operating_state.cannot_move is None
+    context = rig.controller._context
+    assert context.why_no_motion().code == RefusalCode.OTHER_HOST
+    assert rig.controller.operating_state is operating_state  # the gate tells nobody in mid-command
+    assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.OTHER_HOST
+    assert rig.controller.operating_state.cannot_move.code == RefusalCode.OTHER_HOST
+
+
+def test_a_command_of_the_operator_is_judged_by_the_time_it_is_given(rig):
+    rig.ready()
+    assert rig.controller.operating_state.cannot_move is None
+    rig.heard()
+    rig.time_s += 5.0
+    assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.FEEDBACK_SILENT
+    assert not rig.heard()

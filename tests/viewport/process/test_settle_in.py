@@ -1,0 +1,34 @@
+"""The picture's process stands back with all its threads, those of a driver included."""
+
+import json
+import subprocess
+import sys
+
+import pytest
+
+CODE = """
+import json, os, threading
+from armui.viewport.process.settle_in import stand_back
+done, numbers = threading.Event(), []
+def wait():
+    numbers.append(threading.get_native_id())
+    done.wait()
+threads = [threading.Thread(target=wait) for _ in range(3)]
+for thread in threads:
+    thread.start()
+while len(numbers) < len(threads):
+    pass
+before = os.getpriority(os.PRIO_PROCESS, 0)
+stand_back()
+numbers.append(threading.get_native_id())
+print(json.dumps([before, [os.getpriority(os.PRIO_PROCESS, number) for number in numbers]]))
+done.set()
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="each thread has its own there")
+def test_every_thread_stands_back():
+    told = subprocess.run([sys.executable, "-c", CODE], capture_output=True, text=True, check=True)
+    before, after = json.loads(told.stdout)
+    assert len(after) == 4
+    assert set(after) == {max(before, 5)}
