@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QCoreApplication, QRect, Qt
-from PySide6.QtGui import QColor, QFontMetrics, QPainter
+from PySide6.QtCore import QCoreApplication, QPoint, QPointF, QRect, QSize, Qt
+from PySide6.QtGui import QColor, QFontMetrics, QImage, QPainter
 from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
 from armui.arm.refusal_codes import RefusalCode
@@ -76,3 +76,28 @@ def paint_plate(painter: QPainter, place: QRect, text: str, palette: ScenePalett
     painter.drawRoundedRect(grown, 6.0, 6.0)
     painter.setPen(QColor(palette.text))
     painter.drawText(room, flags, text)
+
+
+def paint_image(
+    painter: QPainter, size: QSize, image: QImage | None, palette: ScenePalette, *, faded: bool
+) -> None:
+    """Paint the last picture; until one of a new size is there, the old one stays in the middle.
+
+    Args:
+        painter: Of the widget.
+        size: Of the widget.
+        image: The picture, or ``None`` while there is none.
+        palette: The ground, where the picture does not cover it or is faded.
+        faded: The picture is not what it should be.
+    """
+    covered = None if image is None else image.deviceIndependentSize().boundedTo(size)
+    if faded or covered != size:
+        painter.fillRect(QRect(QPoint(0, 0), size), QColor(palette.background))
+    if image is not None:
+        whole = image.deviceIndependentSize()
+        place = QPointF(
+            (size.width() - whole.width()) / 2.0, (size.height() - whole.height()) / 2.0
+        )
+        painter.setOpacity(FADED_OPACITY if faded else 1.0)
+        painter.drawImage(place, image)
+        painter.setOpacity(1.0)

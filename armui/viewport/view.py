@@ -26,7 +26,7 @@ from armui.viewport.camera import HOME_CAMERA
 from armui.viewport.camera_input import Drag, press_key, turn_wheel
 from armui.viewport.client import Picture, PictureClient
 from armui.viewport.hud import Hud, HudValues
-from armui.viewport.overlay import FADED_OPACITY, add_again_button, lost_text, paint_plate
+from armui.viewport.overlay import add_again_button, lost_text, paint_image, paint_plate
 from armui.viewport.palette import LIGHT, ScenePalette
 from armui.viewport.view_state import (
     BUILT_IN_ROBOT,
@@ -44,7 +44,6 @@ if TYPE_CHECKING:
         QCloseEvent,
         QFocusEvent,
         QHideEvent,
-        QImage,
         QKeyEvent,
         QMouseEvent,
         QPaintEvent,
@@ -291,8 +290,6 @@ class ArmView(QWidget):
         key = self._hud_painter.quantity_at(QPointF(place), self.font())
         return [] if key is None else [key]
 
-    # Qt's events
-
     def showEvent(self, event: QShowEvent) -> None:
         """Ask for a picture of the size shown."""
         super().showEvent(event)
@@ -320,13 +317,7 @@ class ArmView(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         notice = self._notice()
         image = None if self._picture is None else self._picture.image
-        covered = None if image is None else image.deviceIndependentSize().boundedTo(self.size())
-        if notice or covered != self.size():
-            painter.fillRect(self.rect(), QColor(palette.background))
-        if image is not None:
-            painter.setOpacity(FADED_OPACITY if notice else 1.0)
-            self._paint_picture(painter, image)
-            painter.setOpacity(1.0)
+        paint_image(painter, self.size(), image, palette, faded=bool(notice))
         self._hud_painter.paint(painter, self._hud, palette, self.font())
         if notice:
             paint_plate(painter, self.rect(), notice, palette)
@@ -346,12 +337,6 @@ class ArmView(QWidget):
                 self.settled.emit()
         if not math.isclose(self._state.pixel_ratio, self.devicePixelRatioF()):
             self._fit()
-
-    def _paint_picture(self, painter: QPainter, image: QImage) -> None:
-        """Until the picture of a new size is there, the old one stays in the middle."""
-        size = image.deviceIndependentSize()
-        left, top = (self.width() - size.width()) / 2.0, (self.height() - size.height()) / 2.0
-        painter.drawImage(QPointF(left, top), image)
 
     def changeEvent(self, event: QEvent) -> None:
         """Follow the language."""

@@ -46,6 +46,7 @@ def test_a_stop_is_repeated_while_the_link_itself_fails(rig, monkeypatch):
     rig.ear = HardOfHearing(rig.firmware)
     rig.ear.deaf_to = {STOP.arbitration_id}
     rig.controller.emergency_stop()
+    rig.controller._timer.stop()  # on a slow computer it would tick meanwhile
     monkeypatch.setattr(rig.controller._connection, "advance", fail)
     rig._settle()
     rig.heard()
