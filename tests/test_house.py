@@ -15,7 +15,8 @@ LONGEST_FILE = 400
 
 def modules() -> Iterator[tuple[str, Path]]:
     for path in sorted((ROOT / "armui").rglob("*.py")):
-        yield ".".join(path.relative_to(ROOT).with_suffix("").parts), path
+        name = ".".join(path.relative_to(ROOT).with_suffix("").parts)
+        yield name.removesuffix(".__init__"), path
 
 
 def tree(path: Path) -> ast.Module:

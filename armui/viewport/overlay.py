@@ -95,9 +95,7 @@ def paint_image(
         painter.fillRect(QRect(QPoint(0, 0), size), QColor(palette.background))
     if image is not None:
         whole = image.deviceIndependentSize()
-        place = QPointF(
-            (size.width() - whole.width()) / 2.0, (size.height() - whole.height()) / 2.0
-        )
+        left, top = (size.width() - whole.width()) / 2.0, (size.height() - whole.height()) / 2.0
         painter.setOpacity(FADED_OPACITY if faded else 1.0)
-        painter.drawImage(place, image)
+        painter.drawImage(QPointF(left, top), image)
         painter.setOpacity(1.0)
