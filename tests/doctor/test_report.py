@@ -16,7 +16,7 @@ DOCTOR = Path(__file__).parents[2] / "armui" / "doctor"
 TEXTS = tomllib.loads(
     (DOCTOR.parents[1] / "resources" / "doctor" / "texts.toml").read_text("utf-8")
 )
-CODE = re.compile(r'(?:_finding\(|Finding\(\s*Section\.\w+,)\s*"(\w+)"')
+CODE = re.compile(r'(?:_finding\(|Diagnosis\(\s*Section\.\w+,)\s*"(\w+)"')
 GAP = re.compile(r"\{(\w+)\}")
 FINDING = Diagnosis(
     Section.CAN,

@@ -115,7 +115,7 @@ def test_the_arm_is_driven_and_stopped_as_ever_and_the_picture_comes_back(
     drawing.run(0.1)
     wait_until(lambda: view.is_settled)
     assert view._client.pid != pid
-    assert view._event() == ""
+    assert view._notice() == ""
     assert view._state.angles_deg == pytest.approx(drawing.controller.state.angles_deg(), abs=0.01)
 
 
