@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import DTypeLike, NDArray
 
+from armui.telemetry.memory import zeros
+
 BASE_EXPONENT: Final = -4
 """The finest buckets are 2⁻⁴ s = 62.5 ms wide: 12 samples at 200 Hz."""
 LEVELS: Final = 4
@@ -70,8 +72,8 @@ class Pyramid:
     def _level(self, buckets: int) -> _Level:
         return _Level(
             np.full(buckets, _NONE, np.int64),
-            tuple(np.zeros((count, buckets), kind) for count, kind in self._blocks),
-            tuple(np.zeros((count, buckets), kind) for count, kind in self._blocks),
+            tuple(zeros((count, buckets), kind) for count, kind in self._blocks),
+            tuple(zeros((count, buckets), kind) for count, kind in self._blocks),
         )
 
     @property

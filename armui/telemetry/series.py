@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from armui.telemetry.memory import zeros
 from armui.telemetry.pyramid import BASE_EXPONENT, Pyramid, firsts
 
 if TYPE_CHECKING:
@@ -99,20 +100,24 @@ class Series:
         fields += [(name, "<f4") for name in shape.figures]
         fields += [(name, "u1") for name in shape.codes]
         self._type = np.dtype(fields)
+        self.write: Callable[[float, Row], None]
+        self.release()
+
+    def release(self) -> None:
+        """Give the memory back, samples and all; nothing may be written meanwhile."""
+        self._count = self._folded = 0
+        self._fold_at = _FOLD_EVERY
+        self._newest_s = -np.inf
         self._buffer = memoryview(bytearray())
         self._samples = np.empty(0, self._type)
         self._times_s: NDArray[np.float64] = self._samples["time_s"]
         self._pyramid: Pyramid | None = None
-        self._count = 0
-        self._folded = 0
-        self._fold_at = _FOLD_EVERY
-        self._newest_s = -np.inf
-        self.write: Callable[[float, Row], None] = self._write_first
+        self.write = self._write_first
 
     # The writing thread -----------------------------------------------------------------------
 
     def _write_first(self, at_s: float, row: Row) -> None:
-        samples = np.zeros(self._capacity, self._type)
+        samples = zeros((self._capacity,), self._type)
         self._buffer = memoryview(samples.view(np.uint8).data)
         self._times_s = samples["time_s"]
         self._samples = samples

@@ -89,6 +89,11 @@ class Telemetry:
         """How much they take at most, whatever is heard."""
         return sum(each.most_bytes for each in self.series.values())
 
+    def release(self) -> None:
+        """Give the memory of all samples back, once nothing is heard or sent any more."""
+        for each in self.series.values():
+            each.release()
+
     def find(self, key: str) -> tuple[Quantity, Series]:
         """A quantity and where it is kept.
 

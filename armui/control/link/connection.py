@@ -190,6 +190,8 @@ class Connection(QObject):
         for worker in tuple(self._ending):
             worker.wait(max(0, round(1e3 * (deadline_s - time.monotonic()))))
         self._on_ended()
+        if self._telemetry is not None and not self._ending:
+            self._telemetry.release()
         return not self._ending
 
     def _on_ended(self) -> None:
