@@ -23,6 +23,6 @@ def load_profile() -> None:
     How long an example takes says more of the computer's other work than of the code: no deadline.
     """
     for name in (USUAL, NIGHTLY):
-        count = 50 * (_TIMES if name == NIGHTLY else 1)
+        count = 100 * (_TIMES if name == NIGHTLY else 1)
         hypothesis.settings.register_profile(name, deadline=None, max_examples=count)
     hypothesis.settings.load_profile(PROFILE)

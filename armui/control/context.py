@@ -136,6 +136,7 @@ class Context:
         if further is None:
             return Refusal(RefusalCode.COMMAND_OVER)
         if not self.connection.send(frames, keep_s, further.number):
+            self.authority.end(End.NOT_SENT)
             return Refusal(RefusalCode.LINK_LOST)
         return further
 
