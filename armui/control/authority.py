@@ -1,8 +1,7 @@
 """Who moves the arm, and what our own command is: pure, fed by what is heard and what is sent.
 
 Everything that moves the arm asks here first and tells here what it has sent. A command of ours is
-the place the next step starts from as long as it is the last command given to the arm. What ends it
-is listed in :class:`armui.control.motion.motion_command.End`.
+the place the next step starts from while it is the last one the arm got; `End` lists what ends it.
 """
 
 from __future__ import annotations
@@ -22,6 +21,7 @@ from armui.control.motion.motion_command import (
     Observation,
 )
 from armui.control.safety.hearing import limp, taught, why_silent
+from armui.control.safety.interlocks import MOVABLE_STATUSES
 from armui.control.safety.other_command import OtherCommand
 from armui.control.safety.overspeed import OverspeedWatch
 from armui.control.safety.standstill import RestWatch
@@ -357,6 +357,8 @@ class Authority:
             return End.DISABLED
         if taught(state):
             return End.TAUGHT
+        if status.value.arm_status not in MOVABLE_STATUSES:  # it may move on, but not to there
+            self.command = replace(command, joints_deg=None, tool=None)
         late = status.at_s - command.sent_s > _TAKEN_IN_S
         if late and status.value.control_mode != ControlMode.CAN_CONTROL:
             return End.OTHER_MODE

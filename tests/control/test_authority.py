@@ -94,6 +94,21 @@ ENDS = {
 """The table: what ends a command of ours that has arrived, and what it is called."""
 
 
+@pytest.mark.parametrize("code", [ArmStatusCode.JOINT_STATUS_ABNORMAL, ArmStatusCode.COLLISION])
+def test_after_a_fault_however_short_a_step_starts_from_the_measured_angles(arm, code):
+    """A driver's fault stands in 0x2A1 before the slow feedback of the driver tells of it."""
+    arm.send()
+    arm.status = status(reached=False, arm_status=code)
+    arm.look()
+    arm.status = status(reached=False)
+    arm.wait(0.1)
+    assert arm.authority.under_way  # for all that is known: the program's end still ends it
+    assert arm.authority.joint_base_deg() == HERE
+    arm.status = status()
+    arm.wait(0.7)
+    assert arm.authority.joint_base_deg() == HERE
+
+
 @pytest.mark.parametrize("what", ENDS)
 def test_the_table_of_what_ends_our_target(arm, what):
     does, end = ENDS[what]

@@ -184,3 +184,5 @@ def test_a_setpoint_that_cannot_be_sent_is_told(part):
     command = part.send()
     part.connection.works = False
     assert go_on(part, command).code == RefusalCode.LINK_LOST
+    assert part.arm.authority.command is None
+    assert part.arm.authority.ended is End.NOT_SENT

@@ -12,7 +12,7 @@ from armui.protocol.codes import ArmStatusCode, ControlMode
 
 MOVABLE_MODES: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})
 
-_MOVABLE_STATUSES: Final = frozenset(
+MOVABLE_STATUSES: Final = frozenset(
     {
         ArmStatusCode.NORMAL,
         # the last target was refused; the next may be better
@@ -21,6 +21,7 @@ _MOVABLE_STATUSES: Final = frozenset(
         ArmStatusCode.TARGET_BEYOND_LIMIT,
     }
 )
+"""An arm of any other status (0x2A1 byte 1) takes no motion, and has ended the one under way."""
 
 
 def why_no_command(
@@ -59,7 +60,7 @@ def why_not_ready(state: ArmState) -> Refusal | None:
     status = state.status.value
     if status.control_mode not in MOVABLE_MODES:
         return Refusal(RefusalCode.OTHER_CONTROL, {"mode": status.control_mode})
-    if status.arm_status not in _MOVABLE_STATUSES:
+    if status.arm_status not in MOVABLE_STATUSES:
         return Refusal(RefusalCode.ARM_FAULT, {"status": status.arm_status})
     return None
 
