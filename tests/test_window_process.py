@@ -91,12 +91,14 @@ def test_it_never_loads_vtk_and_a_killed_one_leaves_nothing(tmp_path):
         env=environment,
         text=True,
     ) as process:
-        told = json.loads(process.stdout.readline())
-        assert told["heavy"] == []
-        assert told["online_before_the_picture"]
-        assert is_running(told["picture"])
-        os.kill(told["picture"], signal.SIGSTOP)  # the worst case: it can do nothing for itself
-        process.kill()
+        try:
+            told = json.loads(process.stdout.readline())
+            assert told["heavy"] == []
+            assert told["online_before_the_picture"]
+            assert is_running(told["picture"])
+            os.kill(told["picture"], signal.SIGSTOP)  # the worst case: it can do nothing for itself
+        finally:  # also when it has hung: leaving the block waits for its end
+            process.kill()
         process.wait()
         wait_for_the_end_of(told["picture"])
         assert shared_memory_of(process.pid) == []
