@@ -7,7 +7,8 @@ from typing import Final
 
 Extent = tuple[float, float]
 
-_MARGIN: Final = 0.06
+_MARGIN: Final = 0.16
+"""Of the height, above and below: half a figure of the axis, in the lowest plot there is."""
 _LEAST: Final = {"°C": 4.0, "V": 1.0, "A": 0.2, "%": 5.0, "1/s": 10.0}
 _LEAST_ELSE: Final = 0.1
 """The smallest height, by unit: noise of the last digit is not to fill a plot."""
