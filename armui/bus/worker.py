@@ -30,9 +30,9 @@ from armui.bus.receive_clock import STAMPED, ReceiveClock
 from armui.bus.receive_queue import ReceiveQueue
 from armui.bus.samples import SampleRing
 from armui.bus.sending import SendingThread
-from armui.bus.tap import NoTap, Tap, TapLine
+from armui.bus.tap import Tap, TapLine
 from armui.protocol.codec import Codec, InvalidFrame, InvalidFrameKind, Message
-from armui.protocol.frame import Frame
+from armui.protocol.frame import Frame, FrameFlag
 from armui.system.clock import steady_s
 from armui.system.failures import is_our_own
 
@@ -79,7 +79,7 @@ class BusWorker(QThread):
         clock: Monotonic time in seconds.
         listen_only: Nothing is sent but what is urgent: the operator's stop.
         number: Goes into its reports: one that comes late tells whose it is.
-        tap: Who else is told of every frame.
+        taps: Who else is told of every frame.
 
     Attributes:
         samples: Every joint feedback, while somebody wants them.
@@ -102,7 +102,7 @@ class BusWorker(QThread):
         *,
         listen_only: bool = False,
         number: int = 0,
-        tap: Tap | None = None,
+        taps: Sequence[Tap] = (),
     ) -> None:
         super().__init__(parent)
         self.setObjectName(f"bus {device.name}")
@@ -118,7 +118,7 @@ class BusWorker(QThread):
         self._others = OtherHosts()
         self._traffic = OtherTraffic()
         self._pictured_s = 0.0
-        self._line = TapLine(tap or NoTap())
+        self._line = TapLine(taps)
         self._outbox = Outbox(clock, listen_only=listen_only, sent=self._line.sent)
         self._health = BusHealth(device)
         self._problem: Refusal | None = None
@@ -161,6 +161,10 @@ class BusWorker(QThread):
     def send_urgent(self, frames: Sequence[Frame]) -> bool:
         """Send at once from the calling thread, past everything that waits; see :class:`Outbox`."""
         return self._outbox.put_urgent(frames)
+
+    def tap(self, taps: Sequence[Tap]) -> None:
+        """Who else is told of every frame from now on."""
+        self._line.want(taps)
 
     def use_codec(self, codec: Codec) -> None:
         """Forget what was heard; speak this codec from the next frame on.
@@ -256,18 +260,19 @@ class BusWorker(QThread):
     def _take_in(self, message: can.Message, now_s: float) -> None:
         if is_own_echo(message, self._device.interface):
             return
+        frame = Frame(message.arbitration_id, bytes(message.data))
         if message.is_error_frame:
             self._health.on_error_frame(message.arbitration_id)
             self._queue.note_error(message)
             self._line.error_frame()
         else:
             self._health.on_frame(now_s)
-            self._others.note(message.arbitration_id, bytes(message.data), now_s)
-        heard = _invalid_frame(message) or self._codec.decode(
-            Frame(message.arbitration_id, bytes(message.data))
-        )
+            self._others.note(frame.arbitration_id, frame.data, now_s)
+        invalid = _invalid_frame(message)
+        heard = invalid or self._codec.decode(frame)
+        flags = 0 if invalid is None else _flags(message)
         self._tracker.update(heard, now_s)
-        self._line.heard.append((heard, now_s, len(message.data)))
+        self._line.heard.append((heard, now_s, frame, flags))
         if self.samples.wanted and isinstance(heard, Message) and heard.name == _LAST_ANGLES:
             self.samples.put(self._tracker.picture(), now_s)
         if isinstance(heard, Message) and heard.name in ANSWERS:
@@ -282,6 +287,15 @@ class BusWorker(QThread):
     def _report(self, state: BusState, error: Exception | None = None) -> None:
         problem = None if error is None else explain(self._device, error)
         self.reported.emit(BusReport(state, self._device, problem, self._number))
+
+
+def _flags(message: can.Message) -> int:
+    flags = FrameFlag.EXTENDED if message.is_extended_id else FrameFlag(0)
+    if message.is_remote_frame:
+        flags |= FrameFlag.REMOTE
+    if message.is_error_frame:
+        flags |= FrameFlag.ERROR
+    return flags | FrameFlag.FD if message.is_fd else flags
 
 
 def _invalid_frame(message: can.Message) -> InvalidFrame | None:

@@ -14,8 +14,8 @@ import numpy as np
 
 from armui.protocol.codec import InvalidFrame, Message
 from armui.protocol.columns import bit_mask, payload_words, signal_column
-from armui.protocol.frame import Frame
-from armui.session.frames import NOT_OF_THE_ARM, FrameFlag
+from armui.protocol.frame import Frame, FrameFlag
+from armui.session.frames import NOT_OF_THE_ARM
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

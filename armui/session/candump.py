@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from armui.session.frames import CLASSIC_BYTES, FrameBatch, FrameFlag
+from armui.protocol.frame import FrameFlag
+from armui.session.frames import CLASSIC_BYTES, FrameBatch
 
 if TYPE_CHECKING:
     from armui.session.gather import Gatherer

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import enum
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 import numpy as np
 
-from armui.protocol.frame import Frame
+from armui.protocol.frame import Frame, FrameFlag
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -24,25 +23,6 @@ MOST_DAMAGES = 1_000
 
 Channel: TypeAlias = int | str | None
 """A channel as the log names it: "can0", 1, or None where the format has no channels."""
-
-
-class FrameFlag(enum.IntFlag):
-    """What sort of frame was recorded; the arm sends none of these but TRANSMITTED ones.
-
-    EXTENDED: the identifier has 29 bits. REMOTE: a request without data. ERROR: an error frame.
-    FD, BITRATE_SWITCH, ERROR_STATE: CAN FD and its bits. TRANSMITTED: sent by the recording
-    computer, not received. IMPOSSIBLE: its parts contradict one another, so that no bus can have
-    carried it; it is given as it was recorded.
-    """
-
-    EXTENDED = 1
-    REMOTE = 2
-    ERROR = 4
-    FD = 8
-    BITRATE_SWITCH = 16
-    ERROR_STATE = 32
-    TRANSMITTED = 64
-    IMPOSSIBLE = 128
 
 
 NOT_OF_THE_ARM = ~FrameFlag.TRANSMITTED & 0xFF

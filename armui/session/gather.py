@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from armui.protocol.frame import FrameFlag
 from armui.session.frames import (
     CLASSIC_BYTES,
     MOST_BYTES,
@@ -15,7 +16,6 @@ from armui.session.frames import (
     Damage,
     DamageList,
     FrameBatch,
-    FrameFlag,
 )
 
 if TYPE_CHECKING:

@@ -16,6 +16,7 @@ from armui.telemetry.series import KEPT_S, Row, Series
 
 if TYPE_CHECKING:
     from armui.protocol.codec import Codec
+    from armui.protocol.frame import Frame
     from armui.protocol.generation import Generation
 
 _BUS_EVERY_S: Final = 0.1
@@ -37,8 +38,8 @@ _ENDS: Final = {
 }
 """What of 0x150 ends every target that stands."""
 
-Taken = tuple["Message | InvalidFrame", float, int]
-"""A frame as decoded, its monotonic time, and the length of its payload."""
+Taken = tuple["Message | InvalidFrame", float, "Frame", int]
+"""A frame as decoded, its monotonic time, the frame itself, and what sort of frame it is."""
 _Writer = Callable[[Mapping[str, float], float], None]
 
 
@@ -134,8 +135,8 @@ class Telemetry:
         """Frames that somebody else sent, in order."""
         self._frames += len(batch)
         find = self._from_others.get
-        for heard, at_s, length in batch:
-            self._bits += _FRAME_BITS + 8 * length
+        for heard, at_s, frame, _flags in batch:
+            self._bits += _FRAME_BITS + 8 * len(frame.data)
             message = heard if isinstance(heard, Message) else heard.message
             if message is None:
                 continue
@@ -150,8 +151,8 @@ class Telemetry:
     def on_sent(self, batch: Sequence[Taken]) -> None:
         """Frames that this program has sent, in order."""
         self._frames += len(batch)
-        for said, at_s, length in batch:
-            self._bits += _FRAME_BITS + 8 * length
+        for said, at_s, frame, _flags in batch:
+            self._bits += _FRAME_BITS + 8 * len(frame.data)
             writer = self._own.get(said.name) if isinstance(said, Message) else None
             if writer is not None and isinstance(said, Message):
                 writer(said.signals, at_s)

@@ -16,7 +16,14 @@ from armui.arm.limits import JOINTS
 from armui.telemetry.quantities import QUANTITIES
 from armui.ui.theme import Theme, apply_theme
 from armui.ui.watch.plot_board import PlotBoard
-from tests.telemetry.motions import Clock, controller_frames, driver_frames, feed, telemetry_at
+from tests.telemetry.motions import (
+    EIGHT_BYTES,
+    Clock,
+    controller_frames,
+    driver_frames,
+    feed,
+    telemetry_at,
+)
 
 KINDS = (
     *("joint_angle", "motor_speed", "motor_current", "motor_position", "motor_temperature"),
@@ -35,7 +42,7 @@ def run_on(telemetry, clock):
     for step in range(round(STEP_S * 200)):
         at_s = clock.time_s + step / 200.0
         frames = [*controller_frames(at_s), *(driver_frames(at_s) if step % 5 == 0 else ())]
-        telemetry.on_heard([(message, at_s, 8) for message in frames])
+        telemetry.on_heard([(message, at_s, EIGHT_BYTES, 0) for message in frames])
     clock.time_s += STEP_S
 
 

@@ -12,7 +12,7 @@ from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.telemetry.store import Telemetry
 from tests.benchmarks import rig
-from tests.telemetry.motions import Clock, feed, telemetry_at
+from tests.telemetry.motions import EIGHT_BYTES, Clock, feed, telemetry_at
 
 ROUNDS = 9
 BATCH = 16
@@ -36,7 +36,7 @@ def take_in(codec, frames, telemetry, begin_s):
         heard = codec.decode(frame)
         tracker.update(heard, at_s)
         if telemetry is not None:
-            batch.append((heard, at_s, 8))
+            batch.append((heard, at_s, EIGHT_BYTES, 0))
             if len(batch) == BATCH:
                 telemetry.on_heard(batch)
                 batch = []

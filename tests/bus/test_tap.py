@@ -10,7 +10,7 @@ from armui.arm.device import Device
 from armui.bus.link import BusState
 from armui.bus.worker import BusWorker
 from armui.protocol.codec import Codec, InvalidFrame
-from armui.protocol.frame import Frame
+from armui.protocol.frame import Frame, FrameFlag
 from armui.protocol.generation import Generation
 
 # J1 12.000° = 12,000 = 0x00002EE0, J2 −12.000°
@@ -63,7 +63,7 @@ def rig(qtbot, request):
             self.wait = qtbot.waitUntil
             device = Device("virtual", request.node.nodeid, 500_000)
             codec = Codec(Generation.TWO)
-            self.worker = BusWorker(device, self.open, codec, tap=self.ear)
+            self.worker = BusWorker(device, self.open, codec, taps=[self.ear])
             self.worker.reported.connect(lambda report: self.reports.append(report.state))
 
         @contextmanager
@@ -85,12 +85,12 @@ def test_it_hears_every_frame_with_its_time(rig):
     rig.arm.send(can.Message(arbitration_id=0x7FF, data=b"", is_extended_id=False))
     rig.wait(lambda: len(rig.ear.heard) == 51)
     *messages, odd = rig.ear.heard
-    assert {message.name for message, _at_s, _length in messages} == {"JointFeedback12"}
+    assert {message.name for message, _at_s, _frame, _flags in messages} == {"JointFeedback12"}
     assert messages[0][0].signals == {"J1": 12.0, "J2": -12.0}
-    times = [at_s for _message, at_s, _length in rig.ear.heard]
+    times = [at_s for _message, at_s, _frame, _flags in rig.ear.heard]
     assert times == sorted(times)
     assert isinstance(odd[0], InvalidFrame)
-    assert [length for _message, _at_s, length in rig.ear.heard[-2:]] == [8, 0]
+    assert [len(frame.data) for _message, _at_s, frame, _flags in rig.ear.heard[-2:]] == [8, 0]
     assert rig.ear.opened == [500_000]
     assert rig.ear.codecs == [Generation.TWO]
 
@@ -100,7 +100,7 @@ def test_it_hears_what_the_program_sends_and_when_it_was_out(rig):
     rig.worker.send_urgent([STOP])
     rig.wait(lambda: len(rig.ear.sent) >= 1 and rig.ear.sent[-1][0].name == "MotionCommand")
     assert rig.ear.sent[-1][0].signals["EmergencyStop"] == 1
-    for message, _at_s, _length in rig.ear.sent[:-1]:
+    for message, _at_s, _frame, _flags in rig.ear.sent[:-1]:
         assert message.signals == {"J1": 1.0, "J2": 2.0}
     assert rig.ear.heard == []
 
@@ -134,3 +134,40 @@ def test_one_that_fails_is_told_no_more_and_nothing_else_suffers(rig, caplog):
     said = rig.arm.recv(2.0)
     assert said is not None
     assert said.arbitration_id == 0x155
+
+
+def test_another_one_listens_on_while_one_fails(rig):
+    other = Ear()
+    rig.worker.tap([rig.ear, other])
+    rig.wait(lambda: other.codecs == [Generation.TWO])
+    rig.ear.broken = ValueError("broken")
+    rig.arm.send(JOINTS_12)
+    rig.wait(lambda: len(other.heard) == 1)
+    rig.arm.send(JOINTS_12)
+    rig.wait(lambda: len(other.heard) == 2)
+    assert rig.ear.heard == []
+
+
+def test_one_that_comes_late_is_told_of_the_device_and_one_that_left_nothing(rig):
+    late = Ear()
+    rig.worker.tap([late])
+    rig.wait(lambda: late.opened == [500_000] and late.codecs == [Generation.TWO])
+    rig.arm.send(JOINTS_12)
+    rig.wait(lambda: len(late.heard) == 1)
+    assert rig.ear.heard == []
+    looks = rig.ear.looks
+    rig.wait(lambda: late.looks > 5)
+    assert rig.ear.looks <= looks + 1
+
+
+def test_what_sort_of_frame_it_was_is_told_with_its_bytes(rig):
+    rig.arm.send(can.Message(arbitration_id=0x18FF1234, data=b"ab", is_extended_id=True))
+    rig.arm.send(JOINTS_12)
+    rig.worker.send([TARGET])
+    rig.wait(lambda: len(rig.ear.heard) == 2 and len(rig.ear.sent) == 1)
+    told = [(frame, flags) for _message, _at_s, frame, flags in rig.ear.heard + rig.ear.sent]
+    assert told == [
+        (Frame(0x18FF1234, b"ab"), FrameFlag.EXTENDED),
+        (Frame(0x2A5, bytes(JOINTS_12.data)), 0),
+        (TARGET, FrameFlag.TRANSMITTED),
+    ]

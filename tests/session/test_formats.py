@@ -9,7 +9,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from armui.session.frames import Damage, FrameFlag, LoggedFrame
+from armui.protocol.frame import FrameFlag
+from armui.session.frames import Damage, LoggedFrame
 from armui.session.reader import LogFile
 from tests.session.foreign_blf import container, file, frame, obj
 

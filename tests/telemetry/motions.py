@@ -4,9 +4,12 @@ import math
 
 from armui.arm.limits import JOINTS
 from armui.protocol.codec import Codec, Message
+from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.telemetry.store import Telemetry
 
+EIGHT_BYTES = Frame(0x2A1, bytes(8))
+"""What a frame was, where only its length matters."""
 DRIVER_FLAGS = (
     *("Undervoltage", "MotorOvertemperature", "Overcurrent", "DriverOvertemperature"),
     *("CollisionProtection", "DriverFault", "StallProtection"),
@@ -91,9 +94,9 @@ def feed(telemetry, clock, seconds, rate_hz=200.0, silent=()):
         clock.time_s = at_s = begin_s + t_s
         if any(first <= t_s < last for first, last in silent):
             continue
-        batch = [(message, at_s, 8) for message in controller_frames(t_s)]
+        batch = [(message, at_s, EIGHT_BYTES, 0) for message in controller_frames(t_s)]
         if step % 5 == 0:
-            batch += [(message, at_s, 8) for message in driver_frames(t_s)]
+            batch += [(message, at_s, EIGHT_BYTES, 0) for message in driver_frames(t_s)]
         telemetry.on_heard(batch)
         telemetry.on_look(at_s)
     clock.time_s = begin_s + seconds

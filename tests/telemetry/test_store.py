@@ -10,7 +10,7 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.telemetry.quantities import QUANTITIES, RECORDS, Source
 from armui.telemetry.store import Telemetry
-from tests.telemetry.motions import Clock, angle, feed, telemetry_at
+from tests.telemetry.motions import EIGHT_BYTES, Clock, angle, feed, telemetry_at
 
 FEEDBACK_MB = 136
 """Of an arm; without 0x481–0x486, which are sent only while they are switched on."""
@@ -29,11 +29,11 @@ def telemetry(clock):
 
 
 def heard(telemetry, at_s, name, **signals):
-    telemetry.on_heard([(Message(name, signals), at_s, 8)])
+    telemetry.on_heard([(Message(name, signals), at_s, EIGHT_BYTES, 0)])
 
 
 def sent(telemetry, at_s, name, **signals):
-    telemetry.on_sent([(Message(name, signals), at_s, 8)])
+    telemetry.on_sent([(Message(name, signals), at_s, EIGHT_BYTES, 0)])
 
 
 def latest(telemetry, key):
@@ -156,7 +156,7 @@ def test_a_code_outside_its_table_is_kept_and_an_unknown_frame_counted(telemetry
     odd = InvalidFrame(InvalidFrameKind.VALUE_OUTSIDE_TABLE, 0x2A1, "odd", message)
     unknown = InvalidFrame(InvalidFrameKind.UNKNOWN_ID, 0x7FF, "unknown")
     telemetry.on_look(1.0)
-    telemetry.on_heard([(odd, 1.0, 8), (unknown, 1.0, 8)])
+    telemetry.on_heard([(odd, 1.0, EIGHT_BYTES, 0), (unknown, 1.0, EIGHT_BYTES, 0)])
     telemetry.on_look(1.2)
     assert latest(telemetry, "arm.control_mode") == 99
     assert latest(telemetry, "bus.frames_per_s") == pytest.approx(10.0)
@@ -210,6 +210,6 @@ def test_frames_of_the_wire_come_out_as_figures(telemetry):
     codec = Codec(Generation.TWO)
     # J1 90.000° = 90,000 = 0x00015F90, J2 −0.001° = 0xFFFFFFFF
     frame = Frame(0x2A5, bytes.fromhex("00015F90FFFFFFFF"))
-    telemetry.on_heard([(codec.decode(frame), 1.0, 8)])
+    telemetry.on_heard([(codec.decode(frame), 1.0, EIGHT_BYTES, 0)])
     assert latest(telemetry, "arm.joint_angle.1") == 90.0
     assert latest(telemetry, "arm.joint_angle.2") == pytest.approx(-0.001)

@@ -23,6 +23,7 @@ from armui.protocol.generation import Generation
 
 if TYPE_CHECKING:
     from armui.bus.samples import SampleRing
+    from armui.bus.tap import Tap
     from armui.bus.worker import BusWorker, Opener
     from armui.control.link.handshake import Handshake
     from armui.protocol.codec import Codec
@@ -58,6 +59,7 @@ class Connection(QObject):
     ) -> None:
         super().__init__(parent)
         self._telemetry: Telemetry | None = None
+        self._taps: tuple[Tap, ...] = ()
         self._opener = opener
         self._clock = clock
         self._worker: BusWorker | None = None
@@ -83,6 +85,20 @@ class Connection(QObject):
 
             self._telemetry = Telemetry(self._clock)
         return self._telemetry
+
+    def add_tap(self, tap: Tap) -> None:
+        """Have every frame on the bus told to somebody, also of a device that is open already."""
+        self._set_taps((*self._taps, tap))
+        tap.know_generation(self.generation)
+
+    def remove_tap(self, tap: Tap) -> None:
+        """Tell it no more; frames that are on their way to it may still reach it."""
+        self._set_taps(tuple(each for each in self._taps if each is not tap))
+
+    def _set_taps(self, taps: tuple[Tap, ...]) -> None:
+        self._taps = taps
+        if self._worker is not None:
+            self._worker.tap((self.telemetry, *taps))
 
     @property
     def codec(self) -> Codec:
@@ -153,7 +169,7 @@ class Connection(QObject):
             self._clock,
             listen_only=device.listen_only,
             number=self._worker_number,
-            tap=self.telemetry,
+            taps=(self.telemetry, *self._taps),
         )
         self._tell_generation()
         self._worker.reported.connect(self._on_report)
@@ -260,7 +276,8 @@ class Connection(QObject):
         return self.newest
 
     def _tell_generation(self) -> None:
-        self.telemetry.know_generation(self.generation)
+        for tap in (self.telemetry, *self._taps):
+            tap.know_generation(self.generation)
 
     def _understood(self, state: ArmState) -> ArmState:
         """What can be told of the arm as long as it is not known which protocol it speaks."""
