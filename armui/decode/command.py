@@ -6,29 +6,17 @@ import os
 import sys
 from itertools import chain
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
-
-import numpy as np
+from typing import TYPE_CHECKING
 
 from armui.decode.lines import LineFormat
 from armui.protocol.codec import Codec
-from armui.protocol.detect import GenerationDetector
-from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.session.frames import NOT_OF_THE_ARM, NotALogError
+from armui.session.detection import detect_generation
+from armui.session.frames import NotALogError
 from armui.session.reader import SUFFIXES, LogFile
 
 if TYPE_CHECKING:
     import argparse
-    from collections.abc import Iterator
-
-    from armui.protocol.detect import GenerationVerdict
-    from armui.session.frames import FrameBatch
-
-_FRAMES_LOOKED_AT: Final = 6_000
-"""So many frames, two seconds of an arm, tell the generation as well as all of them."""
-_MOST_FRAMES_LOOKED_AT: Final = 200_000
-"""Among foreign frames the arm's are looked for longer, but not without end."""
 
 EXIT_COMPLETE = 0
 """Every frame of the log was read; unknown frames are no failure."""
@@ -89,7 +77,7 @@ def run(options: argparse.Namespace) -> int:
 def _decode(log: LogFile, wanted: str, *, as_json: bool) -> int:
     batches = log.batches()
     if wanted == "auto":
-        looked_at, verdict = _detect(batches)
+        looked_at, verdict = detect_generation(batches)
         generation = verdict.generation
         _complain(log.path, f"read as generation {int(generation)}: {verdict.reason}")
         batches = chain(looked_at, batches)
@@ -114,29 +102,6 @@ def _say_damages(log: LogFile, said: int) -> int:
         words = "contradicts itself" if damage.frame_given else "cannot be read"
         _complain(log.path, f"{damage.place} {words}: {damage.reason}")
     return len(log.damages)
-
-
-def _detect(batches: Iterator[FrameBatch]) -> tuple[list[FrameBatch], GenerationVerdict]:
-    """Reads a log's beginning until its generation is certain.
-
-    Returns:
-        What was read for it, and the verdict.
-    """
-    detector = GenerationDetector()
-    looked_at: list[FrameBatch] = []
-    count = 0
-    for batch in batches:
-        looked_at.append(batch)
-        for row in np.flatnonzero((batch.flags & NOT_OF_THE_ARM) == 0).tolist():
-            detector.feed(Frame(int(batch.ids[row]), batch.data(row)), float(batch.times_s[row]))
-            if detector.certain:
-                return looked_at, detector.verdict()
-            count += 1
-            if count >= _FRAMES_LOOKED_AT and detector.has_evidence:
-                return looked_at, detector.verdict()
-        if count >= _MOST_FRAMES_LOOKED_AT:
-            break
-    return looked_at, detector.verdict()
 
 
 def _complain(path: Path, text: str) -> None:

@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Final
 
+from armui.arm.geometries import geometry_of
 from armui.arm.limits import JOINTS
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.addressing import Addressing
@@ -44,7 +45,7 @@ from armui.sim.mechanics.unpowered_joints import UnpoweredJoints
 from armui.sim.motion.moves import Moves
 from armui.sim.motion.teaching import SimulatedTeaching
 from armui.sim.parameters.flash import Flash, MemoryFlash
-from armui.sim.parameters.identity import geometry_of, version_frames
+from armui.sim.parameters.identity import version_frames
 from armui.sim.parameters.parameter_server import ParameterServer, Signals
 from armui.sim.parameters.settings import LinkageSettings
 from armui.sim.parameters.settings_applier import SettingsApplier

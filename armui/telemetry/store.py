@@ -26,7 +26,7 @@ _FRAME_BITS: Final = 47
 """Of a classic frame without its payload, the gap behind it included; stuff bits not counted."""
 DEFAULT_BITRATE: Final = 1_000_000
 
-_ENDS: Final = {
+ENDS: Final = {
     "EmergencyStop": frozenset({StopCommand.EMERGENCY_STOP, StopCommand.RESUME}),
     "TrajectoryCommand": frozenset(
         {
@@ -225,7 +225,7 @@ class Telemetry:
             self._end(space, at_s)
 
     def _on_motion_command(self, signals: Mapping[str, float], at_s: float) -> None:
-        if any(signals.get(name) in codes for name, codes in _ENDS.items()):
+        if any(signals.get(name) in codes for name, codes in ENDS.items()):
             self._end_standing(at_s)
 
     def _on_motor_enable(self, signals: Mapping[str, float], at_s: float) -> None:

@@ -2,26 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from typing import Final
 
-from armui.kinematics.geometry import Geometry
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
 
 _PREFIX: Final = "PiPER "
 _REQUEST: Final = 1
 _FRAME_LENGTH: Final = 8
-_NEW_ZEROS_SINCE: Final = (1, 6, 3)
-"""From this firmware on joints 2 and 3 have their zeros 2° elsewhere."""
-
-
-def geometry_of(version: str) -> Geometry:
-    """Where joints 2 and 3 have their zero; in a version that cannot be read, as of today."""
-    numbers = re.fullmatch(r"S-V(\d+)\.(\d+)-(\d+)", version)
-    if numbers is None or tuple(map(int, numbers.groups())) >= _NEW_ZEROS_SINCE:
-        return Geometry.CURRENT
-    return Geometry.BEFORE_V1_6_3
 
 
 def version_frames(codec: Codec, signals: dict[str, float], version: str) -> list[Frame]:

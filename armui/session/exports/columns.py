@@ -1,0 +1,166 @@
+"""The columns of a table of what was heard and commanded, and their values at frames of a log."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from armui.arm.units import DEGREES_PER
+from armui.protocol.codec import EncodeError
+from armui.telemetry.quantities import RECORDS, Field, Record, Source, Space
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from numpy.typing import NDArray
+
+    from armui.protocol.codec import Codec
+    from armui.session.exports.history import History, Samples
+
+TIME_BASE: Final = "JointFeedback56"
+"""The message whose frames end a set of joint angles: each makes a row."""
+COMMANDED: Final = "command"
+"""How the names of columns begin that tell commands, whoever gave them."""
+
+
+@dataclass(frozen=True)
+class ExportColumn:
+    """One quantity.
+
+    Attributes:
+        name: As in the plots: ``arm.joint_angle.1``; commands begin with ``command.``.
+        unit: As the operator reads it, "" for codes.
+        whole: Every value is a whole number.
+        signals: Its name in the DBC files; several: bits, the first one worth 1.
+        factor: From the unit of the DBC file to this one.
+    """
+
+    name: str
+    unit: str
+    whole: bool
+    signals: tuple[str, ...]
+    factor: float = 1.0
+
+    @property
+    def title(self) -> str:
+        """Its name and unit, for a header."""
+        return f"{self.name} [{self.unit}]" if self.unit else self.name
+
+    def values(self, samples: Samples) -> NDArray[Any]:
+        """Of every sample: int64 where they are whole, else float64."""
+        if len(self.signals) > 1:
+            return samples.bits(self.signals)
+        column = samples.column(self.signals[0])
+        if self.whole:
+            return column
+        return column.astype(np.float64) * self.factor
+
+
+@dataclass(frozen=True)
+class RecordColumns:
+    """The columns of one message.
+
+    Attributes:
+        message: Its name in the DBC files.
+        columns: What is kept of it.
+        space: Of a command: what it is that another command replaces.
+        ended_by: Of a command: the messages that replace it.
+    """
+
+    message: str
+    columns: tuple[ExportColumn, ...]
+    space: Space | None = None
+    ended_by: tuple[str, ...] = ()
+
+    def told_at(
+        self, history: History, rows: NDArray[np.int64], times_s: NDArray[np.float64]
+    ) -> tuple[Samples, NDArray[np.intp]] | None:
+        """Which sample held at frames of a log.
+
+        Feedback holds for half a second; a command until another one, a stop, an abort or
+        disabled motors end it.
+
+        Returns:
+            The samples, and which one held at each frame, -1 where none did; ``None`` if the
+            message has never been heard.
+        """
+        samples = history.samples(self.message)
+        if samples is None:
+            return None
+        if self.space is None:
+            last, fresh = samples.fresh_at(rows, times_s)
+            return samples, np.where(fresh, last, -1)
+        last = samples.last_at(rows)
+        by_stops = self.space is not Space.MODE
+        ended = history.ended_at(rows, self.ended_by, by_stops=by_stops)
+        return samples, np.where(samples.rows[last] > ended, last, -1)
+
+
+class TableColumns:
+    """Every column that a generation can tell, in the order of the plots' list.
+
+    Args:
+        codec: Speaks that generation.
+
+    Attributes:
+        records: The messages in order.
+    """
+
+    def __init__(self, codec: Codec) -> None:
+        self.records = tuple(_records(codec))
+
+    @cached_property
+    def columns(self) -> tuple[ExportColumn, ...]:
+        """All of them in order."""
+        return tuple(column for record in self.records for column in record.columns)
+
+
+def _records(codec: Codec) -> Iterator[RecordColumns]:
+    motions = tuple(
+        record.message
+        for record in RECORDS
+        if record.source is Source.OTHER and record.space is Space.MOTION
+    )
+    for record in RECORDS:
+        # what this program sends and what others send differs in nothing but the sender
+        if record.source not in {Source.ARM, Source.OTHER}:
+            continue
+        columns = tuple(_columns(record, codec))
+        if not columns:
+            continue
+        family = record.message.rstrip("0123456789")
+        others = tuple(name for name in motions if name.rstrip("0123456789") != family)
+        ended_by = others if record.space is Space.MOTION else ()
+        yield RecordColumns(record.message, columns, record.space, ended_by)
+
+
+def _columns(record: Record, codec: Codec) -> Iterator[ExportColumn]:
+    try:
+        told = codec.signals(record.message)
+    except EncodeError:  # the generation has no such message
+        return
+    for field in record.fields:
+        if any(signal in told for signal in field.signals):
+            column = _column(record, field, codec)
+            if math.isfinite(column.factor):  # else it counts in no unit of angle: encoder pulses
+                yield column
+
+
+def _column(record: Record, field: Field, codec: Codec) -> ExportColumn:
+    kind, _, joint = field.name.partition(".")
+    number = joint or ("" if record.number is None else str(record.number))
+    source = "arm" if record.source is Source.ARM else COMMANDED
+    name = ".".join(part for part in (source, kind, number) if part)
+    if len(field.signals) > 1:
+        return ExportColumn(name, "", True, field.signals)
+    (signal,) = field.signals
+    factor = 1.0
+    if field.is_angle:
+        factor = DEGREES_PER.get(codec.unit(record.message, signal), math.nan)
+    step = codec.step(record.message, signal)
+    whole = factor == 1.0 and step == 1.0
+    return ExportColumn(name, field.unit, whole, field.signals, factor)

@@ -1,0 +1,181 @@
+"""Exports a log: from its file to a file that other programs open."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, BinaryIO, Final
+
+from armui import __version__
+from armui.session.exports.frames import ArmFrameReader
+from armui.session.exports.history import History
+from armui.session.exports.recorded_arm import NoSuchChannelError, look_at
+from armui.session.exports.request import (
+    ExportCancelledError,
+    ExportError,
+    ExportFormat,
+    ExportProblem,
+    ExportProgress,
+    ExportReport,
+)
+from armui.session.exports.sink import ExportFacts, TimeSpan
+from armui.session.exports.target import WholeFile
+from armui.session.frames import NotALogError
+from armui.session.reader import LogFile
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from pathlib import Path
+
+    from armui.session.exports.recorded_arm import RecordedArm
+    from armui.session.exports.request import ExportRequest
+    from armui.session.exports.sink import Sink
+    from armui.session.frames import Channel, FrameBatch
+
+_MOST_DAMAGES_TOLD: Final = 20
+_LATER_S: Final = 1.0
+"""Reading ends where a whole piece of the log is so much later than the end asked for."""
+
+
+def export_log(
+    request: ExportRequest,
+    tell: Callable[[ExportProgress], object] = lambda _progress: None,
+    is_wanted: Callable[[], bool] = lambda: True,
+    begun: Callable[[Path], object] = lambda _unfinished: None,
+) -> ExportReport:
+    """Export a log; its memory stays bounded whatever the log holds.
+
+    Args:
+        request: What, where to, how.
+        tell: Told of the progress, after each piece of the log.
+        is_wanted: Asked as often.
+        begun: Told the name of the unfinished file: who kills this process removes it.
+
+    Raises:
+        ExportError: Nothing was written.
+        ExportCancelledError: It was no longer wanted.
+    """
+    if request.log.resolve() == request.target.resolve():
+        raise ExportError(ExportProblem.SAME_FILE, str(request.target))
+    try:
+        with LogFile(request.log) as log:
+            return _Export(request, log, tell, is_wanted, begun).run()
+    except NotALogError as error:
+        raise ExportError(ExportProblem.NO_LOG, str(error)) from error
+    except NoSuchChannelError as error:
+        raise ExportError(ExportProblem.NO_CHANNEL, str(error)) from error
+    except FileExistsError as error:
+        raise ExportError(ExportProblem.EXISTS, str(request.target)) from error
+    except OSError as error:
+        detail = error.strerror or str(error)
+        raise ExportError(ExportProblem.CANNOT_WRITE, detail) from error
+
+
+class _Export:
+    """One export under way."""
+
+    def __init__(
+        self,
+        request: ExportRequest,
+        log: LogFile,
+        tell: Callable[[ExportProgress], object],
+        is_wanted: Callable[[], bool],
+        begun: Callable[[Path], object],
+    ) -> None:
+        self._request = request
+        self._log = log
+        self._tell = tell
+        self._is_wanted = is_wanted
+        self._begun = begun
+
+    def run(self) -> ExportReport:
+        request = self._request
+        with WholeFile(request.target, replace=request.replace) as target:
+            self._begun(target.unfinished)
+            arm, batches = look_at(self._log.batches(), request.wishes)
+            if arm is None:
+                raise ExportError(ExportProblem.NOTHING, "the log has no frames")
+            sink = _sink(request.format, target.stream, _facts(request, arm))
+            span = TimeSpan(arm.start_s + request.begin_s, arm.start_s + request.end_s)
+            reader = ArmFrameReader(arm.channel)
+            history = History(arm.codec)
+            for frames in reader.pieces(self._watched(batches)):
+                history.take(frames)
+                sink.take(frames, history, span)
+                if len(frames) and frames.times_s.min() > span.end_s + _LATER_S:
+                    break
+            if not sink.items:
+                raise ExportError(ExportProblem.NOTHING, _why_nothing(request, reader, history))
+            sink.finish()
+            target.finish()
+        return self._report(arm, sink, reader, history)
+
+    def _watched(self, batches: Iterator[FrameBatch]) -> Iterator[FrameBatch]:
+        log = self._log
+        for batch in batches:
+            if not self._is_wanted():
+                raise ExportCancelledError
+            yield batch
+            done = min(log.position / log.size, 1.0) if log.size else None
+            self._tell(ExportProgress(done, log.frames))
+
+    def _report(
+        self, arm: RecordedArm, sink: Sink, reader: ArmFrameReader, history: History
+    ) -> ExportReport:
+        damages = self._log.damages
+        return ExportReport(
+            items=sink.items,
+            frames=self._log.frames,
+            generation=int(arm.codec.generation),
+            why_generation=arm.why_generation,
+            firmware=arm.firmware,
+            offset=arm.codec.addressing.feedback_offset,
+            channel=_name(arm.channel),
+            other_channels=tuple(_name(each) for each in reader.other_channels),
+            of_other_channels=reader.of_other_channels,
+            not_understood=history.not_understood + reader.of_other_kinds,
+            without_stamp=getattr(sink, "without_stamp", 0),
+            damages=tuple(damages.since(0)[:_MOST_DAMAGES_TOLD]),
+            damage_count=damages.count,
+        )
+
+
+def _facts(request: ExportRequest, arm: RecordedArm) -> ExportFacts:
+    words = f"generation {int(arm.codec.generation)}"
+    notes = {
+        "program": f"armui {__version__}",
+        "source": request.log.name,
+        "arm": f"{words}, {arm.firmware}" if arm.firmware else words,
+        "channel": _name(arm.channel),
+        "start_s": f"{arm.start_s:.6f}",
+    }
+    return ExportFacts(arm.codec, arm.geometry, arm.start_s, notes)
+
+
+def _sink(export_format: ExportFormat, stream: BinaryIO, facts: ExportFacts) -> Sink:
+    # imported only when asked for: each has packages of its own
+    if export_format is ExportFormat.CSV:
+        from armui.session.exports.csv_table import CsvTable  # noqa: PLC0415 - see above
+
+        return CsvTable(stream, facts)
+    if export_format is ExportFormat.PARQUET:
+        from armui.session.exports.parquet_table import ParquetTable  # noqa: PLC0415 - see above
+
+        try:
+            return ParquetTable(stream, facts)
+        except ImportError as error:
+            raise ExportError(ExportProblem.NO_PYARROW, str(error)) from error
+    from armui.session.exports.ros.mcap_file import McapFile  # noqa: PLC0415 - see above
+
+    return McapFile(stream, facts)
+
+
+def _why_nothing(request: ExportRequest, reader: ArmFrameReader, history: History) -> str:
+    understood = reader.taken - reader.of_other_kinds - history.not_understood
+    if not understood:
+        return "no frame in it is an arm's"
+    if request.begin_s > 0.0 or request.end_s < float("inf"):
+        return "nothing of the kind was heard in this stretch of time"
+    return "no full set of joint angles (0x2A5-0x2A7) was heard"
+
+
+def _name(channel: Channel) -> str:
+    return "" if channel is None else str(channel)

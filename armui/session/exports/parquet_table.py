@@ -1,0 +1,97 @@
+"""The table as Parquet, where the package pyarrow is installed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, BinaryIO, Final
+
+import numpy as np
+
+from armui.session.exports.columns import ExportColumn, TableColumns
+from armui.session.exports.table import RowTimes, table_rows
+
+if TYPE_CHECKING:
+    from armui.session.exports.frames import ArmFrames
+    from armui.session.exports.history import History
+    from armui.session.exports.sink import ExportFacts, TimeSpan
+
+_GROUP_ROWS: Final = 20_000
+"""Rows that are kept until they are written together: a tenth of a GB would hold five times so many."""
+_TIMES: Final = (("time", "as recorded"), ("since_start", "since the log's first frame"))
+
+
+class ParquetTable:
+    """Writes the rows in groups; units stand in the metadata of the columns.
+
+    Args:
+        stream: Where to.
+        facts: Of the recorded arm.
+
+    Attributes:
+        items: Rows taken so far.
+
+    Raises:
+        ImportError: pyarrow is not installed.
+    """
+
+    def __init__(self, stream: BinaryIO, facts: ExportFacts) -> None:
+        import pyarrow as pa  # noqa: PLC0415 - optional
+        from pyarrow import parquet  # noqa: PLC0415 - optional
+
+        self._arrow = pa
+        self._start_s = facts.start_s
+        self._table = TableColumns(facts.codec)
+        fields = [
+            pa.field(name, pa.float64(), nullable=False, metadata={"unit": "s", "about": about})
+            for name, about in _TIMES
+        ]
+        fields += [
+            pa.field(each.name, _type(pa, each), metadata={"unit": each.unit})
+            for each in self._table.columns
+        ]
+        self._schema = pa.schema(fields, metadata=dict(facts.notes))
+        self._writer = parquet.ParquetWriter(stream, self._schema, compression="zstd")
+        self._waiting: list[Any] = []
+        self._waiting_rows = 0
+        self.items = 0
+
+    def take(self, frames: ArmFrames, history: History, span: TimeSpan) -> None:  # noqa: ARG002
+        """Write what a piece of the log adds, see `Sink`."""
+        rows = table_rows(history, span)
+        if rows is None:
+            return
+        self._waiting.append(self._batch(history, rows))
+        self._waiting_rows += len(rows.rows)
+        self.items += len(rows.rows)
+        if self._waiting_rows >= _GROUP_ROWS:
+            self._write_group()
+
+    def finish(self) -> None:
+        """Write the rest and the end of the file."""
+        if self._waiting:
+            self._write_group()
+        self._writer.close()
+
+    def _write_group(self) -> None:
+        table = self._arrow.Table.from_batches(self._waiting, self._schema)
+        self._writer.write_table(table, row_group_size=self._waiting_rows)
+        self._waiting.clear()
+        self._waiting_rows = 0
+
+    def _batch(self, history: History, rows: RowTimes) -> Any:
+        pa = self._arrow
+        arrays = [pa.array(rows.times_s), pa.array(np.round(rows.times_s - self._start_s, 6))]
+        for record in self._table.records:
+            told = record.told_at(history, rows.rows, rows.times_s)
+            for column in record.columns:
+                kind = _type(pa, column)
+                if told is None:
+                    arrays.append(pa.nulls(len(rows.rows), kind))
+                    continue
+                samples, which = told
+                values = column.values(samples)[which]
+                arrays.append(pa.array(values, kind, mask=np.asarray(which < 0)))
+        return pa.record_batch(arrays, schema=self._schema)
+
+
+def _type(pa: Any, column: ExportColumn) -> Any:
+    return pa.int32() if column.whole else pa.float64()

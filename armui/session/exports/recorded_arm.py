@@ -1,0 +1,173 @@
+"""Which arm a log holds: found out from its beginning, unless it is said."""
+
+from __future__ import annotations
+
+from collections import Counter
+from itertools import chain
+from typing import TYPE_CHECKING, Final, NamedTuple
+
+import numpy as np
+
+from armui.arm.geometries import geometry_of
+from armui.kinematics.forward import flange_transforms
+from armui.kinematics.geometry import Geometry
+from armui.protocol.addressing import OFFSETS, Addressing
+from armui.protocol.codec import Codec
+from armui.protocol.version import VERSION_ID, find_version
+from armui.session.detection import detect_generation
+from armui.session.exports.frames import ArmFrameReader
+from armui.session.exports.history import History
+from armui.session.exports.ros.streams import signals_at
+from armui.session.exports.sink import TimeSpan
+from armui.session.exports.table import table_rows
+from armui.session.frames import NOT_OF_THE_ARM
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    from armui.session.exports.frames import ArmFrames
+    from armui.session.exports.request import ArmWishes
+    from armui.session.frames import Channel, FrameBatch
+
+_FEEDBACK: Final = range(0x2A1, 0x2A9)
+_DRIVERS: Final = (*range(0x251, 0x257), *range(0x261, 0x267))
+_FRAMES_LOOKED_AT: Final = 6_000
+_ANGLES: Final = tuple(
+    (f"JointFeedback{pair}", f"J{joint}") for pair in ("12", "34", "56") for joint in map(int, pair)
+)
+_PLACES: Final = (("EndPose1", "X"), ("EndPose1", "Y"), ("EndPose2", "Z"))
+
+
+class NoSuchChannelError(Exception):
+    """The log's beginning has no frame of the channel that was asked for; names those it has."""
+
+
+class RecordedArm(NamedTuple):
+    """What was found out.
+
+    Attributes:
+        codec: Speaks its generation, with its identifier offset.
+        why_generation: In words.
+        channel: Whose frames are its.
+        firmware: What the log tells or was said; "" where neither.
+        geometry: Where its joints have their zeros.
+        start_s: When the log's first frame was recorded.
+    """
+
+    codec: Codec
+    why_generation: str
+    channel: Channel
+    firmware: str
+    geometry: Geometry
+    start_s: float
+
+
+def look_at(
+    batches: Iterator[FrameBatch], wishes: ArmWishes
+) -> tuple[RecordedArm | None, Iterator[FrameBatch]]:
+    """Reads a log's beginning.
+
+    Args:
+        batches: The log; read further than it was.
+        wishes: What is known.
+
+    Returns:
+        What was found out, `None` of a log without frames; and the whole log again.
+
+    Raises:
+        NoSuchChannelError: See there.
+    """
+    if wishes.generation is None:
+        looked_at, verdict = detect_generation(batches)
+        generation, why = verdict
+    else:
+        generation, why, looked_at = wishes.generation, "as asked for", []
+    count = sum(map(len, looked_at))
+    while count < _FRAMES_LOOKED_AT and (batch := next(batches, None)) is not None:
+        looked_at.append(batch)
+        count += len(batch)
+    if not count:
+        return None, batches
+    channel = _channel(looked_at, wishes.channel)
+    pieces = list(ArmFrameReader(channel).pieces(looked_at))
+    addressing = _addressing(pieces)
+    codec = Codec(generation, addressing)
+    firmware = wishes.firmware or _firmware(pieces)
+    geometry = geometry_of(firmware) if firmware else _geometry(pieces, codec)
+    start_s = float(looked_at[0].times_s[0])
+    arm = RecordedArm(codec, why, channel, firmware, geometry, start_s)
+    return arm, chain(looked_at, batches)
+
+
+def _channel(batches: Iterable[FrameBatch], wish: str | None) -> Channel:
+    """The channel with the most frames of an arm's feedback, unless another one is asked for."""
+    counts: Counter[Channel] = Counter()
+    names: dict[Channel, None] = {}
+    for batch in batches:
+        feedback = np.isin(batch.ids, (*_shifted_feedback(), *_DRIVERS))
+        feedback &= (batch.flags & NOT_OF_THE_ARM) == 0
+        found = np.bincount(batch.channels[feedback], minlength=len(batch.channel_names))
+        for name, count in zip(batch.channel_names, found.tolist(), strict=False):
+            names[name] = None
+            counts[name] += count
+    if wish is None:
+        return max(names, key=lambda name: counts[name])
+    for name in names:
+        if str(name) == wish:
+            return name
+    raise NoSuchChannelError(", ".join(str(name) for name in names))
+
+
+def _shifted_feedback() -> list[int]:
+    return [base + offset for offset in OFFSETS for base in _FEEDBACK]
+
+
+def _addressing(pieces: Iterable[ArmFrames]) -> Addressing:
+    """The offset under which most feedback is heard, 0x00 where there is none.
+
+    The offset of the commands cannot be heard; an arm is given both with one command (0x470), and
+    whoever gives it one commonly gives it both.
+    """
+    counts: Counter[int] = Counter()
+    for frames in pieces:
+        for offset in OFFSETS:
+            wanted = [base + offset for base in _FEEDBACK]
+            counts[offset] += int(np.count_nonzero(np.isin(frames.ids, wanted)))
+    offset = max(OFFSETS, key=lambda each: counts[each])
+    return Addressing(feedback_offset=offset, control_offset=offset)
+
+
+def _firmware(pieces: Iterable[ArmFrames]) -> str:
+    """What the arm answered to 0x4AF within the frames looked at, "" if it was not asked."""
+    text = b""
+    for frames in pieces:
+        found = frames.ids == VERSION_ID
+        text += b"".join(
+            word.to_bytes(8, "big")[:length]
+            for word, length in zip(
+                frames.words[found].tolist(), frames.lengths[found].tolist(), strict=True
+            )
+        )
+    return find_version(text) or ""
+
+
+def _geometry(pieces: Iterable[ArmFrames], codec: Codec) -> Geometry:
+    """That whose flange is nearest to where the arm itself says it is; today's where nothing tells.
+
+    Older firmware counts joints 2 and 3 from other zeros, and generation 1 tells no version.
+    """
+    history = History(codec)
+    off_mm = dict.fromkeys(Geometry, 0.0)
+    for frames in pieces:
+        history.take(frames)
+        at = table_rows(history, TimeSpan(-np.inf, np.inf))
+        if at is None:
+            continue
+        angles, places = signals_at(history, at, _ANGLES), signals_at(history, at, _PLACES)
+        known = ~(np.isnan(angles).any(axis=1) | np.isnan(places).any(axis=1))
+        for geometry in Geometry:
+            flange = flange_transforms(geometry, angles[known])[:, :3, 3]
+            off_mm[geometry] += float(np.linalg.norm(flange - places[known], axis=1).sum())
+    return min(Geometry, key=lambda geometry: off_mm[geometry])
+
+

@@ -1,0 +1,318 @@
+"""The messages of each topic but the diagnostics: joint states, targets, poses, transforms."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any, Final, NamedTuple, Protocol
+
+import numpy as np
+
+from armui.arm.units import DEGREES_PER
+from armui.session.exports.columns import TIME_BASE
+from armui.session.exports.ros import links
+from armui.session.exports.ros.cdr import CdrTemplate, CdrWriter
+from armui.session.exports.table import RowTimes, table_rows
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from numpy.typing import NDArray
+
+    from armui.protocol.codec import Codec
+    from armui.session.exports.frames import ArmFrames
+    from armui.session.exports.history import History
+    from armui.session.exports.sink import ExportFacts, TimeSpan
+
+_PAIRS: Final = (("12", "J1", "J2"), ("34", "J3", "J4"), ("56", "J5", "J6"))
+_POSES: Final = (("1", "X", "Y"), ("2", "Z", "RX"), ("3", "RY", "RZ"))
+_US_PER_S: Final = 1_000_000
+_NS_PER_US: Final = 1_000
+_MM_PER_M: Final = 1000.0
+
+
+class TimedMessages(NamedTuple):
+    """Messages of one topic.
+
+    Attributes:
+        rows: The frame within the log that each goes back to, ascending.
+        times_ns: Its time as recorded.
+        data: The messages, as CDR.
+    """
+
+    rows: list[int]
+    times_ns: list[int]
+    data: list[bytes]
+
+
+class Stream(Protocol):
+    """Makes the messages of one topic.
+
+    Attributes:
+        topic: Its name.
+        schema: The type of its messages, as ``sensor_msgs/JointState``.
+    """
+
+    topic: str
+    schema: str
+
+    def messages(
+        self, frames: ArmFrames, history: History, span: TimeSpan
+    ) -> TimedMessages | None:
+        """What a piece of the log adds, see `Sink.take`; ``None`` if nothing."""
+
+
+def nanoseconds(times_s: NDArray[np.float64]) -> NDArray[np.int64]:
+    """Times as whole nanoseconds, rounded to microseconds: no log's clock knows more."""
+    return np.rint(times_s * _US_PER_S).astype(np.int64) * _NS_PER_US
+
+
+def signals_at(
+    history: History, at: RowTimes, wanted: Sequence[tuple[str, str]]
+) -> NDArray[np.float64]:
+    """(n, m) values of m signals as last heard at n frames; NaN where that is too long ago."""
+    values = np.full((len(at.rows), len(wanted)), np.nan)
+    for place, (message, signal) in enumerate(wanted):
+        samples = history.samples(message)
+        if samples is not None:
+            last, fresh = samples.fresh_at(at.rows, at.times_s)
+            column = samples.column(signal).astype(np.float64)
+            values[:, place] = np.where(fresh, column[last], np.nan)
+    return values
+
+
+def _only(at: RowTimes, keep: NDArray[np.bool_]) -> RowTimes:
+    return RowTimes(at.rows[keep], at.times_s[keep])
+
+
+def _timed(
+    at: RowTimes, template: CdrTemplate, figures: dict[str, NDArray[np.float64]]
+) -> TimedMessages:
+    times_ns = nanoseconds(at.times_s)
+    data = template.fill(times_ns, figures)
+    return TimedMessages(at.rows.tolist(), times_ns.tolist(), data)
+
+
+class JointStream:
+    """`sensor_msgs/JointState` of the six joints, at each full set of angles.
+
+    Measured: positions and, of drivers that have told it within half a second, velocities.
+    Commanded: positions. Efforts stay empty: the protocol tells motor currents, no torques.
+
+    Args:
+        codec: Of the arm.
+        commanded: The targets instead of what was measured.
+    """
+
+    schema = "sensor_msgs/JointState"
+
+    def __init__(self, codec: Codec, *, commanded: bool) -> None:
+        self.topic = "/joint_commands" if commanded else "/joint_states"
+        message = "JointTarget" if commanded else "JointFeedback"
+        self._base = f"{message}56" if commanded else TIME_BASE
+        self._angles = tuple(
+            (f"{message}{pair}", signal) for pair, *signals in _PAIRS for signal in signals
+        )
+        self._speeds = () if commanded else tuple((f"DriverFast{n}", "Speed") for n in range(1, 7))
+        unit = codec.unit("DriverFast1", "Speed")
+        self._speed_rad = math.radians(DEGREES_PER[unit])
+        self._plain = _joint_template(links.JOINT_NAMES, with_speeds=False)
+        self._moving = _joint_template(links.JOINT_NAMES, with_speeds=True)
+
+    def messages(
+        self, frames: ArmFrames, history: History, span: TimeSpan  # noqa: ARG002
+    ) -> TimedMessages | None:
+        """What a piece of the log adds, see `Stream`."""
+        at = table_rows(history, span, self._base)
+        if at is None:
+            return None
+        angles = signals_at(history, at, self._angles)
+        whole = ~np.isnan(angles).any(axis=1)
+        at, angles = _only(at, whole), np.radians(angles[whole])
+        speeds = signals_at(history, at, self._speeds) * self._speed_rad
+        known = ~np.isnan(speeds).all(axis=1) if self._speeds else np.zeros(len(at.rows), np.bool_)
+        plain = _timed(_only(at, ~known), self._plain, {"position": angles[~known]})
+        figures = {"position": angles[known], "velocity": speeds[known]}
+        moving = _timed(_only(at, known), self._moving, figures)
+        return moving if not plain.rows else plain if not moving.rows else _merged(plain, moving)
+
+
+class GripperStream:
+    """`sensor_msgs/JointState` of the fingers: each half of the opening, in m; generation 2."""
+
+    topic = "/gripper/joint_states"
+    schema = "sensor_msgs/JointState"
+
+    def __init__(self) -> None:
+        self._template = _joint_template(links.FINGER_JOINTS, with_speeds=False)
+
+    def messages(
+        self, frames: ArmFrames, history: History, span: TimeSpan  # noqa: ARG002
+    ) -> TimedMessages | None:
+        """What a piece of the log adds, see `Stream`."""
+        found = _openings(history, span)
+        if found is None:
+            return None
+        at, openings_mm = found
+        halves = np.repeat(openings_mm[:, np.newaxis] / 2.0 / _MM_PER_M, 2, axis=1)
+        return _timed(at, self._template, {"position": halves})
+
+
+class EndPoseStream:
+    """`geometry_msgs/PoseStamped` of the flange as the arm itself tells it (0x2A2–0x2A4)."""
+
+    topic = "/end_pose"
+    schema = "geometry_msgs/PoseStamped"
+
+    def __init__(self) -> None:
+        writer = CdrWriter()
+        writer.header(0, links.BASE)
+        writer.floats([0.0] * 7, "pose")
+        self._template = CdrTemplate(writer)
+        self._signals = tuple(
+            (f"EndPose{part}", axis) for part, *axes in _POSES for axis in axes
+        )
+
+    def messages(
+        self, frames: ArmFrames, history: History, span: TimeSpan  # noqa: ARG002
+    ) -> TimedMessages | None:
+        """What a piece of the log adds, see `Stream`."""
+        at = table_rows(history, span, "EndPose3")
+        if at is None:
+            return None
+        poses = signals_at(history, at, self._signals)
+        whole = ~np.isnan(poses).any(axis=1)
+        figures = {"pose": links.pose_figures(poses[whole])}
+        return _timed(_only(at, whole), self._template, figures)
+
+
+class LinkStream:
+    """`tf2_msgs/TFMessage` of the six links, worked out from the measured angles.
+
+    Args:
+        facts: Of the arm.
+    """
+
+    topic = "/tf"
+    schema = "tf2_msgs/TFMessage"
+
+    def __init__(self, facts: ExportFacts) -> None:
+        self._geometry = facts.geometry
+        parents = (links.BASE, *links.LINKS)
+        self._template = _transform_template(list(zip(parents, links.LINKS, strict=False)))
+        self._angles = tuple(
+            (f"JointFeedback{pair}", signal) for pair, *signals in _PAIRS for signal in signals
+        )
+
+    def messages(
+        self, frames: ArmFrames, history: History, span: TimeSpan  # noqa: ARG002
+    ) -> TimedMessages | None:
+        """What a piece of the log adds, see `Stream`."""
+        at = table_rows(history, span)
+        if at is None:
+            return None
+        angles = signals_at(history, at, self._angles)
+        whole = ~np.isnan(angles).any(axis=1)
+        transforms = links.link_transforms(self._geometry, angles[whole])
+        return _timed(_only(at, whole), self._template, _by_place(transforms))
+
+
+class FingerStream:
+    """`tf2_msgs/TFMessage` of the two fingers; generation 2."""
+
+    topic = "/tf"
+    schema = "tf2_msgs/TFMessage"
+
+    def __init__(self) -> None:
+        self._template = _transform_template([(links.GRIPPER_BASE, each) for each in links.FINGERS])
+
+    def messages(
+        self, frames: ArmFrames, history: History, span: TimeSpan  # noqa: ARG002
+    ) -> TimedMessages | None:
+        """What a piece of the log adds, see `Stream`."""
+        found = _openings(history, span)
+        if found is None:
+            return None
+        at, openings_mm = found
+        return _timed(at, self._template, _by_place(links.finger_transforms(openings_mm)))
+
+
+class FixedStream:
+    """One `tf2_msgs/TFMessage` at the first frame: what is mounted on link 6 does not turn in it."""
+
+    topic = "/tf_static"
+    schema = "tf2_msgs/TFMessage"
+
+    def __init__(self) -> None:
+        pairs = [(links.LINKS[-1], links.FLANGE), (links.FLANGE, links.GRIPPER_BASE)]
+        self._template = _transform_template(pairs)
+        self._written = False
+
+    def messages(
+        self, frames: ArmFrames, history: History, span: TimeSpan
+    ) -> TimedMessages | None:
+        """What a piece of the log adds, see `Stream`."""
+        inside = np.flatnonzero(span.holds(frames.times_s))[:1]
+        if self._written or not len(inside) or history.samples(TIME_BASE) is None:
+            return None
+        self._written = True
+        still = np.zeros((1, 2, 7))
+        still[..., 6] = 1.0
+        at = RowTimes(frames.rows[inside], frames.times_s[inside])
+        return _timed(at, self._template, _by_place(still))
+
+
+def make_streams(facts: ExportFacts) -> list[Stream]:
+    """One for each topic that an arm of this generation can fill, but for the diagnostics."""
+    streams: list[Stream] = [
+        FixedStream(),
+        JointStream(facts.codec, commanded=False),
+        LinkStream(facts),
+        EndPoseStream(),
+        JointStream(facts.codec, commanded=True),
+    ]
+    if "Opening" in facts.codec.signals("GripperFeedback"):
+        streams += [GripperStream(), FingerStream()]
+    return streams
+
+
+def _openings(history: History, span: TimeSpan) -> tuple[RowTimes, NDArray[Any]] | None:
+    samples = history.samples("GripperFeedback")
+    at = table_rows(history, span, "GripperFeedback")
+    if samples is None or at is None:
+        return None
+    return at, samples.column("Opening")[samples.last_at(at.rows)]
+
+
+def _joint_template(names: Sequence[str], *, with_speeds: bool) -> CdrTemplate:
+    writer = CdrWriter()
+    writer.header(0, "")
+    writer.texts(names)
+    writer.float_sequence([0.0] * len(names), "position")
+    writer.float_sequence([0.0] * len(names) if with_speeds else [], "velocity")
+    writer.float_sequence([])
+    return CdrTemplate(writer)
+
+
+def _transform_template(pairs: Sequence[tuple[str, str]]) -> CdrTemplate:
+    writer = CdrWriter()
+    writer.count(len(pairs))
+    for place, (parent, child) in enumerate(pairs):
+        writer.header(0, parent, f"stamp{place}")
+        writer.text(child)
+        writer.floats([0.0] * 7, f"transform{place}")
+    return CdrTemplate(writer)
+
+
+def _by_place(transforms: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
+    return {f"transform{place}": transforms[:, place] for place in range(transforms.shape[1])}
+
+
+def _merged(one: TimedMessages, other: TimedMessages) -> TimedMessages:
+    both = sorted(
+        [*zip(*one, strict=True), *zip(*other, strict=True)], key=_row
+    )
+    rows, times_ns, data = zip(*both, strict=True)
+    return TimedMessages(list(rows), list(times_ns), list(data))
+
+
+_row: Callable[[tuple[int, int, bytes]], int] = lambda each: each[0]  # noqa: E731 - typed
