@@ -1,4 +1,4 @@
-"""The commands: the program itself, ``armui sim``, ``armui decode`` and ``armui doctor``."""
+"""The commands: the program itself, and those that stand in the table below."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from armui import __version__
 _COMMANDS: Final = {
     "decode": ("armui.decode", "print a recorded CAN log frame by frame, in words and units"),
     "doctor": ("armui.doctor", "say what is wrong with this computer, the bus and the arm"),
+    "export": ("armui.export", "write a recorded CAN log as MCAP, CSV or Parquet"),
     "sim": ("armui.sim.command", "run the simulated arm on a CAN bus until Ctrl-C"),
 }
 """Command to its module, which has ``add_arguments(parser)`` and ``run(options)``, and its purpose.

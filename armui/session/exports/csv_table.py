@@ -11,7 +11,6 @@ from armui.session.exports.table import table_rows
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from armui.session.exports.frames import ArmFrames
     from armui.session.exports.history import History, Samples
     from armui.session.exports.sink import ExportFacts, TimeSpan
 
@@ -40,7 +39,7 @@ class CsvTable:
         titles = [column.title for record in self._records for column in record.columns]
         self._stream.write(_BOM + ",".join((*TIME_TITLES, *titles)).encode() + b"\r\n")
 
-    def take(self, frames: ArmFrames, history: History, span: TimeSpan) -> None:  # noqa: ARG002
+    def take(self, history: History, span: TimeSpan) -> None:
         """Write what a piece of the log adds, see `Sink`."""
         table = table_rows(history, span)
         if table is None:

@@ -99,7 +99,7 @@ class _Export:
             history = History(arm.codec)
             for frames in reader.pieces(self._watched(batches)):
                 history.take(frames)
-                sink.take(frames, history, span)
+                sink.take(history, span)
                 if len(frames) and frames.times_s.min() > span.end_s + _LATER_S:
                     break
             if not sink.items:

@@ -43,6 +43,17 @@ class ArmFrames:
         return len(self.rows)
 
 
+def no_frames() -> ArmFrames:
+    """A piece without any."""
+    return ArmFrames(
+        np.empty(0, np.int64),
+        np.empty(0, np.float64),
+        np.empty(0, np.uint32),
+        np.empty(0, np.uint8),
+        np.empty(0, np.uint64),
+    )
+
+
 class ArmFrameReader:
     """Makes the pieces of a log's batches.
 

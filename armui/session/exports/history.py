@@ -14,6 +14,7 @@ import numpy as np
 from armui.arm.state import FRESH_FOR_S
 from armui.protocol.codes import MotorAction
 from armui.protocol.columns import signal_column
+from armui.session.exports.frames import ArmFrames, no_frames
 from armui.telemetry.store import ENDS
 
 if TYPE_CHECKING:
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
 
     from armui.protocol.codec import Codec
     from armui.protocol.layout import MessageLayout
-    from armui.session.exports.frames import ArmFrames
 
 _NEVER: Final = -1
 
@@ -87,17 +87,20 @@ class History:
 
     Attributes:
         codec: As above.
+        frames: The newest piece.
         not_understood: Frames so far that are in no table, or of another length.
     """
 
     def __init__(self, codec: Codec) -> None:
         self.codec = codec
+        self.frames = no_frames()
         self.not_understood = 0
         self._samples: dict[str, Samples] = {}
         self._stops = np.empty(0, np.int64)
 
     def take(self, frames: ArmFrames) -> None:
         """Go on to the next piece."""
+        self.frames = frames
         for name, samples in self._samples.items():
             self._samples[name] = _last_of(samples)
         order = np.argsort(frames.ids, kind="stable")
@@ -160,6 +163,4 @@ class History:
 
 
 def _last_of(samples: Samples) -> Samples:
-    return Samples(
-        samples.layout, samples.rows[-1:], samples.times_s[-1:], samples.words[-1:], 1
-    )
+    return Samples(samples.layout, samples.rows[-1:], samples.times_s[-1:], samples.words[-1:], 1)

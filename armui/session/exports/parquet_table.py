@@ -10,12 +10,11 @@ from armui.session.exports.columns import ExportColumn, TableColumns
 from armui.session.exports.table import RowTimes, table_rows
 
 if TYPE_CHECKING:
-    from armui.session.exports.frames import ArmFrames
     from armui.session.exports.history import History
     from armui.session.exports.sink import ExportFacts, TimeSpan
 
 _GROUP_ROWS: Final = 20_000
-"""Rows that are kept until they are written together: a tenth of a GB would hold five times so many."""
+"""Rows that are kept until they are written together: some 20 MB."""
 _TIMES: Final = (("time", "as recorded"), ("since_start", "since the log's first frame"))
 
 
@@ -54,7 +53,7 @@ class ParquetTable:
         self._waiting_rows = 0
         self.items = 0
 
-    def take(self, frames: ArmFrames, history: History, span: TimeSpan) -> None:  # noqa: ARG002
+    def take(self, history: History, span: TimeSpan) -> None:
         """Write what a piece of the log adds, see `Sink`."""
         rows = table_rows(history, span)
         if rows is None:

@@ -169,5 +169,3 @@ def _geometry(pieces: Iterable[ArmFrames], codec: Codec) -> Geometry:
             flange = flange_transforms(geometry, angles[known])[:, :3, 3]
             off_mm[geometry] += float(np.linalg.norm(flange - places[known], axis=1).sum())
     return min(Geometry, key=lambda geometry: off_mm[geometry])
-
-

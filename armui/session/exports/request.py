@@ -134,3 +134,10 @@ class ExportProgress:
 
     done: float | None
     frames: int
+
+
+def default_target(log: Path, export_format: ExportFormat) -> Path:
+    """Beside the log, with its name and the format's ending."""
+    name = log.with_suffix("") if log.suffix.lower() == ".gz" else log
+    target = name.with_suffix(f".{export_format}")
+    return target if target != log else log.with_name(f"{name.stem}-export.{export_format}")

@@ -13,7 +13,6 @@ if TYPE_CHECKING:
 
     from armui.kinematics.geometry import Geometry
     from armui.protocol.codec import Codec
-    from armui.session.exports.frames import ArmFrames
     from armui.session.exports.history import History
 
 
@@ -61,12 +60,11 @@ class Sink(Protocol):
 
     items: int
 
-    def take(self, frames: ArmFrames, history: History, span: TimeSpan) -> None:
+    def take(self, history: History, span: TimeSpan) -> None:
         """Write what a piece of the log adds.
 
         Args:
-            frames: The piece; the history has taken it already.
-            history: What was last heard at each of its frames.
+            history: Has just taken the piece.
             span: Only what lies in it is written.
 
         Raises:

@@ -74,3 +74,11 @@ class WatchWindows:
         window = self._open("plots", make)
         if isinstance(window, PlotWindow):
             window.add_curves(keys)
+
+    def open_export(self, path: Path | None = None) -> None:
+        """Show the window 导出, with a recording if one is given."""
+        from armui.ui.watch.export_dialog import ExportDialog  # noqa: PLC0415 - faster start
+
+        window = self._open("export", lambda: ExportDialog(self._controller, self._window))
+        if isinstance(window, ExportDialog) and path is not None:
+            window.show_log(path)

@@ -20,12 +20,12 @@ from armui.session.exports.ros.streams import TimedMessages, nanoseconds
 from armui.telemetry.quantities import DRIVER_FAULTS, GRIPPER_FAULTS
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Iterator
 
     from numpy.typing import NDArray
 
     from armui.protocol.codec import Codec
-    from armui.protocol.layout import MessageLayout
+    from armui.protocol.layout import MessageLayout, SignalLayout
     from armui.session.exports.frames import ArmFrames
     from armui.session.exports.history import History
     from armui.session.exports.sink import ExportFacts, TimeSpan
@@ -91,13 +91,16 @@ class DiagnosticStream:
         joints = [
             _Part(f"arm: joint {n}", (f"DriverSlow{n}", f"DriverFast{n}", _STATUS)) for n in JOINTS
         ]
-        self._parts = (_Part("arm: status", (_STATUS,)), *joints, _Part("arm: gripper", (_GRIPPER,)))
+        self._parts = (
+            _Part("arm: status", (_STATUS,)),
+            *joints,
+            _Part("arm: gripper", (_GRIPPER,)),
+        )
         self._second = np.iinfo(np.int64).min
 
-    def messages(
-        self, frames: ArmFrames, history: History, span: TimeSpan
-    ) -> TimedMessages | None:
+    def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
         """What a piece of the log adds, see `Stream`."""
+        frames = history.frames
         affected: dict[int, set[_Part]] = defaultdict(set)
         for part in self._parts:
             for message in part.messages:
@@ -149,7 +152,8 @@ class DiagnosticStream:
         seconds = np.floor(frames.times_s).astype(np.int64)
         begins = seconds != np.concatenate(([self._second], seconds[:-1]))
         self._second = int(seconds[-1])
-        return frames.rows[begins]
+        rows: NDArray[np.int64] = frames.rows[begins]
+        return rows
 
     # What -------------------------------------------------------------------------------------
 
@@ -197,9 +201,7 @@ class DiagnosticStream:
             return WARN, "Beyond limit"
         return OK, "Enabled" if main["Enabled"] == 1 else "Disabled"
 
-    def _values(
-        self, part: _Part, told: dict[str, dict[str, float]]
-    ) -> Iterator[tuple[str, str]]:
+    def _values(self, part: _Part, told: dict[str, dict[str, float]]) -> Iterator[tuple[str, str]]:
         for message in part.messages:
             if message == _STATUS and part.messages[0] != _STATUS:
                 continue
@@ -230,7 +232,7 @@ def _code_mask(layout: MessageLayout) -> int:
     return bit_mask(_codes(layout))
 
 
-def _codes(layout: MessageLayout) -> Iterable:
+def _codes(layout: MessageLayout) -> list[SignalLayout]:
     return [
         signal
         for name, signal in layout.signals.items()

@@ -14,7 +14,6 @@ from armui.session.exports.ros.streams import make_streams
 from armui.session.exports.sink import TimeSpan
 
 if TYPE_CHECKING:
-    from armui.session.exports.frames import ArmFrames
     from armui.session.exports.history import History
     from armui.session.exports.ros.streams import Stream
     from armui.session.exports.sink import ExportFacts
@@ -46,14 +45,14 @@ class McapFile:
         self.items = 0
         self.without_stamp = 0
 
-    def take(self, frames: ArmFrames, history: History, span: TimeSpan) -> None:
+    def take(self, history: History, span: TimeSpan) -> None:
         """Write what a piece of the log adds, see `Sink`."""
         span = TimeSpan(max(span.begin_s, 0.0), min(span.end_s, _LATEST_S))
-        in_ros = (frames.times_s >= 0.0) & (frames.times_s <= _LATEST_S)
+        in_ros = TimeSpan(0.0, _LATEST_S).holds(history.frames.times_s)
         self.without_stamp += int(np.count_nonzero(~in_ros))
         found = []
         for stream in self._streams:
-            messages = stream.messages(frames, history, span)
+            messages = stream.messages(history, span)
             if messages is None:
                 continue
             channel = self._channel(stream)
@@ -71,7 +70,7 @@ class McapFile:
 
     def finish(self) -> None:
         """Write the file's summary."""
-        self._writer.finish()
+        self._writer.finish()  # type: ignore[no-untyped-call]
 
     def _channel(self, stream: Stream) -> int:
         if stream.topic not in self._channels:

@@ -18,9 +18,7 @@ _FIELDS: Final = {
     "geometry_msgs/Vector3": "float64 x\nfloat64 y\nfloat64 z",
     "geometry_msgs/Point": "float64 x\nfloat64 y\nfloat64 z",
     "geometry_msgs/Quaternion": "float64 x\nfloat64 y\nfloat64 z\nfloat64 w",
-    "geometry_msgs/Pose": (
-        "geometry_msgs/Point position\ngeometry_msgs/Quaternion orientation"
-    ),
+    "geometry_msgs/Pose": ("geometry_msgs/Point position\ngeometry_msgs/Quaternion orientation"),
     "geometry_msgs/PoseStamped": "std_msgs/Header header\ngeometry_msgs/Pose pose",
     "geometry_msgs/Transform": (
         "geometry_msgs/Vector3 translation\ngeometry_msgs/Quaternion rotation"
@@ -54,10 +52,8 @@ def definition(name: str) -> str:
     Args:
         name: As ``sensor_msgs/JointState``.
     """
-    parts = [_FIELDS[name] + "\n"]
-    for needed in _needed(name):
-        parts.append(f"{_LINE}\nMSG: {needed}\n{_FIELDS[needed]}\n")
-    return "".join(parts)
+    parts = [f"{_LINE}\nMSG: {needed}\n{_FIELDS[needed]}\n" for needed in _needed(name)]
+    return f"{_FIELDS[name]}\n{''.join(parts)}"
 
 
 def _needed(name: str) -> dict[str, None]:

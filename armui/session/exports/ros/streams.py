@@ -14,12 +14,11 @@ from armui.session.exports.ros.cdr import CdrTemplate, CdrWriter
 from armui.session.exports.table import RowTimes, table_rows
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
     from armui.protocol.codec import Codec
-    from armui.session.exports.frames import ArmFrames
     from armui.session.exports.history import History
     from armui.session.exports.sink import ExportFacts, TimeSpan
 
@@ -55,9 +54,7 @@ class Stream(Protocol):
     topic: str
     schema: str
 
-    def messages(
-        self, frames: ArmFrames, history: History, span: TimeSpan
-    ) -> TimedMessages | None:
+    def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
         """What a piece of the log adds, see `Sink.take`; ``None`` if nothing."""
 
 
@@ -78,6 +75,11 @@ def signals_at(
             column = samples.column(signal).astype(np.float64)
             values[:, place] = np.where(fresh, column[last], np.nan)
     return values
+
+
+def _whole(figures: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Which rows have every figure."""
+    return np.asarray(~np.isnan(figures).any(axis=1), np.bool_)
 
 
 def _only(at: RowTimes, keep: NDArray[np.bool_]) -> RowTimes:
@@ -118,18 +120,18 @@ class JointStream:
         self._plain = _joint_template(links.JOINT_NAMES, with_speeds=False)
         self._moving = _joint_template(links.JOINT_NAMES, with_speeds=True)
 
-    def messages(
-        self, frames: ArmFrames, history: History, span: TimeSpan  # noqa: ARG002
-    ) -> TimedMessages | None:
+    def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
         """What a piece of the log adds, see `Stream`."""
         at = table_rows(history, span, self._base)
         if at is None:
             return None
         angles = signals_at(history, at, self._angles)
-        whole = ~np.isnan(angles).any(axis=1)
+        whole = _whole(angles)
         at, angles = _only(at, whole), np.radians(angles[whole])
         speeds = signals_at(history, at, self._speeds) * self._speed_rad
-        known = ~np.isnan(speeds).all(axis=1) if self._speeds else np.zeros(len(at.rows), np.bool_)
+        known = np.zeros(len(at.rows), np.bool_)
+        if self._speeds:
+            known |= ~np.isnan(speeds).all(axis=1)
         plain = _timed(_only(at, ~known), self._plain, {"position": angles[~known]})
         figures = {"position": angles[known], "velocity": speeds[known]}
         moving = _timed(_only(at, known), self._moving, figures)
@@ -145,9 +147,7 @@ class GripperStream:
     def __init__(self) -> None:
         self._template = _joint_template(links.FINGER_JOINTS, with_speeds=False)
 
-    def messages(
-        self, frames: ArmFrames, history: History, span: TimeSpan  # noqa: ARG002
-    ) -> TimedMessages | None:
+    def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
         """What a piece of the log adds, see `Stream`."""
         found = _openings(history, span)
         if found is None:
@@ -168,19 +168,15 @@ class EndPoseStream:
         writer.header(0, links.BASE)
         writer.floats([0.0] * 7, "pose")
         self._template = CdrTemplate(writer)
-        self._signals = tuple(
-            (f"EndPose{part}", axis) for part, *axes in _POSES for axis in axes
-        )
+        self._signals = tuple((f"EndPose{part}", axis) for part, *axes in _POSES for axis in axes)
 
-    def messages(
-        self, frames: ArmFrames, history: History, span: TimeSpan  # noqa: ARG002
-    ) -> TimedMessages | None:
+    def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
         """What a piece of the log adds, see `Stream`."""
         at = table_rows(history, span, "EndPose3")
         if at is None:
             return None
         poses = signals_at(history, at, self._signals)
-        whole = ~np.isnan(poses).any(axis=1)
+        whole = _whole(poses)
         figures = {"pose": links.pose_figures(poses[whole])}
         return _timed(_only(at, whole), self._template, figures)
 
@@ -203,15 +199,13 @@ class LinkStream:
             (f"JointFeedback{pair}", signal) for pair, *signals in _PAIRS for signal in signals
         )
 
-    def messages(
-        self, frames: ArmFrames, history: History, span: TimeSpan  # noqa: ARG002
-    ) -> TimedMessages | None:
+    def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
         """What a piece of the log adds, see `Stream`."""
         at = table_rows(history, span)
         if at is None:
             return None
         angles = signals_at(history, at, self._angles)
-        whole = ~np.isnan(angles).any(axis=1)
+        whole = _whole(angles)
         transforms = links.link_transforms(self._geometry, angles[whole])
         return _timed(_only(at, whole), self._template, _by_place(transforms))
 
@@ -225,9 +219,7 @@ class FingerStream:
     def __init__(self) -> None:
         self._template = _transform_template([(links.GRIPPER_BASE, each) for each in links.FINGERS])
 
-    def messages(
-        self, frames: ArmFrames, history: History, span: TimeSpan  # noqa: ARG002
-    ) -> TimedMessages | None:
+    def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
         """What a piece of the log adds, see `Stream`."""
         found = _openings(history, span)
         if found is None:
@@ -237,7 +229,7 @@ class FingerStream:
 
 
 class FixedStream:
-    """One `tf2_msgs/TFMessage` at the first frame: what is mounted on link 6 does not turn in it."""
+    """One `tf2_msgs/TFMessage` at the first frame: what is mounted on link 6 stays as it is."""
 
     topic = "/tf_static"
     schema = "tf2_msgs/TFMessage"
@@ -247,10 +239,9 @@ class FixedStream:
         self._template = _transform_template(pairs)
         self._written = False
 
-    def messages(
-        self, frames: ArmFrames, history: History, span: TimeSpan
-    ) -> TimedMessages | None:
+    def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
         """What a piece of the log adds, see `Stream`."""
+        frames = history.frames
         inside = np.flatnonzero(span.holds(frames.times_s))[:1]
         if self._written or not len(inside) or history.samples(TIME_BASE) is None:
             return None
@@ -308,11 +299,10 @@ def _by_place(transforms: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]
 
 
 def _merged(one: TimedMessages, other: TimedMessages) -> TimedMessages:
-    both = sorted(
-        [*zip(*one, strict=True), *zip(*other, strict=True)], key=_row
+    """Both, in the order of their rows."""
+    rows = np.array([*one.rows, *other.rows])
+    order = np.argsort(rows, kind="stable").tolist()
+    times_ns, data = one.times_ns + other.times_ns, one.data + other.data
+    return TimedMessages(
+        rows[order].tolist(), [times_ns[each] for each in order], [data[each] for each in order]
     )
-    rows, times_ns, data = zip(*both, strict=True)
-    return TimedMessages(list(rows), list(times_ns), list(data))
-
-
-_row: Callable[[tuple[int, int, bytes]], int] = lambda each: each[0]  # noqa: E731 - typed

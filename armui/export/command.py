@@ -1,0 +1,234 @@
+"""The command line of `armui export`."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import os
+import re
+import sys
+import time
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from armui.export.progress_bar import ProgressBar
+from armui.export.words import problem_text, report_lines
+from armui.protocol.generation import Generation
+from armui.session.exports.request import (
+    ArmWishes,
+    ExportCancelledError,
+    ExportError,
+    ExportFormat,
+    ExportProblem,
+    ExportProgress,
+    ExportRequest,
+    default_target,
+)
+from armui.session.reader import SUFFIXES
+
+if TYPE_CHECKING:
+    from armui.session.exports.request import ExportReport
+
+EXIT_COMPLETE = 0
+"""Everything asked for was exported."""
+EXIT_INCOMPLETE = 1
+"""Exported but for the places of the log that cannot be read."""
+EXIT_NOTHING = 2
+"""Nothing was written."""
+EXIT_INTERRUPTED = 130
+"""Stopped with Ctrl-C; nothing was written."""
+
+_TELL_EVERY_S: Final = 0.1
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declares the command's arguments; `run` takes what the parser makes of them."""
+    parser.description = (
+        "Export a recorded CAN log: MCAP with ROS 2 messages, or a table as CSV or Parquet."
+    )
+    parser.epilog = (
+        "Exit code: 0 all exported, 1 exported but for places of the log that cannot be read "
+        "(named on the error output), 2 nothing written, 130 stopped with Ctrl-C."
+    )
+    parser.add_argument(
+        "log",
+        type=Path,
+        help=f"log: .log (candump -L) and whatever else python-can reads ({', '.join(SUFFIXES)}), "
+        "also with .gz",
+    )
+    parser.add_argument(
+        "--to",
+        choices=[str(each) for each in ExportFormat],
+        help="format (default: what the target's name says, else mcap); parquet needs pyarrow",
+    )
+    parser.add_argument(
+        "-o", "--output", type=Path, help="target (default: the log's name with another ending)"
+    )
+    parser.add_argument(
+        "--from", dest="begin", type=_seconds, default=0.0, metavar="S",
+        help="from there on, in seconds from the log's first frame",
+    )  # fmt: skip
+    parser.add_argument(
+        "--to-time", dest="end", type=_seconds, default=math.inf, metavar="S",
+        help="up to there, likewise",
+    )  # fmt: skip
+    parser.add_argument(
+        "--generation",
+        choices=("1", "2", "auto"),
+        default="auto",
+        help="protocol of the recorded arm; auto looks for evidence in the log (default)",
+    )
+    parser.add_argument(
+        "--firmware", type=_version, metavar="S-V1.8-5",
+        help="the arm's firmware, which says where its joints have their zeros (default: what the "
+        "log tells, else what fits the end pose in it)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--channel", help="channel of the log (default: that on which most of an arm is heard)"
+    )
+    parser.add_argument("--force", action="store_true", help="replace a target that is there")
+    parser.add_argument(
+        "--json", action="store_true", help="progress and result as JSON, one object a line"
+    )
+
+
+def run(options: argparse.Namespace) -> int:
+    """Exports a log.
+
+    Args:
+        options: As `add_arguments` declares them.
+
+    Returns:
+        The exit code.
+    """
+    request = _request(options)
+    said: _Said = _SaidAsJson() if options.json else _Said(request)
+    try:
+        # numpy and the readers take a moment, in which --help need not wait
+        from armui.session.exports.export import export_log  # noqa: PLC0415 - see above
+
+        report = export_log(request, said.progress, lambda: said.heard, said.begun)
+    except ExportError as error:
+        said.failed(error.problem, error.detail)
+        return EXIT_NOTHING
+    except (ExportCancelledError, KeyboardInterrupt):
+        said.stopped()
+        return EXIT_INTERRUPTED
+    said.done(report)
+    return EXIT_INCOMPLETE if report.damage_count else EXIT_COMPLETE
+
+
+def _request(options: argparse.Namespace) -> ExportRequest:
+    log: Path = options.log
+    output: Path | None = options.output
+    if options.to is not None:
+        export_format = ExportFormat(options.to)
+    else:
+        ending = "" if output is None else output.suffix.lower().removeprefix(".")
+        export_format = ExportFormat(ending) if ending in set(ExportFormat) else ExportFormat.MCAP
+    generation = None if options.generation == "auto" else Generation(int(options.generation))
+    return ExportRequest(
+        log,
+        output or default_target(log, export_format),
+        export_format,
+        options.begin,
+        options.end,
+        ArmWishes(generation, options.firmware, options.channel),
+        options.force,
+    )
+
+
+class _Said:
+    """For people.
+
+    Attributes:
+        heard: Whether anybody is there still.
+    """
+
+    def __init__(self, request: ExportRequest) -> None:
+        self._request = request
+        self._bar = ProgressBar(sys.stderr)
+        self.heard = True
+
+    def begun(self, unfinished: Path) -> None:
+        """Nobody has to know where."""
+
+    def progress(self, progress: ExportProgress) -> None:
+        self._bar.show(progress.done, f"{progress.frames:,} frames")
+
+    def failed(self, problem: ExportProblem, detail: str) -> None:
+        self._complain(problem_text(problem, detail, self._request))
+
+    def stopped(self) -> None:
+        self._complain("stopped; nothing was written")
+
+    def done(self, report: ExportReport) -> None:
+        for text in report_lines(report):
+            self._complain(text)
+        what = "messages" if self._request.format is ExportFormat.MCAP else "rows"
+        sys.stdout.write(f"{self._request.target}: {report.items:,} {what}\n")
+
+    def _complain(self, text: str) -> None:
+        self._bar.clear()
+        sys.stderr.write(f"armui export: {self._request.log}: {text}\n")
+
+
+class _SaidAsJson(_Said):
+    """For the window, and for scripts."""
+
+    def __init__(self) -> None:
+        self.heard = True
+        self._told_s = -math.inf
+
+    def begun(self, unfinished: Path) -> None:
+        self._write({"unfinished": str(unfinished)})
+
+    def progress(self, progress: ExportProgress) -> None:
+        now_s = time.monotonic()
+        if now_s - self._told_s >= _TELL_EVERY_S:
+            self._told_s = now_s
+            self._write({"done": progress.done, "frames": progress.frames})
+
+    def failed(self, problem: ExportProblem, detail: str) -> None:
+        self._write({"problem": str(problem), "detail": detail})
+
+    def stopped(self) -> None:
+        self._write({"problem": "stopped", "detail": ""})
+
+    def done(self, report: ExportReport) -> None:
+        self._write({"report": asdict(report)})
+
+    def _write(self, line: dict[str, object]) -> None:
+        if not self.heard:
+            return
+        try:
+            sys.stdout.write(json.dumps(line) + "\n")
+            sys.stdout.flush()
+        except BrokenPipeError:  # the window that asked for it is gone
+            self.heard = False
+            _detach_output()
+
+
+def _seconds(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = math.nan
+    if not (math.isfinite(seconds) and seconds >= 0.0):
+        raise argparse.ArgumentTypeError(f"{text!r} is no number of seconds, 0 or more")
+    return seconds
+
+
+def _version(text: str) -> str:
+    if not re.fullmatch(r"S-V\d+\.\d+-\d+", text):
+        raise argparse.ArgumentTypeError(f"{text!r} is no firmware version; write it as S-V1.8-5")
+    return text
+
+
+def _detach_output() -> None:
+    """Keeps the interpreter from failing once more when it flushes the closed output at its end."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(nowhere, sys.stdout.fileno())
+    os.close(nowhere)

@@ -1,0 +1,167 @@
+"""`armui export` in a process of its own, for the window, which shares no lock with it.
+
+Cancelling ends the process at once, whatever it is doing; what it had begun to write goes with it.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import subprocess
+import sys
+import threading
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final
+
+from armui.session.exports.request import (
+    ExportFormat,
+    ExportProblem,
+    ExportProgress,
+    ExportRequest,
+)
+
+_LAST_WORDS: Final = 300
+_END_S: Final = 10.0
+
+
+@dataclass(frozen=True, slots=True)
+class ExportDone:
+    """What became of an export.
+
+    Attributes:
+        problem: Why nothing was written; ``None`` if it was.
+        detail: More of it, or what the process said when it failed by itself.
+        report: As `ExportReport`, by the names of its fields; empty if nothing was written.
+    """
+
+    problem: ExportProblem | None = None
+    detail: str = ""
+    report: dict[str, Any] | None = None
+
+
+Tell = Callable[[ExportProgress | ExportDone], object]
+"""Given how far it has come, and what became of it at last; called in another thread."""
+
+
+class ExportProcess:
+    """One export; it begins at once.
+
+    Args:
+        request: What to export.
+        tell: Told until it is over, unless it is cancelled before.
+    """
+
+    def __init__(self, request: ExportRequest, tell: Tell) -> None:
+        self._tell = tell
+        self._process: subprocess.Popen[str] | None = None
+        self._lock = threading.Lock()
+        self._cancelled = False
+        self._unfinished: Path | None = None
+        self._thread = threading.Thread(
+            target=self._run, args=(_command(request),), name="armui-export", daemon=True
+        )
+        self._thread.start()
+
+    def cancel(self) -> None:
+        """End it, whatever it is doing; nothing remains of it."""
+        with self._lock:
+            self._cancelled = True
+            if self._process is not None and self._process.poll() is None:
+                self._process.kill()
+
+    def wait(self, within_s: float = _END_S) -> bool:
+        """Whether it has ended, after a time at most."""
+        self._thread.join(within_s)
+        return not self._thread.is_alive()
+
+    def _run(self, command: Sequence[str]) -> None:
+        try:
+            process = self._start(command)
+        except OSError as error:
+            self._answer(ExportDone(None, error.strerror or str(error)))
+            return
+        if process is None:
+            return
+        last: ExportDone | None = None
+        complaints: list[str] = []
+        listener = threading.Thread(
+            target=lambda: complaints.extend(process.stderr or ()), daemon=True
+        )
+        listener.start()
+        for line in process.stdout or ():
+            said = self._understood(line)
+            if isinstance(said, ExportDone):
+                last = said
+            elif said is not None:
+                self._answer(said)
+        process.wait()
+        listener.join()
+        if last is None:
+            self._remove_unfinished()
+            text = "".join(complaints).strip()[-_LAST_WORDS:]
+            last = ExportDone(None, text or f"ended with code {process.returncode}")
+        self._answer(last)
+
+    def _start(self, command: Sequence[str]) -> subprocess.Popen[str] | None:
+        with self._lock:
+            if self._cancelled:
+                return None
+            self._process = subprocess.Popen(  # noqa: S603 - this program itself
+                command,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                env=dict(os.environ, PYTHONIOENCODING="utf-8"),
+                encoding="utf-8",
+                errors="replace",
+            )
+            return self._process
+
+    def _understood(self, line: str) -> ExportProgress | ExportDone | None:
+        try:
+            said = json.loads(line)
+        except json.JSONDecodeError:
+            return None
+        if "unfinished" in said:
+            self._unfinished = Path(said["unfinished"])
+        elif "report" in said:
+            return ExportDone(report=said["report"])
+        elif said.get("problem") in set(ExportProblem):
+            return ExportDone(ExportProblem(said["problem"]), said["detail"])
+        elif "frames" in said:
+            return ExportProgress(said["done"], said["frames"])
+        return None
+
+    def _remove_unfinished(self) -> None:
+        """It was killed, by us or by the system: nobody else removes what it left."""
+        if self._unfinished is not None:
+            with contextlib.suppress(OSError):
+                self._unfinished.unlink(missing_ok=True)
+
+    def _answer(self, answer: ExportProgress | ExportDone) -> None:
+        with self._lock:
+            if self._cancelled:
+                return
+        self._tell(answer)
+
+
+def _command(request: ExportRequest) -> list[str]:
+    # a packaged program is its own interpreter
+    start = [sys.executable] if getattr(sys, "frozen", False) else [sys.executable, "-m", "armui"]
+    command = [*start, "export", "--json", "--to", str(ExportFormat(request.format))]
+    command += ["--output", str(request.target), "--from", repr(request.begin_s)]
+    if request.end_s != float("inf"):
+        command += ["--to-time", repr(request.end_s)]
+    if request.wishes.generation is not None:
+        command += ["--generation", str(int(request.wishes.generation))]
+    if request.wishes.firmware:
+        command += ["--firmware", request.wishes.firmware]
+    if request.wishes.channel:
+        command += ["--channel", request.wishes.channel]
+    if request.replace:
+        command.append("--force")
+    # a name may begin like an option
+    return [*command, "--", str(request.log)]
