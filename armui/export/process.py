@@ -85,6 +85,11 @@ class ExportProcess:
             return
         if process is None:
             return
+        with process:  # closes the pipes at the end
+            self._listen(process)
+
+    def _listen(self, process: subprocess.Popen[str]) -> None:
+        """Pass on what it tells, until it has ended."""
         last: ExportDone | None = None
         complaints: list[str] = []
         listener = threading.Thread(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable
 from typing import Final, TextIO
@@ -23,7 +24,7 @@ class ProgressBar:
         self._clock = clock
         self._shown = 0
         self._began_s = clock()
-        self._drawn_s = self._began_s - _EVERY_S
+        self._drawn_s = -math.inf
         self._wanted = stream.isatty()
 
     def show(self, done: float | None, words: str) -> None:

@@ -19,7 +19,18 @@ def problem_text(problem: ExportProblem, detail: str, request: ExportRequest) ->
             f"no frame of the channel {request.wishes.channel!r} near its beginning; "
             f"there are: {detail}"
         ),
-        ExportProblem.NOTHING: f"nothing to export: {detail}; no file was written",
+        ExportProblem.NO_FRAMES: "nothing to export: it has no frames; no file was written",
+        ExportProblem.NO_ARM: (
+            "nothing to export: no frame in it is an arm's; no file was written "
+            "(armui decode shows what is in it)"
+        ),
+        ExportProblem.NO_ANGLES: (
+            "nothing to export: a table has a row for each set of joint angles (0x2A5-0x2A7), and "
+            "none was heard; no file was written (--to mcap wants none)"
+        ),
+        ExportProblem.NOTHING_THEN: (
+            "nothing to export: nothing was heard between --from and --to-time; no file was written"
+        ),
         ExportProblem.EXISTS: (
             f"{target} is there already; give another name with -o, or --force to replace it"
         ),

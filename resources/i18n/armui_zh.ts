@@ -1375,6 +1375,228 @@
     </message>
 </context>
 <context>
+    <name>ExportDialog</name>
+    <message>
+        <source>Export a recording</source>
+        <translation>导出记录</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>{target} is there already. It will be replaced when the export is whole.</source>
+        <translation>{target} 已存在。导出完整写好后才会替换它。</translation>
+    </message>
+    <message>
+        <source>Replace the file?</source>
+        <translation>替换文件？</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>An export is under way.</source>
+        <translation>正在导出。</translation>
+    </message>
+    <message>
+        <source>Cancel the export</source>
+        <translation>取消导出</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>The export was cancelled; nothing was written.</source>
+        <translation>导出已取消，没有写入任何文件。</translation>
+    </message>
+    <message>
+        <source>Exporting… {frames:,} frames read</source>
+        <translation>正在导出…… 已读取 {frames:,} 帧</translation>
+    </message>
+    <message>
+        <source>ROS 2 messages: joint states, targets, end pose, transforms of the links, diagnostics. For Foxglove, PlotJuggler, rerun and ROS 2 itself.</source>
+        <translation>ROS 2 消息：关节状态、目标、末端位姿、各连杆变换、诊断。可用 Foxglove、PlotJuggler、rerun 以及 ROS 2 打开。</translation>
+    </message>
+    <message>
+        <source>A table as text: a row for each set of joint angles, all else as last heard then. For spreadsheets and scripts.</source>
+        <translation>文本表格：每收到一组关节角度为一行，其余各列为当时最近收到的值。适用于电子表格和脚本。</translation>
+    </message>
+    <message>
+        <source>The same table with types and units, small and quick to open. For pandas and the like; needs the package pyarrow.</source>
+        <translation>同一表格，带类型和单位，文件小、打开快。适用于 pandas 等工具；需要安装 pyarrow 包。</translation>
+    </message>
+    <message>
+        <source>The log cannot be read: {detail}</source>
+        <translation>无法读取该日志：{detail}</translation>
+    </message>
+    <message>
+        <source>The log has no such channel. It has: {detail}</source>
+        <translation>日志中没有此通道。现有通道：{detail}</translation>
+    </message>
+    <message>
+        <source>The log has no frames. No file was written.</source>
+        <translation>日志中没有任何帧。未写入文件。</translation>
+    </message>
+    <message>
+        <source>No frame of the log is an arm&apos;s. No file was written. Another channel?</source>
+        <translation>日志中没有机械臂的帧。未写入文件。是否应选择其他通道？</translation>
+    </message>
+    <message>
+        <source>A table has a row for each set of joint angles, and none was heard. No file was written. MCAP holds what else there is.</source>
+        <translation>表格中每组关节角度为一行，而日志中没有关节角度。未写入文件。其余内容可导出为 MCAP。</translation>
+    </message>
+    <message>
+        <source>Nothing was heard in this time. No file was written.</source>
+        <translation>此时间段内没有收到任何内容。未写入文件。</translation>
+    </message>
+    <message>
+        <source>{target} is there already.</source>
+        <translation>{target} 已存在。</translation>
+    </message>
+    <message>
+        <source>The target is the log itself. Choose another name.</source>
+        <translation>目标文件就是日志本身，请换一个名称。</translation>
+    </message>
+    <message>
+        <source>{target} cannot be written: {detail}</source>
+        <translation>无法写入 {target}：{detail}</translation>
+    </message>
+    <message>
+        <source>Parquet needs the package pyarrow: pip install &apos;armui[parquet]&apos;. CSV has the same table without it.</source>
+        <translation>Parquet 需要 pyarrow 包：pip install &apos;armui[parquet]&apos;。CSV 无需它，内容是同一表格。</translation>
+    </message>
+    <message>
+        <source>The export failed: {detail}</source>
+        <translation>导出失败：{detail}</translation>
+    </message>
+    <message>
+        <source>Saved: {target} ({items:,} rows)</source>
+        <translation>已保存：{target}（{items:,} 行）</translation>
+    </message>
+    <message>
+        <source>Saved: {target} ({items:,} messages)</source>
+        <translation>已保存：{target}（{items:,} 条消息）</translation>
+    </message>
+    <message>
+        <source>Places of the log that cannot be read: {count}; the first: {place} ({reason}). Everything else was exported.</source>
+        <translation>日志中有 {count} 处无法读取；第一处：{place}（{reason}）。其余内容均已导出。</translation>
+    </message>
+    <message>
+        <source>Only channel {channel} was exported; {count:,} frames of {others} were left out.</source>
+        <translation>只导出了通道 {channel}；{others} 的 {count:,} 帧未导出。</translation>
+    </message>
+    <message>
+        <source>{frames:,} frames read as generation {generation}.</source>
+        <translation>已读取 {frames:,} 帧，按第 {generation} 代协议解析。</translation>
+    </message>
+    <message>
+        <source>{count:,} of them are none of the arm&apos;s.</source>
+        <translation>其中 {count:,} 帧不是机械臂的帧。</translation>
+    </message>
+</context>
+<context>
+    <name>ExportForm</name>
+    <message>
+        <source>Recording</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间段</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>协议</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标文件</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Choose the recording</source>
+        <translation>选择记录</translation>
+    </message>
+    <message>
+        <source>Choose the target</source>
+        <translation>选择目标文件</translation>
+    </message>
+    <message>
+        <source>As the log tells</source>
+        <translation>按日志判断</translation>
+    </message>
+    <message>
+        <source>Generation 1</source>
+        <translation>第 1 代</translation>
+    </message>
+    <message>
+        <source>Generation 2</source>
+        <translation>第 2 代</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>至</translation>
+    </message>
+    <message>
+        <source>counted from the first frame</source>
+        <translation>从第一帧起计</translation>
+    </message>
+    <message>
+        <source>beginning</source>
+        <translation>开头</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>结尾</translation>
+    </message>
+    <message>
+        <source>From, in seconds from the first frame</source>
+        <translation>起点，从第一帧起的秒数</translation>
+    </message>
+    <message>
+        <source>Up to, in seconds from the first frame</source>
+        <translation>终点，从第一帧起的秒数</translation>
+    </message>
+    <message>
+        <source>the one on which an arm is heard</source>
+        <translation>有机械臂数据的通道</translation>
+    </message>
+    <message>
+        <source>Choose the recording first.</source>
+        <translation>请先选择记录。</translation>
+    </message>
+    <message>
+        <source>The time must begin at 0 s or later, and end after that.</source>
+        <translation>起点不得小于 0 秒，终点须大于起点。</translation>
+    </message>
+    <message>
+        <source>CAN log</source>
+        <translation>CAN 日志</translation>
+    </message>
+    <message>
+        <source>none chosen</source>
+        <translation>未选择</translation>
+    </message>
+    <message>
+        <source>beside the recording</source>
+        <translation>与记录同一文件夹</translation>
+    </message>
+</context>
+<context>
     <name>FailureLine</name>
     <message>
         <source>An error in the program ({error}). The emergency stop works; the motion that the failed part drove has been ended. Copy the details for the developers.</source>

@@ -64,6 +64,9 @@ class CsvTable:
     def finish(self) -> None:
         """Nothing more is to come."""
 
+    def abandon(self) -> None:
+        """Nothing is held."""
+
     def _texts(self, record: RecordColumns, samples: Samples) -> list[str]:
         """What stands in the columns of a message, for each of its samples."""
         template = self._templates[record.message]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, BinaryIO, Final
 
 from armui import __version__
@@ -92,21 +93,35 @@ class _Export:
             self._begun(target.unfinished)
             arm, batches = look_at(self._log.batches(), request.wishes)
             if arm is None:
-                raise ExportError(ExportProblem.NOTHING, "the log has no frames")
+                raise ExportError(ExportProblem.NO_FRAMES)
             sink = _sink(request.format, target.stream, _facts(request, arm))
-            span = TimeSpan(arm.start_s + request.begin_s, arm.start_s + request.end_s)
-            reader = ArmFrameReader(arm.channel)
-            history = History(arm.codec)
-            for frames in reader.pieces(self._watched(batches)):
-                history.take(frames)
-                sink.take(history, span)
-                if len(frames) and frames.times_s.min() > span.end_s + _LATER_S:
-                    break
-            if not sink.items:
-                raise ExportError(ExportProblem.NOTHING, _why_nothing(request, reader, history))
-            sink.finish()
+            reader, history = ArmFrameReader(arm.channel), History(arm.codec)
+            try:
+                self._write(arm, batches, sink, reader, history)
+                sink.finish()
+            except BaseException:
+                sink.abandon()
+                raise
             target.finish()
         return self._report(arm, sink, reader, history)
+
+    def _write(
+        self,
+        arm: RecordedArm,
+        batches: Iterator[FrameBatch],
+        sink: Sink,
+        reader: ArmFrameReader,
+        history: History,
+    ) -> None:
+        request = self._request
+        span = TimeSpan(arm.start_s + request.begin_s, arm.start_s + request.end_s)
+        for frames in reader.pieces(self._watched(batches)):
+            history.take(frames)
+            sink.take(history, span)
+            if len(frames) and frames.times_s.min() > span.end_s + _LATER_S:
+                break
+        if not sink.items:
+            raise ExportError(_why_nothing(request, reader, history))
 
     def _watched(self, batches: Iterator[FrameBatch]) -> Iterator[FrameBatch]:
         log = self._log
@@ -168,13 +183,12 @@ def _sink(export_format: ExportFormat, stream: BinaryIO, facts: ExportFacts) -> 
     return McapFile(stream, facts)
 
 
-def _why_nothing(request: ExportRequest, reader: ArmFrameReader, history: History) -> str:
-    understood = reader.taken - reader.of_other_kinds - history.not_understood
-    if not understood:
-        return "no frame in it is an arm's"
-    if request.begin_s > 0.0 or request.end_s < float("inf"):
-        return "nothing of the kind was heard in this stretch of time"
-    return "no full set of joint angles (0x2A5-0x2A7) was heard"
+def _why_nothing(request: ExportRequest, reader: ArmFrameReader, history: History) -> ExportProblem:
+    if reader.taken == reader.of_other_kinds + history.not_understood:
+        return ExportProblem.NO_ARM
+    if request.begin_s > 0.0 or request.end_s < math.inf:
+        return ExportProblem.NOTHING_THEN
+    return ExportProblem.NO_ANGLES
 
 
 def _name(channel: Channel) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from typing import TYPE_CHECKING, Any, BinaryIO, Final
 
 import numpy as np
@@ -69,6 +70,12 @@ class ParquetTable:
         if self._waiting:
             self._write_group()
         self._writer.close()
+
+    def abandon(self) -> None:
+        """Else the writer would end the file once it is garbage, long after the file is gone."""
+        with contextlib.suppress(Exception):
+            self._writer.close()
+        self._writer.is_open = False
 
     def _write_group(self) -> None:
         table = self._arrow.Table.from_batches(self._waiting, self._schema)

@@ -39,7 +39,10 @@ class ExportProblem(enum.StrEnum):
 
     NO_LOG = "no_log"
     NO_CHANNEL = "no_channel"
-    NOTHING = "nothing"
+    NO_FRAMES = "no_frames"
+    NO_ARM = "no_arm"
+    NO_ANGLES = "no_angles"
+    NOTHING_THEN = "nothing_then"
     EXISTS = "exists"
     SAME_FILE = "same_file"
     CANNOT_WRITE = "cannot_write"

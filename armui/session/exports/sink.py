@@ -77,3 +77,6 @@ class Sink(Protocol):
         Raises:
             OSError: The disk does not take it.
         """
+
+    def abandon(self) -> None:
+        """Let go of the file, which nobody wants any more; never fails."""

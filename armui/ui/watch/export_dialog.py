@@ -114,6 +114,11 @@ class ExportDialog(ArmDialog):
 
     # What the operator does -------------------------------------------------------------------
 
+    def open(self) -> None:
+        """Show the dialog; what is chosen first is the recording."""
+        super().open()
+        self.form.log_button.setFocus()
+
     def show_log(self, path: Path) -> None:
         """Offer a recording to be exported; what is under way goes on."""
         if self._under_way is None:

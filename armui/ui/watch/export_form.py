@@ -93,6 +93,8 @@ class ExportForm(Translated, QWidget):
             times.addWidget(widget)
         for field in (self.begin_field, self.end_field):
             field.setFixedWidth(_FIELD_PX)
+        self._counted_from = text_label(rank="muted")
+        times.addWidget(self._counted_from)
         times.addStretch(1)
         self.channel_field = QLineEdit()
         self.channel_field.setFixedHeight(32)
@@ -122,7 +124,7 @@ class ExportForm(Translated, QWidget):
         texts = (
             self.tr("Recording"),
             self.tr("Format"),
-            self.tr("Stretch"),
+            self.tr("Time"),
             self.tr("Protocol"),
             self.tr("Channel"),
             self.tr("Target"),
@@ -139,6 +141,7 @@ class ExportForm(Translated, QWidget):
         for place, name in enumerate(names):
             self.generations.button(place).setText(name)
         self._until.setText(self.tr("to"))
+        self._counted_from.setText(self.tr("counted from the first frame"))
         self.begin_field.setPlaceholderText(self.tr("beginning"))
         self.end_field.setPlaceholderText(self.tr("end"))
         self.begin_field.setAccessibleName(self.tr("From, in seconds from the first frame"))
@@ -173,7 +176,7 @@ class ExportForm(Translated, QWidget):
         begin_s, end_s = self.begin_field.value or 0.0, self.end_field.value
         wrong = self.begin_field.is_nonsense() or self.end_field.is_nonsense()
         if wrong or begin_s < 0 or (end_s is not None and end_s <= begin_s):
-            return self.tr("The stretch must begin at 0 s or later, and end after that.")
+            return self.tr("The time must begin at 0 s or later, and end after that.")
         return ""
 
     def has_log(self) -> bool:

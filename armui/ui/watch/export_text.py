@@ -40,8 +40,20 @@ def problem(done: ExportDone, target: Path) -> str:
         ExportProblem.NO_CHANNEL: translate(
             "ExportDialog", "The log has no such channel. It has: {detail}"
         ),
-        ExportProblem.NOTHING: translate(
-            "ExportDialog", "There is nothing to export in it: {detail}. No file was written."
+        ExportProblem.NO_FRAMES: translate(
+            "ExportDialog", "The log has no frames. No file was written."
+        ),
+        ExportProblem.NO_ARM: translate(
+            "ExportDialog",
+            "No frame of the log is an arm's. No file was written. Another channel?",
+        ),
+        ExportProblem.NO_ANGLES: translate(
+            "ExportDialog",
+            "A table has a row for each set of joint angles, and none was heard. No file was "
+            "written. MCAP holds what else there is.",
+        ),
+        ExportProblem.NOTHING_THEN: translate(
+            "ExportDialog", "Nothing was heard in this time. No file was written."
         ),
         ExportProblem.EXISTS: translate("ExportDialog", "{target} is there already."),
         ExportProblem.SAME_FILE: translate(

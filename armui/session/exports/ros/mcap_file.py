@@ -72,6 +72,9 @@ class McapFile:
         """Write the file's summary."""
         self._writer.finish()  # type: ignore[no-untyped-call]
 
+    def abandon(self) -> None:
+        """Nothing is held but memory."""
+
     def _channel(self, stream: Stream) -> int:
         if stream.topic not in self._channels:
             if stream.schema not in self._schemas:
