@@ -193,6 +193,7 @@ def test_a_process_exports_what_was_asked_for(log):
     assert listener.over.wait(60)
     assert process.wait()
     (done,) = listener.done
+    assert done.report is not None
     assert (done.problem, done.report["items"], done.report["firmware"]) == (None, 21, "S-V1.8-5")
     assert target.exists()
     assert listener.progress[-1].frames > 0

@@ -144,7 +144,7 @@ def test_transforms_lead_where_the_kinematics_say(tmp_path, read, geometry):
         step[:3, :3] = Rotation.from_quat([turn.x, turn.y, turn.z, turn.w]).as_matrix()
         step[:3, 3] = [shift.x * 1000, shift.y * 1000, shift.z * 1000]
         place[each.child_frame_id] = place[each.header.frame_id] @ step
-    wanted = Kinematics(geometry).matrix(joints_deg)
+    wanted = Kinematics(geometry).matrix(joints_deg.tolist())
     assert place["flange"] == pytest.approx(wanted, abs=1e-6)
     assert place["link6"] == pytest.approx(wanted, abs=1e-6)
     of_links = links(geometry, joints_deg)
@@ -158,7 +158,7 @@ def test_transforms_lead_where_the_kinematics_say(tmp_path, read, geometry):
 def test_the_zeros_are_found_by_the_pose_in_the_log(tmp_path, geometry):
     """Nothing tells the firmware: the pose that the arm reports tells the zeros of its joints."""
     codec = Codec(Generation.ONE)
-    pose = Kinematics(geometry).forward(np.degrees(WANTED))
+    pose = Kinematics(geometry).forward(np.degrees(WANTED).tolist())
     poses = [
         codec.encode("EndPose1", X=pose.x_mm, Y=pose.y_mm),
         codec.encode("EndPose2", Z=pose.z_mm, RX=pose.rx_deg),

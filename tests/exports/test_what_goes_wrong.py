@@ -10,6 +10,8 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +29,9 @@ from armui.session.exports.request import (
     ExportReport,
     ExportRequest,
 )
+from armui.session.exports.source import SessionSource
+from armui.session.frames import Damage, FrameBatch
+from armui.session.reader import LogFile
 from tests.exports.logs import blf, candump, session
 from tests.exports.test_mcap import by_mcap
 
@@ -288,6 +293,56 @@ def test_progress_goes_up_to_the_end(tmp_path):
     log = candump(tmp_path / "a.log", session(3.0))
     told: list[float] = []
     request = ExportRequest(log, tmp_path / "a.csv", ExportFormat.CSV)
-    export_log(request, tell=lambda progress: told.append(progress.done))
+    export_log(request, tell=lambda progress: told.append(progress.done or 0.0))
     assert told == sorted(told)
     assert told[-1] == 1.0
+
+
+# --- sessions of several files ----------------------------------------------------------------
+
+
+class Session:
+    """An indexed session of two files, with a damaged place."""
+
+    damages = (Damage("block 3", "its bytes are damaged", 700),)
+    damage_count = 1
+
+    def __init__(self, *logs: Path) -> None:
+        self._logs = logs
+        self.closed = False
+        times_s = [at_s for each in self.frames_between(0.0, 1e12) for at_s in each.times_s]
+        self.start_s, self.end_s = times_s[0], times_s[-1]
+
+    def frames_between(self, t0_s: float, t1_s: float) -> Iterator[FrameBatch]:
+        assert t0_s < t1_s
+        before = 0
+        for path in self._logs:
+            with LogFile(path) as log:
+                for batch in log.batches():
+                    yield replace(batch, first=before + batch.first)
+                before += log.frames
+
+    def close(self) -> None:
+        self.closed = True
+
+
+def test_a_session_of_several_files_is_exported_as_one(tmp_path):
+    frames = session(1.0)
+    whole = export(candump(tmp_path / "whole.log", frames))
+    half = len(frames) // 2
+    parts = [
+        candump(tmp_path / "a.log", frames[:half]),
+        candump(tmp_path / "a.002.log", frames[half:]),
+    ]
+    recorded = Session(*parts)
+    told: list[float] = []
+    report = export_log(
+        ExportRequest(parts[0], tmp_path / "a.mcap", ExportFormat.MCAP),
+        lambda progress: told.append(progress.done or 0.0),
+        open_recording=lambda _path: SessionSource(recorded),
+    )
+    assert (report.items, report.frames) == (whole.items, whole.frames)
+    assert (report.damages, report.damage_count) == (Session.damages, 1)
+    assert told[-1] == 1.0
+    assert recorded.closed
+    assert (tmp_path / "a.mcap").stat().st_size > 1000

@@ -59,13 +59,15 @@ def exports() -> Exports:
 
 @pytest.fixture
 def dialog(qtbot: QtBot, exports: Exports) -> ExportDialog:
-    dialog = ExportDialog(FakeController(), None, exports)
+    dialog = ExportDialog(FakeController().as_real, None, exports)
     shown(qtbot, dialog)
     return dialog
 
 
 def choose(dialog: ExportDialog, name: str) -> None:
-    QTest.mouseClick(dialog.findChild(QToolButton, name), LEFT)
+    button = dialog.findChild(QToolButton, name)
+    assert button is not None
+    QTest.mouseClick(button, LEFT)
 
 
 def press_export(dialog: ExportDialog) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import closing
 from typing import TYPE_CHECKING, BinaryIO, Final
 
 from armui import __version__
@@ -18,9 +19,9 @@ from armui.session.exports.request import (
     ExportReport,
 )
 from armui.session.exports.sink import ExportFacts, TimeSpan
+from armui.session.exports.source import open_source
 from armui.session.exports.target import WholeFile
 from armui.session.frames import NotALogError
-from armui.session.reader import LogFile
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
     from armui.session.exports.recorded_arm import RecordedArm
     from armui.session.exports.request import ExportRequest
     from armui.session.exports.sink import Sink
+    from armui.session.exports.source import ExportSource
     from armui.session.frames import Channel, FrameBatch
 
 _MOST_DAMAGES_TOLD: Final = 20
@@ -41,6 +43,7 @@ def export_log(
     tell: Callable[[ExportProgress], object] = lambda _progress: None,
     is_wanted: Callable[[], bool] = lambda: True,
     begun: Callable[[Path], object] = lambda _unfinished: None,
+    open_recording: Callable[[Path], ExportSource] = open_source,
 ) -> ExportReport:
     """Export a log; its memory stays bounded whatever the log holds.
 
@@ -49,6 +52,7 @@ def export_log(
         tell: Told of the progress, after each piece of the log.
         is_wanted: Asked as often.
         begun: Told the name of the unfinished file: who kills this process removes it.
+        open_recording: Opens the log; raises `NotALogError` if it cannot.
 
     Raises:
         ExportError: Nothing was written.
@@ -57,8 +61,8 @@ def export_log(
     if request.log.resolve() == request.target.resolve():
         raise ExportError(ExportProblem.SAME_FILE, str(request.target))
     try:
-        with LogFile(request.log) as log:
-            return _Export(request, log, tell, is_wanted, begun).run()
+        with closing(open_recording(request.log)) as source:
+            return _Export(request, source, tell, is_wanted, begun).run()
     except NotALogError as error:
         raise ExportError(ExportProblem.NO_LOG, str(error)) from error
     except NoSuchChannelError as error:
@@ -76,13 +80,13 @@ class _Export:
     def __init__(
         self,
         request: ExportRequest,
-        log: LogFile,
+        source: ExportSource,
         tell: Callable[[ExportProgress], object],
         is_wanted: Callable[[], bool],
         begun: Callable[[Path], object],
     ) -> None:
         self._request = request
-        self._log = log
+        self._source = source
         self._tell = tell
         self._is_wanted = is_wanted
         self._begun = begun
@@ -91,7 +95,7 @@ class _Export:
         request = self._request
         with WholeFile(request.target, replace=request.replace) as target:
             self._begun(target.unfinished)
-            arm, batches = look_at(self._log.batches(), request.wishes)
+            arm, batches = look_at(self._source.batches(), request.wishes)
             if arm is None:
                 raise ExportError(ExportProblem.NO_FRAMES)
             sink = _sink(request.format, target.stream, _facts(request, arm))
@@ -124,21 +128,18 @@ class _Export:
             raise ExportError(_why_nothing(request, reader, history))
 
     def _watched(self, batches: Iterator[FrameBatch]) -> Iterator[FrameBatch]:
-        log = self._log
         for batch in batches:
             if not self._is_wanted():
                 raise ExportCancelledError
             yield batch
-            done = min(log.position / log.size, 1.0) if log.size else None
-            self._tell(ExportProgress(done, log.frames))
+            self._tell(ExportProgress(self._source.done, self._source.frames))
 
     def _report(
         self, arm: RecordedArm, sink: Sink, reader: ArmFrameReader, history: History
     ) -> ExportReport:
-        damages = self._log.damages
         return ExportReport(
             items=sink.items,
-            frames=self._log.frames,
+            frames=self._source.frames,
             generation=int(arm.codec.generation),
             why_generation=arm.why_generation,
             firmware=arm.firmware,
@@ -148,8 +149,8 @@ class _Export:
             of_other_channels=reader.of_other_channels,
             not_understood=history.not_understood + reader.of_other_kinds,
             without_stamp=getattr(sink, "without_stamp", 0),
-            damages=tuple(damages.since(0)[:_MOST_DAMAGES_TOLD]),
-            damage_count=damages.count,
+            damages=tuple(self._source.damages[:_MOST_DAMAGES_TOLD]),
+            damage_count=self._source.damage_count,
         )
 
 

@@ -1,0 +1,156 @@
+"""Where the frames of an export come from: a log file of any program, or an indexed session."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Protocol
+
+from armui.session.reader import LogFile
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+    from pathlib import Path
+
+    from armui.session.frames import Damage, FrameBatch
+
+
+class ExportSource(Protocol):
+    """A recording, read once from its beginning to its end.
+
+    Attributes:
+        frames: Frames read so far.
+        done: How much of it that is, 0 to 1; `None` where nobody knows.
+        damages: The damaged places met so far, or the first of them.
+        damage_count: All of those met so far.
+    """
+
+    @property
+    def frames(self) -> int: ...  # noqa: D102 - said above
+
+    @property
+    def done(self) -> float | None: ...  # noqa: D102 - said above
+
+    @property
+    def damages(self) -> Sequence[Damage]: ...  # noqa: D102 - said above
+
+    @property
+    def damage_count(self) -> int: ...  # noqa: D102 - said above
+
+    def batches(self) -> Iterator[FrameBatch]:
+        """The frames; only once."""
+
+    def close(self) -> None:
+        """Let go of the files."""
+
+
+class FileSource:
+    """A log file, see `ExportSource`.
+
+    Args:
+        path: Of any format that `LogFile` reads.
+
+    Raises:
+        NotALogError: It cannot be opened, or is no log.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self._log = LogFile(path)
+
+    @property
+    def frames(self) -> int:
+        """Frames read so far."""
+        return self._log.frames
+
+    @property
+    def done(self) -> float | None:
+        """By its bytes."""
+        return min(self._log.position / self._log.size, 1.0) if self._log.size else None
+
+    @property
+    def damages(self) -> Sequence[Damage]:
+        """The damaged places met so far, bounded."""
+        return self._log.damages.since(0)
+
+    @property
+    def damage_count(self) -> int:
+        """All of them."""
+        return self._log.damages.count
+
+    def batches(self) -> Iterator[FrameBatch]:
+        """The frames; only once."""
+        return self._log.batches()
+
+    def close(self) -> None:
+        """Closes the file."""
+        self._log.close()
+
+
+class TimedFrames(Protocol):
+    """What is wanted of a session, which may lie in several files."""
+
+    @property
+    def start_s(self) -> float: ...  # noqa: D102 - of the first frame
+
+    @property
+    def end_s(self) -> float: ...  # noqa: D102 - of the last frame
+
+    @property
+    def damages(self) -> Sequence[Damage]: ...  # noqa: D102 - those met so far, bounded
+
+    @property
+    def damage_count(self) -> int: ...  # noqa: D102 - all of them
+
+    def frames_between(self, t0_s: float, t1_s: float) -> Iterator[FrameBatch]:
+        """The frames with t0_s <= time < t1_s, in the order of time."""
+
+    def close(self) -> None:
+        """Let go of the files."""
+
+
+class SessionSource:
+    """A session with all its files, see `ExportSource`.
+
+    Args:
+        session: Closed with this.
+    """
+
+    def __init__(self, session: TimedFrames) -> None:
+        self._session = session
+        self._at_s = session.start_s
+        self.frames = 0
+
+    @property
+    def done(self) -> float | None:
+        """By its time."""
+        length_s = self._session.end_s - self._session.start_s
+        return min((self._at_s - self._session.start_s) / length_s, 1.0) if length_s > 0 else None
+
+    @property
+    def damages(self) -> Sequence[Damage]:
+        """The damaged places met so far, bounded."""
+        return self._session.damages
+
+    @property
+    def damage_count(self) -> int:
+        """All of them."""
+        return self._session.damage_count
+
+    def batches(self) -> Iterator[FrameBatch]:
+        """The frames; only once."""
+        for batch in self._session.frames_between(-math.inf, math.inf):
+            self.frames += len(batch)
+            self._at_s = float(batch.times_s[-1])
+            yield batch
+
+    def close(self) -> None:
+        """Closes the session."""
+        self._session.close()
+
+
+def open_source(path: Path) -> ExportSource:
+    """Opens a recording.
+
+    Raises:
+        NotALogError: It cannot be opened, or is no log.
+    """
+    return FileSource(path)
