@@ -25,6 +25,8 @@ from armui.session.exports.request import (
 
 _LAST_WORDS: Final = 300
 _END_S: Final = 10.0
+_NICER_BY: Final = 5
+"""The window and the bus go before it where there are too few cores for all."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,6 +125,9 @@ class ExportProcess:
                 encoding="utf-8",
                 errors="replace",
             )
+            if hasattr(os, "setpriority"):
+                with contextlib.suppress(OSError):
+                    os.setpriority(os.PRIO_PROCESS, self._process.pid, _NICER_BY)
             return self._process
 
     def _understood(self, line: str) -> ExportProgress | ExportDone | None:
