@@ -29,6 +29,7 @@ from armui.control.devices.linkage import LinkageControl
 from armui.control.devices.motors import Motors
 from armui.control.devices.teaching import TeachingControl
 from armui.control.devices.zeroing import Zeroing
+from armui.control.event_log.collector import EventCollector
 from armui.control.events import LEVELS, Event, EventCode
 from armui.control.link.connection import Connection
 from armui.control.link.device_finder import DeviceFinder
@@ -52,7 +53,7 @@ from armui.control.safety.emergency_stop import is_stopped
 from armui.control.safety.recovery import Recovery
 from armui.control.safety.stopping import Stopping
 from armui.protocol.codes import TrajectoryCommand
-from armui.system.clock import steady_s
+from armui.system.clock import steady_s, wall_clock
 
 if TYPE_CHECKING:
     from armui.bus.worker import Opener
@@ -75,6 +76,7 @@ class ArmController(QObject):
         simulated: Arms made of software, listed with the devices found.
         find: The search for devices.
         clock: Monotonic time in seconds.
+        wall: What the clock on the wall showed at such a time; by default of this computer.
 
     Attributes:
         motion: Moves the joints.
@@ -95,6 +97,8 @@ class ArmController(QObject):
         gripper: Moves the gripper.
         end_reports: Sets the load, switches the feedback of the end's motion.
         linkage: Sets the arm's role and its identifiers.
+        events: What has happened: commands, changes of status, faults.
+        happenings: Writes it.
 
     Signals:
         state_changed: An :class:`ArmState`, at most 30 times a second, when something was heard.
@@ -119,9 +123,11 @@ class ArmController(QObject):
         find: Callable[[], list[Device]] | None = None,
         clock: Callable[[], float] = steady_s,
         parent: QObject | None = None,
+        *,
+        wall: Callable[[float], datetime] | None = None,
     ) -> None:
         super().__init__(parent)
-        self._clock = clock
+        self._clock, self._wall = clock, wall or wall_clock(clock)
         self._finder = DeviceFinder(simulated, find, self)
         self._finder.found.connect(self.devices_found)
         self._finder.searching_changed.connect(self.searching_changed)
@@ -173,21 +179,14 @@ class ArmController(QObject):
         self.linkage = LinkageControl(context, self.orders)
         self.gripper = GripperControl(context, self.settings, end_run=self._end_run_because)
         self.zeroing = Zeroing(context, self.orders, before_zeroing=self._forget_places)
+        self.happenings = EventCollector(
+            context, self.noticed, self._wall, self.player, self.recovery
+        )
+        self.events = self.happenings.log
         parts: tuple[ControllerPart, ...] = (
-            self.motors,
-            self.motion,
-            self.player,
-            self.cartesian,
-            self.gripper,
-            self.linkage,
-            self.jogging,
-            self.replayer,
-            self.recorder,
-            self.orders,
-            self.settings,
-            self.teaching,
-            self.planned_motion,
-            DroppedFrames(context),
+            *(self.motors, self.motion, self.player, self.cartesian, self.gripper, self.linkage),
+            *(self.jogging, self.replayer, self.recorder, self.orders, self.settings),
+            *(self.teaching, self.planned_motion, DroppedFrames(context), self.happenings),
         )
         self._parts = Parts(
             parts,
@@ -297,7 +296,7 @@ class ArmController(QObject):
         self._stop.stop_again = on
 
     def _notice(self, code: EventCode, **params: object) -> None:
-        self.noticed.emit(Event(datetime.now().astimezone(), LEVELS[code], code, params))
+        self.noticed.emit(Event(self._wall(self._clock()), LEVELS[code], code, params))
 
     def tick(self) -> None:
         """Take in what was heard and move on what is under way; the controller's timer calls it."""
