@@ -49,7 +49,7 @@ def lead(app_driver, angles_deg):
 
 
 def due(app_driver):
-    return app_driver.find("way_out").due
+    return app_driver.find("teaching_exit_steps").due
 
 
 @pytest.fixture
@@ -184,10 +184,10 @@ def test_what_the_button_on_the_arm_does_is_followed(enabled):
     assert enabled.heard() == []
 
 
-def test_the_way_out_one_step_at_a_time(taught):
+def test_teaching_is_left_one_step_at_a_time(taught):
     app_driver = taught
     assert due(app_driver) == 1
-    assert app_driver.find("way_out").isVisible()
+    assert app_driver.find("teaching_exit_steps").isVisible()
     app_driver.click("recovery_button")
     app_driver.confirm()
     phase(app_driver, "Recording")
@@ -204,7 +204,7 @@ def test_the_way_out_one_step_at_a_time(taught):
     app_driver.run_until(lambda: due(app_driver) == 4)
     assert app_driver.firmware.control_mode is ControlMode.STANDBY
     app_driver.click("recovery_button")
-    app_driver.run_until(lambda: not app_driver.find("way_out").isVisible())
+    app_driver.run_until(lambda: not app_driver.find("teaching_exit_steps").isVisible())
     assert app_driver.controller.operating_state.cannot_move is None
 
 
@@ -237,8 +237,8 @@ def test_motions_are_paused_continued_and_cleared(enabled):
 
 
 @ONE_IS_ENOUGH
-def test_the_way_out_is_not_shown_to_an_arm_that_was_only_stopped(enabled):
+def test_the_exit_steps_are_not_shown_to_an_arm_that_was_only_stopped(enabled):
     enabled.click("stop_button")
     enabled.run(0.3)
-    assert isinstance(enabled.find("way_out"), TeachingExitSteps)
-    assert not enabled.find("way_out").isVisible()
+    assert isinstance(enabled.find("teaching_exit_steps"), TeachingExitSteps)
+    assert not enabled.find("teaching_exit_steps").isVisible()

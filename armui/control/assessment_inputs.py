@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from armui.control.assessment import Activity, AssessmentInputs, assess
+from armui.control.assessment import ActiveTasks, AssessmentInputs, assess
 from armui.control.operating_state import Busy, OperatingState
 
 if TYPE_CHECKING:
@@ -84,7 +84,7 @@ class Assessor:
             offsets=connection.offsets,
             authority=self._watch.authority,
             other_host=self._watch.report(),
-            activity=Activity(
+            tasks=ActiveTasks(
                 running=controller.player.running or controller.replayer.running,
                 jogging=controller.jogging.active,
                 recording=controller.recorder.recording,

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from armui.arm.state import ArmState, Reading
-from armui.control.link.offsets import OffsetFollower, Wished
+from armui.control.link.offsets import OffsetFollower, RequestedOffset
 from armui.protocol.addressing import OFFSETS, Addressing
 from armui.protocol.codes import ArmStatusCode, ControlMode
 from tests.control.heard_arm import status
@@ -92,7 +92,7 @@ def test_an_arm_as_delivered(arm):
 
 def test_commands_that_move_are_uncertain_until_the_arm_has_answered_in_standby(arm):
     arm.wish(COMMANDS_MOVE)
-    assert arm.follower.requested == Wished(COMMANDS_MOVE, arm.now_s)
+    assert arm.follower.requested == RequestedOffset(COMMANDS_MOVE, arm.now_s)
     assert not arm.certain
     arm.wait(2.0)
     assert not arm.certain

@@ -22,7 +22,7 @@ from armui.ui.trajectory.recording.recording_window import RecordingWindow
 from armui.ui.watch.plot_layout import SETS
 from armui.ui.watch.plot_window import PlotWindow
 from tests.app_driver import AppDriver
-from tests.operator_library.actions import POINT, FileStore
+from tests.operator_library.actions import POINT, LibraryDriver
 from tests.safety.file_watch import watched
 
 MOST_S = 200.0
@@ -62,7 +62,7 @@ def workers():
 
 @pytest.fixture
 def live_desk(qapp, request, tmp_path, workers):
-    """A desk with the real thread and processes behind it, and loaded as the program is."""
+    """A program with the real thread and processes behind it, and loaded as the program is."""
     process, files = workers
     settings = tmp_path / "settings.json"
     name = request.node.nodeid
@@ -108,33 +108,33 @@ def test_the_library(live_desk, monkeypatch, tmp_path):
     outside = tmp_path / "outside.log"
     outside.write_bytes(to_bytes(Trajectory("outside", points=(POINT,) * 2000), ".log"))
     with watched(monkeypatch) as seen:
-        shelf = FileStore.__new__(FileStore)
-        shelf.app_driver = app_driver
+        driver = LibraryDriver.__new__(LibraryDriver)
+        driver.app_driver = app_driver
         app_driver.click("library_button")
-        shelf.window = window = app_driver.dialog(LibraryWindow)
-        app_driver.wait(lambda: shelf.names() == ["one", "two"])
-        window._deeds.duplicate("one")
-        app_driver.wait(lambda: "one 2" in shelf.names())
-        window._deeds.rename("one 2", "three")
-        app_driver.wait(lambda: "three" in shelf.names())
-        window._deeds.delete(["three"])
-        app_driver.wait(lambda: "three" not in shelf.names())
+        driver.window = window = app_driver.dialog(LibraryWindow)
+        app_driver.wait(lambda: driver.names() == ["one", "two"])
+        window._actions.duplicate("one")
+        app_driver.wait(lambda: "one 2" in driver.names())
+        window._actions.rename("one 2", "three")
+        app_driver.wait(lambda: "three" in driver.names())
+        window._actions.delete(["three"])
+        app_driver.wait(lambda: "three" not in driver.names())
         window._bin_button.click()
         bin_dialog = app_driver.dialog(BinDialog)
         table = bin_dialog.findChild(QTableView)
         app_driver.wait(lambda: table is None or table.model().rowCount() > 0)
         bin_dialog.close()
-        window._deeds.undo()
-        app_driver.wait(lambda: "three" in shelf.names())
+        window._actions.undo()
+        app_driver.wait(lambda: "three" in driver.names())
         window._exchange.import_files([outside])
-        app_driver.wait(lambda: "outside" in shelf.names())
+        app_driver.wait(lambda: "outside" in driver.names())
         window._exchange._write(["one", "two"], lambda name: tmp_path / f"{name}.csv")
         idle(app_driver)
-        shelf.choose("one")
+        driver.choose("one")
         window._strip.check()
         app_driver.wait(
             lambda: (
-                shelf.rows()[shelf.names().index("one")][4] != "–" and not window._strip._checking
+                driver.rows()[driver.names().index("one")][4] != "–" and not window._strip._checking
             )
         )
         window._strip._on_send()

@@ -43,7 +43,7 @@ def version_heard(*payloads):
     tracker = Tracker(codec)
     for payload in payloads:
         tracker.update(codec.decode(Frame(0x4AF, payload)), 1.0)
-    return tracker.picture().firmware
+    return tracker.snapshot().firmware
 
 
 def test_another_hosts_question_in_the_middle_of_an_answer_does_not_cut_it():

@@ -70,7 +70,7 @@ def test_a_table_broken_further_down_is_shown_up_to_there_and_told_where(tmp_pat
         columns.apply(text, sheet, mapping, "x")
 
 
-def test_thousands_of_columns_are_no_hindrance():
+def test_thousands_of_columns_are_imported():
     titles = ["other"] * 3000
     titles[2000:2007] = "t_s", *(f"j{joint}_deg" for joint in range(1, 7))
     text = ",".join(titles) + "\n" + (",".join(["1.5"] * 3000) + "\n") * 100

@@ -129,7 +129,7 @@ class Player(Execution):
         """Move on with the run; the controller's tick calls it."""
         if not self.running:
             return
-        reason = self._hindrance()
+        reason = self._reason()
         if reason is not None:
             self._fail(reason)
         elif not self._known:
@@ -142,7 +142,7 @@ class Player(Execution):
             self._follow_stopping()
         self._publish()
 
-    def _hindrance(self) -> Refusal | None:
+    def _reason(self) -> Refusal | None:
         """Why the run cannot go on; what is not known for a moment is waited for."""
         reason = self._context.operating_state().cannot_run
         now_s = self._context.clock()

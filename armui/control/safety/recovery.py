@@ -66,7 +66,7 @@ _AT_ONCE: Final = frozenset(
 )
 """Nothing is waited for: what comes of them is another step."""
 
-_Deed = Callable[[Step], Refusal | None]
+_Handler = Callable[[Step], Refusal | None]
 
 
 @dataclass(slots=True)
@@ -126,7 +126,7 @@ class Recovery:
         self._request: Request | None = None
         self._brief_since_s: float | None = None
         self.step = Step(StepKind.NO_DEVICE, Level.INFO, action=Action.CONNECT)
-        self._deeds: Mapping[Action, _Deed] = {
+        self._handlers: Mapping[Action, _Handler] = {
             Action.LEAVE_TEACHING_INPUT: self._leave_teaching_input,
             Action.RESUME: lambda _step: self._motors.resume(),
             Action.ENABLE: lambda _step: self._motors.enable(),
@@ -166,7 +166,7 @@ class Recovery:
         if refusal is not None:
             return self._context.refuse(refusal)
         self._give_up()
-        refusal = self._deeds[wanted](now)
+        refusal = self._handlers[wanted](now)
         if refusal is None and wanted not in _AT_ONCE:
             self._attempt = _PendingAction(now)
         self._context.refresh()
@@ -208,7 +208,7 @@ class Recovery:
         if self._to_clear and not self._joint_errors.busy:
             self._joint_errors.clear(self._to_clear.pop(0))
         step = self._look()
-        if step.kind is not StepKind.WORKING:  # another kind is another trouble
+        if step.kind is not StepKind.WORKING:  # another kind is another problem
             self._in_vain = {kind: n for kind, n in self._in_vain.items() if kind is step.kind}
         step = self._follow(step, now_s)
         if self._holds(step, now_s) and step != self.step:
@@ -277,7 +277,7 @@ class Recovery:
 
     # What the actions do --------------------------------------------------------------------------
 
-    def _teach(self, command: TeachingState) -> _Deed:
+    def _teach(self, command: TeachingState) -> _Handler:
         return lambda _step: self._teaching.command(command)
 
     def _reset(self, _step: Step) -> Refusal | None:

@@ -76,7 +76,7 @@ def next_step(
         state: The arm as last heard.
         operating_state: What the operator can do, assessed from the same state.
         now_s: Monotonic time.
-        in_vain: How often the action against the present trouble came to nothing.
+        in_vain: How often the action against the present problem came to nothing.
     """
     heard = state.status
     view = RecoveryView(
@@ -241,7 +241,7 @@ _RULES: Final = (
         Action.CONNECT,
         when(lambda view: None in view.operating_state.enabled),
     ),
-    # the way out of drag teaching: near the rest pose, then a reset
+    # the steps out of drag teaching: near the rest pose, then a reset
     _Rule(StepKind.DRAG_MODE_AT_REST, Level.WARNING, Action.RESET, when(near_rest)),
     _Rule(
         StepKind.DRAG_MODE_WITHOUT_POWER,

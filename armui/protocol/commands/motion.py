@@ -191,7 +191,7 @@ def disable_gripper(codec: Codec) -> list[Frame]:
 
 
 def clear_gripper_error(codec: Codec, *, enable: bool = False) -> list[Frame]:
-    """Clears the gripper's error, and enables it in the same breath if wished (0x159)."""
+    """Clears the gripper's error, and enables it with the same frame if asked for (0x159)."""
     return [codec.encode("GripperCommand", ClearError=1, Enable=int(enable))]
 
 

@@ -55,7 +55,7 @@ class Library:
         self._folder = folder
         self._now = now
         self._call = call
-        self._shelf = FileStore(folder, call)
+        self._file_store = FileStore(folder, call)
         self._bin = Bin(folder / _BIN)
         self._drafts = Drafts(folder, call)
         self._met: dict[str, Stamp] = {}
@@ -295,7 +295,7 @@ class Library:
         entry = replace(kept.entry, check=check)
         if entry.kind == "points":
             entry = replace(entry, length_s=length_s)
-        self._shelf.mark(kept, entry)
+        self._file_store.mark(kept, entry)
 
     # Drafts ---------------------------------------------------------------------------------------
 
@@ -345,7 +345,7 @@ class Library:
     def _scan(self) -> dict[str, StoredFile]:
         """All files by the name of what they hold."""
         with on_disk(RefusalCode.LIBRARY_UNREADABLE, str(self._folder)):
-            return self._shelf.scan()
+            return self._file_store.scan()
 
     def _verify(self, content: Content) -> None:
         """Make sure that what is kept can be read again.
@@ -389,7 +389,7 @@ class Library:
             with contextlib.suppress(OSError):
                 path = path.rename(fitting)
         with on_disk(RefusalCode.LIBRARY_UNREADABLE, str(self._folder)):
-            self._met[content.name] = self._shelf.note(path, entry_of(content))
+            self._met[content.name] = self._file_store.note(path, entry_of(content))
         return displaced
 
 

@@ -120,7 +120,7 @@ class Panel(Translated, QWidget):
             title: The question in a few words.
             text: What will physically happen, and what to do before.
             label: What the button does, in a word.
-            act: The deed; its refusal is shown.
+            act: The command; its refusal is shown.
         """
         confirm(
             self.window(),

@@ -28,8 +28,8 @@ def opened(folder):
     return Library(folder, lambda: NOW)
 
 
-def names(shelf):
-    return [entry.name for entry in shelf.entries()]
+def names(library):
+    return [entry.name for entry in library.entries()]
 
 
 def shown(folder):

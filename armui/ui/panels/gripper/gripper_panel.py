@@ -52,7 +52,7 @@ class GripperPanel(Panel):
         super().__init__(controller, "gripper_message", parent)
         self._event: Event | None = None
         self._generation = self._operating_state.generation or Generation.TWO
-        self._hindrances: tuple[Refusal | None, ...] | None = None
+        self._reasons: tuple[Refusal | None, ...] | None = None
         self._mark = PowerMark()
         self._power = QLabel()
         self._power.setObjectName("gripper_power")
@@ -238,7 +238,7 @@ class GripperPanel(Panel):
         generation = self._operating_state.generation or self._generation
         if generation is not self._generation:
             self._generation = generation
-            self._hindrances = None
+            self._reasons = None
             self._describe()
         for each, rows in self._rows_of.items():
             for row in rows:
@@ -251,15 +251,15 @@ class GripperPanel(Panel):
 
     def _show_possible(self) -> None:
         gripper = self._controller.gripper
-        hindrances = (
+        reasons = (
             gripper.why_not(moving=True),
             gripper.why_not(moving=False),
             gripper.why_not(moving=False, letting_go=True),
         )
-        if hindrances == self._hindrances:
+        if reasons == self._reasons:
             return
-        self._hindrances = hindrances
-        why_not_move, why_not, why_not_let_go = map(words.why_not, hindrances)
+        self._reasons = reasons
+        why_not_move, why_not, why_not_let_go = map(words.why_not, reasons)
         self._travel.allow_steps(why_not_move)
         use = self.tr("Moves the gripper to the target, and gives it power.")
         enable_or_explain(self._send, why_not_move, use, key=_SEND_KEY)
@@ -302,6 +302,6 @@ class GripperPanel(Panel):
         for act, button in self._acts.items():
             button.setText(words.gripper_act(act))
             button.setAccessibleName(f"{self._title.text()}: {button.text()}")
-        self._hindrances = None
+        self._reasons = None
         self._describe()
         self._show_all()

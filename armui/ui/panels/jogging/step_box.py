@@ -13,7 +13,7 @@ _CONTINUOUS: Final = 0.0
 
 
 class StepBox(QComboBox):
-    """The usual steps, one more if wished, and «Continuous».
+    """The usual steps, one more if asked for, and «Continuous».
 
     Args:
         write: A step as text.

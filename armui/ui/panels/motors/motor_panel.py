@@ -37,7 +37,7 @@ _OURS: Final = (
     "zero_",
     "clear_error_",
 )
-"""How the codes of the notices that are told here begin."""
+"""How the codes of the events that are told here begin."""
 
 
 class MotorPanel(Panel):
@@ -138,7 +138,7 @@ class MotorPanel(Panel):
         self._ask_to_hold(title, f"{text}\n{danger}", self.tr("Set zero"), act)
 
     def _accepted(self, refusal: Refusal | None) -> bool:
-        """A no of the controller is a notice too; it stays until the next deed."""
+        """A refusal by the controller is shown as an event is; it stays until the next command."""
         if refusal is not None:
             self._say(refusal)
         return refusal is None

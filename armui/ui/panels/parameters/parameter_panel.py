@@ -35,9 +35,9 @@ from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.words.parameters import (
     full_name,
-    look_explained,
-    look_word,
     span_text,
+    status_explained,
+    status_word,
     value_text,
 )
 
@@ -315,18 +315,18 @@ class ParameterPanel(Panel):
             cell.show_value(None if known is None else known.value)
         cell.set_locked(locked=not self._draft.editing or self._saving.running)
         cell.setEnabled(self._operating_state.unreachable is None or self._draft.editing)
-        look = self._draft.look(state, parameter, stands)
+        status = self._draft.status(state, parameter, stands)
         held = fmt.NOTHING if known is None else value_text(parameter.name, known.value)
-        cell.show_look(look, self._word(cell, look, known))
+        cell.show_status(status, self._word(cell, status, known))
         reason = self._draft.why_wrong(state, parameter) or stands.reason
-        said = look_explained(look, held) if reason is None else words.refusal(reason)
+        said = status_explained(status, held) if reason is None else words.refusal(reason)
         lines = (full_name(parameter), span_text(parameter.name), said)
         cell.describe(full_name(parameter), "\n".join(line for line in lines if line))
 
-    def _word(self, cell: SettingCell, look: CellStatus, known: Reading[float] | None) -> str:
+    def _word(self, cell: SettingCell, status: CellStatus, known: Reading[float] | None) -> str:
         """What stands below a value."""
-        if look is not CellStatus.CHANGED:
-            return look_word(look) or self.remark(cell)
+        if status is not CellStatus.CHANGED:
+            return status_word(status) or self.remark(cell)
         held = None if known is None else known.value
         decimals = cell.parameter.kind.decimals
         return self.tr("was {held}").format(held=fmt.number(held, decimals))

@@ -66,9 +66,9 @@ class SettingCell(QWidget):
         """Name it, and say in full how it stands."""
         raise NotImplementedError
 
-    def show_look(self, look: CellStatus, text: str) -> None:
+    def show_status(self, status: CellStatus, text: str) -> None:
         """Say how it stands."""
-        self.note.show_look(look, text)
+        self.note.show_status(status, text)
 
 
 class FigureCell(SettingCell):
@@ -117,7 +117,7 @@ class FigureCell(SettingCell):
         self.field.setToolTip(tip)
         self.note.setToolTip(tip)
 
-    def show_look(self, look: CellStatus, text: str) -> None:
+    def show_status(self, status: CellStatus, text: str) -> None:
         """Say how it stands; what cannot be saved is marked in the field too."""
-        super().show_look(look, text)
-        self.field.show_attention(wanted=look is CellStatus.WRONG)
+        super().show_status(status, text)
+        self.field.show_attention(wanted=status is CellStatus.WRONG)

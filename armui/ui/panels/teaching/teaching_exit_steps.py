@@ -1,4 +1,4 @@
-"""The way out of drag teaching, one step at a time: lead to rest, stop, resume, enable."""
+"""The end of drag teaching, one step at a time: lead to rest, stop, resume, enable."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class TeachingExitSteps(QFrame):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("way_out")
+        self.setObjectName("teaching_exit_steps")
         self._leaving = False
         self._due = 0
         self._title = QLabel()
@@ -54,7 +54,7 @@ class TeachingExitSteps(QFrame):
         return self._due if self._leaving else 0
 
     def show_step(self, phase: TeachingPhase | None, step: Step) -> None:
-        """Follow the arm: the way out begins with drag teaching and ends with a ready arm."""
+        """Follow the arm: the steps begin with drag teaching and end with a ready arm."""
         if phase is not None and phase is not TeachingPhase.OFF:
             self._leaving = True
         elif step.kind in _OVER:

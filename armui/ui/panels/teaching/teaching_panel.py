@@ -1,4 +1,4 @@
-"""示教: drag teaching, the way out of it, and the motions the arm has planned (0x150)."""
+"""示教: drag teaching, the steps that end it, and the motions the arm has planned (0x150)."""
 
 from __future__ import annotations
 

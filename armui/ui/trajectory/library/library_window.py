@@ -90,9 +90,9 @@ class LibraryWindow(ArmDialog):
         self._table = LibraryTable(self._shown)
         self._message = MessageLine()
         self._message.setObjectName("library_message")
-        self._deeds = LibraryActions(self._work, self._editors.__contains__, self)
-        self._undo_button = UndoButton(self._deeds, self)
-        self._bin_button = BinButton(controller, self._work, self._deeds, self)
+        self._actions = LibraryActions(self._work, self._editors.__contains__, self)
+        self._undo_button = UndoButton(self._actions, self)
+        self._bin_button = BinButton(controller, self._work, self._actions, self)
         self._hint = LibraryHint(self._table)
         self._watch = LibraryWatch(library.folder, self)
         self._exchange = LibraryExchange(controller, background, self._work, self)
@@ -125,8 +125,8 @@ class LibraryWindow(ArmDialog):
             "import": self._exchange.choose_imports,
             "create": self._create,
             "record": self.open_recorder,
-            "delete": lambda: self._deeds.delete(self._chosen_names()),
-            "duplicate": lambda: self._deeds.duplicate(self._chosen_names()[0]),
+            "delete": lambda: self._actions.delete(self._chosen_names()),
+            "duplicate": lambda: self._actions.duplicate(self._chosen_names()[0]),
             "rename": self._table.edit_name,
         }
         self._bar.wanted.connect(lambda name: handlers[name]())
@@ -138,9 +138,9 @@ class LibraryWindow(ArmDialog):
         self._table.doubleClicked.connect(self._on_double_click)
         self._table.selectionModel().selectionChanged.connect(self._show_usable)
         self._model.modelReset.connect(self._show_usable)
-        self._model.rename_wanted.connect(self._deeds.rename)
-        self._deeds.said.connect(self._say)
-        self._deeds.changed.connect(self._on_deed)
+        self._model.rename_wanted.connect(self._actions.rename)
+        self._actions.said.connect(self._say)
+        self._actions.changed.connect(self._on_action)
         self._watch.changed.connect(self._on_folder)
         FileDrop(self).dropped.connect(self._exchange.import_files)
         self._exchange.said.connect(self._say)
@@ -210,13 +210,13 @@ class LibraryWindow(ArmDialog):
         searched = self._bar.search.text() if self._model.rowCount() else ""
         self._hint.show_state(self._shown.rowCount(), searched)
 
-    def _on_deed(self, names: Sequence[str] | None) -> None:
+    def _on_action(self, names: Sequence[str] | None) -> None:
         """The keys go on in the list: the button that was pressed may be disabled by now."""
         self.refresh(names)
         self._table.setFocus()
 
     def _on_imported(self, names: Sequence[str]) -> None:
-        self._deeds.note_made(names)
+        self._actions.note_made(names)
         self.refresh(names)
 
     def chosen(self) -> list[IndexEntry]:
@@ -372,7 +372,7 @@ class LibraryWindow(ArmDialog):
             self._say(text, Level.FAULT)
 
     def _create(self) -> None:
-        self._deeds.create(self._open_editor)
+        self._actions.create(self._open_editor)
 
     def _chosen_names(self) -> list[str]:
         return [entry.name for entry in self.chosen()]

@@ -182,7 +182,7 @@ class RecordingWindow(ArmDialog):
         self._show_joined(recording)
 
     def _on_not_joined(self, recorded: Recorded, text: str) -> None:
-        """The library cannot be read: the recording is kept under the name that was wished."""
+        """The library cannot be read: the recording is kept under the name that was asked for."""
         self._say(text, Level.FAULT)
         self._work.do(recorded.joined, self._show_joined)
 
