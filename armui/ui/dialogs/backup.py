@@ -11,7 +11,6 @@ from PySide6.QtGui import QCloseEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QCheckBox,
-    QHBoxLayout,
     QHeaderView,
     QProgressBar,
     QPushButton,
@@ -35,7 +34,9 @@ from armui.ui.dialogs.backup_model import BackupModel, DifferencesOnly
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.files import choose_file
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
 
@@ -73,8 +74,7 @@ class BackupDialog(ArmDialog):
     # Layout -----------------------------------------------------------------------------------
 
     def _build(self) -> None:
-        self._message = MessageLine()
-        self._message.setObjectName("backup_message")
+        self._message = named("backup_message", MessageLine())
         self._origin = text_label("backup_origin", wraps=True)
         self.table = QTableView()
         self.table.setModel(self._shown)
@@ -96,16 +96,8 @@ class BackupDialog(ArmDialog):
         policy.setRetainSizeWhenHidden(True)
         self.progress.setSizePolicy(policy)
         self.progress.hide()
-        choice = QHBoxLayout()
-        choice.addWidget(self.only_differences)
-        choice.addStretch(1)
-        choice.addWidget(self.all_button)
-        choice.addWidget(self.none_button)
-        self.body.addWidget(self._message)
-        self.body.addWidget(self._origin)
-        self.body.addLayout(choice)
-        self.body.addWidget(self.table, 1)
-        self.body.addWidget(self.progress)
+        choice = in_row(self.only_differences, STRETCH, self.all_button, self.none_button)
+        fill(self.body, self._message, self._origin, choice, (self.table, 1), self.progress)
         self.read_button, self.save_button = QPushButton(), QPushButton()
         self.open_button, self.restore_button = QPushButton(), QPushButton()
         self.close_button = QPushButton()

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
 from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.halt_button import HaltButton
+from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
@@ -43,21 +44,14 @@ class ArmDialog(Translated, QDialog):
         self.halt_button = HaltButton(controller, self)
         self.stop_button = StopButton(controller, self)
 
-        header = QHBoxLayout()
-        header.setSpacing(_GAP_PX)
-        header.addWidget(self._heading, 1)
+        header = in_row((self._heading, 1), spacing=_GAP_PX)
         header.addWidget(self.halt_button, 0, Qt.AlignmentFlag.AlignTop)
         header.addWidget(self.stop_button, 0, Qt.AlignmentFlag.AlignTop)
-        self._body = QVBoxLayout()
-        self._body.setSpacing(_GAP_PX)
-        self._footer = QHBoxLayout()
-        self._footer.setSpacing(_GAP_PX // 2)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(_MARGIN_PX, _MARGIN_PX, _MARGIN_PX, _MARGIN_PX)
-        layout.setSpacing(_GAP_PX)
-        layout.addLayout(header)
-        layout.addLayout(self._body, 1)
-        layout.addLayout(self._footer)
+        self._body = in_column(spacing=_GAP_PX)
+        self._footer = in_row(spacing=_GAP_PX // 2)
+        in_column(
+            header, (self._body, 1), self._footer, on=self, spacing=_GAP_PX, margins=_MARGIN_PX
+        )
 
     @property
     def body(self) -> QVBoxLayout:

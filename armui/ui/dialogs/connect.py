@@ -30,8 +30,11 @@ from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.device_model import CHANNEL, STATE, DeviceModel, bitrate_text, same_device
 from armui.ui.dialogs.manual_entry import ManualEntry
+from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -113,20 +116,11 @@ class ConnectDialog(ArmDialog):
         self._progress.setTextVisible(False)
         _keep_room(self._progress)
         self._progress.hide()
-        self.diagnosis_button = QPushButton()
-        self.diagnosis_button.setObjectName("connect_diagnosis")
-        self.diagnosis_button.setAutoDefault(False)
-        said = QHBoxLayout()
-        said.setSpacing(8)
-        said.addWidget(self._message, 1)
-        said.addWidget(self.diagnosis_button)
-        self.body.addLayout(said)
-        self.body.addWidget(self._table, 1)
-        self.body.addWidget(self._progress)
-        self.body.addLayout(self._build_bitrate())
+        self.diagnosis_button = push_button("connect_diagnosis", on_enter=False)
+        said = in_row((self._message, 1), self.diagnosis_button, spacing=8)
+        fill(self.body, said, (self._table, 1), self._progress, self._build_bitrate())
         self._manual = ManualEntry(self._controller.interfaces())
-        self._manual_label = QLabel()
-        self._manual_label.setProperty("rank", "muted")
+        self._manual_label = text_label(rank="muted")
         self.body.addWidget(self._manual_label)
         self.body.addWidget(self._manual)
         self._build_buttons()
@@ -138,16 +132,11 @@ class ConnectDialog(ArmDialog):
             self.bitrate_box.addItem("", bitrate)
         self._bitrate_label.setBuddy(self.bitrate_box)
         self._bitrate_hint = QLabel()
-        self.listen_only_box = QCheckBox()
-        self.listen_only_box.setObjectName("listen_only_box")
+        self.listen_only_box = named("listen_only_box", QCheckBox())
         self._bitrate_hint.setProperty("rank", "muted")
-        row = QHBoxLayout()
-        row.addWidget(self._bitrate_label)
-        row.addWidget(self.bitrate_box)
-        row.addSpacing(8)
-        row.addWidget(self._bitrate_hint, 1)
-        row.addWidget(self.listen_only_box)
-        return row
+        return in_row(
+            self._bitrate_label, self.bitrate_box, 8, (self._bitrate_hint, 1), self.listen_only_box
+        )
 
     def _build_buttons(self) -> None:
         self.refresh_button = QPushButton()
@@ -158,11 +147,14 @@ class ConnectDialog(ArmDialog):
         for button in (self.refresh_button, self.disconnect_button, self.close_button):
             button.setAutoDefault(False)
         self.connect_button.setDefault(True)
-        self.footer.addWidget(self.refresh_button)
-        self.footer.addStretch(1)
-        self.footer.addWidget(self.disconnect_button)
-        self.footer.addWidget(self.connect_button)
-        self.footer.addWidget(self.close_button)
+        fill(
+            self.footer,
+            self.refresh_button,
+            STRETCH,
+            self.disconnect_button,
+            self.connect_button,
+            self.close_button,
+        )
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

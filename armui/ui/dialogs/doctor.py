@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
     QProgressBar,
     QPushButton,
     QScrollArea,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -27,8 +26,11 @@ from armui.doctor.report import Words, as_text
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.connected_arm import judge_connected
 from armui.ui.dialogs.finding_row import FindingRow
+from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.layouts import STRETCH, fill, in_column
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -87,36 +89,23 @@ class DoctorDialog(ArmDialog):
     # Layout -----------------------------------------------------------------------------------
 
     def _build(self) -> None:
-        self._message = MessageLine()
-        self._message.setObjectName("doctor_message")
+        self._message = named("doctor_message", MessageLine())
         self._progress = QProgressBar()
         self._progress.setRange(0, 0)
         self._progress.setTextVisible(False)
-        self._note = QLabel()
-        self._note.setProperty("rank", "muted")
-        self._note.setTextFormat(Qt.TextFormat.PlainText)
-        self._note.setWordWrap(True)
-        self._area = QScrollArea()
-        self._area.setObjectName("doctor_findings")
+        self._note = text_label(rank="muted", wraps=True, plain=True)
+        self._area = named("doctor_findings", QScrollArea())
         self._area.setWidgetResizable(True)
         self._area.setFrameShape(QFrame.Shape.NoFrame)
         self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.copy_button = QPushButton()
-        self.copy_button.setObjectName("doctor_copy")
-        self.again_button = QPushButton()
-        self.again_button.setObjectName("doctor_again")
+        self.copy_button = push_button("doctor_copy")
+        self.again_button = push_button("doctor_again")
         self.close_button = QPushButton()
         for button in (self.copy_button, self.again_button, self.close_button):
             button.setAutoDefault(False)
         self.close_button.setDefault(True)
-        self.body.addWidget(self._message)
-        self.body.addWidget(self._progress)
-        self.body.addWidget(self._area, 1)
-        self.body.addWidget(self._note)
-        self.footer.addWidget(self.copy_button)
-        self.footer.addStretch(1)
-        self.footer.addWidget(self.again_button)
-        self.footer.addWidget(self.close_button)
+        fill(self.body, self._message, self._progress, (self._area, 1), self._note)
+        fill(self.footer, self.copy_button, STRETCH, self.again_button, self.close_button)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
@@ -237,10 +226,7 @@ class DoctorDialog(ArmDialog):
                 self._rows.append(partial(_heading, words.section(section)))
             self._rows += [partial(_row, each, words) for each in findings]
         column = QWidget()
-        layout = QVBoxLayout(column)
-        layout.setContentsMargins(0, 0, _GAP_PX, 0)
-        layout.setSpacing(_GAP_PX)
-        layout.addStretch(1)
+        layout = in_column(STRETCH, on=column, spacing=_GAP_PX, margins=(0, 0, _GAP_PX, 0))
         self._column = layout
         self._add_rows()
         column.setAutoFillBackground(False)

@@ -9,9 +9,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Qt
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
-    QHBoxLayout,
     QLabel,
-    QPushButton,
     QScrollArea,
     QWidget,
 )
@@ -19,6 +17,9 @@ from PySide6.QtWidgets import (
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.keycap import KeyCap
 from armui.ui.theme import scaled_font
+from armui.ui.widgets.buttons import push_button
+from armui.ui.widgets.layouts import empty_grid, in_row
+from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -134,8 +135,7 @@ class HelpDialog(ArmDialog):
         super().__init__(controller, parent)
         self._labels: list[tuple[QLabel, object]] = []
         self.body.addWidget(self._build_page(), 1)
-        self.close_button = QPushButton()
-        self.close_button.setDefault(True)
+        self.close_button = push_button(on_enter=True)
         self.close_button.clicked.connect(self.close)
         self.footer.addStretch(1)
         self.footer.addWidget(self.close_button)
@@ -144,9 +144,7 @@ class HelpDialog(ArmDialog):
 
     def _build_page(self) -> QScrollArea:
         page = QWidget()
-        columns = QHBoxLayout(page)
-        columns.setContentsMargins(0, 0, 8, 0)
-        columns.setSpacing(_COLUMN_GAP_PX)
+        columns = in_row(on=page, spacing=_COLUMN_GAP_PX, margins=(0, 0, 8, 0))
         for number in (0, 1):
             columns.addLayout(self._build_column(number), 1)
         self.area = area = QScrollArea()
@@ -157,9 +155,7 @@ class HelpDialog(ArmDialog):
         return area
 
     def _build_column(self, number: int) -> QGridLayout:
-        grid = QGridLayout()
-        grid.setHorizontalSpacing(18)
-        grid.setVerticalSpacing(_LINE_GAP_PX)
+        grid = empty_grid(gaps=(18, _LINE_GAP_PX))
         grid.setColumnStretch(1, 1)
         for section in _SECTIONS:
             if section.column == number:
@@ -171,8 +167,7 @@ class HelpDialog(ArmDialog):
         row = grid.rowCount()
         grid.setRowMinimumHeight(row, _SECTION_GAP_PX if row > 1 else 0)
         row += 1
-        heading = QLabel()
-        heading.setProperty("rank", "muted")
+        heading = text_label(rank="muted")
         grid.addWidget(heading, row, 0, 1, 2)
         self._labels.append((heading, section.heading))
         align = Qt.AlignmentFlag.AlignVCenter if section.keys else Qt.AlignmentFlag.AlignTop

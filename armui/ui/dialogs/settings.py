@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QGridLayout,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
     QPushButton,
@@ -27,7 +26,9 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.files import choose_file
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.elided_label import ElidedLabel
+from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 
 if TYPE_CHECKING:
@@ -88,8 +89,7 @@ class SettingsDialog(ArmDialog):
         self._theme_label, self.theme_box = QLabel(), QComboBox()
         self._jog_label, self.jog_step_edit, self._jog_hint = QLabel(), QLineEdit(), QLabel()
         self._urdf_label, self._urdf_name = QLabel(), ElidedLabel()
-        self.stop_again_box = QCheckBox()
-        self.stop_again_box.setObjectName("stop_again_box")
+        self.stop_again_box = named("stop_again_box", QCheckBox())
         self.browse_button, self.built_in_button = QPushButton(), QPushButton()
         self.diagnosis_button, self.about_arm_button = QPushButton(), QPushButton()
         self.diagnosis_button.setObjectName("diagnosis_button")
@@ -111,29 +111,18 @@ class SettingsDialog(ArmDialog):
         ):
             button.setAutoDefault(False)
 
-        grid = QGridLayout()
-        grid.setHorizontalSpacing(18)
-        grid.setVerticalSpacing(12)
+        grid = empty_grid(gaps=(18, 12))
         grid.setColumnStretch(1, 1)
         _add_row(grid, self._language_label, self.language_box)
         _add_row(grid, self._theme_label, self.theme_box)
         _add_row(grid, self._jog_label, self.jog_step_edit, self._jog_hint)
         _add_row(grid, self._urdf_label, self._urdf_name)
-        row = QHBoxLayout()
-        row.setSpacing(8)
-        row.addWidget(self.browse_button)
-        row.addWidget(self.built_in_button)
-        row.addStretch(1)
+        row = in_row(self.browse_button, self.built_in_button, STRETCH, spacing=8)
         grid.addLayout(row, grid.rowCount(), 1)
         grid.addWidget(self.stop_again_box, grid.rowCount(), 1)
         self._message = MessageLine()
-        self.body.addLayout(grid)
-        self.body.addStretch(1)
-        self.body.addWidget(self._message)
-        self.footer.addWidget(self.diagnosis_button)
-        self.footer.addWidget(self.about_arm_button)
-        self.footer.addStretch(1)
-        self.footer.addWidget(self.close_button)
+        fill(self.body, grid, STRETCH, self._message)
+        fill(self.footer, self.diagnosis_button, self.about_arm_button, STRETCH, self.close_button)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
@@ -267,8 +256,5 @@ def _add_row(grid: QGridLayout, label: QLabel, field: QWidget, hint: QLabel | No
     if hint is None:
         grid.addWidget(field, row, 1)
         return
-    line = QHBoxLayout()
-    line.setSpacing(12)
-    line.addWidget(field)
-    line.addWidget(hint, 1)
+    line = in_row(field, (hint, 1), spacing=12)
     grid.addLayout(line, row, 1)

@@ -8,9 +8,7 @@ from PySide6.QtWidgets import (
     QButtonGroup,
     QComboBox,
     QFrame,
-    QGridLayout,
     QLabel,
-    QPushButton,
     QToolButton,
     QWidget,
 )
@@ -24,8 +22,10 @@ from armui.protocol.codes import LinkageRole
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.panels.panel import Panel
+from armui.ui.widgets.buttons import push_button
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.layouts import empty_grid
 from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
@@ -55,11 +55,8 @@ class LinkagePanel(Panel):
         self._boxes = {name: QComboBox() for name in _BASES}
         self._in_use = text_label("linkage_in_use", wraps=True)
         self._teaching = text_label("linkage_teaching_input", wraps=True)
-        self._back = QPushButton()
-        self._back.setObjectName("linkage_back_button")
-        self._confirm = QPushButton()
-        self._confirm.setObjectName("linkage_confirm_button")
-        self._confirm.setProperty("primary", True)
+        self._back = push_button("linkage_back_button")
+        self._confirm = push_button("linkage_confirm_button", primary=True)
         self._confirm.setMinimumHeight(38)
         self._note = text_label(rank="muted", wraps=True)
         self._lay_out()
@@ -71,10 +68,7 @@ class LinkagePanel(Panel):
 
     def _lay_out(self) -> None:
         card = QFrame()
-        grid = QGridLayout(card)
-        grid.setContentsMargins(16, 12, 16, 12)
-        grid.setHorizontalSpacing(10)
-        grid.setVerticalSpacing(10)
+        grid = empty_grid(card, gaps=(10, 10), margins=(16, 12, 16, 12))
         grid.addWidget(self._role_label, 0, 0, 1, 2)
         for row, (role, button) in enumerate(self._role_buttons.items(), start=1):
             button.setObjectName(

@@ -6,14 +6,17 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QLabel, QLayout, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLayout, QScrollArea, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Event, Level
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
@@ -52,10 +55,8 @@ class Panel(Translated, QWidget):
         self._controller = controller
         self._operating_state = controller.operating_state
         self._refusal: Refusal | None = None
-        self._title = QLabel()
-        self._title.setProperty("rank", "title")
-        self._message = MessageLine()
-        self._message.setObjectName(message_name)
+        self._title = text_label(rank="title")
+        self._message = named(message_name, MessageLine())
 
     # -- what a panel of its own adds ---------------------------------------------------------
 
@@ -85,9 +86,7 @@ class Panel(Translated, QWidget):
             head: Holds the title and what stands beside it; the title alone where there is none.
             gap_px: Between the parts.
         """
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(16, 14, 16, 14)
-        layout.setSpacing(gap_px)
+        layout = in_column(on=self, spacing=gap_px, margins=(16, 14, 16, 14))
         for part in (head or self._title, *parts, self._message):
             if isinstance(part, QLayout):
                 layout.addLayout(part)

@@ -8,10 +8,7 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
-    QHBoxLayout,
-    QLabel,
     QPushButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -28,8 +25,10 @@ from armui.ui.freshness import is_stale
 from armui.ui.panels.gripper.gripper_row import GripperRow
 from armui.ui.panels.motors.motor_row import PowerMark
 from armui.ui.panels.panel import Panel
+from armui.ui.widgets.buttons import push_button
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.state_mark import Mark
 from armui.ui.widgets.text_label import text_label
 
@@ -54,14 +53,11 @@ class GripperPanel(Panel):
         self._generation = self._operating_state.generation or Generation.TWO
         self._reasons: tuple[Refusal | None, ...] | None = None
         self._mark = PowerMark()
-        self._power = QLabel()
-        self._power.setObjectName("gripper_power")
+        self._power = text_label("gripper_power")
         self._faults = text_label("gripper_faults", rank="fault", wraps=True)
-        self._rows = QVBoxLayout()
-        self._rows.setSpacing(10)
+        self._rows = in_column(spacing=10)
         self._stroke_note = text_label("gripper_stroke_note", rank="muted", wraps=True)
-        self._send = QPushButton()
-        self._send.setObjectName("gripper_send_button")
+        self._send = push_button("gripper_send_button")
         self._send.setShortcut(QKeySequence(_SEND_KEY))
         self._send.setProperty("primary", True)
         self._send.setMinimumHeight(38)
@@ -94,19 +90,18 @@ class GripperPanel(Panel):
         return self._rows_of[self._generation][1]
 
     def _lay_out(self) -> None:
-        state = QHBoxLayout()
-        state.addWidget(self._mark)
-        state.addWidget(self._power)
-        state.addStretch(1)
+        state = in_row(self._mark, self._power, STRETCH)
         card = QFrame()
-        column = QVBoxLayout(card)
-        column.setContentsMargins(16, 12, 16, 12)
-        column.setSpacing(10)
-        column.addLayout(state)
-        column.addWidget(self._faults)
-        column.addLayout(self._rows)
-        column.addWidget(self._stroke_note)
-        column.addStretch(1)
+        in_column(
+            state,
+            self._faults,
+            self._rows,
+            self._stroke_note,
+            STRETCH,
+            on=card,
+            spacing=10,
+            margins=(16, 12, 16, 12),
+        )
 
         acts = QGridLayout()
         acts.setSpacing(8)

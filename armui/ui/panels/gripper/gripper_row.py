@@ -5,16 +5,18 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.devices.gripper_ranges import Figure, check
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
+from armui.ui.widgets.layouts import empty_grid
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.value_label import ValueLabel
 
@@ -43,20 +45,14 @@ class GripperRow(QWidget):
         self._figure = figure
         self._label = QLabel()
         self._label.setFixedWidth(_LABEL_PX)
-        self.field = FigureField(fmt.DECIMALS, figure.unit)
-        self.field.setObjectName(f"{name}_field")
+        self.field = named(f"{name}_field", FigureField(fmt.DECIMALS, figure.unit))
         self.field.step = figure.step
-        self.slider = TrackSlider(figure.resolution, origin=0.0)
-        self.slider.setObjectName(f"{name}_slider")
-        self.measured = ValueLabel(_WIDEST)
-        self.measured.setObjectName(f"{name}_measured")
+        self.slider = named(f"{name}_slider", TrackSlider(figure.resolution, origin=0.0))
+        self.measured = named(f"{name}_measured", ValueLabel(_WIDEST))
         tell_quantities(self, *(f"{source}.{name}" for source in ("arm", "own", "other")))
         self.minus, self.plus = JogButton("−"), JogButton("+")
         self._label.setBuddy(self.field)
-        grid = QGridLayout(self)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setHorizontalSpacing(6)
-        grid.setVerticalSpacing(4)
+        grid = empty_grid(self, gaps=(6, 4), margins=0)
         grid.addWidget(self._label, 0, 0)
         grid.addWidget(self.field, 0, 2)
         grid.addWidget(self.measured, 0, 4, Qt.AlignmentFlag.AlignRight)

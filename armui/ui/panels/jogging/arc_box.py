@@ -5,9 +5,12 @@ from __future__ import annotations
 from functools import partial
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
 from armui.ui import format as fmt
+from armui.ui.widgets.buttons import push_button
+from armui.ui.widgets.layouts import empty_grid, in_row
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 Pose = tuple[float, ...]
@@ -26,18 +29,12 @@ class ArcBox(Translated, QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.poses: list[Pose | None] = [None, None, None]
-        self._title = QLabel()
-        self._title.setProperty("rank", "muted")
+        self._title = text_label(rank="muted")
         self._captures = [QPushButton() for _ in _POINTS]
         self._texts = [QLabel() for _ in _POINTS]
-        self.go_to_start = QPushButton()
-        self.go_to_start.setObjectName("arc_start_button")
-        self.send = QPushButton("MOVE C")
-        self.send.setObjectName("move_c_button")
-        grid = QGridLayout(self)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setHorizontalSpacing(10)
-        grid.setVerticalSpacing(4)
+        self.go_to_start = push_button("arc_start_button")
+        self.send = push_button("move_c_button", "MOVE C")
+        grid = empty_grid(self, gaps=(10, 4), margins=0)
         grid.setColumnStretch(1, 1)
         grid.addWidget(self._title, 0, 0, 1, 2)
         for row, (point, button, text) in enumerate(
@@ -49,9 +46,7 @@ class ArcBox(Translated, QWidget):
             text.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             grid.addWidget(button, row + 1, 0)
             grid.addWidget(text, row + 1, 1)
-        buttons = QHBoxLayout()
-        buttons.addWidget(self.go_to_start, 1)
-        buttons.addWidget(self.send, 1)
+        buttons = in_row((self.go_to_start, 1), (self.send, 1))
         grid.addLayout(buttons, len(_POINTS) + 1, 0, 1, 2)
         self.go_to_start.clicked.connect(self.start_wanted)
         self.send.clicked.connect(self.send_wanted)

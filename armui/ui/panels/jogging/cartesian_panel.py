@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtWidgets import (
     QFrame,
     QPushButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -24,6 +23,7 @@ from armui.ui.panels.jogging.jog_panel import JogPanel
 from armui.ui.panels.jogging.pose_rows import PoseRows
 from armui.ui.panels.jogging.tool_box import ToolBox
 from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.layouts import STRETCH, in_column
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -94,13 +94,15 @@ class CartesianPanel(JogPanel):
 
     def _lay_out(self) -> None:
         card = QFrame()
-        rows = QVBoxLayout(card)
-        rows.setContentsMargins(16, 10, 16, 12)
-        rows.setSpacing(12)
-        rows.addWidget(self._rows)
-        rows.addWidget(self._tool)
-        rows.addWidget(self._arc)
-        rows.addStretch(1)
+        in_column(
+            self._rows,
+            self._tool,
+            self._arc,
+            STRETCH,
+            on=card,
+            spacing=12,
+            margins=(16, 10, 16, 12),
+        )
         self._finish(
             card,
             (self._load, self._move_p, self._move_l),

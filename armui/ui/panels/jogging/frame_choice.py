@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import (
     QButtonGroup,
-    QHBoxLayout,
     QLabel,
     QSizePolicy,
-    QToolButton,
     QWidget,
 )
 
 from armui.kinematics.axes import JogFrame
+from armui.ui.widgets.buttons import choice_button
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.translated import Translated
 
 
@@ -22,15 +22,9 @@ class FrameChoice(Translated, QWidget):
         super().__init__(parent)
         self._label = QLabel()
         self._buttons = QButtonGroup(self)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(6)
-        layout.addWidget(self._label)
+        layout = in_row(self._label, on=self, spacing=6, margins=0)
         for number, frame in enumerate(JogFrame):
-            button = QToolButton()
-            button.setObjectName(f"frame_{frame.value}")
-            button.setCheckable(True)
-            button.setProperty("choice", True)
+            button = choice_button(f"frame_{frame.value}")
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             self._buttons.addButton(button, number)
             layout.addWidget(button, 1)

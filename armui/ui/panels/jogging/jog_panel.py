@@ -8,11 +8,9 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QFrame,
-    QHBoxLayout,
     QLabel,
     QLayout,
     QPushButton,
-    QToolButton,
     QWidget,
 )
 
@@ -25,8 +23,10 @@ from armui.ui import words
 from armui.ui.panels.jogging.key_pad import KeyPad, Keys
 from armui.ui.panels.jogging.step_box import StepBox
 from armui.ui.panels.panel import Panel
+from armui.ui.widgets.buttons import choice_button, named
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.hold_guard import UNATTENDED_S
+from armui.ui.widgets.layouts import STRETCH, in_row
 
 if TYPE_CHECKING:
     from armui.arm.device import Device
@@ -65,13 +65,9 @@ class JogPanel(Panel):
         self._numbers = tuple(numbers)
         self._filled_for: Device | None = None
         self._step_label = QLabel()
-        self._step_box = StepBox(write_step)
-        self._step_box.setObjectName(f"{name}_step")
+        self._step_box = named(f"{name}_step", StepBox(write_step))
         self._step_label.setBuddy(self._step_box)
-        self._keys = QToolButton()
-        self._keys.setObjectName(f"{name}_keys_button")
-        self._keys.setCheckable(True)
-        self._keys.setProperty("choice", True)
+        self._keys = choice_button(f"{name}_keys_button")
         self._key_pad = KeyPad(keys, f"{name}_key_pad")
         self._key_pad.hide()
 
@@ -91,13 +87,8 @@ class JogPanel(Panel):
             tallest_px: The card grows no higher.
             above: What stands between the title and the card.
         """
-        head = QHBoxLayout()
-        head.addWidget(self._title)
-        head.addStretch(1)
-        for widget in (self._keys, self._step_label, self._step_box):
-            head.addWidget(widget)
-        row = QHBoxLayout()
-        row.setSpacing(10)
+        head = in_row(self._title, STRETCH, *(self._keys, self._step_label, self._step_box))
+        row = in_row(spacing=10)
         for button in buttons:
             button.setMinimumHeight(_BUTTON_PX)
             row.addWidget(button, 1)

@@ -13,6 +13,7 @@ from armui.arm.refusal import Refusal
 from armui.ui import format as fmt
 from armui.ui.theme import scaled_font
 from armui.ui.widgets import painting
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
@@ -52,19 +53,14 @@ class JointRow(Translated, QWidget):
         self._limits_read = False
         self._name = QLabel(f"J{joint}")
         self._name.setFont(scaled_font(self._name, 1.15, bold=True))
-        self.minus = JogButton("−")
-        self.minus.setObjectName(f"jog_minus_{joint}")
-        self.plus = JogButton("+")
-        self.plus.setObjectName(f"jog_plus_{joint}")
-        self.field = FigureField(fmt.DECIMALS, "°")
-        self.field.setObjectName(f"target_field_{joint}")
-        self.measured = ValueLabel(_WIDEST_ANGLE)
-        self.measured.setObjectName(f"measured_{joint}")
+        self.minus = named(f"jog_minus_{joint}", JogButton("−"))
+        self.plus = named(f"jog_plus_{joint}", JogButton("+"))
+        self.field = named(f"target_field_{joint}", FigureField(fmt.DECIMALS, "°"))
+        self.measured = named(f"measured_{joint}", ValueLabel(_WIDEST_ANGLE))
         tell_quantities(
             self, *(f"{source}.joint_angle.{joint}" for source in ("arm", "own", "other"))
         )
-        self.slider = TrackSlider(ANGLE_STEP_DEG)
-        self.slider.setObjectName(f"target_slider_{joint}")
+        self.slider = named(f"target_slider_{joint}", TrackSlider(ANGLE_STEP_DEG))
         self.slider.setSingleStep(round(1.0 / ANGLE_STEP_DEG))
         self.slider.setPageStep(round(10.0 / ANGLE_STEP_DEG))
         self._minimum = ValueLabel(_WIDEST_LIMIT)

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QPushButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -27,6 +26,7 @@ from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.jog_panel import JogPanel
 from armui.ui.panels.jogging.joint_row import JointRow
 from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.layouts import STRETCH, fill, in_column
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -88,16 +88,12 @@ class MotionPanel(JogPanel):
 
     def _lay_out(self) -> None:
         card = QFrame()
-        rows = QVBoxLayout(card)
-        rows.setContentsMargins(16, 10, 16, 12)
-        rows.setSpacing(4)
+        rows = in_column(on=card, spacing=4, margins=(16, 10, 16, 12))
         columns = QHBoxLayout()
         columns.addSpacing(_FIELD_INDENT_PX)
         for label in (self._target_head, self._measured_head):
             label.setProperty("rank", "muted")
-        columns.addWidget(self._target_head)
-        columns.addStretch(1)
-        columns.addWidget(self._measured_head)
+        fill(columns, self._target_head, STRETCH, self._measured_head)
         rows.addLayout(columns)
         for row in self._rows:
             rows.addWidget(row, 1)

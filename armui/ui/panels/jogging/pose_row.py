@@ -6,7 +6,7 @@ from functools import partial
 from typing import Final
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from armui.ui import format as fmt
 from armui.ui.theme import scaled_font
@@ -14,6 +14,7 @@ from armui.ui.widgets import painting
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.translated import Translated
 from armui.ui.widgets.value_label import ValueLabel
 
@@ -60,14 +61,16 @@ class PoseRow(Translated, QWidget):
         self.measured.setObjectName(f"pose_measured_{name}")
         kind = f"pose_{name.lower()}"
         tell_quantities(self, *(f"{source}.{kind}" for source in ("arm", "own", "other")))
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(8)
-        layout.addWidget(self._label)
-        layout.addWidget(self.minus)
-        layout.addWidget(self.field, 1)
-        layout.addWidget(self.plus)
-        layout.addWidget(self.measured)
+        in_row(
+            self._label,
+            self.minus,
+            (self.field, 1),
+            self.plus,
+            self.measured,
+            on=self,
+            spacing=8,
+            margins=0,
+        )
         for button, direction in ((self.minus, -1), (self.plus, 1)):
             button.stepped.connect(partial(self.stepped.emit, place, direction))
             button.repeated.connect(partial(self.repeated.emit, place, direction))

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.kinematics.axes import AXES, LINEAR_AXES
 from armui.ui.panels.jogging.pose_row import PoseRow
+from armui.ui.widgets.layouts import STRETCH, fill, in_column
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 
@@ -26,8 +28,7 @@ class PoseRows(Translated, QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._point = QLabel()
-        self._point.setObjectName("point_label")
+        self._point = text_label("point_label")
         self._measured_head = QLabel()
         self._with_tool = False
         self._rows = [
@@ -37,13 +38,8 @@ class PoseRows(Translated, QWidget):
         head = QHBoxLayout()
         for label in (self._point, self._measured_head):
             label.setProperty("rank", "muted")
-        head.addWidget(self._point)
-        head.addStretch(1)
-        head.addWidget(self._measured_head)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(6)
-        layout.addLayout(head)
+        fill(head, self._point, STRETCH, self._measured_head)
+        layout = in_column(head, on=self, spacing=6, margins=0)
         for row in self._rows:
             layout.addWidget(row)
             row.stepped.connect(self.stepped)

@@ -10,12 +10,9 @@ from PySide6.QtWidgets import (
     QButtonGroup,
     QCheckBox,
     QFrame,
-    QGridLayout,
     QHBoxLayout,
     QLabel,
-    QPushButton,
     QSizePolicy,
-    QToolButton,
     QWidget,
 )
 
@@ -31,9 +28,11 @@ from armui.ui.panels.light.channel_row import FULL, ChannelRow
 from armui.ui.panels.light.color_strip import ColorStrip
 from armui.ui.panels.light.hue_field import HueField
 from armui.ui.panels.panel import Panel
+from armui.ui.widgets.buttons import choice_button, named, push_button
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.layouts import STRETCH, empty_grid, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.track_slider import TrackSlider
 
@@ -61,27 +60,21 @@ class LightPanel(Panel):
         self._joint_label = QLabel()
         self._joints = QButtonGroup(self)
         self._lamp_label = QLabel()
-        self._lamp = FigureField(0)
-        self._lamp.setObjectName("lamp_field")
+        self._lamp = named("lamp_field", FigureField(0))
         self._lamp.setFixedWidth(_FIELD_PX)
         self._lamp.show_value(0)
         self._lamp_label.setBuddy(self._lamp)
-        self._all_lamps = QCheckBox()
-        self._all_lamps.setObjectName("all_lamps")
+        self._all_lamps = named("all_lamps", QCheckBox())
         self._all_lamps.setChecked(True)
         self._rows = {name: ChannelRow(name) for name in _CHANNELS}
-        self._hue = HueField()
-        self._hue.setObjectName("hue_field")
+        self._hue = named("hue_field", HueField())
         self._brightness_label = QLabel()
-        self._brightness = TrackSlider(1.0, origin=0.0)
-        self._brightness.setObjectName("brightness_slider")
+        self._brightness = named("brightness_slider", TrackSlider(1.0, origin=0.0))
         self._brightness.setRange(0, FULL)
         self._brightness.setPageStep(16)
         self._effect_label = QLabel()
-        self._effect = ColorStrip()
-        self._effect.setObjectName("effect_strip")
-        self._confirm = QPushButton()
-        self._confirm.setObjectName("light_confirm_button")
+        self._effect = named("effect_strip", ColorStrip())
+        self._confirm = push_button("light_confirm_button")
         self._confirm.setShortcut(QKeySequence(_CONFIRM_KEY))
         self._confirm.setProperty("primary", True)
         self._confirm.setMinimumHeight(38)
@@ -95,16 +88,10 @@ class LightPanel(Panel):
 
     def _lay_out(self) -> None:
         card = QFrame()
-        grid = QGridLayout(card)
-        grid.setContentsMargins(16, 12, 16, 12)
-        grid.setHorizontalSpacing(10)
-        grid.setVerticalSpacing(8)
+        grid = empty_grid(card, gaps=(10, 8), margins=(16, 12, 16, 12))
         grid.addWidget(self._joint_label, 0, 0)
         grid.addLayout(self._make_joint_buttons(), 0, 1)
-        lamp = QHBoxLayout()
-        lamp.addWidget(self._all_lamps)
-        lamp.addStretch(1)
-        lamp.addWidget(self._lamp)
+        lamp = in_row(self._all_lamps, STRETCH, self._lamp)
         grid.addWidget(self._lamp_label, 1, 0)
         grid.addLayout(lamp, 1, 1)
         for place, row in enumerate(self._rows.values(), start=2):
@@ -116,22 +103,14 @@ class LightPanel(Panel):
         grid.setRowStretch(5, 1)
         grid.setColumnStretch(1, 1)
 
-        effect = QHBoxLayout()
-        effect.setSpacing(12)
-        effect.addWidget(self._effect_label)
-        effect.addWidget(self._effect, 1)
+        effect = in_row(self._effect_label, (self._effect, 1), spacing=12)
 
         self._stack(scrolled(card, _TALLEST_CARD_PX), effect, self._confirm, self._note)
 
     def _make_joint_buttons(self) -> QHBoxLayout:
-        buttons = QHBoxLayout()
-        buttons.setSpacing(6)
+        buttons = in_row(spacing=6)
         for joint in JOINTS:
-            button = QToolButton()
-            button.setObjectName(f"light_joint_{joint}")
-            button.setText(str(joint))
-            button.setCheckable(True)
-            button.setProperty("choice", True)
+            button = choice_button(f"light_joint_{joint}", str(joint))
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             self._joints.addButton(button, joint)
             buttons.addWidget(button)

@@ -6,7 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
@@ -26,6 +26,7 @@ from armui.ui.panels.motors.motor_row import (
 )
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.card import scrolled
+from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -67,26 +68,16 @@ class MotorPanel(Panel):
 
     def _lay_out(self) -> None:
         card = QFrame()
-        rows = QVBoxLayout(card)
-        rows.setContentsMargins(12, 8, 12, 10)
-        rows.setSpacing(9)
-        heads = QHBoxLayout()
-        heads.setSpacing(COLUMN_GAP_PX)
-        heads.addStretch(1)
+        rows = in_column(on=card, spacing=9, margins=(12, 8, 12, 10))
+        heads = in_row(STRETCH, spacing=COLUMN_GAP_PX)
         for head in self._heads:
             head.setProperty("rank", "muted")
             head.setFixedWidth(FIGURE_PX)
             head.setAlignment(Qt.AlignmentFlag.AlignRight)
             heads.addWidget(head)
-        rows.addLayout(heads)
-        for row in self._rows:
-            rows.addWidget(row)
-        rows.addStretch(1)
+        fill(rows, heads, *self._rows, STRETCH)
 
-        every = QVBoxLayout()
-        every.setSpacing(4)
-        every.addWidget(self._all_label)
-        every.addWidget(self._all)
+        every = in_column(self._all_label, self._all, spacing=4)
         self._stack(scrolled(card, _TALLEST_CARD_PX), every, gap_px=10)
 
     def _all_acts(self) -> list[ActButtons]:

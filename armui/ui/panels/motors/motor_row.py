@@ -7,7 +7,7 @@ from typing import Final
 
 from PySide6.QtCore import QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QPaintEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
 from armui.arm.state import DriverFast, DriverSlow, Reading
 from armui.protocol.codes import ALL_JOINTS
@@ -15,6 +15,7 @@ from armui.ui import format as fmt
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import painting, state_mark
 from armui.ui.widgets.curve_menu import tell_quantities
+from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.state_mark import Mark
 from armui.ui.widgets.translated import Translated
 from armui.ui.widgets.value_label import ValueLabel
@@ -73,9 +74,7 @@ class ActButtons(Translated, QWidget):
         super().__init__(parent)
         self.joint = joint
         self.buttons = {act: QPushButton() for act in MotorAct}
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(6)
+        row = in_row(on=self, spacing=6, margins=0)
         for act, button in self.buttons.items():
             button.setObjectName(f"{act.value}_motor_{joint}")
             button.setProperty("compact", True)
@@ -143,19 +142,15 @@ class MotorRow(Translated, QWidget):
             label.setFixedWidth(FIGURE_PX)
         self.acts = ActButtons(joint)
 
-        figures = QHBoxLayout()
-        figures.setSpacing(COLUMN_GAP_PX)
-        figures.addWidget(self._mark)
-        figures.addWidget(name)
-        figures.addWidget(self.power)
-        figures.addStretch(1)
-        for label in self.figures.values():
-            figures.addWidget(label)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(4)
-        column.addLayout(figures)
-        column.addWidget(self.acts)
+        figures = in_row(
+            self._mark,
+            name,
+            self.power,
+            STRETCH,
+            *self.figures.values(),
+            spacing=COLUMN_GAP_PX,
+        )
+        in_column(figures, self.acts, on=self, spacing=4, margins=0)
         self.retranslate_ui()
 
     def show_slow(self, heard: Reading[DriverSlow] | None, *, stale: bool) -> None:

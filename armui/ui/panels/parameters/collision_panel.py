@@ -6,13 +6,14 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from armui.arm.parameters import Batch, Group, heard
 from armui.ui import format as fmt
 from armui.ui.panels.parameters.level_cell import LevelCell, LevelRow
 from armui.ui.panels.parameters.parameter_panel import ParameterPanel
 from armui.ui.panels.parameters.setting_cell import SettingCell
+from armui.ui.widgets.layouts import empty_grid
 from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
@@ -41,10 +42,7 @@ class CollisionPanel(ParameterPanel):
         self._all.chosen.connect(self._on_all_chosen)
         self._note = text_label("collision_note", rank="muted", wraps=True)
         card = QFrame()
-        grid = QGridLayout(card)
-        grid.setContentsMargins(12, 12, 12, 10)
-        grid.setHorizontalSpacing(10)
-        grid.setVerticalSpacing(4)
+        grid = empty_grid(card, gaps=(10, 4), margins=(12, 12, 12, 10))
         for row, cell in enumerate(self._levels):
             label = QLabel(f"J{cell.parameter.joint}")
             label.setMinimumHeight(30)

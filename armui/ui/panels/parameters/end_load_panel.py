@@ -8,13 +8,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QButtonGroup,
     QFrame,
-    QGridLayout,
     QHBoxLayout,
     QLabel,
-    QPushButton,
     QSizePolicy,
-    QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -30,8 +26,10 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.freshness import is_stale
 from armui.ui.panels.panel import Panel
+from armui.ui.widgets.buttons import choice_button, push_button
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.layouts import empty_grid, fill, in_column
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.value_label import ValueLabel
 
@@ -61,14 +59,10 @@ class EndLoadPanel(Panel):
         self._reporting: bool | None = None
         self._loads = QButtonGroup(self)
         self._note = text_label(rank="muted", wraps=True)
-        self._send = QPushButton()
-        self._send.setObjectName("load_confirm_button")
-        self._send.setProperty("primary", True)
+        self._send = push_button("load_confirm_button", primary=True)
         self._motion_title = QLabel()
-        self._state = QLabel()
-        self._state.setObjectName("end_feedback_state")
-        self._switch = QPushButton()
-        self._switch.setObjectName("end_feedback_button")
+        self._state = text_label("end_feedback_state")
+        self._switch = push_button("end_feedback_button")
         self._units = [QLabel(unit) for _field, unit in _FIGURES]
         self._cells = {
             (joint, field): ValueLabel("-00.000") for joint in JOINTS for field, _unit in _FIGURES
@@ -89,24 +83,16 @@ class EndLoadPanel(Panel):
         load_card, motion_card = QFrame(), QFrame()
         for card in (load_card, motion_card):
             card.setProperty("card", True)
-        column = QVBoxLayout(load_card)
-        column.setContentsMargins(16, 12, 16, 12)
+        column = in_column(on=load_card, margins=(16, 12, 16, 12))
         row = QHBoxLayout()
         for load in _LOADS:
-            button = QToolButton()
-            button.setObjectName(f"load_{load.name.lower()}")
-            button.setCheckable(True)
-            button.setProperty("choice", True)
+            button = choice_button(f"load_{load.name.lower()}")
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             self._loads.addButton(button, int(load))
             row.addWidget(button)
-        column.addLayout(row)
-        column.addWidget(self._send)
-        column.addWidget(self._note)
+        fill(column, row, self._send, self._note)
 
-        grid = QGridLayout(motion_card)
-        grid.setContentsMargins(16, 12, 16, 12)
-        grid.setVerticalSpacing(6)
+        grid = empty_grid(motion_card, gaps=(None, 6), margins=(16, 12, 16, 12))
         grid.addWidget(self._motion_title, 0, 0, 1, 5)
         grid.addWidget(self._state, 1, 0, 1, 3)
         grid.addWidget(self._switch, 1, 3, 1, 2)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from armui.arm.limits import JOINTS
 from armui.arm.parameters import KINDS, Parameter
@@ -14,6 +14,7 @@ from armui.arm.refusal import Refusal
 from armui.protocol.generation import Generation
 from armui.ui.panels.parameters.parameter_panel import ParameterPanel
 from armui.ui.panels.parameters.setting_cell import FigureCell
+from armui.ui.widgets.layouts import empty_grid
 from armui.ui.words.parameters import parameter_name
 
 if TYPE_CHECKING:
@@ -39,10 +40,7 @@ class JointSettingsPanel(ParameterPanel):
         )
         self._heads = {name: QLabel() for name in _COLUMNS}
         card = QFrame()
-        grid = QGridLayout(card)
-        grid.setContentsMargins(12, 10, 12, 10)
-        grid.setHorizontalSpacing(6)
-        grid.setVerticalSpacing(4)
+        grid = empty_grid(card, gaps=(6, 4), margins=(12, 10, 12, 10))
         for column, (name, head) in enumerate(self._heads.items(), start=1):
             head.setProperty("rank", "muted")
             head.setWordWrap(True)

@@ -7,15 +7,14 @@ from typing import Final
 from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtWidgets import (
     QButtonGroup,
-    QHBoxLayout,
     QSizePolicy,
-    QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
 from armui.arm.parameters import Parameter
 from armui.ui.panels.parameters.setting_cell import SettingCell, cell_name
+from armui.ui.widgets.buttons import choice_button, named
+from armui.ui.widgets.layouts import in_column, in_row
 
 _GAP_PX: Final = 3
 _HEIGHT_PX: Final = 30
@@ -37,15 +36,9 @@ class LevelRow(QWidget):
     def __init__(self, levels: range, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._group = QButtonGroup(self)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(_GAP_PX)
+        layout = in_row(on=self, spacing=_GAP_PX, margins=0)
         for level in levels:
-            button = QToolButton()
-            button.setObjectName(f"{name}_level_{level}")
-            button.setText(str(level))
-            button.setCheckable(True)
-            button.setProperty("choice", True)
+            button = choice_button(f"{name}_level_{level}", str(level))
             button.setProperty("narrow", True)
             button.setFixedHeight(_HEIGHT_PX)
             button.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
@@ -89,13 +82,8 @@ class LevelCell(SettingCell):
         super().__init__(parameter, parent)
         kind = parameter.kind
         levels = range(round(kind.minimum), round(kind.maximum) + 1)
-        self._row = LevelRow(levels, cell_name(parameter))
-        self._row.setObjectName(cell_name(parameter))
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(1)
-        layout.addWidget(self._row)
-        layout.addWidget(self.note)
+        self._row = named(cell_name(parameter), LevelRow(levels, cell_name(parameter)))
+        in_column(self._row, self.note, on=self, spacing=1, margins=0)
         self._row.chosen.connect(self.edited)
 
     @property

@@ -6,11 +6,12 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, ClassVar, Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from armui.arm.parameters import Batch, Group
 from armui.ui.panels.parameters.parameter_panel import ParameterPanel
 from armui.ui.panels.parameters.setting_cell import FigureCell
+from armui.ui.widgets.layouts import empty_grid
 from armui.ui.words.parameters import parameter_name
 
 if TYPE_CHECKING:
@@ -49,10 +50,7 @@ class ListedParameters(ParameterPanel):
         )
         self._labels = {cell.parameter.name: QLabel() for cell in cells}
         card = QFrame()
-        grid = QGridLayout(card)
-        grid.setContentsMargins(16, 14, 16, 10)
-        grid.setHorizontalSpacing(12)
-        grid.setVerticalSpacing(6)
+        grid = empty_grid(card, gaps=(12, 6), margins=(16, 14, 16, 10))
         for row, cell in enumerate(cells):
             label = self._labels[cell.parameter.name]
             label.setWordWrap(True)

@@ -5,7 +5,10 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
+from PySide6.QtWidgets import QPushButton, QWidget
+
+from armui.ui.widgets.buttons import push_button
+from armui.ui.widgets.layouts import in_row
 
 SAVE_KEY: Final = "Ctrl+Return"
 """Of 【保存】, to be said in its tooltip."""
@@ -27,11 +30,8 @@ class ParameterButtons(QWidget):
         self.reset = QPushButton()
         self.edit = QPushButton()
         self.cancel = QPushButton()
-        self.save = QPushButton()
-        self.save.setProperty("primary", True)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(_GAP_PX)
+        self.save = push_button(primary=True)
+        layout = in_row(on=self, spacing=_GAP_PX, margins=0)
         for button, word in (
             (self.read, "read"),
             (self.reset, "reset"),

@@ -10,7 +10,6 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import (
     QFrame,
-    QHBoxLayout,
     QToolButton,
     QWidget,
 )
@@ -31,8 +30,10 @@ from armui.ui.panels.panel import Panel
 from armui.ui.panels.parameters import parameter_message
 from armui.ui.panels.parameters.parameter_buttons import SAVE_KEY, ParameterButtons
 from armui.ui.panels.parameters.setting_cell import SettingCell
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.layouts import in_row
 from armui.ui.words.parameters import (
     full_name,
     span_text,
@@ -78,8 +79,7 @@ class ParameterPanel(Panel):
         self._batches = batches_of(self._cells)
         self._ready = False
         self._device: Device | None = None
-        self._backup = QToolButton()
-        self._backup.setObjectName(f"{name}_backup_button")
+        self._backup = named(f"{name}_backup_button", QToolButton())
         self._backup.clicked.connect(open_backup)
         self._buttons = ParameterButtons(name, can_reset=can_reset)
 
@@ -90,9 +90,7 @@ class ParameterPanel(Panel):
             card: Holds the cells.
             tallest_px: It grows no higher.
         """
-        head = QHBoxLayout()
-        head.addWidget(self._title, 1)
-        head.addWidget(self._backup)
+        head = in_row((self._title, 1), self._backup)
         self._stack(scrolled(card, tallest_px), self._buttons, head=head)
         for before, after in pairwise(cell.focus_widget for cell in self._cells.values()):
             self.setTabOrder(before, after)

@@ -5,12 +5,14 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from armui.arm.parameters import Parameter
 from armui.control.parameters.setting_draft import CellStatus, shown_as
 from armui.ui.panels.parameters.cell_note import CellNote
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.layouts import in_column
 
 _GAP_PX: Final = 1
 _NARROWEST_PX: Final = 62
@@ -36,8 +38,7 @@ class SettingCell(QWidget):
     def __init__(self, parameter: Parameter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.parameter = parameter
-        self.note = CellNote()
-        self.note.setObjectName(f"{cell_name(parameter)}_note")
+        self.note = named(f"{cell_name(parameter)}_note", CellNote())
 
     @property
     def text(self) -> str:
@@ -76,14 +77,9 @@ class FigureCell(SettingCell):
 
     def __init__(self, parameter: Parameter, unit: str = "", parent: QWidget | None = None) -> None:
         super().__init__(parameter, parent)
-        self.field = FigureField(parameter.kind.decimals, unit)
-        self.field.setObjectName(cell_name(parameter))
+        self.field = named(cell_name(parameter), FigureField(parameter.kind.decimals, unit))
         self.field.setMinimumWidth(_NARROWEST_PX)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(_GAP_PX)
-        layout.addWidget(self.field)
-        layout.addWidget(self.note)
+        in_column(self.field, self.note, on=self, spacing=_GAP_PX, margins=0)
         self.field.value_edited.connect(self.edited)
 
     @property

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Final
 
-from PySide6.QtWidgets import QFrame, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from armui.control.devices.teaching_phase import TeachingPhase
 from armui.control.safety.recovery_steps import Step, StepKind
+from armui.ui.widgets.layouts import in_column
 
 _STEPS: Final = 4
 _NUMBER: Final[Mapping[StepKind, int]] = {
@@ -40,9 +41,7 @@ class TeachingExitSteps(QFrame):
         self._due = 0
         self._title = QLabel()
         self._lines = [QLabel() for _ in range(_STEPS)]
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 4, 0, 4)
-        layout.setSpacing(4)
+        layout = in_column(on=self, spacing=4, margins=(0, 4, 0, 4))
         for label in (self._title, *self._lines):
             label.setWordWrap(True)
             layout.addWidget(label)

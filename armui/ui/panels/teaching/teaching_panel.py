@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Final, TypeVar
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QWidget
 
 from armui.arm.state import ArmState
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of
@@ -23,6 +23,7 @@ from armui.ui.panels.teaching.teaching_exit_steps import TeachingExitSteps
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.hold_button import HoldButton
+from armui.ui.widgets.layouts import STRETCH, fill, in_column
 from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
@@ -62,10 +63,10 @@ class TeachingPanel(Panel):
         self._state_label = QLabel()
         self._state = text_label("teaching_state", wraps=True)
         self._phase = text_label("teaching_phase", rank="muted")
-        self._note = _label("muted")
+        self._note = text_label(rank="muted", wraps=True)
         self._teaching_exit_steps = TeachingExitSteps()
         self._plan_label = QLabel()
-        self._plan_note = _label("muted")
+        self._plan_note = text_label(rank="muted", wraps=True)
         self._buttons = {
             command: self._make_button(f"teaching_{command.name.lower()}")
             for row in _COMMANDS
@@ -98,24 +99,25 @@ class TeachingPanel(Panel):
 
     def _lay_out(self) -> None:
         card = QFrame()
-        column = QVBoxLayout(card)
-        column.setContentsMargins(16, 12, 16, 12)
-        column.setSpacing(8)
+        column = in_column(on=card, spacing=8, margins=(16, 12, 16, 12))
         state = QGridLayout()
         state.setHorizontalSpacing(10)
         state.addWidget(self._state_label, 0, 0, Qt.AlignmentFlag.AlignTop)
         state.addWidget(self._state, 0, 1)
         state.addWidget(self._phase, 1, 1)
         state.setColumnStretch(1, 1)
-        column.addLayout(state)
-        column.addLayout(_grid(_COMMANDS, self._buttons))
-        column.addWidget(self._note)
-        column.addWidget(self._teaching_exit_steps)
-        column.addSpacing(6)
-        column.addWidget(self._plan_label)
-        column.addLayout(_grid(_PLANS, self._plan_buttons))
-        column.addWidget(self._plan_note)
-        column.addStretch(1)
+        fill(
+            column,
+            state,
+            _grid(_COMMANDS, self._buttons),
+            self._note,
+            self._teaching_exit_steps,
+            6,
+            self._plan_label,
+            _grid(_PLANS, self._plan_buttons),
+            self._plan_note,
+            STRETCH,
+        )
 
         self._stack(scrolled(card, _TALLEST_CARD_PX))
 
@@ -266,13 +268,6 @@ class TeachingPanel(Panel):
             button.setAccessibleName(button.text())
         self._teaching_exit_steps.retranslate_ui()
         self._show_all()
-
-
-def _label(rank: str) -> QLabel:
-    label = QLabel()
-    label.setProperty("rank", rank)
-    label.setWordWrap(True)
-    return label
 
 
 def _grid(rows: Sequence[Sequence[_Key]], buttons: Mapping[_Key, QPushButton]) -> QGridLayout:

@@ -9,6 +9,9 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Qt
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import in_row
+
 _TEXTS: Final[Mapping[str, tuple[object, str]]] = {
     "insert_before": (QT_TRANSLATE_NOOP("EditorAction", "Insert before"), "Ctrl+Shift+Return"),
     "insert_after": (QT_TRANSLATE_NOOP("EditorAction", "Insert after"), "Ctrl+Return"),
@@ -63,8 +66,7 @@ class EditorActions:
         self._actions: dict[str, QAction] = {}
         for name, (_text, keys) in _TEXTS.items():
             owner = table if name in _OF_TABLE else window
-            action = QAction(owner)
-            action.setObjectName(f"action_{name}")
+            action = named(f"action_{name}", QAction(owner))
             action.setShortcut(QKeySequence(keys))
             action.triggered.connect(lambda _checked=False, do=handlers[name]: do())
             if name in _OF_TABLE:
@@ -85,11 +87,9 @@ class EditorActions:
 
     def bar(self) -> QHBoxLayout:
         """A row of buttons for the actions used most."""
-        row = QHBoxLayout()
-        row.setSpacing(6)
+        row = in_row(spacing=6)
         for name in _BAR:
-            button = QToolButton()
-            button.setObjectName(f"editor_{name}")
+            button = named(f"editor_{name}", QToolButton())
             button.setDefaultAction(self._actions[name])
             row.addWidget(button)
         row.addStretch(1)

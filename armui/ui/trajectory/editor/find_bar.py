@@ -7,13 +7,15 @@ from typing import Final
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLineEdit, QPushButton, QWidget
+from PySide6.QtWidgets import QComboBox, QLineEdit, QPushButton, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.trajectory.points import search
 from armui.trajectory.points.cells import figure
 from armui.trajectory.points.program import JOINT_NAMES, POSE_NAMES, Waypoint
 from armui.ui import words
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -36,14 +38,11 @@ class FindBar(Translated, QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._field = QComboBox()
-        self._field.setObjectName("find_field")
+        self._field = named("find_field", QComboBox())
         for name in _FIELDS:
             self._field.addItem(name, name)
-        self._wanted = QLineEdit()
-        self._wanted.setObjectName("find_text")
-        self._by = QLineEdit()
-        self._by.setObjectName("replace_text")
+        self._wanted = named("find_text", QLineEdit())
+        self._by = named("replace_text", QLineEdit())
         self._result = text_label("find_result", rank="muted")
         self._next, self._previous = QPushButton(), QPushButton()
         self._replace, self._replace_all, self._close = QPushButton(), QPushButton(), QPushButton()
@@ -69,9 +68,7 @@ class FindBar(Translated, QWidget):
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(6)
+        layout = in_row(on=self, spacing=6, margins=0)
         for widget, stretch in (
             (self._field, 0),
             (self._wanted, 2),

@@ -6,10 +6,12 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import QHeaderView, QLabel, QPushButton, QTableWidgetItem, QWidget
+from PySide6.QtWidgets import QHeaderView, QPushButton, QTableWidgetItem, QWidget
 
 from armui.ui.dialogs.base import ArmDialog
+from armui.ui.widgets.buttons import push_button
 from armui.ui.widgets.plain_table import plain_table
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
@@ -52,14 +54,12 @@ class ImportReport(ArmDialog):
     ) -> None:
         super().__init__(controller, parent)
         self._results = sorted(results, key=lambda result: not result.problem)
-        self._summary = QLabel()
-        self._summary.setObjectName("report_summary")
+        self._summary = text_label("report_summary")
         self._table = plain_table("report_table", 2, wide=1)
         self._table.setRowCount(len(results))
         self._table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self._table.setColumnWidth(0, _FILE_PX)
-        self._close = QPushButton()
-        self._close.setDefault(True)
+        self._close = push_button(on_enter=True)
         self._close.clicked.connect(self.accept)
         self.body.addWidget(self._summary)
         self.body.addWidget(self._table, 1)

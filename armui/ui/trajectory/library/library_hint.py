@@ -5,7 +5,10 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtWidgets import QLabel, QPushButton, QTableView, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QTableView, QWidget
+
+from armui.ui.widgets.buttons import push_button
+from armui.ui.widgets.layouts import STRETCH, in_column
 
 _WIDEST_PX: Final = 520
 
@@ -35,13 +38,9 @@ class LibraryHint(QWidget):
             label.setAlignment(Qt.AlignmentFlag.AlignHCenter)
             label.setWordWrap(True)
             label.setFixedWidth(_WIDEST_PX)
-        self._clear = QPushButton()
-        self._clear.setObjectName("library_clear_search")
-        self._clear.setAutoDefault(False)
+        self._clear = push_button("library_clear_search", on_enter=False)
         self._clear.clicked.connect(lambda _checked=False: self.clear_wanted.emit())
-        layout = QVBoxLayout(self)
-        layout.setSpacing(10)
-        layout.addStretch(1)
+        layout = in_column(STRETCH, on=self, spacing=10)
         for widget in (self._title, self._text, self._clear):
             layout.addWidget(widget, 0, Qt.AlignmentFlag.AlignHCenter)
         layout.addStretch(2)

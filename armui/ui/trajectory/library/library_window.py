@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, QModelIndex, QSize, Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -38,6 +38,8 @@ from armui.ui.trajectory.library.undo_button import UndoButton
 from armui.ui.trajectory.recording.recording_window import RecordingWindow
 from armui.ui.trajectory.running.preflight import Checks, Preflight
 from armui.ui.trajectory.running.run_strip import RunStrip
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 
 if TYPE_CHECKING:
@@ -88,8 +90,7 @@ class LibraryWindow(ArmDialog):
         self._shown = LibraryFilter(self._model, self)
         self._bar = LibraryBar()
         self._table = LibraryTable(self._shown)
-        self._message = MessageLine()
-        self._message.setObjectName("library_message")
+        self._message = named("library_message", MessageLine())
         self._actions = LibraryActions(self._work, self._editors.__contains__, self)
         self._undo_button = UndoButton(self._actions, self)
         self._bin_button = BinButton(controller, self._work, self._actions, self)
@@ -107,18 +108,19 @@ class LibraryWindow(ArmDialog):
     # Layout -----------------------------------------------------------------------------------
 
     def _lay_out(self) -> None:
-        below = QHBoxLayout()
-        below.addWidget(self._message, 1)
-        below.addWidget(self._exchange.report)
-        below.addWidget(self._exchange.by_columns)
-        below.addWidget(self._undo_button)
+        below = in_row(
+            (self._message, 1), self._exchange.report, self._exchange.by_columns, self._undo_button
+        )
         self._bar.add_button(self._bin_button)
-        self.body.addWidget(self._bar)
-        self.body.addWidget(self._company)
-        self.body.addWidget(self._table, 1)
-        self.body.addWidget(self._findings)
-        self.body.addWidget(self._strip)
-        self.body.addLayout(below)
+        fill(
+            self.body,
+            self._bar,
+            self._company,
+            (self._table, 1),
+            self._findings,
+            self._strip,
+            below,
+        )
 
     def _connect(self) -> None:
         handlers: dict[str, Callable[[], object]] = {

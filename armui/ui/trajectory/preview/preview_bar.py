@@ -6,8 +6,10 @@ import re
 from typing import Final
 
 from PySide6.QtCore import QElapsedTimer, QSignalBlocker, QTimer, Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
+from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.translated import Translated
 from armui.ui.widgets.value_label import ValueLabel
@@ -32,25 +34,23 @@ class PreviewBar(Translated, QFrame):
         self.setObjectName("preview_bar")
         self._duration_s = 0.0
         self._label = QLabel()
-        self._play = QPushButton()
-        self._play.setObjectName("preview_play")
+        self._play = push_button("preview_play")
         self._play.setCheckable(True)
-        self._slider = TrackSlider(_STEP_S, origin=0.0)
-        self._slider.setObjectName("preview_slider")
+        self._slider = named("preview_slider", TrackSlider(_STEP_S, origin=0.0))
         self._slider.setSingleStep(10)
         self._slider.setPageStep(100)
-        self._time = ValueLabel("")
-        self._time.setObjectName("preview_time")
-        self._close = QPushButton()
-        self._close.setObjectName("preview_close")
-        row = QHBoxLayout(self)
-        row.setContentsMargins(12, 8, 12, 8)
-        row.setSpacing(10)
-        row.addWidget(self._label)
-        row.addWidget(self._play)
-        row.addWidget(self._slider, 1)
-        row.addWidget(self._time)
-        row.addWidget(self._close)
+        self._time = named("preview_time", ValueLabel(""))
+        self._close = push_button("preview_close")
+        in_row(
+            self._label,
+            self._play,
+            (self._slider, 1),
+            self._time,
+            self._close,
+            on=self,
+            spacing=10,
+            margins=(12, 8, 12, 8),
+        )
         for button in (self._play, self._close):
             button.setAutoDefault(False)
         self._clock = QElapsedTimer()

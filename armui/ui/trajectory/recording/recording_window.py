@@ -8,7 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QTimer, Signal
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QLineEdit, QPushButton, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -25,7 +25,9 @@ from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.running.preflight import Checks, Preflight
 from armui.ui.trajectory.running.run_options import RunOptions
 from armui.ui.trajectory.text import duration
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
 
@@ -100,23 +102,18 @@ class RecordingWindow(ArmDialog):
         ):
             button.setObjectName(name)
             button.setAutoDefault(False)
-        self._state = QLabel()
-        self._state.setObjectName("record_state")
-        self._name = QLineEdit()
-        self._name.setObjectName("record_name")
+        self._state = text_label("record_state")
+        self._name = named("record_name", QLineEdit())
         self._from = _field("record_from", 3, "s")
         self._to = _field("record_to", 3, "s")
         self._tolerance = _field("record_tolerance", 3, "°")
         self._tolerance.step = 0.1
         self._kept = text_label("record_kept", rank="muted")
         self._labels = [QLabel() for _ in range(4)]
-        self._message = MessageLine()
-        self._message.setObjectName("record_message")
+        self._message = named("record_message", MessageLine())
 
     def _lay_out(self) -> None:
-        head = QHBoxLayout()
-        head.addWidget(self._record)
-        head.addWidget(self._state, 1)
+        head = in_row(self._record, (self._state, 1))
         grid = QGridLayout()
         grid.setHorizontalSpacing(10)
         for row, (label, field) in enumerate(
@@ -127,13 +124,8 @@ class RecordingWindow(ArmDialog):
             label.setBuddy(field)
         grid.addWidget(self._kept, 3, 2)
         grid.setColumnStretch(2, 1)
-        self.body.addLayout(head)
-        self.body.addLayout(grid)
-        self.body.addWidget(self._message)
-        self.footer.addWidget(self._preview)
-        self.footer.addStretch(1)
-        self.footer.addWidget(self._as_points)
-        self.footer.addWidget(self._as_samples)
+        fill(self.body, head, grid, self._message)
+        fill(self.footer, self._preview, STRETCH, self._as_points, self._as_samples)
 
     def _connect(self) -> None:
         self._record.clicked.connect(self._on_record)
@@ -393,7 +385,6 @@ class RecordingWindow(ArmDialog):
 
 
 def _field(name: str, decimals: int, unit: str) -> FigureField:
-    field = FigureField(decimals, unit)
-    field.setObjectName(name)
+    field = named(name, FigureField(decimals, unit))
     field.setFixedWidth(_FIELD_PX)
     return field

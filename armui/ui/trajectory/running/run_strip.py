@@ -12,12 +12,10 @@ from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
-    QHBoxLayout,
     QLabel,
     QProgressBar,
     QPushButton,
     QSpinBox,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -31,7 +29,10 @@ from armui.ui.trajectory.running.preflight import CheckJob, Checks, Preflight
 from armui.ui.trajectory.running.run_options import RunOptions
 from armui.ui.trajectory.running.runner import Runner, can_go_on, can_pause, ended_early
 from armui.ui.trajectory.text import duration
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.hold_button import HoldButton
+from armui.ui.widgets.layouts import in_column, in_row
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
@@ -112,26 +113,21 @@ class RunStrip(Translated, QWidget):
             button.setObjectName(name)
             button.setAutoDefault(False)
         self._send.setProperty("primary", True)
-        self._laps = QComboBox()
-        self._laps.setObjectName("run_laps")
+        self._laps = named("run_laps", QComboBox())
         self._laps.addItems(["", "", ""])
         self._times = _spin("run_times", 1, _MOST_LAPS, 3)
         self._speed = _spin("run_speed", 1, _FASTEST_PERCENT, 100)
         self._speed.setSuffix(" %")
         self._first = _spin("run_first", 1, 1, 1)
         self._speed_label, self._first_label = QLabel(), QLabel()
-        self._steps = QCheckBox()
-        self._steps.setObjectName("run_steps")
-        self._bar = QProgressBar()
-        self._bar.setObjectName("run_bar")
+        self._steps = named("run_steps", QCheckBox())
+        self._bar = named("run_bar", QProgressBar())
         self._bar.setRange(0, _STEPS)
         self._bar.setTextVisible(False)
-        self._text = QLabel()
-        self._text.setObjectName("run_text")
+        self._text = text_label("run_text")
 
     def _lay_out(self) -> None:
-        options = QHBoxLayout()
-        options.setSpacing(8)
+        options = in_row(spacing=8)
         for widget in (
             *(self._laps, self._times, self._speed_label, self._speed),
             *(self._first_label, self._first, self._steps),
@@ -140,15 +136,8 @@ class RunStrip(Translated, QWidget):
         options.addStretch(1)
         for button in (self._resume, self._send, self._pause, self._continue, self._stop):
             options.addWidget(button)
-        state = QHBoxLayout()
-        state.setSpacing(12)
-        state.addWidget(self._bar, 1)
-        state.addWidget(self._text)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(8)
-        layout.addLayout(options)
-        layout.addLayout(state)
+        state = in_row((self._bar, 1), self._text, spacing=12)
+        in_column(options, state, on=self, spacing=8, margins=0)
 
     # What the operator wants ------------------------------------------------------------------
 
@@ -377,8 +366,7 @@ class RunStrip(Translated, QWidget):
 
 
 def _spin(name: str, least: int, most: int, value: int) -> QSpinBox:
-    spin = QSpinBox()
-    spin.setObjectName(name)
+    spin = named(name, QSpinBox())
     spin.setRange(least, most)
     spin.setValue(value)
     spin.setAlignment(Qt.AlignmentFlag.AlignCenter)

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QComboBox,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
     QPushButton,
@@ -29,6 +28,8 @@ from armui.ui.dialogs.base import ArmDialog
 from armui.ui.trajectory.table_import.columns_table import ColumnsTable
 from armui.ui.trajectory.table_import.dialect_bar import BuildBar
 from armui.ui.trajectory.table_import.table_import import TableImport
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
 
@@ -85,21 +86,17 @@ class ColumnsDialog(ArmDialog):
 
     def _make_widgets(self) -> None:
         self._source = text_label("columns_source", rank="muted", wraps=True, plain=True)
-        self._moves = QComboBox()
-        self._moves.setObjectName("columns_move")
+        self._moves = named("columns_move", QComboBox())
         self._moves.addItems([""] * len(_MOVES))
-        self._speed = QSpinBox()
-        self._speed.setObjectName("columns_speed")
+        self._speed = named("columns_speed", QSpinBox())
         self._speed.setRange(1, 100)
         self._speed.setValue(_SPEED_PERCENT)
         self._speed.setSuffix(" %")
         self._speed.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._speed.setFixedHeight(_FIELD_PX)
-        self._name = QLineEdit()
-        self._name.setObjectName("columns_name")
+        self._name = named("columns_name", QLineEdit())
         self._move_label, self._speed_label, self._name_label = (QLabel() for _ in range(3))
-        self._message = MessageLine()
-        self._message.setObjectName("columns_message")
+        self._message = named("columns_message", MessageLine())
         self.import_button, self._cancel = QPushButton(), QPushButton()
         self.import_button.setObjectName("columns_import")
         self.import_button.setProperty("primary", True)
@@ -108,8 +105,7 @@ class ColumnsDialog(ArmDialog):
         self._cancel.setAutoDefault(False)
 
     def _lay_out(self) -> None:
-        choices = QHBoxLayout()
-        choices.setSpacing(8)
+        choices = in_row(spacing=8)
         for label, field in (
             (self._name_label, self._name),
             (self._move_label, self._moves),
@@ -119,14 +115,8 @@ class ColumnsDialog(ArmDialog):
             choices.addWidget(label)
             choices.addWidget(field, 1 if field is self._name else 0)
             choices.addSpacing(8)
-        self.body.addWidget(self._source)
-        self.body.addWidget(self._build)
-        self.body.addLayout(choices)
-        self.body.addWidget(self._table, 1)
-        self.body.addWidget(self._message)
-        self.footer.addStretch(1)
-        self.footer.addWidget(self._cancel)
-        self.footer.addWidget(self.import_button)
+        fill(self.body, self._source, self._build, choices, (self._table, 1), self._message)
+        fill(self.footer, STRETCH, self._cancel, self.import_button)
 
     def _connect(self) -> None:
         self._table.changed.connect(self._show_usable)

@@ -6,10 +6,12 @@ from typing import Any, Final
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSpinBox, QWidget
+from PySide6.QtWidgets import QComboBox, QLabel, QSpinBox, QWidget
 
 from armui.trajectory.columns import LABELS, Dialect, Encoding, TableFile
 from armui.trajectory.columns.model import DECIMALS, DELIMITERS, SPACES
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import fill, in_row
 from armui.ui.widgets.translated import Translated
 
 _FIELD_PX: Final = 34
@@ -30,8 +32,7 @@ class BuildBar(Translated, QWidget):
         self._encoding = _choice("build_encoding", tuple(Encoding))
         self._delimiter = _choice("build_delimiter", DELIMITERS)
         self._decimal = _choice("build_decimal", DECIMALS)
-        self._line = _Line()
-        self._line.setObjectName("build_line")
+        self._line = named("build_line", _Line())
         self._line.setKeyboardTracking(False)
         self._line.setFixedHeight(_FIELD_PX)
         self._line.setMinimumWidth(90)
@@ -39,14 +40,10 @@ class BuildBar(Translated, QWidget):
         self._fields = (self._encoding, self._delimiter, self._decimal, self._line)
         self._labels = tuple(QLabel() for _ in self._fields)
         self._said: set[QWidget] = set()
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(8)
+        layout = in_row(on=self, spacing=8, margins=0)
         for label, field in zip(self._labels, self._fields, strict=True):
             label.setBuddy(field)
-            layout.addWidget(label)
-            layout.addWidget(field)
-            layout.addSpacing(8)
+            fill(layout, label, field, 8)
         layout.addStretch(1)
         for box in (self._encoding, self._delimiter, self._decimal):
             box.activated.connect(lambda _place, box=box: self._on_said(box))
@@ -122,8 +119,7 @@ class _Line(QSpinBox):
 
 
 def _choice(name: str, values: tuple[Any, ...]) -> QComboBox:
-    box = QComboBox()
-    box.setObjectName(name)
+    box = named(name, QComboBox())
     for value in values:
         box.addItem("", value)
     box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
