@@ -5,13 +5,14 @@ Each value is one that was heard, read or set; what the arm does not tell is sai
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
 
 from armui.arm.refusal import Refusal
+from armui.control.arm_controller import ArmController
 from armui.doctor.facts import LinkFacts
 from armui.doctor.probes.can_devices import look_at_links
 from armui.ui.background import Background, Job
@@ -21,9 +22,6 @@ from armui.ui.dialogs.online_since import OnlineSince
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import empty_grid, fill
 from armui.ui.widgets.text_label import text_label
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _SIZE_PX: Final = (720, 700)
 _REFRESH_MS: Final = 1000

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from datetime import datetime
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QCloseEvent, QShowEvent
@@ -23,6 +23,7 @@ from armui.arm.comparison import ComparisonVerdict, compare
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.operating_state import OperatingState
 from armui.control.parameters.backup_files import backup_of, read_backup, write_backup
@@ -39,9 +40,6 @@ from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _SIZE_PX: Final = (860, 640)
 _NARROWEST_COLUMN_PX: Final = 110

@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
+from armui.control.arm_controller import ArmController
 from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
-
-if TYPE_CHECKING:
-    from PySide6.QtGui import QContextMenuEvent
-
-    from armui.control.arm_controller import ArmController
 
 _MARGIN_PX: Final = 20
 _GAP_PX: Final = 14

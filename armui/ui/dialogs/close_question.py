@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
+from armui.control.arm_controller import ArmController
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.widgets.buttons import push_button
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 
 class CloseQuestion(ConfirmDialog):

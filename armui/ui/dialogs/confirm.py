@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
+from armui.control.arm_controller import ArmController
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
@@ -15,9 +16,6 @@ from armui.ui.widgets.buttons import push_button
 from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.text_label import text_label
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _SIGN_PX: Final = 36
 _TEXT_WIDTH_PX: Final = 520

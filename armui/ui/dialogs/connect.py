@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QItemSelection, QItemSelectionModel, Qt, Signal
 from PySide6.QtGui import QShowEvent
@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
+from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.operating_state import LinkState, OperatingState
 from armui.ui import words
@@ -35,9 +36,6 @@ from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _BITRATES: Final = (DEFAULT_BITRATE, 500_000)
 """Today's hardware, and what generation 1's protocol text says."""

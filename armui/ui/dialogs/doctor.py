@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any, Final, Protocol
+from typing import Any, Final, Protocol
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QGuiApplication
@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.device import Device
+from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.doctor.finding import Diagnosis, DiagnosisLevel, Section
 from armui.doctor.process import DoctorProcess
@@ -31,9 +32,6 @@ from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import STRETCH, fill, in_column
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _SIZE_PX: Final = (860, 640)
 _GAP_PX: Final = 12

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Qt
 from PySide6.QtWidgets import (
@@ -14,15 +14,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from armui.control.arm_controller import ArmController
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.keycap import KeyCap
 from armui.ui.theme import scaled_font
 from armui.ui.widgets.buttons import push_button
 from armui.ui.widgets.layouts import empty_grid, in_row
 from armui.ui.widgets.text_label import text_label
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _SIZE_PX: Final = (980, 540)
 _COLUMN_GAP_PX: Final = 36

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QShowEvent
@@ -19,6 +19,8 @@ from PySide6.QtWidgets import (
 
 from armui.arm.joint_status import Item, Word
 from armui.arm.limits import JOINTS
+from armui.control.arm_controller import ArmController
+from armui.control.devices.joint_monitor import JointMonitor
 from armui.control.events import Event, EventCode, Level
 from armui.control.operating_state import OperatingState
 from armui.ui import words
@@ -29,10 +31,6 @@ from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
-    from armui.control.devices.joint_monitor import JointMonitor
 
 _HEADER_PAD_PX: Final = 20
 _FRAME_PX: Final = 1

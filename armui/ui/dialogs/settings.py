@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 from armui import settings
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.settings import SettingsStore
 from armui.ui import format as fmt
@@ -30,9 +31,6 @@ from armui.ui.widgets.buttons import named
 from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _SIZE_PX: Final = (680, 460)
 _STEP_WIDTH_PX: Final = 110

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtWidgets import (
     QButtonGroup,
@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.arm_controller import ArmController
 from armui.control.events import Event
 from armui.control.operating_state import LinkState, OperatingState
 from armui.protocol.addressing import OFFSETS
@@ -27,9 +28,6 @@ from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import empty_grid
 from armui.ui.widgets.text_label import text_label
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _TALLEST_CARD_PX: Final = 400
 _BASES: Final = {"feedback": (0x2A1, 0x2A8), "control": (0x150, 0x15F), "target": (0x150, 0x15F)}

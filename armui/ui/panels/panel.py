@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QLayout, QScrollArea, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.arm_controller import ArmController
 from armui.control.events import Event, Level
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
@@ -18,9 +19,6 @@ from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _LEVELS: Final = {
     RefusalCode.NOT_CONNECTED: Level.INFO,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
@@ -16,6 +16,7 @@ from armui.arm.gripper import GripperState
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
+from armui.control.arm_controller import ArmController
 from armui.control.devices.gripper_ranges import figures_of
 from armui.control.events import Event
 from armui.control.operating_state import OperatingState
@@ -31,9 +32,6 @@ from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.state_mark import Mark
 from armui.ui.widgets.text_label import text_label
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _TALLEST_CARD_PX: Final = 330
 _SEND_KEY: Final = "Ctrl+Return"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtWidgets import (
     QFrame,
@@ -13,8 +13,10 @@ from PySide6.QtWidgets import (
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
+from armui.control.arm_controller import ArmController
 from armui.control.motion.jog_path import ToolJog
 from armui.protocol.codes import ArmStatusCode, MoveMode
+from armui.settings import SettingsStore
 from armui.ui import words
 from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.arc_box import ArcBox
@@ -24,10 +26,6 @@ from armui.ui.panels.jogging.pose_rows import PoseRows
 from armui.ui.panels.jogging.tool_box import ToolBox
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import STRETCH, in_column
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
-    from armui.settings import SettingsStore
 
 _OWN_REFUSALS: Final = frozenset(
     {

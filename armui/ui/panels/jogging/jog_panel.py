@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
@@ -14,8 +14,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.arm_controller import ArmController
 from armui.control.devices.zeroing import ENDED
 from armui.control.events import Event, EventCode
 from armui.control.operating_state import OperatingState
@@ -27,10 +29,6 @@ from armui.ui.widgets.buttons import choice_button, named
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.hold_guard import UNATTENDED_S
 from armui.ui.widgets.layouts import STRETCH, in_row
-
-if TYPE_CHECKING:
-    from armui.arm.device import Device
-    from armui.control.arm_controller import ArmController
 
 _BUTTON_PX: Final = 38
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
@@ -18,6 +18,7 @@ from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
+from armui.control.arm_controller import ArmController
 from armui.control.events import Event, EventCode
 from armui.control.motion.jog_path import JointJog
 from armui.ui import format as fmt
@@ -27,9 +28,6 @@ from armui.ui.panels.jogging.jog_panel import JogPanel
 from armui.ui.panels.jogging.joint_row import JointRow
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import STRETCH, fill, in_column
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _FIELD_INDENT_PX: Final = 80
 _TALLEST_CARD_PX: Final = 600

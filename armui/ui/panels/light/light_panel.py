@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtGui import QColor, QKeySequence
@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.arm_controller import ArmController
 from armui.control.devices.lights import RANGES, check_light
 from armui.control.operating_state import OperatingState
 from armui.protocol.codes import ALL_LAMPS
@@ -35,9 +36,6 @@ from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.track_slider import TrackSlider
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _CHANNELS: Final = ("red", "green", "blue")
 _TALLEST_CARD_PX: Final = 520

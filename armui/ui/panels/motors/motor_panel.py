@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QLabel, QWidget
@@ -12,6 +12,7 @@ from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
+from armui.control.arm_controller import ArmController
 from armui.control.events import Event
 from armui.control.operating_state import OperatingState
 from armui.protocol.codes import ALL_JOINTS
@@ -27,9 +28,6 @@ from armui.ui.panels.motors.motor_row import (
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _TALLEST_CARD_PX: Final = 520
 _OURS: Final = (

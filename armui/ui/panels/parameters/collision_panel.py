@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from armui.arm.parameters import Batch, Group, heard
+from armui.control.arm_controller import ArmController
 from armui.ui import format as fmt
 from armui.ui.panels.parameters.level_cell import LevelCell, LevelRow
 from armui.ui.panels.parameters.parameter_panel import ParameterPanel
 from armui.ui.panels.parameters.setting_cell import SettingCell
 from armui.ui.widgets.layouts import empty_grid
 from armui.ui.widgets.text_label import text_label
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _NO_DETECTION: Final = 0
 _LEVELS: Final = range(9)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
@@ -18,6 +18,7 @@ from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
+from armui.control.arm_controller import ArmController
 from armui.control.devices.end_reports import is_reporting
 from armui.control.events import Event
 from armui.control.operating_state import LinkState, OperatingState
@@ -32,9 +33,6 @@ from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import empty_grid, fill, in_column
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.value_label import ValueLabel
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _LOADS: Final = (EndLoad.EMPTY, EndLoad.HALF, EndLoad.FULL)
 _FIGURES: Final = (

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QLabel, QWidget
@@ -11,14 +11,12 @@ from PySide6.QtWidgets import QFrame, QLabel, QWidget
 from armui.arm.limits import JOINTS
 from armui.arm.parameters import KINDS, Parameter
 from armui.arm.refusal import Refusal
+from armui.control.arm_controller import ArmController
 from armui.protocol.generation import Generation
 from armui.ui.panels.parameters.parameter_panel import ParameterPanel
 from armui.ui.panels.parameters.setting_cell import FigureCell
 from armui.ui.widgets.layouts import empty_grid
 from armui.ui.words.parameters import parameter_name
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _COLUMNS: Final = ("max_angle_deg", "min_angle_deg", "max_speed_deg_s", "max_acceleration_deg_s2")
 

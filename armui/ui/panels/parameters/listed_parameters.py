@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, ClassVar, Final
+from typing import ClassVar, Final
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from armui.arm.parameters import Batch, Group
+from armui.control.arm_controller import ArmController
 from armui.ui.panels.parameters.parameter_panel import ParameterPanel
 from armui.ui.panels.parameters.setting_cell import FigureCell
 from armui.ui.widgets.layouts import empty_grid
 from armui.ui.words.parameters import parameter_name
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _FIELD_PX: Final = 132
 _TALLEST_CARD_PX: Final = 260

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
@@ -19,6 +18,7 @@ from armui.arm.parameters import heard
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import Reading
+from armui.control.arm_controller import ArmController
 from armui.control.operating_state import OperatingState
 from armui.control.parameters.setting_checks import batches_of
 from armui.control.parameters.setting_draft import CellStatus, SettingDraft
@@ -41,9 +41,6 @@ from armui.ui.words.parameters import (
     status_word,
     value_text,
 )
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 
 class ParameterPanel(Panel):

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Final, TypeVar
+from typing import Final, TypeVar
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QWidget
 
 from armui.arm.state import ArmState
+from armui.control.arm_controller import ArmController
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of
 from armui.control.events import Event, EventCode, Level
 from armui.control.operating_state import OperatingState
@@ -25,9 +26,6 @@ from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.layouts import STRETCH, fill, in_column
 from armui.ui.widgets.text_label import text_label
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _Key = TypeVar("_Key")
 

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from PySide6.QtWidgets import QPushButton, QWidget
 
+from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.ui.trajectory.library.bin_dialog import BinDialog
 from armui.ui.trajectory.library.library_actions import LibraryActions
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.widgets.translated import Translated
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 
 class BinButton(Translated, QPushButton):

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QSize, Signal
 from PySide6.QtWidgets import QAbstractItemView, QTableWidgetItem, QWidget
 
+from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.trajectory.library.bin import KEPT
 from armui.trajectory.library.store import Deleted
@@ -17,9 +18,6 @@ from armui.ui.widgets.layouts import STRETCH, fill
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.plain_table import plain_table
 from armui.ui.widgets.text_label import text_label
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _SIZE: Final = QSize(680, 460)
 _ROW_PX: Final = 34

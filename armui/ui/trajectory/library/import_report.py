@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import Final, NamedTuple
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QHeaderView, QPushButton, QTableWidgetItem, QWidget
 
+from armui.control.arm_controller import ArmController
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.widgets.buttons import push_button
 from armui.ui.widgets.plain_table import plain_table
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _SIZE: Final = QSize(860, 520)
 _FILE_PX: Final = 260

@@ -4,29 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 from shiboken6 import isValid
 
 from armui.arm.refusal import Refusal
+from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.library import imports
 from armui.trajectory.library.imports import Imported
 from armui.trajectory.library.store import LibraryError
 from armui.ui import words
-from armui.ui.background import Job
+from armui.ui.background import Background, Job
 from armui.ui.trajectory.library import library_files
 from armui.ui.trajectory.library.import_report import ReportButton, Result
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.table_import.columns_offer import ColumnsOffer
 from armui.ui.trajectory.text import name_list
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
-    from armui.ui.background import Background
 
 _MOST_PROBLEMS: Final = 3
 """That are told in the message itself."""

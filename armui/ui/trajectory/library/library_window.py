@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QEvent, QModelIndex, QSize, Signal
 from PySide6.QtGui import QShowEvent
@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.run.progress import Progress
 from armui.trajectory.files import Content
@@ -19,6 +20,7 @@ from armui.trajectory.library.store import IndexEntry, Library, Listing
 from armui.trajectory.points.program import Trajectory
 from armui.trajectory.samples.recording import Recording
 from armui.ui import words
+from armui.ui.background import Background
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.trajectory.editor.editor_window import EditorWindow
 from armui.ui.trajectory.editor.findings_pane import FindingsPane
@@ -41,10 +43,6 @@ from armui.ui.trajectory.running.run_strip import RunStrip
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import fill, in_row
 from armui.ui.widgets.message_line import MessageLine
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
-    from armui.ui.background import Background
 
 _SIZE: Final = QSize(1040, 640)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
@@ -21,7 +21,8 @@ from PySide6.QtWidgets import (
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.control.operating_state import StopState
+from armui.control.arm_controller import ArmController
+from armui.control.operating_state import OperatingState, StopState
 from armui.control.run.progress import ENDLESS, Progress, RunPhase
 from armui.trajectory.files import Content
 from armui.ui import words
@@ -34,10 +35,6 @@ from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
-    from armui.control.operating_state import OperatingState
 
 _ONCE, _TIMES, _LOOP = range(3)
 _MOST_LAPS: Final = 9999

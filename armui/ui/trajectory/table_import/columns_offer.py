@@ -5,18 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QPushButton, QWidget
 
+from armui.control.arm_controller import ArmController
 from armui.trajectory import columns
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.table_import.columns_dialog import ColumnsDialog
 from armui.ui.widgets.translated import Translated
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 
 class ColumnsOffer(Translated, QPushButton):
