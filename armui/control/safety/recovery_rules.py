@@ -14,9 +14,7 @@ from typing import Final
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
-from armui.control.devices.teaching_phase import (
-    TeachingPhase,
-)
+from armui.control.devices.teaching_phase import TeachingPhase
 from armui.control.events import Level
 from armui.control.motion.motion_command import Hold
 from armui.control.operating_state import LinkState, OperatingState, StopState

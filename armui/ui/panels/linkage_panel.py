@@ -4,14 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtWidgets import (
-    QButtonGroup,
-    QComboBox,
-    QFrame,
-    QLabel,
-    QToolButton,
-    QWidget,
-)
+from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel, QToolButton, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode

@@ -5,12 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import (
-    QFrame,
-    QGridLayout,
-    QPushButton,
-    QWidget,
-)
+from PySide6.QtWidgets import QFrame, QGridLayout, QPushButton, QWidget
 
 from armui.arm.gripper import GripperState
 from armui.arm.refusal import Refusal

@@ -5,11 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import QSignalBlocker, Signal
-from PySide6.QtWidgets import (
-    QButtonGroup,
-    QSizePolicy,
-    QWidget,
-)
+from PySide6.QtWidgets import QButtonGroup, QSizePolicy, QWidget
 
 from armui.arm.parameters import Parameter
 from armui.ui.panels.parameters.setting_cell import SettingCell, cell_name
