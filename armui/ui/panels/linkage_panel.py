@@ -9,7 +9,6 @@ from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel, QToolButt
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.arm_controller import ArmController
-from armui.control.events import Event
 from armui.control.operating_state import LinkState, OperatingState
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import LinkageRole
@@ -35,7 +34,6 @@ class LinkagePanel(Panel):
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(controller, "linkage_message", parent)
-        self._event: Event | None = None
         self._role_label = QLabel()
         self._roles = QButtonGroup(self)
         self._role_buttons = {
@@ -53,8 +51,7 @@ class LinkagePanel(Panel):
         self._lay_out()
         self._confirm.clicked.connect(self._ask)
         self._back.clicked.connect(lambda: self._accepted(controller.linkage.release()))
-        controller.operating_state_changed.connect(self._on_operating_state_changed)
-        controller.noticed.connect(self._on_noticed)
+        self._listen("linkage_")
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
@@ -130,17 +127,9 @@ class LinkagePanel(Panel):
 
     # -- appearance ---------------------------------------------------------------------------
 
-    def _on_noticed(self, event: Event) -> None:
-        if event.code.startswith("linkage_"):
-            self._refusal, self._event = None, event
-            self._show_message()
-
-    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
-        old, self._operating_state = self._operating_state, operating_state
-        if old.device != operating_state.device:
+    def _forget_outdated(self, old: OperatingState) -> None:
+        if old.device != self._operating_state.device:
             self._refusal = self._event = None
-        if self.isVisible():
-            self._show_all()
 
     def _show_all(self) -> None:
         operating_state = self._operating_state

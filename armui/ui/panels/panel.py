@@ -10,8 +10,10 @@ from PySide6.QtWidgets import QLayout, QScrollArea, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.events import Event, Level
+from armui.control.operating_state import OperatingState
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.widgets.buttons import named
@@ -38,8 +40,8 @@ def level_of(refusal: Refusal) -> Level:
 class Panel(Translated, QWidget):
     """Shows what is new while it is seen, and catches up when it is shown again.
 
-    A panel of its own makes its widgets, lays them out with :meth:`_stack`, and calls
-    :meth:`retranslate_ui` as the last step of being made.
+    A panel of its own makes its widgets, lays them out with :meth:`_stack`, listens with
+    :meth:`_listen`, and calls :meth:`retranslate_ui` as the last step of being made.
 
     Args:
         controller: Whom to ask and to tell.
@@ -53,6 +55,8 @@ class Panel(Translated, QWidget):
         self._controller = controller
         self._operating_state = controller.operating_state
         self._refusal: Refusal | None = None
+        self._event: Event | None = None
+        self._told_here: tuple[str, ...] = ()
         self._title = text_label(rank="title")
         self._message = named(message_name, MessageLine())
 
@@ -70,7 +74,39 @@ class Panel(Translated, QWidget):
         """Say the one thing that matters most now."""
         raise NotImplementedError
 
+    def _show_state(self, state: ArmState) -> None:
+        """Show what the arm says."""
+
+    def _forget_outdated(self, old: OperatingState) -> None:
+        """Drop what was said, if the operating state that is left explains it no more."""
+
     # -- what it finds here -------------------------------------------------------------------
+
+    def _listen(self, *told_here: str) -> None:
+        """Follow the controller.
+
+        Args:
+            told_here: How the codes of the events begin that the panel tells.
+        """
+        self._told_here = told_here
+        self._controller.state_changed.connect(self._on_state_changed)
+        self._controller.operating_state_changed.connect(self._on_operating_state_changed)
+        self._controller.noticed.connect(self._on_noticed)
+
+    def _on_noticed(self, event: Event) -> None:
+        if event.code.startswith(self._told_here):
+            self._refusal, self._event = None, event
+            self._show_message()
+
+    def _on_state_changed(self, state: ArmState) -> None:
+        if self.isVisible():
+            self._show_state(state)
+
+    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
+        old, self._operating_state = self._operating_state, operating_state
+        self._forget_outdated(old)
+        if self.isVisible():
+            self._show_all()
 
     def _stack(
         self, *parts: QWidget | QLayout, head: QLayout | None = None, gap_px: int = _GAP_PX

@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import TypeVar
 
 from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QPushButton, QToolButton
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import QAbstractButton, QPushButton, QToolButton, QWidget
 
 Named = TypeVar("Named", bound=QObject)
 
@@ -34,6 +35,32 @@ def push_button(
         button.setAutoDefault(on_enter)
         button.setDefault(on_enter)
     return button
+
+
+def caption(
+    button: QAbstractButton, text: str, *, tip: str = "", whose: str = "", key: str = ""
+) -> None:
+    """Put words on a button, which are its name for a screen reader, too.
+
+    Args:
+        button: Any.
+        text: What stands on it.
+        tip: What it does; left as it is where this is empty.
+        whose: What the button belongs to, said before its words.
+        key: Its shortcut, which other words would take from it.
+    """
+    button.setText(text)
+    button.setAccessibleName(f"{whose}: {text}" if whose else text)
+    if tip:
+        button.setToolTip(tip)
+    if key:
+        button.setShortcut(QKeySequence(key))
+
+
+def describe(widget: QWidget, name: str, tip: str = "") -> None:
+    """Name a widget for a screen reader and in its tooltip, by other words if there are any."""
+    widget.setAccessibleName(name)
+    widget.setToolTip(tip or name)
 
 
 def choice_button(name: str, text: str = "") -> QToolButton:

@@ -13,7 +13,6 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
 from armui.control.arm_controller import ArmController
 from armui.control.devices.gripper_ranges import figures_of
-from armui.control.events import Event
 from armui.control.operating_state import OperatingState
 from armui.protocol.generation import Generation
 from armui.ui import words
@@ -42,7 +41,6 @@ class GripperPanel(Panel):
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(controller, "gripper_message", parent)
-        self._event: Event | None = None
         self._generation = self._operating_state.generation or Generation.TWO
         self._reasons: tuple[Refusal | None, ...] | None = None
         self._mark = PowerMark()
@@ -111,9 +109,7 @@ class GripperPanel(Panel):
             lambda: self._accepted(self._controller.gripper.clear_error())
         )
         self._acts["zero"].clicked.connect(self._ask_for_zero)
-        self._controller.state_changed.connect(self._on_state_changed)
-        self._controller.operating_state_changed.connect(self._on_operating_state_changed)
-        self._controller.noticed.connect(self._on_noticed)
+        self._listen("gripper_")
 
     # -- actions ------------------------------------------------------------------------------
 
@@ -171,23 +167,11 @@ class GripperPanel(Panel):
 
     # -- what the gripper says ----------------------------------------------------------------
 
-    def _on_noticed(self, event: Event) -> None:
-        if event.code.startswith("gripper_"):
-            self._refusal, self._event = None, event
-            self._show_message()
-
-    def _on_state_changed(self, state: ArmState) -> None:
-        if self.isVisible():
-            self._show_state(state)
-
-    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
-        old, self._operating_state = self._operating_state, operating_state
-        if old.cannot_enable != operating_state.cannot_enable:
+    def _forget_outdated(self, old: OperatingState) -> None:
+        if old.cannot_enable != self._operating_state.cannot_enable:
             self._refusal = None
-        if old.device != operating_state.device:
+        if old.device != self._operating_state.device:
             self._event = None
-        if self.isVisible():
-            self._show_all()
 
     def _show_state(self, state: ArmState) -> None:
         heard = state.gripper

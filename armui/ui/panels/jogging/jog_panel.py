@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Final
 
 from PySide6.QtCore import Qt
@@ -16,6 +16,7 @@ from armui.control.devices.zeroing import ENDED
 from armui.control.events import Event, EventCode
 from armui.control.operating_state import OperatingState
 from armui.ui import words
+from armui.ui.panels.jogging.jog_signals import JogSignals
 from armui.ui.panels.jogging.key_pad import KeyPad, Keys
 from armui.ui.panels.jogging.step_box import StepBox
 from armui.ui.panels.panel import Panel
@@ -63,6 +64,15 @@ class JogPanel(Panel):
         self._key_pad = KeyPad(keys, f"{name}_key_pad")
         self._key_pad.hide()
 
+    def _follow_rows(self, rows: Iterable[JogSignals]) -> None:
+        for row in rows:
+            row.stepped.connect(self._on_stepped)
+            row.repeated.connect(self._on_repeated)
+            row.held.connect(self._on_held)
+            row.let_go.connect(self._on_let_go)
+            row.unattended.connect(self._on_unattended)
+            row.edited.connect(self._on_edited)
+
     def _finish(
         self,
         card: QFrame,
@@ -91,13 +101,20 @@ class JogPanel(Panel):
         self._key_pad.pressed.connect(self._on_key_pressed)
         self._key_pad.let_go.connect(self._on_let_go)
         self._key_pad.unattended.connect(self._on_unattended)
-        self._controller.operating_state_changed.connect(self._on_operating_state_changed)
-        self._controller.noticed.connect(self._on_noticed)
+        self._listen()
 
     # -- what a panel of its own adds ---------------------------------------------------------
 
     def _on_stepped(self, number: int, direction: int) -> None:
         """Jog by one step."""
+        raise NotImplementedError
+
+    def _on_repeated(self, number: int, direction: int) -> None:
+        """Jog by another step: the button is still held."""
+        raise NotImplementedError
+
+    def _on_edited(self) -> None:
+        """The operator changed a target."""
         raise NotImplementedError
 
     def _on_held(self, number: int, direction: int) -> None:
@@ -158,17 +175,14 @@ class JogPanel(Panel):
 
     # -- what the arm says --------------------------------------------------------------------
 
-    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
-        old, self._operating_state = self._operating_state, operating_state
-        if old.device != operating_state.device:
+    def _forget_outdated(self, old: OperatingState) -> None:
+        if old.device != self._operating_state.device:
             # another arm: targets made for the last one would be a trap
             self._filled_for = None
             self._forget_targets()
-        if old.cannot_move != operating_state.cannot_move:
+        if old.cannot_move != self._operating_state.cannot_move:
             self._refusal = None
         self._fill_once()
-        if self.isVisible():
-            self._show_all()
 
     def _why_not_move(self) -> str:
         return words.why_not(self._operating_state.cannot_move)

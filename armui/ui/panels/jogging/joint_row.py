@@ -2,48 +2,36 @@
 
 from __future__ import annotations
 
-from functools import partial
 from typing import Final
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel, QWidget
 
 from armui.arm.limits import ANGLE_STEP_DEG, JointLimits, check_joint
 from armui.arm.refusal import Refusal
 from armui.ui import format as fmt
+from armui.ui.panels.jogging.jog_signals import JogSignals
 from armui.ui.theme import scaled_font
 from armui.ui.widgets import painting
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
+from armui.ui.widgets.layouts import empty_grid
 from armui.ui.widgets.track_slider import TrackSlider
-from armui.ui.widgets.translated import Translated
 from armui.ui.widgets.value_label import ValueLabel
 
 _WIDEST_ANGLE: Final = "-000.000°"
 _WIDEST_LIMIT: Final = "-000.00°"
 
 
-class JointRow(Translated, QWidget):
-    """The controls of one joint.
+class JointRow(JogSignals):
+    """The controls of one joint; its signals carry the joint's number.
 
     Args:
         joint: Its number, 1–6.
         limits: Its range until the arm tells another.
     """
-
-    stepped = Signal(int, int)
-    """Jog: the joint, and +1 or −1."""
-    repeated = Signal(int, int)
-    """The same, from a button that is still held."""
-    held = Signal(int, int)
-    """Jog until :attr:`let_go`: the joint, and +1 or −1."""
-    let_go = Signal()
-    unattended = Signal()
-    """A held button was let go by itself: the operator gave no sign for too long."""
-    edited = Signal(int)
-    """The operator changed the target of the joint; nothing is sent."""
 
     def __init__(self, joint: int, limits: JointLimits, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -68,23 +56,15 @@ class JointRow(Translated, QWidget):
         for label in (self._minimum, self._maximum):
             label.setFont(scaled_font(label, 0.88))
         self._lay_out()
-        for button, direction in ((self.minus, -1), (self.plus, 1)):
-            button.stepped.connect(partial(self.stepped.emit, joint, direction))
-            button.repeated.connect(partial(self.repeated.emit, joint, direction))
-            button.held.connect(partial(self.held.emit, joint, direction))
-            button.let_go.connect(self.let_go)
-            button.unattended.connect(self.unattended)
+        self._tell_presses(joint, self.minus, self.plus)
         self.field.value_edited.connect(self._on_field_edited)
         self.slider.valueChanged.connect(self._on_slider_moved)
         self.show_target(None)
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
-        grid = QGridLayout(self)
         top = Qt.AlignmentFlag.AlignTop
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setHorizontalSpacing(8)
-        grid.setVerticalSpacing(2)
+        grid = empty_grid(self, gaps=(8, 2), margins=0)
         grid.addWidget(self._name, 0, 0)
         grid.addWidget(self.minus, 0, 1)
         grid.addWidget(self.field, 0, 2)

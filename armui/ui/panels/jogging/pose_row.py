@@ -5,43 +5,31 @@ from __future__ import annotations
 from functools import partial
 from typing import Final
 
-from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QWidget
 
 from armui.ui import format as fmt
+from armui.ui.panels.jogging.jog_signals import JogSignals
 from armui.ui.theme import scaled_font
 from armui.ui.widgets import painting
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.layouts import in_row
-from armui.ui.widgets.translated import Translated
 from armui.ui.widgets.value_label import ValueLabel
 
 _WIDEST: Final = "-0000.000 mm"
 _NAME_PX: Final = 34
 
 
-class PoseRow(Translated, QWidget):
-    """The controls of one axis.
+class PoseRow(JogSignals):
+    """The controls of one axis; its signals carry the axis' place.
 
     Args:
         place: 0–5 for X, Y, Z, RX, RY, RZ.
         name: One of them.
         unit: ``mm`` or ``°``.
     """
-
-    stepped = Signal(int, int)
-    """The place, and +1 or −1."""
-    repeated = Signal(int, int)
-    """The same, from a button that is still held."""
-    held = Signal(int, int)
-    """Jog until :attr:`let_go`."""
-    let_go = Signal()
-    unattended = Signal()
-    """A held button was let go by itself: the operator gave no sign for too long."""
-    edited = Signal(int)
-    """The operator changed the target; nothing is sent."""
 
     def __init__(self, place: int, name: str, unit: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -51,32 +39,16 @@ class PoseRow(Translated, QWidget):
         self._label = QLabel(name)
         self._label.setFont(scaled_font(self._label, 1.15, bold=True))
         self._label.setFixedWidth(_NAME_PX)
-        self.minus, self.plus = JogButton("−"), JogButton("+")
-        self.minus.setObjectName(f"pose_minus_{name}")
-        self.plus.setObjectName(f"pose_plus_{name}")
-        self.field = FigureField(fmt.DECIMALS, unit)
+        self.minus = named(f"pose_minus_{name}", JogButton("−"))
+        self.plus = named(f"pose_plus_{name}", JogButton("+"))
+        self.field = named(f"pose_field_{name}", FigureField(fmt.DECIMALS, unit))
         self.field.setTextMargins(0, 0, 28 if unit == "mm" else 5, 0)
-        self.field.setObjectName(f"pose_field_{name}")
-        self.measured = ValueLabel(_WIDEST, alignment=Qt.AlignmentFlag.AlignRight)
-        self.measured.setObjectName(f"pose_measured_{name}")
+        self.measured = named(f"pose_measured_{name}", ValueLabel(_WIDEST))
         kind = f"pose_{name.lower()}"
         tell_quantities(self, *(f"{source}.{kind}" for source in ("arm", "own", "other")))
-        in_row(
-            self._label,
-            self.minus,
-            (self.field, 1),
-            self.plus,
-            self.measured,
-            on=self,
-            spacing=8,
-            margins=0,
-        )
-        for button, direction in ((self.minus, -1), (self.plus, 1)):
-            button.stepped.connect(partial(self.stepped.emit, place, direction))
-            button.repeated.connect(partial(self.repeated.emit, place, direction))
-            button.held.connect(partial(self.held.emit, place, direction))
-            button.let_go.connect(self.let_go)
-            button.unattended.connect(self.unattended)
+        parts = (self._label, self.minus, (self.field, 1), self.plus, self.measured)
+        in_row(*parts, on=self, spacing=8, margins=0)
+        self._tell_presses(place, self.minus, self.plus)
         self.field.value_edited.connect(partial(self._on_edited, place))
         self.retranslate_ui()
 

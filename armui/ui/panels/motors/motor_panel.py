@@ -13,7 +13,6 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
-from armui.control.events import Event
 from armui.control.operating_state import OperatingState
 from armui.protocol.codes import ALL_JOINTS
 from armui.ui import words
@@ -30,13 +29,6 @@ from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row
 
 _TALLEST_CARD_PX: Final = 520
-_OURS: Final = (
-    "enable",
-    "disable",
-    "zero_",
-    "clear_error_",
-)
-"""How the codes of the events that are told here begin."""
 
 
 class MotorPanel(Panel):
@@ -51,7 +43,6 @@ class MotorPanel(Panel):
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(controller, "motor_message", parent)
-        self._event: Event | None = None
         self._heads = [QLabel() for _ in range(4)]
         self._rows = [MotorRow(joint) for joint in JOINTS]
         self._all_label = QLabel()
@@ -59,9 +50,7 @@ class MotorPanel(Panel):
         self._lay_out()
         for acts in self._all_acts():
             acts.wanted.connect(self._on_wanted)
-        controller.state_changed.connect(self._on_state_changed)
-        controller.operating_state_changed.connect(self._on_operating_state_changed)
-        controller.noticed.connect(self._on_noticed)
+        self._listen("enable", "disable", "zero_", "clear_error_")
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
@@ -134,21 +123,10 @@ class MotorPanel(Panel):
 
     # -- what the arm says --------------------------------------------------------------------
 
-    def _on_noticed(self, event: Event) -> None:
-        if event.code.startswith(_OURS):
-            self._event = event
-            self._show_message()
-
-    def _on_state_changed(self, state: ArmState) -> None:
-        if self.isVisible():
-            self._show_state(state)
-
-    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
-        old, self._operating_state = self._operating_state, operating_state
-        if old.unreachable != operating_state.unreachable or old.stop is not operating_state.stop:
+    def _forget_outdated(self, old: OperatingState) -> None:
+        now = self._operating_state
+        if old.unreachable != now.unreachable or old.stop is not now.stop:
             self._event = None
-        if self.isVisible():
-            self._show_all()
 
     def _show_state(self, state: ArmState) -> None:
         for row in self._rows:

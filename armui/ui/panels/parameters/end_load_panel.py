@@ -13,7 +13,6 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.devices.end_reports import is_reporting
-from armui.control.events import Event
 from armui.control.operating_state import LinkState, OperatingState
 from armui.protocol.codes import EndLoad
 from armui.ui import format as fmt
@@ -34,7 +33,6 @@ _FIGURES: Final = (
     ("linear_acceleration_m_s2", "m/s²"),
     ("angular_acceleration_rad_s2", "rad/s²"),
 )
-_OURS: Final = ("load_", "end_feedback_")
 
 
 class EndLoadPanel(Panel):
@@ -46,7 +44,6 @@ class EndLoadPanel(Panel):
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(controller, "end_load_message", parent)
-        self._event: Event | None = None
         self._reporting: bool | None = None
         self._loads = QButtonGroup(self)
         self._note = text_label(rank="muted", wraps=True)
@@ -65,9 +62,7 @@ class EndLoadPanel(Panel):
         self._lay_out()
         self._send.clicked.connect(self._on_send)
         self._switch.clicked.connect(self._on_switch)
-        controller.state_changed.connect(self._on_state_changed)
-        controller.operating_state_changed.connect(self._on_operating_state_changed)
-        controller.noticed.connect(self._on_noticed)
+        self._listen("load_", "end_feedback_")
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
@@ -115,21 +110,9 @@ class EndLoadPanel(Panel):
 
     # -- appearance ---------------------------------------------------------------------------
 
-    def _on_noticed(self, event: Event) -> None:
-        if event.code.startswith(_OURS):
-            self._refusal, self._event = None, event
-            self._show_message()
-
-    def _on_state_changed(self, state: ArmState) -> None:
-        if self.isVisible():
-            self._show_state(state)
-
-    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
-        old, self._operating_state = self._operating_state, operating_state
-        if old.link is not operating_state.link:
+    def _forget_outdated(self, old: OperatingState) -> None:
+        if old.link is not self._operating_state.link:
             self._refusal = self._event = None
-        if self.isVisible():
-            self._show_all()
 
     def _show_state(self, state: ArmState) -> None:
         for joint in JOINTS:

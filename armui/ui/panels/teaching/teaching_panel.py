@@ -13,7 +13,7 @@ from armui.control.arm_controller import ArmController
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of
 from armui.control.events import Event, EventCode, Level
 from armui.control.operating_state import OperatingState
-from armui.control.safety.recovery_steps import Action, Step
+from armui.control.safety.recovery_steps import Action
 from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.ui import format as fmt
 from armui.ui import words
@@ -127,11 +127,8 @@ class TeachingPanel(Panel):
                 button.held.connect(lambda which=plan: self._on_plan(which))
             else:
                 button.clicked.connect(lambda _checked, which=plan: self._on_plan(which))
-        controller = self._controller
-        controller.state_changed.connect(self._on_state_changed)
-        controller.operating_state_changed.connect(self._on_operating_state_changed)
-        controller.step_changed.connect(self._on_step_changed)
-        controller.noticed.connect(self._on_noticed)
+        self._listen()
+        self._controller.step_changed.connect(self._show_new)
 
     # -- actions ------------------------------------------------------------------------------
 
@@ -166,9 +163,6 @@ class TeachingPanel(Panel):
     def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
         self._operating_state = operating_state
         self._refusal = None
-        self._show_new()
-
-    def _on_step_changed(self, _step: Step) -> None:
         self._show_new()
 
     def _on_noticed(self, event: Event) -> None:
