@@ -36,11 +36,7 @@ class Player(Execution):
         context: What the parts of the controller share.
     """
 
-    def __init__(
-        self,
-        context: Context,
-        parent: QObject | None = None,
-    ) -> None:
+    def __init__(self, context: Context, parent: QObject | None = None) -> None:
         super().__init__(context, parent)
         self._run: Run | None = None
         self._schedule: RunSchedule | None = None

@@ -44,13 +44,7 @@ _MAY_BE_BRIEF: Final = frozenset(
 step, and a line that flickers leads to wrong clicks."""
 
 _NEEDS_IDENTIFIERS: Final = frozenset(
-    {
-        Action.RESUME,
-        Action.STOP_RECORDING,
-        Action.ABORT_REPLAY,
-        Action.LEAD_BY_HAND,
-        Action.STANDBY,
-    }
+    {Action.RESUME, Action.STOP_RECORDING, Action.ABORT_REPLAY, Action.LEAD_BY_HAND, Action.STANDBY}
 )
 """What is said on 0x150 and 0x151, which another arm may listen to (0x470)."""
 

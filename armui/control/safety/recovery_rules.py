@@ -123,10 +123,7 @@ _RULES: Final = (
     ),
     # it obeys nothing but this: neither a stop nor a resume
     _Rule(
-        StepKind.TEACHING_INPUT,
-        Level.WARNING,
-        Action.LEAVE_TEACHING_INPUT,
-        when(is_teaching_input),
+        StepKind.TEACHING_INPUT, Level.WARNING, Action.LEAVE_TEACHING_INPUT, when(is_teaching_input)
     ),
     _Rule(
         StepKind.STOP_UNCONFIRMED,
@@ -160,12 +157,7 @@ _RULES: Final = (
         None,
         when(lambda view: view.operating_state.generation is None),
     ),
-    _Rule(
-        StepKind.STATUS_UNKNOWN,
-        Level.WARNING,
-        Action.CONNECT,
-        when(not_heard),
-    ),
+    _Rule(StepKind.STATUS_UNKNOWN, Level.WARNING, Action.CONNECT, when(not_heard)),
     _Rule(
         StepKind.COMMUNICATION,
         Level.FAULT,

@@ -123,10 +123,7 @@ def cartesian_target(codec: Codec, pose: Sequence[float]) -> list[Frame]:
 
 def move_joints(codec: Codec, joints_deg: Sequence[float], *, speed_percent: float) -> list[Frame]:
     """Moves to six joint angles in degrees: targets, then 0x151 with MOVE J."""
-    return [
-        *joint_target(codec, joints_deg),
-        *_can_control(codec, MoveMode.MOVE_J, speed_percent),
-    ]
+    return [*joint_target(codec, joints_deg), *_can_control(codec, MoveMode.MOVE_J, speed_percent)]
 
 
 def move_pose(

@@ -102,12 +102,7 @@ class BackupDialog(ArmDialog):
         self.restore_button.setProperty("primary", True)
         self.footer.addWidget(self.read_button)
         self.footer.addStretch(1)
-        for button in (
-            self.save_button,
-            self.open_button,
-            self.restore_button,
-            self.close_button,
-        ):
+        for button in (self.save_button, self.open_button, self.restore_button, self.close_button):
             self.footer.addWidget(button)
         for button in self.findChildren(QPushButton):
             button.setAutoDefault(False)

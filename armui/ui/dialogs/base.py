@@ -30,11 +30,7 @@ class ArmDialog(Translated, QDialog):
         parent: The window it belongs to and stays in front of.
     """
 
-    def __init__(
-        self,
-        controller: ArmController,
-        parent: QWidget | None = None,
-    ) -> None:
+    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setModal(False)
         self._heading = text_label(rank="title", wraps=True, plain=True)

@@ -104,8 +104,5 @@ def span_text(name: str) -> str:
     """From which to which value a parameter can be set."""
     kind = KINDS[name]
     source = QT_TRANSLATE_NOOP("Parameter", "Possible: {minimum} to {maximum}")
-    words = {
-        "minimum": value_text(name, kind.minimum),
-        "maximum": value_text(name, kind.maximum),
-    }
+    words = {"minimum": value_text(name, kind.minimum), "maximum": value_text(name, kind.maximum)}
     return sentence("Parameter", source, words)

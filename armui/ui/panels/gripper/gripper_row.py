@@ -58,10 +58,7 @@ class GripperRow(QWidget):
         grid.addWidget(self.measured, 0, 4, Qt.AlignmentFlag.AlignRight)
         grid.addWidget(self.slider, 1, 1, 1, 4)
         grid.setColumnStretch(2, 1)
-        for button, word, sign, column in (
-            (self.minus, "minus", -1, 1),
-            (self.plus, "plus", 1, 3),
-        ):
+        for button, word, sign, column in ((self.minus, "minus", -1, 1), (self.plus, "plus", 1, 3)):
             button.setObjectName(f"{name}_{word}")
             button.setVisible(steps)
             button.stepped.connect(lambda sign=sign: self.stepped.emit(sign))

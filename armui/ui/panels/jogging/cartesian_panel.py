@@ -25,11 +25,7 @@ from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import STRETCH, in_column
 
 _OWN_REFUSALS: Final = frozenset(
-    {
-        ArmStatusCode.NO_SOLUTION,
-        ArmStatusCode.SINGULARITY,
-        ArmStatusCode.TARGET_BEYOND_LIMIT,
-    }
+    {ArmStatusCode.NO_SOLUTION, ArmStatusCode.SINGULARITY, ArmStatusCode.TARGET_BEYOND_LIMIT}
 )
 """What 0x2A1 says of a target the arm itself refuses."""
 _KEYS: Final = (
@@ -52,10 +48,7 @@ class CartesianPanel(JogPanel):
     """
 
     def __init__(
-        self,
-        controller: ArmController,
-        preferences: SettingsStore,
-        parent: QWidget | None = None,
+        self, controller: ArmController, preferences: SettingsStore, parent: QWidget | None = None
     ) -> None:
         super().__init__(
             controller,

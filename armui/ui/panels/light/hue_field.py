@@ -107,8 +107,7 @@ class HueField(QWidget):
     def _follow(self, place: QPointF) -> None:
         area = self._area()
         self._move(
-            (place.x() - area.left()) / area.width(),
-            1 - (place.y() - area.top()) / area.height(),
+            (place.x() - area.left()) / area.width(), 1 - (place.y() - area.top()) / area.height()
         )
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

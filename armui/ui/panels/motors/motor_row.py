@@ -143,12 +143,7 @@ class MotorRow(Translated, QWidget):
         self.acts = ActButtons(joint)
 
         figures = in_row(
-            self._mark,
-            name,
-            self.power,
-            STRETCH,
-            *self.figures.values(),
-            spacing=COLUMN_GAP_PX,
+            self._mark, name, self.power, STRETCH, *self.figures.values(), spacing=COLUMN_GAP_PX
         )
         in_column(figures, self.acts, on=self, spacing=4, margins=0)
         self.retranslate_ui()

@@ -16,10 +16,7 @@ _TEXTS: Final[Mapping[str, tuple[object, str]]] = {
     "insert_before": (QT_TRANSLATE_NOOP("EditorAction", "Insert before"), "Ctrl+Shift+Return"),
     "insert_after": (QT_TRANSLATE_NOOP("EditorAction", "Insert after"), "Ctrl+Return"),
     "insert_measured": (QT_TRANSLATE_NOOP("EditorAction", "Insert current pose"), "Ctrl+I"),
-    "replace_by_measured": (
-        QT_TRANSLATE_NOOP("EditorAction", "Replace by current pose"),
-        "Ctrl+R",
-    ),
+    "replace_by_measured": (QT_TRANSLATE_NOOP("EditorAction", "Replace by current pose"), "Ctrl+R"),
     "duplicate": (QT_TRANSLATE_NOOP("EditorAction", "Duplicate"), "Ctrl+D"),
     "delete": (QT_TRANSLATE_NOOP("EditorAction", "Delete"), "Del"),
     "cut": (QT_TRANSLATE_NOOP("EditorAction", "Cut"), "Ctrl+X"),

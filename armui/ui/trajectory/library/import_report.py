@@ -45,10 +45,7 @@ class ImportReport(ArmDialog):
     """
 
     def __init__(
-        self,
-        controller: ArmController,
-        results: Sequence[Result],
-        parent: QWidget | None = None,
+        self, controller: ArmController, results: Sequence[Result], parent: QWidget | None = None
     ) -> None:
         super().__init__(controller, parent)
         self._results = sorted(results, key=lambda result: not result.problem)

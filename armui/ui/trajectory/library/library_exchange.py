@@ -51,11 +51,7 @@ class LibraryExchange(QObject):
     imported = Signal(object)
 
     def __init__(
-        self,
-        controller: ArmController,
-        background: Background,
-        work: LibraryWork,
-        window: QWidget,
+        self, controller: ArmController, background: Background, work: LibraryWork, window: QWidget
     ) -> None:
         super().__init__(window)
         self._controller = controller

@@ -365,9 +365,7 @@ class LibraryWindow(ArmDialog):
     def _on_progress(self, progress: Progress) -> None:
         if progress.reason is not None:
             text = self.tr("“{name}” ended at row {row}. {reason}").format(
-                name=progress.name,
-                row=progress.index + 1,
-                reason=words.refusal(progress.reason),
+                name=progress.name, row=progress.index + 1, reason=words.refusal(progress.reason)
             )
             self._say(text, Level.FAULT)
 

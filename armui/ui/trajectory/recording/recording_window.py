@@ -222,9 +222,7 @@ class RecordingWindow(ArmDialog):
             self._job = None
 
     def _take_result(
-        self,
-        then: Callable[[Recording], object] | None,
-        result: Recording | Refusal | None,
+        self, then: Callable[[Recording], object] | None, result: Recording | Refusal | None
     ) -> None:
         self._job = None
         if isinstance(result, Refusal):

@@ -117,10 +117,7 @@ class ColumnPicker(Translated, QWidget):
         column = self.tr("Column {number}").format(number=self._number)
         titled = f"{self._number}. {self._title_text}"
         self._title.show_text(titled if self._title_text else column)
-        short = {
-            ColumnQuantity.WAIT: self.tr("Wait"),
-            ColumnQuantity.GRIPPER: self.tr("Gripper"),
-        }
+        short = {ColumnQuantity.WAIT: self.tr("Wait"), ColumnQuantity.GRIPPER: self.tr("Gripper")}
         self._quantity.setItemText(0, self.tr("Ignored"))
         for place, quantity in enumerate(ColumnQuantity, start=1):
             full = words.point_figure(quantity.value)
