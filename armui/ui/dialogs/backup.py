@@ -46,12 +46,7 @@ _NARROWEST_COLUMN_PX: Final = 110
 
 
 class BackupDialog(ArmDialog):
-    """Reads the arm when it opens; what a file says comes beside it.
-
-    Args:
-        controller: Reads and sets the parameters.
-        parent: The main window.
-    """
+    """Reads the arm when it opens; what a file says comes beside it."""
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(controller, parent)

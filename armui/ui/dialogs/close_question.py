@@ -13,10 +13,6 @@ from armui.ui.widgets.buttons import push_button
 class CloseQuestion(ConfirmDialog):
     """End the motion and close, let it finish and close, or stay.
 
-    Args:
-        controller: Whom the emergency stop tells.
-        parent: The main window.
-
     Signals:
         let_finish: The program shall be closed and the arm go on to its target; accepted, the
             motion shall be ended before.

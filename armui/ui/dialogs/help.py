@@ -116,12 +116,7 @@ _SECTIONS: Final = (
 
 
 class HelpDialog(ArmDialog):
-    """Explains mouse, keyboard and figures of the 3D picture.
-
-    Args:
-        controller: Whom the emergency stop tells.
-        parent: The main window.
-    """
+    """Explains mouse, keyboard and figures of the 3D picture."""
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(controller, parent)

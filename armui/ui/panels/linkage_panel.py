@@ -26,11 +26,7 @@ _BASES: Final = {"feedback": (0x2A1, 0x2A8), "control": (0x150, 0x15F), "target"
 
 
 class LinkagePanel(Panel):
-    """What is to be set; which identifiers are in use; what a teaching input is, and the way back.
-
-    Args:
-        controller: Whom to tell.
-    """
+    """What is to be set, which identifiers are in use, and how a teaching input is led back."""
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(controller, "linkage_message", parent)

@@ -33,11 +33,7 @@ _ACTS: Final = ("enable", "disable", "clear", "zero")
 
 
 class GripperPanel(Panel):
-    """Target and measured values of the gripper, the buttons for its power, its errors in words.
-
-    Args:
-        controller: Whom to tell.
-    """
+    """Target and measured values of the gripper, the buttons for its power, its errors in words."""
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(controller, "gripper_message", parent)

@@ -48,9 +48,6 @@ class LightPanel(Panel):
 
     Fields, sliders and picker are three ways to the same colour. Everything stays as it was left
     while another panel is used.
-
-    Args:
-        controller: Whom to tell.
     """
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:

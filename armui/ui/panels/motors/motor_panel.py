@@ -36,9 +36,6 @@ class MotorPanel(Panel):
 
     Disabling lets the arm drop and a wrong zero makes it run into its stops: both say so and must
     be confirmed by holding a button.
-
-    Args:
-        controller: Whom to tell.
     """
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:

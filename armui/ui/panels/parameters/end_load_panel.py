@@ -36,11 +36,7 @@ _FIGURES: Final = (
 
 
 class EndLoadPanel(Panel):
-    """Three loads to choose from, and a table that lives while 0x481–0x486 arrive.
-
-    Args:
-        controller: Whom to tell.
-    """
+    """Three loads to choose from, and a table that lives while 0x481–0x486 arrive."""
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(controller, "end_load_message", parent)

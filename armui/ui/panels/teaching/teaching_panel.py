@@ -48,11 +48,7 @@ _MOVES: Final = frozenset(
 
 
 class TeachingPanel(Panel):
-    """Offers the commands that make sense now; the others say why they do not.
-
-    Args:
-        controller: Whom to tell.
-    """
+    """Offers the commands that make sense now; the others say why they do not."""
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(controller, "teaching_message", parent)

@@ -27,10 +27,6 @@ _DATE_PX: Final = 160
 class BinDialog(ArmDialog):
     """Lists everything that was deleted, the last first; bringing back is done by others.
 
-    Args:
-        controller: Whom the emergency stop tells.
-        parent: The window it belongs to.
-
     Signals:
         wanted: Those to be brought back, as a list of :class:`Deleted`.
     """
