@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel, QToolButton, QWidget
+from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -15,7 +15,7 @@ from armui.protocol.codes import LinkageRole
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.panels.panel import Panel
-from armui.ui.widgets.buttons import push_button
+from armui.ui.widgets.buttons import caption, choice_button, named, push_button
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import empty_grid
@@ -33,11 +33,11 @@ class LinkagePanel(Panel):
         self._role_label = QLabel()
         self._roles = QButtonGroup(self)
         self._role_buttons = {
-            LinkageRole.TEACHING_INPUT: QToolButton(),
-            LinkageRole.MOTION_OUTPUT: QToolButton(),
+            LinkageRole.TEACHING_INPUT: choice_button("linkage_input"),
+            LinkageRole.MOTION_OUTPUT: choice_button("linkage_output"),
         }
-        self._labels = {name: QLabel() for name in _BASES}
-        self._boxes = {name: QComboBox() for name in _BASES}
+        self._labels = {name: text_label(wraps=True) for name in _BASES}
+        self._boxes = {name: named(f"linkage_{name}_offset", QComboBox()) for name in _BASES}
         self._in_use = text_label("linkage_in_use", wraps=True)
         self._teaching = text_label("linkage_teaching_input", wraps=True)
         self._back = push_button("linkage_back_button")
@@ -55,23 +55,14 @@ class LinkagePanel(Panel):
         grid = empty_grid(card, gaps=(10, 10), margins=(16, 12, 16, 12))
         grid.addWidget(self._role_label, 0, 0, 1, 2)
         for row, (role, button) in enumerate(self._role_buttons.items(), start=1):
-            button.setObjectName(
-                "linkage_input" if role is LinkageRole.TEACHING_INPUT else "linkage_output"
-            )
-            button.setCheckable(True)
-            button.setProperty("choice", True)
             button.setSizePolicy(self._confirm.sizePolicy())
             self._roles.addButton(button, int(role))
             grid.addWidget(button, row, 0, 1, 2)
         self._role_buttons[LinkageRole.MOTION_OUTPUT].setChecked(True)
         for row, (name, box) in enumerate(self._boxes.items(), start=3):
-            box.setObjectName(f"linkage_{name}_offset")
-            first, last = _BASES[name]
             for offset in OFFSETS:
-                span = f"0x{first + offset:03X}–0x{last + offset:03X}"
-                box.addItem(f"0x{offset:02X}  ({span})", offset)
+                box.addItem(f"0x{offset:02X}  ({_span(name, offset)})", offset)
             self._labels[name].setBuddy(box)
-            self._labels[name].setWordWrap(True)
             grid.addWidget(self._labels[name], row, 0)
             grid.addWidget(box, row, 1)
         grid.addWidget(self._in_use, 6, 0, 1, 2)
@@ -147,18 +138,11 @@ class LinkagePanel(Panel):
             self._in_use.setText(self.tr("In use: —"))
             return
         addressing = operating_state.addressing
-        control = (
-            f"0x{0x150 + addressing.control_offset:03X}–0x{0x15F + addressing.control_offset:03X}"
-            if operating_state.control_certain
-            else self.tr("not known")
-        )
-        self._in_use.setText(
-            self.tr("In use: feedback {feedback}, commands {control}").format(
-                feedback=f"0x{0x2A1 + addressing.feedback_offset:03X}–"
-                f"0x{0x2A8 + addressing.feedback_offset:03X}",
-                control=control,
-            )
-        )
+        feedback = _span("feedback", addressing.feedback_offset)
+        certain = operating_state.control_certain
+        control = _span("control", addressing.control_offset) if certain else self.tr("not known")
+        text = self.tr("In use: feedback {feedback}, commands {control}")
+        self._in_use.setText(text.format(feedback=feedback, control=control))
 
     def _show_message(self) -> None:
         operating_state = self._operating_state
@@ -177,8 +161,7 @@ class LinkagePanel(Panel):
             (LinkageRole.TEACHING_INPUT, self.tr("Master arm (teaching input arm)")),
             (LinkageRole.MOTION_OUTPUT, self.tr("Slave arm (motion output arm)")),
         ):
-            self._role_buttons[role].setText(text)
-            self._role_buttons[role].setAccessibleName(text)
+            caption(self._role_buttons[role], text)
         for name, text in (
             ("feedback", self.tr("Feedback offset")),
             ("control", self.tr("Control offset")),
@@ -195,10 +178,8 @@ class LinkagePanel(Panel):
                 "and no feedback. It obeys nothing but this:"
             )
         )
-        self._back.setText(self.tr("Back to a motion output arm without offsets"))
-        self._back.setAccessibleName(self._back.text())
-        self._confirm.setText(self.tr("Confirm"))
-        self._confirm.setAccessibleName(f"{self._title.text()}: {self._confirm.text()}")
+        caption(self._back, self.tr("Back to a motion output arm without offsets"))
+        caption(self._confirm, self.tr("Confirm"), whose=self._title.text())
         self._note.setText(
             self.tr(
                 "The arm cannot be asked for this setting: what counts is where its feedback is "
@@ -206,3 +187,9 @@ class LinkagePanel(Panel):
             )
         )
         self._show_all()
+
+
+def _span(name: str, offset: int) -> str:
+    """From which to which identifier an offset leads."""
+    first, last = _BASES[name]
+    return f"0x{first + offset:03X}–0x{last + offset:03X}"

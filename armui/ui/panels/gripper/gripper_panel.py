@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QFrame, QGridLayout, QPushButton, QWidget
+from PySide6.QtWidgets import QFrame, QWidget
 
 from armui.arm.gripper import GripperState
 from armui.arm.refusal import Refusal
@@ -20,10 +19,10 @@ from armui.ui.freshness import is_stale
 from armui.ui.panels.gripper.gripper_row import GripperRow
 from armui.ui.panels.motors.motor_row import PowerMark
 from armui.ui.panels.panel import Panel
-from armui.ui.widgets.buttons import push_button
+from armui.ui.widgets.buttons import caption, push_button
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
-from armui.ui.widgets.layouts import STRETCH, in_column, in_row
+from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
 from armui.ui.widgets.state_mark import Mark
 from armui.ui.widgets.text_label import text_label
 
@@ -44,11 +43,9 @@ class GripperPanel(Panel):
         self._faults = text_label("gripper_faults", rank="fault", wraps=True)
         self._rows = in_column(spacing=10)
         self._stroke_note = text_label("gripper_stroke_note", rank="muted", wraps=True)
-        self._send = push_button("gripper_send_button")
-        self._send.setShortcut(QKeySequence(_SEND_KEY))
-        self._send.setProperty("primary", True)
+        self._send = push_button("gripper_send_button", primary=True)
         self._send.setMinimumHeight(38)
-        self._acts = {act: QPushButton() for act in _ACTS}
+        self._acts = {act: push_button(f"gripper_{act}_button") for act in _ACTS}
         self._rows_of = {each: self._make_rows(each) for each in Generation}
         self._lay_out()
         self._connect()
@@ -79,21 +76,10 @@ class GripperPanel(Panel):
     def _lay_out(self) -> None:
         state = in_row(self._mark, self._power, STRETCH)
         card = QFrame()
-        in_column(
-            state,
-            self._faults,
-            self._rows,
-            self._stroke_note,
-            STRETCH,
-            on=card,
-            spacing=10,
-            margins=(16, 12, 16, 12),
-        )
-
-        acts = QGridLayout()
-        acts.setSpacing(8)
-        for place, (act, button) in enumerate(self._acts.items()):
-            button.setObjectName(f"gripper_{act}_button")
+        parts = (state, self._faults, self._rows, self._stroke_note, STRETCH)
+        in_column(*parts, on=card, spacing=10, margins=(16, 12, 16, 12))
+        acts = empty_grid(gaps=(8, 8))
+        for place, button in enumerate(self._acts.values()):
             acts.addWidget(button, 0, place)
         self._stack(scrolled(card, _TALLEST_CARD_PX), self._send, acts)
 
@@ -231,17 +217,14 @@ class GripperPanel(Panel):
         self._travel.allow_steps(why_not_move)
         use = self.tr("Moves the gripper to the target, and gives it power.")
         enable_or_explain(self._send, why_not_move, use, key=_SEND_KEY)
-        for act, reason, use in (
-            ("enable", why_not_move, self.tr("Gives the gripper power where it is.")),
-            (
-                "disable",
-                why_not_let_go,
-                self.tr("Takes its power: it drops what it holds. Asks first."),
-            ),
-            ("clear", why_not, self.tr("Clears its error; it has no power until enabled again.")),
-            ("zero", why_not, self.tr("Makes the present opening its zero. Asks first.")),
-        ):
-            enable_or_explain(self._acts[act], reason, use)
+        use = self.tr("Gives the gripper power where it is.")
+        enable_or_explain(self._acts["enable"], why_not_move, use)
+        use = self.tr("Takes its power: it drops what it holds. Asks first.")
+        enable_or_explain(self._acts["disable"], why_not_let_go, use)
+        use = self.tr("Clears its error; it has no power until enabled again.")
+        enable_or_explain(self._acts["clear"], why_not, use)
+        use = self.tr("Makes the present opening its zero. Asks first.")
+        enable_or_explain(self._acts["zero"], why_not, use)
 
     def _show_message(self) -> None:
         refusal = self._refusal or self._operating_state.cannot_enable
@@ -264,12 +247,10 @@ class GripperPanel(Panel):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self._title.setText(self.tr("Gripper control"))
-        self._send.setText(self.tr("Send"))
-        self._send.setAccessibleName(f"{self._title.text()}: {self._send.text()}")
-        self._send.setShortcut(QKeySequence(_SEND_KEY))  # a new text takes it away
+        whose = self._title.text()
+        caption(self._send, self.tr("Send"), whose=whose, key=_SEND_KEY)
         for act, button in self._acts.items():
-            button.setText(words.gripper_act(act))
-            button.setAccessibleName(f"{self._title.text()}: {button.text()}")
+            caption(button, words.gripper_act(act), whose=whose)
         self._reasons = None
         self._describe()
         self._show_all()

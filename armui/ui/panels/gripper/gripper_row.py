@@ -12,7 +12,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.devices.gripper_ranges import Figure, check
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import describe, named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
@@ -110,10 +110,7 @@ class GripperRow(QWidget):
 
     def show_measured(self, value: float | None, *, stale: bool) -> None:
         """Show what the gripper says."""
-        unit = self._figure.unit
-        gap = "" if unit == "°" else " "
-        text = fmt.NOTHING if value is None else f"{fmt.number(value)}{gap}{unit}"
-        self.measured.show_text(text, stale=stale)
+        self.measured.show_text(fmt.with_unit(value, self._figure.unit), stale=stale)
         self.slider.show_measured(None if stale else value)
 
     def allow_steps(self, why_not: str) -> None:
@@ -147,9 +144,8 @@ class GripperRow(QWidget):
         self._label.setText(name)
         span = f"{name}: {figure.minimum:g}–{figure.maximum:g} {figure.unit}"
         for widget in (self.field, self.slider):
-            widget.setAccessibleName(name)
-            widget.setToolTip(span)
-        self.measured.setAccessibleName(self.tr("Measured: {figure}").format(figure=name))
-        self.measured.setToolTip(self.tr("Measured by the gripper"))
+            describe(widget, name, span)
+        measured = self.tr("Measured: {figure}").format(figure=name)
+        describe(self.measured, measured, self.tr("Measured by the gripper"))
         self.minus.setAccessibleName(self.tr("{figure} minus").format(figure=name))
         self.plus.setAccessibleName(self.tr("{figure} plus").format(figure=name))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtWidgets import QButtonGroup, QLabel, QSizePolicy, QWidget
 
 from armui.kinematics.axes import JogFrame
-from armui.ui.widgets.buttons import choice_button
+from armui.ui.widgets.buttons import caption, choice_button
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.translated import Translated
 
@@ -35,5 +35,4 @@ class FrameChoice(Translated, QWidget):
         """Put every word into the operator's language."""
         self._label.setText(self.tr("− and + along"))
         for number, text in enumerate((self.tr("Base frame"), self.tr("Tool frame"))):
-            self._buttons.button(number).setText(text)
-            self._buttons.button(number).setAccessibleName(text)
+            caption(self._buttons.button(number), text)

@@ -13,7 +13,7 @@ from armui.ui import format as fmt
 from armui.ui.panels.jogging.jog_signals import JogSignals
 from armui.ui.theme import scaled_font
 from armui.ui.widgets import painting
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import describe, named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
@@ -179,10 +179,8 @@ class JointRow(JogSignals):
         self.plus.setAccessibleName(self.tr("Joint {joint} plus").format(joint=joint))
         self.field.setAccessibleName(self.tr("Target angle of joint {joint}").format(joint=joint))
         self.slider.setAccessibleName(self.tr("Target slider of joint {joint}").format(joint=joint))
-        self.measured.setAccessibleName(
-            self.tr("Measured angle of joint {joint}").format(joint=joint)
-        )
-        self.measured.setToolTip(self.tr("Measured by the arm"))
+        measured = self.tr("Measured angle of joint {joint}").format(joint=joint)
+        describe(self.measured, measured, self.tr("Measured by the arm"))
         target = self.tr(
             "Target of joint {joint}: {minimum} to {maximum}. Not sent before you press Send."
         ).format(

@@ -11,7 +11,7 @@ from armui.ui import format as fmt
 from armui.ui.panels.jogging.jog_signals import JogSignals
 from armui.ui.theme import scaled_font
 from armui.ui.widgets import painting
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import describe, named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
@@ -63,9 +63,7 @@ class PoseRow(JogSignals):
 
     def show_measured(self, value: float | None, *, stale: bool) -> None:
         """Show the measured value."""
-        gap = "" if self._unit == "°" else " "
-        text = fmt.NOTHING if value is None else f"{fmt.number(value)}{gap}{self._unit}"
-        self.measured.show_text(text, stale=stale)
+        self.measured.show_text(fmt.with_unit(value, self._unit), stale=stale)
 
     def set_step(self, step: float, *, continuous: bool) -> None:
         """How far one press of − or + goes, or whether it goes on while they are held."""
@@ -89,6 +87,6 @@ class PoseRow(JogSignals):
         """Put names and tooltips into the operator's language."""
         self.minus.setAccessibleName(self.tr("{axis} minus").format(axis=self.name))
         self.plus.setAccessibleName(self.tr("{axis} plus").format(axis=self.name))
-        self.field.setAccessibleName(self.tr("Target {axis}").format(axis=self.name))
-        self.field.setToolTip(self.tr("Not sent before you press MOVE P or MOVE L."))
+        target = self.tr("Target {axis}").format(axis=self.name)
+        describe(self.field, target, self.tr("Not sent before you press MOVE P or MOVE L."))
         self.measured.setToolTip(self.tr("Measured by the arm"))

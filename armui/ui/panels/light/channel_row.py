@@ -7,7 +7,7 @@ from typing import Final
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLabel, QWidget
 
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import describe, named
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.track_slider import TrackSlider
@@ -74,5 +74,4 @@ class ChannelRow(QWidget):
         """Name the channel in the operator's language."""
         self.label.setText(name)
         for widget in (self.slider, self.field):
-            widget.setAccessibleName(name)
-            widget.setToolTip(tip)
+            describe(widget, name, tip)

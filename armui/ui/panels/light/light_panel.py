@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import QSignalBlocker, Qt
-from PySide6.QtGui import QColor, QKeySequence
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QButtonGroup,
     QCheckBox,
@@ -29,7 +29,7 @@ from armui.ui.panels.light.channel_row import FULL, ChannelRow
 from armui.ui.panels.light.color_strip import ColorStrip
 from armui.ui.panels.light.hue_field import HueField
 from armui.ui.panels.panel import Panel
-from armui.ui.widgets.buttons import choice_button, named, push_button
+from armui.ui.widgets.buttons import caption, choice_button, describe, named, push_button
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.figure_field import FigureField
@@ -69,9 +69,7 @@ class LightPanel(Panel):
         self._brightness.setPageStep(16)
         self._effect_label = QLabel()
         self._effect = named("effect_strip", ColorStrip())
-        self._confirm = push_button("light_confirm_button")
-        self._confirm.setShortcut(QKeySequence(_CONFIRM_KEY))
-        self._confirm.setProperty("primary", True)
+        self._confirm = push_button("light_confirm_button", primary=True)
         self._confirm.setMinimumHeight(38)
         self._note = text_label("light_note", rank="muted", wraps=True)
         self._lay_out()
@@ -99,7 +97,6 @@ class LightPanel(Panel):
         grid.setColumnStretch(1, 1)
 
         effect = in_row(self._effect_label, (self._effect, 1), spacing=12)
-
         self._stack(scrolled(card, _TALLEST_CARD_PX), effect, self._confirm, self._note)
 
     def _make_joint_buttons(self) -> QHBoxLayout:
@@ -216,13 +213,9 @@ class LightPanel(Panel):
 
     def _show_possible(self) -> None:
         """Enable what can be used now; say in the tooltip why not."""
+        why_not = words.why_not(self._operating_state.cannot_set_lamps)
         use = self.tr("Sends the colour to the lamps; nothing moves.")
-        enable_or_explain(
-            self._confirm,
-            words.why_not(self._operating_state.cannot_set_lamps),
-            use,
-            key=_CONFIRM_KEY,
-        )
+        enable_or_explain(self._confirm, why_not, use, key=_CONFIRM_KEY)
 
     def _show_message(self) -> None:
         self._say(self._refusal or self._operating_state.cannot_set_lamps or self._first_wrong())
@@ -233,25 +226,21 @@ class LightPanel(Panel):
         self._joint_label.setText(words.light_figure("joint"))
         for joint in JOINTS:
             name = self.tr("Lamps of joint {joint}").format(joint=joint)
-            self._joints.button(joint).setAccessibleName(name)
-            self._joints.button(joint).setToolTip(name)
+            describe(self._joints.button(joint), name)
         self._lamp_label.setText(words.light_figure("lamp"))
         self._lamp.setAccessibleName(words.light_figure("lamp"))
         self._all_lamps.setText(self.tr("All"))
         self._all_lamps.setAccessibleName(self.tr("All lamps of the joint"))
         for name, row in self._rows.items():
             row.describe(words.light_figure(name), _range_text(name))
-        self._hue.setAccessibleName(self.tr("Hue and saturation"))
-        self._hue.setToolTip(self.tr("Click, drag or use the arrow keys to pick a colour."))
+        tip = self.tr("Click, drag or use the arrow keys to pick a colour.")
+        describe(self._hue, self.tr("Hue and saturation"), tip)
         self._brightness_label.setText(self.tr("Brightness"))
-        self._brightness.setAccessibleName(self.tr("Brightness"))
-        self._brightness.setToolTip(self.tr("The same colour, darker or brighter"))
+        tip = self.tr("The same colour, darker or brighter")
+        describe(self._brightness, self.tr("Brightness"), tip)
         self._effect_label.setText(self.tr("Effect"))
-        self._effect.setAccessibleName(self.tr("Effect"))
-        self._effect.setToolTip(self.tr("The colour that Confirm sends"))
-        self._confirm.setText(self.tr("Confirm"))
-        self._confirm.setShortcut(QKeySequence(_CONFIRM_KEY))  # a new text takes it away
-        self._confirm.setAccessibleName(self.tr("Confirm"))
+        describe(self._effect, self.tr("Effect"), self.tr("The colour that Confirm sends"))
+        caption(self._confirm, self.tr("Confirm"), key=_CONFIRM_KEY)
         self._note.setText(
             self.tr(
                 "Works on joints that have a lamp board.\n"

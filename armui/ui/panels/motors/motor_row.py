@@ -14,6 +14,7 @@ from armui.protocol.codes import ALL_JOINTS
 from armui.ui import format as fmt
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import painting, state_mark
+from armui.ui.widgets.buttons import describe
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.state_mark import Mark
@@ -185,7 +186,5 @@ class MotorRow(Translated, QWidget):
             ("current", self.tr("Motor current of joint {joint}")),
             ("voltage", self.tr("Supply voltage of joint {joint}")),
         ):
-            text = name.format(joint=self.joint)
-            self.figures[key].setAccessibleName(text)
-            self.figures[key].setToolTip(text)
+            describe(self.figures[key], name.format(joint=self.joint))
         self.power.setAccessibleName(self.tr("State of motor {joint}").format(joint=self.joint))

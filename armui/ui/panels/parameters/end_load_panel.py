@@ -19,7 +19,7 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.freshness import is_stale
 from armui.ui.panels.panel import Panel
-from armui.ui.widgets.buttons import choice_button, push_button
+from armui.ui.widgets.buttons import caption, choice_button, named, push_button
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import empty_grid, fill, in_column
@@ -49,12 +49,13 @@ class EndLoadPanel(Panel):
         self._switch = push_button("end_feedback_button")
         self._units = [QLabel(unit) for _field, unit in _FIGURES]
         self._cells = {
-            (joint, field): ValueLabel("-00.000") for joint in JOINTS for field, _unit in _FIGURES
+            (joint, field): named(f"{field}_{joint}", ValueLabel("-00.000"))
+            for joint in JOINTS
+            for field, _unit in _FIGURES
         }
         for (joint, field), cell in self._cells.items():
-            tell_quantities(
-                cell, f"arm.end_{field.partition('_m_')[0].partition('_rad_')[0]}.{joint}"
-            )
+            kind = field.partition("_m_")[0].partition("_rad_")[0]
+            tell_quantities(cell, f"arm.end_{kind}.{joint}")
         self._lay_out()
         self._send.clicked.connect(self._on_send)
         self._switch.clicked.connect(self._on_switch)
@@ -86,9 +87,7 @@ class EndLoadPanel(Panel):
         for joint in JOINTS:
             grid.addWidget(QLabel(f"J{joint}"), joint + 2, 0)
             for place, (field, _unit) in enumerate(_FIGURES, start=1):
-                cell = self._cells[joint, field]
-                cell.setObjectName(f"{field}_{joint}")
-                grid.addWidget(cell, joint + 2, place, right)
+                grid.addWidget(self._cells[joint, field], joint + 2, place, right)
         self._stack(load_card, motion_card)
 
     # -- actions ------------------------------------------------------------------------------
@@ -121,8 +120,8 @@ class EndLoadPanel(Panel):
         if reporting is not self._reporting:
             self._reporting = reporting
             self._state.setText(self.tr("The arm reports") if reporting else self.tr("Not heard"))
-            self._switch.setText(self.tr("Switch off") if reporting else self.tr("Switch on"))
-            self._switch.setAccessibleName(f"{self._motion_title.text()}: {self._switch.text()}")
+            text = self.tr("Switch off") if reporting else self.tr("Switch on")
+            caption(self._switch, text, whose=self._motion_title.text())
 
     def _show_all(self) -> None:
         unreachable = self._operating_state.unreachable
@@ -141,11 +140,9 @@ class EndLoadPanel(Panel):
         """Put every word into the operator's language."""
         self._title.setText(self.tr("End load"))
         for load in _LOADS:
-            text = words.end_load(load)
-            self._loads.button(int(load)).setText(text)
-            self._loads.button(int(load)).setAccessibleName(f"{self._title.text()}: {text}")
-        self._send.setText(self.tr("Confirm"))
-        self._send.setAccessibleName(f"{self._title.text()}: {self._send.text()}")
+            button = self._loads.button(int(load))
+            caption(button, words.end_load(load), whose=self._title.text())
+        caption(self._send, self.tr("Confirm"), whose=self._title.text())
         self._note.setText(
             self.tr("The arm answers this setting and cannot be asked for it afterwards.")
         )

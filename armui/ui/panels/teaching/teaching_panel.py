@@ -21,10 +21,11 @@ from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
 from armui.ui.panels.panel import Panel
 from armui.ui.panels.teaching.teaching_exit_steps import TeachingExitSteps
+from armui.ui.widgets.buttons import caption
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.hold_button import HoldButton
-from armui.ui.widgets.layouts import STRETCH, fill, in_column
+from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column
 from armui.ui.widgets.text_label import text_label
 
 _Key = TypeVar("_Key")
@@ -93,15 +94,12 @@ class TeachingPanel(Panel):
 
     def _lay_out(self) -> None:
         card = QFrame()
-        column = in_column(on=card, spacing=8, margins=(16, 12, 16, 12))
-        state = QGridLayout()
-        state.setHorizontalSpacing(10)
+        state = empty_grid(gaps=(10, None))
         state.addWidget(self._state_label, 0, 0, Qt.AlignmentFlag.AlignTop)
         state.addWidget(self._state, 0, 1)
         state.addWidget(self._phase, 1, 1)
         state.setColumnStretch(1, 1)
-        fill(
-            column,
+        parts = (
             state,
             _grid(_COMMANDS, self._buttons),
             self._note,
@@ -112,7 +110,7 @@ class TeachingPanel(Panel):
             self._plan_note,
             STRETCH,
         )
-
+        in_column(*parts, on=card, spacing=8, margins=(16, 12, 16, 12))
         self._stack(scrolled(card, _TALLEST_CARD_PX))
 
     def _connect(self) -> None:
@@ -249,19 +247,16 @@ class TeachingPanel(Panel):
             self.tr("Works on motions under way. The arm does not report it: watch the arm.")
         )
         for command, button in self._buttons.items():
-            button.setText(words.teaching_command(command))
-            button.setAccessibleName(button.text())
+            caption(button, words.teaching_command(command))
         for plan, button in self._plan_buttons.items():
-            button.setText(words.trajectory_command(plan))
-            button.setAccessibleName(button.text())
+            caption(button, words.trajectory_command(plan))
         self._teaching_exit_steps.retranslate_ui()
         self._show_all()
 
 
 def _grid(rows: Sequence[Sequence[_Key]], buttons: Mapping[_Key, QPushButton]) -> QGridLayout:
     """Two or three buttons a row, each row as wide as the others."""
-    grid = QGridLayout()
-    grid.setSpacing(8)
+    grid = empty_grid(gaps=(8, 8))
     for number, row in enumerate(rows):
         for column, command in enumerate(row):
             span = _COLUMNS // len(row)
