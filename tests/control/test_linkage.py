@@ -160,10 +160,10 @@ def test_refused(any_bench):
 
 def test_what_is_the_same_is_no_wish():
     follower = OffsetFollower()
-    follower.wish(Addressing(), 1.0)
+    follower.request(Addressing(), 1.0)
     assert follower.requested is None
     assert follower.certain
-    follower.wish(Addressing(0x10, 0x00), 1.0)
+    follower.request(Addressing(0x10, 0x00), 1.0)
     assert follower.certain  # the old feedback vouches for the old commands
-    follower.wish(Addressing(0x00, 0x10), 1.0)
+    follower.request(Addressing(0x00, 0x10), 1.0)
     assert not follower.certain

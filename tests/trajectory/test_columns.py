@@ -1,4 +1,4 @@
-"""Tables of unknown build: what is seen in them, and what they become by a mapping."""
+"""Tables of an unknown dialect: what is seen in them, and what they become by a mapping."""
 
 from __future__ import annotations
 

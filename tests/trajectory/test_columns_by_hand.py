@@ -1,4 +1,4 @@
-"""Tables of unknown build as the operator says they are: encoding, delimiter, first line."""
+"""Tables of an unknown dialect as the operator says they are: encoding, delimiter, first line."""
 
 from __future__ import annotations
 
@@ -157,15 +157,15 @@ def outcome(call, *arguments):
         st.none() | st.integers(1, 9),
     ),
 )
-def test_any_bytes_in_any_build_are_read_or_refused(data, encoding, build):
+def test_any_bytes_in_any_dialect_are_read_or_refused(data, encoding, dialect):
     table = columns.TableFile("x", data, Encoding.UTF_8, "", columns.sniff("1,2"))
-    table = outcome(table.read_anew, encoding, build)
+    table = outcome(table.read_anew, encoding, dialect)
     if isinstance(table, TrajectoryFileError):
         assert table.reason.code in set(RefusalCode)
         return
     sheet = table.sheet
     assert len(sheet.guesses) == sheet.width >= 1
     assert 1 <= sheet.first_line <= max(1, sheet.lines)
-    for said, shown in zip(build[:2], (sheet.delimiter, sheet.decimal), strict=True):
+    for said, shown in zip(dialect[:2], (sheet.delimiter, sheet.decimal), strict=True):
         assert said in (None, shown)
     assert encoding in (None, table.encoding)

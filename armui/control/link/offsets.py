@@ -69,7 +69,7 @@ class OffsetFollower:
         )
         return self.control_known and not moves_unseen
 
-    def wish(self, addressing: Addressing, now_s: float, *, ends_input: bool = False) -> None:
+    def request(self, addressing: Addressing, now_s: float, *, ends_input: bool = False) -> None:
         """Offsets have been sent to the arm: it may use them from now on, or later."""
         same = addressing == self.addressing and self.control_known
         requested = RequestedOffset(addressing, now_s, ends_input=ends_input)

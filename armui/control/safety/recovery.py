@@ -301,7 +301,9 @@ class Recovery:
 
     def _leave_teaching_input(self, _step: Step) -> Refusal | None:
         frames = commands.set_linkage(self._context.connection.codec, LinkageRole.MOTION_OUTPUT)
-        self._context.connection.offsets.wish(Addressing(), self._context.clock(), ends_input=True)
+        self._context.connection.offsets.request(
+            Addressing(), self._context.clock(), ends_input=True
+        )
         return self._send(EventCode.MOTION_OUTPUT_SENT, frames)
 
     def _send(self, code: EventCode, frames: Sequence[Frame]) -> Refusal | None:

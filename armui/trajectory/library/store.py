@@ -112,21 +112,21 @@ class Library:
         content: Content = load_by(self._call, kept.path, kept.stamp.size)
         return content if content.name == name else replace(content, name=name)
 
-    def free_name(self, wish: str) -> str:
-        """A name nothing has, not even a draft: the wish, or the wish with a number.
+    def free_name(self, wanted: str) -> str:
+        """A name nothing has, not even a draft: the wanted, or the wanted with a number.
 
         Args:
-            wish: Any text; what no name can hold is left out of it.
+            wanted: Any text; what no name can hold is left out of it.
         """
-        if check_name(wish) is not None:
-            plain = wish.encode(errors="ignore").decode().replace("\0", "")
-            wish = " ".join(plain.split()) or "?"
-        wish = wish[: LONGEST_NAME - _ROOM_FOR_NUMBER].rstrip()
+        if check_name(wanted) is not None:
+            plain = wanted.encode(errors="ignore").decode().replace("\0", "")
+            wanted = " ".join(plain.split()) or "?"
+        wanted = wanted[: LONGEST_NAME - _ROOM_FOR_NUMBER].rstrip()
         taken = {*self._scan(), *self._drafts.names()}
-        name, number = wish, 1
+        name, number = wanted, 1
         while name in taken:
             number += 1
-            name = f"{wish} {number}"
+            name = f"{wanted} {number}"
         return name
 
     # Changes --------------------------------------------------------------------------------------

@@ -56,6 +56,6 @@ def test_a_free_name(library):
     library.save(trajectory())
     library.save_draft("pick 2", trajectory())
     assert library.free_name("pick") == "pick 3"
-    for wish in ("", "\n", "a\nb", "\ud800x\0", "x" * 1000):
-        assert check_name(library.free_name(wish)) is None
+    for wanted in ("", "\n", "a\nb", "\ud800x\0", "x" * 1000):
+        assert check_name(library.free_name(wanted)) is None
     assert library.free_name("a\nb") == "a b"

@@ -128,13 +128,13 @@ class GripperRow(QWidget):
         self.edited.emit()
 
     def _on_slider_moved(self) -> None:
-        self.field.show_value(self.slider.wish)
+        self.field.show_value(self.slider.requested)
         self._after_change()
         self.edited.emit()
 
     def _after_change(self) -> None:
         wrong = self.refusal() is not None
-        self.slider.show_wish(self.field.value, attention=wrong)
+        self.slider.show_requested(self.field.value, attention=wrong)
         self.field.show_attention(wanted=wrong)
 
     def retranslate_ui(self) -> None:

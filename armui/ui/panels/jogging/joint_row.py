@@ -99,14 +99,14 @@ class JointRow(JogSignals):
         self.edited.emit(self.joint)
 
     def _on_slider_moved(self) -> None:
-        self.field.show_value(self.slider.wish)
+        self.field.show_value(self.slider.requested)
         self._after_target()
         self.edited.emit(self.joint)
 
     def _after_target(self) -> None:
         """Slider, marks and colours go with the figure in the field."""
         beyond = self.beyond_limits() is not None
-        self.slider.show_wish(self.target_deg, attention=beyond)
+        self.slider.show_requested(self.target_deg, attention=beyond)
         self.field.show_attention(wanted=beyond or self.field.is_nonsense())
         self._show_limits()
 

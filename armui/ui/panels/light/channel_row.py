@@ -56,7 +56,7 @@ class ChannelRow(QWidget):
         self._after_change()
 
     def _on_slider_moved(self) -> None:
-        self.field.show_value(self.slider.wish)
+        self.field.show_value(self.slider.requested)
         self._after_change()
         self.edited.emit()
 
@@ -67,7 +67,7 @@ class ChannelRow(QWidget):
     def _after_change(self) -> None:
         """The slider goes with the field as far as its track reaches."""
         wrong = self.value is None
-        self.slider.show_wish(self.field.value, attention=wrong)
+        self.slider.show_requested(self.field.value, attention=wrong)
         self.field.show_attention(wanted=wrong)
 
     def describe(self, name: str, tip: str) -> None:

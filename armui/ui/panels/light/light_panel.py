@@ -133,7 +133,7 @@ class LightPanel(Panel):
         color = self.color()
         if color is not None:
             self._hue.show_color(color)
-            self._brightness.show_wish(color.value())
+            self._brightness.show_requested(color.value())
         self._effect.show_color(color)
         self._on_edited()
 
@@ -151,7 +151,7 @@ class LightPanel(Panel):
         for name, value in zip(_CHANNELS, (color.red(), color.green(), color.blue()), strict=True):
             self._rows[name].show_value(value)
         with QSignalBlocker(self._brightness):
-            self._brightness.show_wish(color.value())
+            self._brightness.show_requested(color.value())
         self._effect.show_color(color)
 
     # -- actions ------------------------------------------------------------------------------

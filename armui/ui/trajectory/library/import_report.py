@@ -106,7 +106,7 @@ class ReportButton(Translated, QPushButton):
         self.hide()
         self.retranslate_ui()
 
-    def enable_or_explain(self, results: Sequence[Result]) -> None:
+    def show_for(self, results: Sequence[Result]) -> None:
         """Offer the report of these, or none."""
         self._results = results
         self.setVisible(bool(results))

@@ -66,8 +66,8 @@ class LibraryExchange(QObject):
 
     def withdraw_offers(self) -> None:
         """Something else is said by now."""
-        self.by_columns.enable_or_explain(())
-        self.report.enable_or_explain(())
+        self.by_columns.show_for(())
+        self.report.show_for(())
 
     def choose_imports(self) -> None:
         """Let the operator choose files to import."""
@@ -98,8 +98,8 @@ class LibraryExchange(QObject):
         self.imported.emit([one.name for one in imported if one.name])
         failed = any(result.problem for result in results)
         self.said.emit(self._tell(results), Level.WARNING if failed else Level.DONE)
-        self.by_columns.enable_or_explain([one.path for one in imported if one.is_table])
-        self.report.enable_or_explain(results if len(results) > 1 else ())
+        self.by_columns.show_for([one.path for one in imported if one.is_table])
+        self.report.show_for(results if len(results) > 1 else ())
 
     def _tell(self, results: Sequence[Result]) -> str:
         """What became of some files, in as few lines as an operator reads."""
@@ -134,7 +134,7 @@ class LibraryExchange(QObject):
             names = ", ".join(path.name for path in left)
             text += "\n" + self.tr("Not imported yet: {names}").format(names=names)
         self.said.emit(text, Level.DONE)
-        self.by_columns.enable_or_explain(left)
+        self.by_columns.show_for(left)
 
     def export(self, names: Sequence[str], suffix: str) -> None:
         """Let the operator say where to, and write trajectories there in a format."""

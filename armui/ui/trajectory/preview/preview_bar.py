@@ -66,7 +66,7 @@ class PreviewBar(Translated, QFrame):
     @property
     def time_s(self) -> float:
         """Where in time the ghost is."""
-        return self._slider.wish
+        return self._slider.requested
 
     @property
     def _at_end(self) -> bool:
@@ -85,7 +85,7 @@ class PreviewBar(Translated, QFrame):
     def go_to(self, time_s: float) -> None:
         """Bring the ghost to a time."""
         with QSignalBlocker(self._slider):
-            self._slider.show_wish(time_s)
+            self._slider.show_requested(time_s)
         self._on_moved()
 
     def shut(self) -> None:

@@ -284,11 +284,11 @@ class RecordingWindow(ArmDialog):
         self._keep(recording, lambda: recording)
 
     def _keep(self, recording: Recording, make: Callable[[], Content]) -> None:
-        wish = self._name.text().strip() or recording.name
+        wanted = self._name.text().strip() or recording.name
         whole = self._recording
 
         def save() -> str:
-            name = self._library.free_name(wish)
+            name = self._library.free_name(wanted)
             self._library.save(replace(make(), name=name))
             return name
 

@@ -37,7 +37,7 @@ from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 _ONCE, _TIMES, _LOOP = range(3)
-_MOST_LAPS: Final = 9999
+_MOST_CYCLES: Final = 9999
 _FASTEST_PERCENT: Final = 200
 _SPIN_PX: Final = 34
 _STEPS: Final = 1000
@@ -90,7 +90,7 @@ class RunStrip(Translated, QWidget):
         self._continue.held.connect(self._on_pause)
         self._stop.clicked.connect(self._on_stop)
         self._resume.clicked.connect(self._on_resume)
-        self._laps.currentIndexChanged.connect(self._show_usable)
+        self._cycles.currentIndexChanged.connect(self._show_usable)
         self._runner.progressed.connect(self._on_progress)
         controller.operating_state_changed.connect(self._on_operating_state)
         self.retranslate_ui()
@@ -110,9 +110,9 @@ class RunStrip(Translated, QWidget):
             button.setObjectName(name)
             button.setAutoDefault(False)
         self._send.setProperty("primary", True)
-        self._laps = named("run_laps", QComboBox())
-        self._laps.addItems(["", "", ""])
-        self._times = _spin("run_times", 1, _MOST_LAPS, 3)
+        self._cycles = named("run_cycles", QComboBox())
+        self._cycles.addItems(["", "", ""])
+        self._times = _spin("run_times", 1, _MOST_CYCLES, 3)
         self._speed = _spin("run_speed", 1, _FASTEST_PERCENT, 100)
         self._speed.setSuffix(" %")
         self._first = _spin("run_first", 1, 1, 1)
@@ -126,7 +126,7 @@ class RunStrip(Translated, QWidget):
     def _lay_out(self) -> None:
         options = in_row(spacing=8)
         for widget in (
-            *(self._laps, self._times, self._speed_label, self._speed),
+            *(self._cycles, self._times, self._speed_label, self._speed),
             *(self._first_label, self._first, self._steps),
         ):
             options.addWidget(widget)
@@ -209,7 +209,7 @@ class RunStrip(Translated, QWidget):
         recording = self._recording
         cycles = {_ONCE: 1, _TIMES: self._times.value(), _LOOP: ENDLESS}
         return RunOptions(
-            cycles[self._laps.currentIndex()],
+            cycles[self._cycles.currentIndex()],
             self._speed.value() / 100.0,
             0 if recording else self._first.value() - 1,
             not recording and self._steps.isChecked(),
@@ -315,7 +315,7 @@ class RunStrip(Translated, QWidget):
     def _show_usable(self, *_: object) -> None:
         progress, running = self._runner.progress, self._runner.running
         reason = self._controller.operating_state.cannot_run
-        self._times.setVisible(self._laps.currentIndex() == _TIMES)
+        self._times.setVisible(self._cycles.currentIndex() == _TIMES)
         checking = self._checking
         self._send.setEnabled(not running and not checking and reason is None)
         self._send.setToolTip("" if reason is None else words.refusal(reason))
@@ -342,8 +342,8 @@ class RunStrip(Translated, QWidget):
         self._send.setText(self.tr("Send"))
         self._stop.setText(self.tr("End run"))
         for place, text in enumerate((self.tr("Once"), self.tr("Times"), self.tr("In a loop"))):
-            self._laps.setItemText(place, text)
-        self._laps.setAccessibleName(self.tr("How often"))
+            self._cycles.setItemText(place, text)
+        self._cycles.setAccessibleName(self.tr("How often"))
         self._times.setAccessibleName(self.tr("How often"))
         self._speed_label.setText(self.tr("Speed"))
         self._speed.setToolTip(self.tr("Of each point's own speed"))

@@ -19,7 +19,7 @@ from armui.trajectory.points.program import check_name
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.trajectory.table_import.columns_table import ColumnsTable
-from armui.ui.trajectory.table_import.dialect_bar import BuildBar
+from armui.ui.trajectory.table_import.dialect_bar import DialectBar
 from armui.ui.trajectory.table_import.table_import import TableImport
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
@@ -63,13 +63,13 @@ class ColumnsDialog(ArmDialog):
         self._library = library
         self._file = table
         self._table = ColumnsTable(table.sheet)
-        self._build = BuildBar()
+        self._dialect_bar = DialectBar()
         self._misread = ""
         self._move_said = False
         self._work: TableImport | None = None
         self._make_widgets()
         self._lay_out()
-        self._build.show_table(table)
+        self._dialect_bar.show_table(table)
         self._name.setText(PurePath(table.file_name).stem)
         self._moves.setCurrentIndex(_MOVES.index(self._likely_move()))
         self._connect()
@@ -108,12 +108,12 @@ class ColumnsDialog(ArmDialog):
             choices.addWidget(label)
             choices.addWidget(field, 1 if field is self._name else 0)
             choices.addSpacing(8)
-        fill(self.body, self._source, self._build, choices, (self._table, 1), self._message)
+        fill(self.body, self._source, self._dialect_bar, choices, (self._table, 1), self._message)
         fill(self.footer, STRETCH, self._cancel, self.import_button)
 
     def _connect(self) -> None:
         self._table.changed.connect(self._show_usable)
-        self._build.changed.connect(self._read_anew)
+        self._dialect_bar.changed.connect(self._read_anew)
         self._moves.currentIndexChanged.connect(self._show_usable)
         self._moves.activated.connect(self._on_move)
         self._name.textChanged.connect(self._show_usable)
@@ -143,9 +143,9 @@ class ColumnsDialog(ArmDialog):
 
     def _read_anew(self) -> None:
         """Read the file as the operator says; where that is not possible, say why."""
-        build = self._build
+        bar = self._dialect_bar
         try:
-            self._file = self._file.read_anew(build.encoding, build.build)
+            self._file = self._file.read_anew(bar.encoding, bar.dialect)
         except TrajectoryFileError as error:
             self._misread = words.file_error(error)
         else:
@@ -162,7 +162,7 @@ class ColumnsDialog(ArmDialog):
         self.body.replaceWidget(old, self._table)
         old.setParent(None)
         old.deleteLater()
-        self._build.show_table(self._file)
+        self._dialect_bar.show_table(self._file)
         if not self._move_said:
             self._moves.setCurrentIndex(_MOVES.index(self._likely_move()))
         self._source.setText(self._describe())
@@ -225,7 +225,7 @@ class ColumnsDialog(ArmDialog):
 
     def _let_choose(self, can: bool) -> None:
         """While it is imported, nothing of it can be chosen; the emergency stop always works."""
-        for widget in (self._build, self._table, self._name, self._moves, self.import_button):
+        for widget in (self._dialect_bar, self._table, self._name, self._moves, self.import_button):
             widget.setEnabled(can)
         self._speed.setEnabled(can and self.mapping.move is not None)
 

@@ -51,7 +51,7 @@ class ColumnsOffer(Translated, QPushButton):
         """The files that are offered, the next one first."""
         return tuple(self._paths)
 
-    def enable_or_explain(self, paths: Sequence[Path]) -> None:
+    def show_for(self, paths: Sequence[Path]) -> None:
         """Offer some files and no others."""
         self._paths = list(paths)
         self.setVisible(bool(paths))
@@ -71,7 +71,7 @@ class ColumnsOffer(Translated, QPushButton):
         self._opening = False
         left = self._paths[1:]
         self.refused.emit(text)
-        self.enable_or_explain(left)
+        self.show_for(left)
 
     def _show(self, path: Path, table: columns.TableFile) -> None:
         self._opening = False

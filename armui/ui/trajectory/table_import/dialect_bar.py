@@ -18,7 +18,7 @@ _FIELD_PX: Final = 34
 _MOST_LINES: Final = 9_999_999
 
 
-class BuildBar(Translated, QWidget):
+class DialectBar(Translated, QWidget):
     """Encoding, delimiter, decimal sign and the line of the first figures.
 
     Signals:
@@ -29,10 +29,10 @@ class BuildBar(Translated, QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._encoding = _choice("build_encoding", tuple(Encoding))
-        self._delimiter = _choice("build_delimiter", DELIMITERS)
-        self._decimal = _choice("build_decimal", DECIMALS)
-        self._line = named("build_line", _Line())
+        self._encoding = _choice("dialect_encoding", tuple(Encoding))
+        self._delimiter = _choice("dialect_delimiter", DELIMITERS)
+        self._decimal = _choice("dialect_decimal", DECIMALS)
+        self._line = named("dialect_line", _Line())
         self._line.setKeyboardTracking(False)
         self._line.setFixedHeight(_FIELD_PX)
         self._line.setMinimumWidth(90)
@@ -57,7 +57,7 @@ class BuildBar(Translated, QWidget):
         return said
 
     @property
-    def build(self) -> Dialect:
+    def dialect(self) -> Dialect:
         """The same of the rest."""
         line = self._line.value() if self._line in self._said else None
         return Dialect(self._value(self._delimiter), self._value(self._decimal), line)
