@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Final
 
-from PySide6.QtCore import QItemSelection, QItemSelectionModel, Qt, Signal
+from PySide6.QtCore import QItemSelection, QItemSelectionModel, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -15,9 +15,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QHeaderView,
     QLabel,
-    QProgressBar,
-    QPushButton,
-    QSizePolicy,
     QTableView,
     QWidget,
 )
@@ -35,6 +32,8 @@ from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.plain_table import list_rows
+from armui.ui.widgets.progress import quiet_progress
 from armui.ui.widgets.text_label import text_label
 
 _BITRATES: Final = (DEFAULT_BITRATE, 500_000)
@@ -98,22 +97,13 @@ class ConnectDialog(ArmDialog):
         self._message = MessageLine()
         self._table = QTableView()
         self._table.setModel(self._model)
-        self._table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self._table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self._table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self._table.setShowGrid(False)
-        self._table.setTabKeyNavigation(False)
-        self._table.verticalHeader().hide()
-        header = self._table.horizontalHeader()
-        header.setHighlightSections(False)
-        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        header = list_rows(self._table)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(CHANNEL, QHeaderView.ResizeMode.Stretch)
-        self._progress = QProgressBar()
+        self._progress = quiet_progress()
         self._progress.setRange(0, 0)
-        self._progress.setTextVisible(False)
-        _keep_room(self._progress)
-        self._progress.hide()
         self.diagnosis_button = push_button("connect_diagnosis", on_enter=False)
         said = in_row((self._message, 1), self.diagnosis_button, spacing=8)
         fill(self.body, said, (self._table, 1), self._progress, self._build_bitrate())
@@ -129,30 +119,19 @@ class ConnectDialog(ArmDialog):
         for bitrate in _BITRATES:
             self.bitrate_box.addItem("", bitrate)
         self._bitrate_label.setBuddy(self.bitrate_box)
-        self._bitrate_hint = QLabel()
+        self._bitrate_hint = text_label(rank="muted")
         self.listen_only_box = named("listen_only_box", QCheckBox())
-        self._bitrate_hint.setProperty("rank", "muted")
         return in_row(
             self._bitrate_label, self.bitrate_box, 8, (self._bitrate_hint, 1), self.listen_only_box
         )
 
     def _build_buttons(self) -> None:
-        self.refresh_button = QPushButton()
-        self.disconnect_button = QPushButton()
-        self.connect_button = QPushButton()
-        self.close_button = QPushButton()
-        self.connect_button.setProperty("primary", "true")
-        for button in (self.refresh_button, self.disconnect_button, self.close_button):
-            button.setAutoDefault(False)
-        self.connect_button.setDefault(True)
-        fill(
-            self.footer,
-            self.refresh_button,
-            STRETCH,
-            self.disconnect_button,
-            self.connect_button,
-            self.close_button,
-        )
+        self.refresh_button = push_button(on_enter=False)
+        self.disconnect_button = push_button(on_enter=False)
+        self.connect_button = push_button(primary=True, on_enter=True)
+        self.close_button = push_button(on_enter=False)
+        fill(self.footer, self.refresh_button, STRETCH)
+        fill(self.footer, self.disconnect_button, self.connect_button, self.close_button)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
@@ -287,20 +266,17 @@ class ConnectDialog(ArmDialog):
             reason = ""
         enable_or_explain(self.connect_button, reason)
         nothing = self._operating_state.device is None
-        enable_or_explain(
-            self.disconnect_button, self.tr("No device is connected.") if nothing else ""
-        )
-        enable_or_explain(
-            self.refresh_button, self.tr("The search is under way.") if self._searching else ""
-        )
+        reason = self.tr("No device is connected.") if nothing else ""
+        enable_or_explain(self.disconnect_button, reason)
+        reason = self.tr("The search is under way.") if self._searching else ""
+        enable_or_explain(self.refresh_button, reason)
 
     def _refresh_message(self) -> None:
         operating_state = self._operating_state
         failed = operating_state.link_problem is not None
         self.diagnosis_button.setVisible(failed or operating_state.link is LinkState.OFFLINE)
-        name = (
-            words.device_name(operating_state.device) if operating_state.device is not None else ""
-        )
+        device = operating_state.device
+        name = "" if device is None else words.device_name(device)
         if operating_state.link_problem is not None:
             self._message.show_message(words.refusal(operating_state.link_problem), Level.FAULT)
         elif operating_state.link is LinkState.OFFLINE and operating_state.cannot_move is not None:
@@ -330,10 +306,3 @@ class ConnectDialog(ArmDialog):
         self.bitrate_box.setEnabled(device is not None and not reason)
         self.bitrate_box.setToolTip(reason)
         self._bitrate_hint.setText(reason)
-
-
-def _keep_room(widget: QWidget) -> None:
-    """Let a widget keep its place while it is hidden, so that nothing below it jumps."""
-    policy: QSizePolicy = widget.sizePolicy()
-    policy.setRetainSizeWhenHidden(True)
-    widget.setSizePolicy(policy)

@@ -9,7 +9,7 @@ from typing import Any, Final, Protocol
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QGuiApplication
-from PySide6.QtWidgets import QFrame, QLabel, QProgressBar, QPushButton, QScrollArea, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QProgressBar, QScrollArea, QWidget
 
 from armui.arm.device import Device
 from armui.control.arm_controller import ArmController
@@ -89,12 +89,9 @@ class DoctorDialog(ArmDialog):
         self._area.setWidgetResizable(True)
         self._area.setFrameShape(QFrame.Shape.NoFrame)
         self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.copy_button = push_button("doctor_copy")
-        self.again_button = push_button("doctor_again")
-        self.close_button = QPushButton()
-        for button in (self.copy_button, self.again_button, self.close_button):
-            button.setAutoDefault(False)
-        self.close_button.setDefault(True)
+        self.copy_button = push_button("doctor_copy", on_enter=False)
+        self.again_button = push_button("doctor_again", on_enter=False)
+        self.close_button = push_button(on_enter=True)
         fill(self.body, self._message, self._progress, (self._area, 1), self._note)
         fill(self.footer, self.copy_button, STRETCH, self.again_button, self.close_button)
 

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractItemView,
     QHeaderView,
-    QPushButton,
     QSizePolicy,
     QTableView,
     QWidget,
@@ -28,6 +27,7 @@ from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.joint_status_cell import JointCellDelegate, cell_width
 from armui.ui.dialogs.joint_status_model import JointStatusModel
 from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
@@ -110,16 +110,13 @@ class JointStatusDialog(ArmDialog):
 
     def _build_clear_buttons(self) -> None:
         self._below_header = QWidget()
-        self.clear_buttons = [QPushButton() for _ in JOINTS]
+        names = (f"clear_error_{joint}" for joint in JOINTS)
+        self.clear_buttons = [push_button(name, on_enter=False) for name in names]
         row = in_row(self._below_header, spacing=0, margins=(_FRAME_PX, 0, _FRAME_PX, 0))
         for joint, button in zip(JOINTS, self.clear_buttons, strict=True):
-            button.setObjectName(f"clear_error_{joint}")
-            button.setAutoDefault(False)
             button.clicked.connect(partial(self._clear_error, joint))
-            cell = in_row(button, margins=(4, 0, 4, 0))
-            row.addLayout(cell, 1)
-        table_and_buttons = in_column(self._table, row, spacing=6)
-        self.body.addLayout(table_and_buttons)
+            row.addLayout(in_row(button, margins=(4, 0, 4, 0)), 1)
+        self.body.addLayout(in_column(self._table, row, spacing=6))
 
     def _build_footer(self) -> None:
         self._detail = text_label("joint_status_detail", rank="muted", wraps=True, plain=True)
@@ -166,13 +163,9 @@ class JointStatusDialog(ArmDialog):
 
     def _show_usable(self, operating_state: OperatingState) -> None:
         reason = operating_state.unreachable or operating_state.occupied
+        use = self.tr("Ask the driver of joint {joint} to clear its error")
         for joint, button in zip(JOINTS, self.clear_buttons, strict=True):
-            button.setEnabled(reason is None)
-            button.setToolTip(
-                self.tr("Ask the driver of joint {joint} to clear its error").format(joint=joint)
-                if reason is None
-                else words.refusal(reason)
-            )
+            enable_or_explain(button, words.why_not(reason), use.format(joint=joint))
 
     def _show_detail(self, *_cells: object) -> None:
         """The cell the operator went to, in full: tooltips are out of the keyboard's reach."""

@@ -37,17 +37,9 @@ class ManualEntry(Translated, QWidget):
         self.channel_edit = QLineEdit()
         self._channel_label.setBuddy(self.channel_edit)
         self.add_button = push_button(on_enter=False)
-        in_row(
-            self._interface_label,
-            (self.interface_box, 2),
-            8,
-            self._channel_label,
-            (self.channel_edit, 3),
-            self.add_button,
-            on=self,
-            margins=0,
-        )
-
+        of_interface = (self._interface_label, (self.interface_box, 2), 8)
+        of_channel = (self._channel_label, (self.channel_edit, 3))
+        in_row(*of_interface, *of_channel, self.add_button, on=self, margins=0)
         self.add_button.clicked.connect(self._on_add)
         self.channel_edit.textChanged.connect(self._on_changed)
         self.interface_box.editTextChanged.connect(self._on_changed)

@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QLabel,
     QLineEdit,
-    QPushButton,
     QWidget,
 )
 
@@ -27,7 +26,7 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.files import choose_file
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import caption, named, push_button
 from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
@@ -88,11 +87,10 @@ class SettingsDialog(ArmDialog):
         self._jog_label, self.jog_step_edit, self._jog_hint = QLabel(), QLineEdit(), QLabel()
         self._urdf_label, self._urdf_name = QLabel(), ElidedLabel()
         self.stop_again_box = named("stop_again_box", QCheckBox())
-        self.browse_button, self.built_in_button = QPushButton(), QPushButton()
-        self.diagnosis_button, self.about_arm_button = QPushButton(), QPushButton()
-        self.diagnosis_button.setObjectName("diagnosis_button")
-        self.about_arm_button.setObjectName("about_arm_button")
-        self.close_button = QPushButton()
+        self.browse_button, self.built_in_button = (push_button(on_enter=False) for _ in range(2))
+        self.diagnosis_button = push_button("diagnosis_button", on_enter=False)
+        self.about_arm_button = push_button("about_arm_button", on_enter=False)
+        self.close_button = push_button(on_enter=False)
         for code, name in _LANGUAGES:
             self.language_box.addItem(name, code)
         for code in ("light", "dark", "system"):
@@ -100,15 +98,6 @@ class SettingsDialog(ArmDialog):
         self.jog_step_edit.setFixedWidth(_STEP_WIDTH_PX)
         self.jog_step_edit.setAlignment(Qt.AlignmentFlag.AlignRight)
         self._jog_hint.setProperty("rank", "muted")
-        for button in (
-            self.browse_button,
-            self.built_in_button,
-            self.diagnosis_button,
-            self.about_arm_button,
-            self.close_button,
-        ):
-            button.setAutoDefault(False)
-
         grid = empty_grid(gaps=(18, 12))
         grid.setColumnStretch(1, 1)
         _add_row(grid, self._language_label, self.language_box)
@@ -136,13 +125,11 @@ class SettingsDialog(ArmDialog):
             )
         )
         self._urdf_label.setText(self.tr("Robot description (URDF)"))
-        self.stop_again_box.setText(self.tr("Stop again if another host undoes an emergency stop"))
-        self.stop_again_box.setAccessibleName(self.stop_again_box.text())
-        self.stop_again_box.setToolTip(
-            self.tr(
-                "Such a stop is always told as a fault. With this, it is also sent again by itself."
-            )
+        text = self.tr("Stop again if another host undoes an emergency stop")
+        tip = self.tr(
+            "Such a stop is always told as a fault. With this, it is also sent again by itself."
         )
+        caption(self.stop_again_box, text, tip=tip)
         self.browse_button.setText(self.tr("Browse…"))
         self.built_in_button.setText(self.tr("Use the built-in one"))
         self.diagnosis_button.setText(self.tr("Diagnosis…"))

@@ -20,7 +20,7 @@ from armui.ui.panels.jogging.jog_signals import JogSignals
 from armui.ui.panels.jogging.key_pad import KeyPad, Keys
 from armui.ui.panels.jogging.step_box import StepBox
 from armui.ui.panels.panel import Panel
-from armui.ui.widgets.buttons import choice_button, named
+from armui.ui.widgets.buttons import choice_button, describe, named
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.hold_guard import UNATTENDED_S
 from armui.ui.widgets.layouts import STRETCH, in_row
@@ -195,7 +195,7 @@ class JogPanel(Panel):
         self._step_label.setText(self.tr("Step"))
         self._step_box.setAccessibleName(self.tr("Step of − and +"))
         self._keys.setText(self.tr("Keys"))
-        self._keys.setAccessibleName(self.tr("Keyboard jogging"))
-        self._keys.setToolTip(self.tr("Jog by keys, with the space bar held as dead-man key"))
+        tip = self.tr("Jog by keys, with the space bar held as dead-man key")
+        describe(self._keys, self.tr("Keyboard jogging"), tip)
         self._show_possible()
         self._show_message()

@@ -26,7 +26,7 @@ from armui.ui.panels.panel import Panel
 from armui.ui.panels.parameters import parameter_message
 from armui.ui.panels.parameters.parameter_buttons import SAVE_KEY, ParameterButtons
 from armui.ui.panels.parameters.setting_cell import SettingCell
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import caption, named
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import in_row
@@ -366,11 +366,8 @@ class ParameterPanel(Panel):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self._title.setText(self.title())
-        self._backup.setText(self.tr("Backup…"))
-        self._backup.setAccessibleName(self.tr("Backup…"))
-        self._backup.setToolTip(
-            self.tr("All parameters of the arm: save them to a file, compare, restore.")
-        )
+        tip = self.tr("All parameters of the arm: save them to a file, compare, restore.")
+        caption(self._backup, self.tr("Backup…"), tip=tip)
         self._buttons.retranslate_ui()
         self._show_all()
 

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 from armui.arm.parameters import Parameter
 from armui.control.parameters.setting_draft import CellStatus, shown_as
 from armui.ui.panels.parameters.cell_note import CellNote
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import describe, named
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import in_column
 
@@ -109,8 +109,7 @@ class FigureCell(SettingCell):
 
     def describe(self, name: str, tip: str) -> None:
         """Name it, and say in full how it stands."""
-        self.field.setAccessibleName(name)
-        self.field.setToolTip(tip)
+        describe(self.field, name, tip)
         self.note.setToolTip(tip)
 
     def show_status(self, status: CellStatus, text: str) -> None:

@@ -10,7 +10,7 @@ from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 
 from armui.ui.widgets.buttons import named
-from armui.ui.widgets.layouts import in_row
+from armui.ui.widgets.layouts import STRETCH, in_row
 
 _TEXTS: Final[Mapping[str, tuple[object, str]]] = {
     "insert_before": (QT_TRANSLATE_NOOP("EditorAction", "Insert before"), "Ctrl+Shift+Return"),
@@ -84,13 +84,10 @@ class EditorActions:
 
     def bar(self) -> QHBoxLayout:
         """A row of buttons for the actions used most."""
-        row = in_row(spacing=6)
-        for name in _BAR:
-            button = named(f"editor_{name}", QToolButton())
+        buttons = [named(f"editor_{name}", QToolButton()) for name in _BAR]
+        for name, button in zip(_BAR, buttons, strict=True):
             button.setDefaultAction(self._actions[name])
-            row.addWidget(button)
-        row.addStretch(1)
-        return row
+        return in_row(*buttons, STRETCH, spacing=6)
 
     def retranslate(self) -> None:
         """Put every word into the operator's language; tooltips name the keys."""

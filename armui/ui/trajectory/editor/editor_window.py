@@ -122,15 +122,8 @@ class EditorWindow(ArmDialog):
         self._find_bar.hide()
         bar = self._actions.bar()
         bar.addWidget(self._note, 3)
-        fill(
-            self.body,
-            bar,
-            self._find_bar,
-            (self.table, 1),
-            self._findings,
-            self._strip,
-            self._message,
-        )
+        fill(self.body, bar, self._find_bar, (self.table, 1))
+        fill(self.body, self._findings, self._strip, self._message)
 
     def _connect(self) -> None:
         stack = self.document.stack
@@ -341,10 +334,8 @@ class EditorWindow(ArmDialog):
         if outcome is None:
             self._say("")
         elif isinstance(outcome, TrajectoryFileError):
-            self._say(
-                self.tr("Not pasted. {reason}").format(reason=words.file_error(outcome)),
-                Level.WARNING,
-            )
+            text = self.tr("Not pasted. {reason}").format(reason=words.file_error(outcome))
+            self._say(text, Level.WARNING)
         else:
             self._say(words.refusal(outcome), Level.WARNING)
 

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QHeaderView, QPushButton, QTableWidgetItem, QWidge
 from armui.control.arm_controller import ArmController
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.widgets.buttons import push_button
+from armui.ui.widgets.layouts import STRETCH, fill
 from armui.ui.widgets.plain_table import plain_table
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
@@ -56,10 +57,8 @@ class ImportReport(ArmDialog):
         self._table.setColumnWidth(0, _FILE_PX)
         self._close = push_button(on_enter=True)
         self._close.clicked.connect(self.accept)
-        self.body.addWidget(self._summary)
-        self.body.addWidget(self._table, 1)
-        self.footer.addStretch(1)
-        self.footer.addWidget(self._close)
+        fill(self.body, self._summary, (self._table, 1))
+        fill(self.footer, STRETCH, self._close)
         self.retranslate_ui()
         self.resize(_SIZE)
 

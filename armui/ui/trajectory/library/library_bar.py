@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QLineEdit, QMenu, QPushButton, QTableView, QWidget
 
 from armui.trajectory.files import SUFFIXES
 from armui.trajectory.library.store import IndexEntry
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import in_row
 
 _BUTTONS: Final[Mapping[str, tuple[object, str]]] = {
@@ -45,7 +45,7 @@ class LibraryBar(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._buttons = {name: QPushButton() for name in _BUTTONS}
+        self._buttons = {name: push_button(f"library_{name}", on_enter=False) for name in _BUTTONS}
         self._export_menu = QMenu(self)
         self.search = named("library_search", QLineEdit())
         self.search.setClearButtonEnabled(True)
@@ -54,8 +54,6 @@ class LibraryBar(QWidget):
         self.search.installEventFilter(self)
         layout = in_row(on=self, spacing=6, margins=0)
         for name, button in self._buttons.items():
-            button.setObjectName(f"library_{name}")
-            button.setAutoDefault(False)
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the list
             if name != "export":
                 button.clicked.connect(partial(self._on_clicked, name))

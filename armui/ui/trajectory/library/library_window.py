@@ -106,19 +106,11 @@ class LibraryWindow(ArmDialog):
     # Layout -----------------------------------------------------------------------------------
 
     def _lay_out(self) -> None:
-        below = in_row(
-            (self._message, 1), self._exchange.report, self._exchange.by_columns, self._undo_button
-        )
+        offers = (self._exchange.report, self._exchange.by_columns)
+        below = in_row((self._message, 1), *offers, self._undo_button)
         self._bar.add_button(self._bin_button)
-        fill(
-            self.body,
-            self._bar,
-            self._company,
-            (self._table, 1),
-            self._findings,
-            self._strip,
-            below,
-        )
+        fill(self.body, self._bar, self._company, (self._table, 1))
+        fill(self.body, self._findings, self._strip, below)
 
     def _connect(self) -> None:
         handlers: dict[str, Callable[[], object]] = {

@@ -8,7 +8,7 @@ from typing import Final
 from PySide6.QtCore import QElapsedTimer, QSignalBlocker, QTimer, Signal
 from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
-from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.buttons import caption, describe, named, push_button
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.translated import Translated
@@ -34,25 +34,15 @@ class PreviewBar(Translated, QFrame):
         self.setObjectName("preview_bar")
         self._duration_s = 0.0
         self._label = QLabel()
-        self._play = push_button("preview_play")
+        self._play = push_button("preview_play", on_enter=False)
         self._play.setCheckable(True)
         self._slider = named("preview_slider", TrackSlider(_STEP_S, origin=0.0))
         self._slider.setSingleStep(10)
         self._slider.setPageStep(100)
         self._time = named("preview_time", ValueLabel(""))
-        self._close = push_button("preview_close")
-        in_row(
-            self._label,
-            self._play,
-            (self._slider, 1),
-            self._time,
-            self._close,
-            on=self,
-            spacing=10,
-            margins=(12, 8, 12, 8),
-        )
-        for button in (self._play, self._close):
-            button.setAutoDefault(False)
+        self._close = push_button("preview_close", on_enter=False)
+        parts = (self._label, self._play, (self._slider, 1), self._time, self._close)
+        in_row(*parts, on=self, spacing=10, margins=(12, 8, 12, 8))
         self._clock = QElapsedTimer()
         self._timer = QTimer(self)
         self._timer.setInterval(_FRAME_MS)
@@ -115,17 +105,15 @@ class PreviewBar(Translated, QFrame):
 
     def _name_play(self) -> None:
         text = self.tr("Halt") if self._play.isChecked() else self.tr("Play")
-        self._play.setText(text)
-        self._play.setAccessibleName(text)
-        self._play.setToolTip(self.tr("Moves the ghost arm only; the real arm stays where it is."))
+        tip = self.tr("Moves the ghost arm only; the real arm stays where it is.")
+        caption(self._play, text, tip=tip)
 
     def retranslate_ui(self) -> None:
         """Put the words into the operator's language."""
         self._label.setText(self.tr("Preview"))
-        self._slider.setAccessibleName(self.tr("Time of the preview"))
-        self._slider.setToolTip(self.tr("Moves the ghost arm through the motion."))
-        self._close.setText(self.tr("Close preview"))
-        self._close.setAccessibleName(self._close.text())
+        tip = self.tr("Moves the ghost arm through the motion.")
+        describe(self._slider, self.tr("Time of the preview"), tip)
+        caption(self._close, self.tr("Close preview"))
         self._name_play()
 
 

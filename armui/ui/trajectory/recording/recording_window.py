@@ -8,7 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QTimer, Signal
-from PySide6.QtWidgets import QGridLayout, QLabel, QLineEdit, QPushButton, QWidget
+from PySide6.QtWidgets import QLabel, QLineEdit, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -25,9 +25,9 @@ from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.running.preflight import Checks, Preflight
 from armui.ui.trajectory.running.run_options import RunOptions
 from armui.ui.trajectory.text import duration
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.figure_field import FigureField
-from armui.ui.widgets.layouts import STRETCH, fill, in_row
+from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
 
@@ -92,16 +92,10 @@ class RecordingWindow(ArmDialog):
         self._record.setFocus()
 
     def _make_widgets(self) -> None:
-        self._record, self._preview = QPushButton(), QPushButton()
-        self._as_samples, self._as_points = QPushButton(), QPushButton()
-        for name, button in (
-            ("record", self._record),
-            ("record_preview", self._preview),
-            ("save_recording", self._as_samples),
-            ("save_points", self._as_points),
-        ):
-            button.setObjectName(name)
-            button.setAutoDefault(False)
+        self._record = push_button("record", on_enter=False)
+        self._preview = push_button("record_preview", on_enter=False)
+        self._as_samples = push_button("save_recording", on_enter=False)
+        self._as_points = push_button("save_points", on_enter=False)
         self._state = text_label("record_state")
         self._name = named("record_name", QLineEdit())
         self._from = _field("record_from", 3, "s")
@@ -114,11 +108,9 @@ class RecordingWindow(ArmDialog):
 
     def _lay_out(self) -> None:
         head = in_row(self._record, (self._state, 1))
-        grid = QGridLayout()
-        grid.setHorizontalSpacing(10)
-        for row, (label, field) in enumerate(
-            zip(self._labels, (self._name, self._from, self._to, self._tolerance), strict=True)
-        ):
+        grid = empty_grid(gaps=(10, None))
+        fields = (self._name, self._from, self._to, self._tolerance)
+        for row, (label, field) in enumerate(zip(self._labels, fields, strict=True)):
             grid.addWidget(label, row, 0)
             grid.addWidget(field, row, 1, 1, 2 if field is self._name else 1)
             label.setBuddy(field)
@@ -242,13 +234,10 @@ class RecordingWindow(ArmDialog):
         elif result is None:
             self._kept.setText(self.tr("Nothing is left: correct the marked fields."))
         else:
-            self._kept.setText(
-                self.tr("{kept} of {count} samples, {time}").format(
-                    kept=len(result.samples),
-                    count=len(whole.samples),
-                    time=duration(result.duration_s),
-                )
-            )
+            text = self.tr("{kept} of {count} samples, {time}")
+            kept, count = len(result.samples), len(whole.samples)
+            text = text.format(kept=kept, count=count, time=duration(result.duration_s))
+            self._kept.setText(text)
         for button in (self._preview, self._as_samples, self._as_points):
             button.setEnabled(result is not None or self._job is not None)
 

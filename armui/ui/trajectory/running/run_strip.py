@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QLabel,
     QProgressBar,
-    QPushButton,
     QSpinBox,
     QWidget,
 )
@@ -30,9 +29,9 @@ from armui.ui.trajectory.running.preflight import CheckJob, Checks, Preflight
 from armui.ui.trajectory.running.run_options import RunOptions
 from armui.ui.trajectory.running.runner import Runner, can_go_on, can_pause, ended_early
 from armui.ui.trajectory.text import duration
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.hold_button import HoldButton
-from armui.ui.widgets.layouts import in_column, in_row
+from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -96,20 +95,13 @@ class RunStrip(Translated, QWidget):
         self.retranslate_ui()
 
     def _make_widgets(self) -> None:
-        self._send, self._pause, self._stop, self._resume = (QPushButton() for _ in range(4))
+        self._send = push_button("run_send", primary=True, on_enter=False)
+        self._pause = push_button("run_pause", on_enter=False)
         # a motion that was held back is never set going by a slip
-        self._continue = HoldButton()
+        self._continue = named("run_continue", HoldButton())
         self._continue.hide()
-        for name, button in (
-            ("run_send", self._send),
-            ("run_pause", self._pause),
-            ("run_continue", self._continue),
-            ("run_stop", self._stop),
-            ("run_resume", self._resume),
-        ):
-            button.setObjectName(name)
-            button.setAutoDefault(False)
-        self._send.setProperty("primary", True)
+        self._stop = push_button("run_stop", on_enter=False)
+        self._resume = push_button("run_resume", on_enter=False)
         self._cycles = named("run_cycles", QComboBox())
         self._cycles.addItems(["", "", ""])
         self._times = _spin("run_times", 1, _MOST_CYCLES, 3)
@@ -124,15 +116,12 @@ class RunStrip(Translated, QWidget):
         self._text = text_label("run_text")
 
     def _lay_out(self) -> None:
-        options = in_row(spacing=8)
-        for widget in (
+        options = in_row(
             *(self._cycles, self._times, self._speed_label, self._speed),
-            *(self._first_label, self._first, self._steps),
-        ):
-            options.addWidget(widget)
-        options.addStretch(1)
-        for button in (self._resume, self._send, self._pause, self._continue, self._stop):
-            options.addWidget(button)
+            *(self._first_label, self._first, self._steps, STRETCH),
+            *(self._resume, self._send, self._pause, self._continue, self._stop),
+            spacing=8,
+        )
         state = in_row((self._bar, 1), self._text, spacing=12)
         in_column(options, state, on=self, spacing=8, margins=0)
 
@@ -318,7 +307,7 @@ class RunStrip(Translated, QWidget):
         self._times.setVisible(self._cycles.currentIndex() == _TIMES)
         checking = self._checking
         self._send.setEnabled(not running and not checking and reason is None)
-        self._send.setToolTip("" if reason is None else words.refusal(reason))
+        self._send.setToolTip(words.why_not(reason))
         paused = progress.phase is RunPhase.PAUSED
         self._pause.setVisible(not paused)
         self._pause.setEnabled(can_pause(progress) or can_go_on(progress))
@@ -328,12 +317,10 @@ class RunStrip(Translated, QWidget):
         again = not (running or checking) and self._again is not None and ended_early(progress)
         self._resume.setVisible(again)
         self._resume.setEnabled(again and reason is None)
-        self._resume.setToolTip("" if reason is None else words.refusal(reason))
+        self._resume.setToolTip(words.why_not(reason))
         self._resume.setText(self.tr("Go on from row {row}").format(row=progress.index + 1))
-        if progress.phase is RunPhase.WAITING:
-            self._pause.setText(self.tr("Next step"))
-        else:
-            self._pause.setText(self.tr("Pause"))
+        waiting = progress.phase is RunPhase.WAITING
+        self._pause.setText(self.tr("Next step") if waiting else self.tr("Pause"))
 
     # Words ------------------------------------------------------------------------------------
 

@@ -48,12 +48,8 @@ class ColumnPicker(Translated, QWidget):
         self._unit = _Choice(f"column_unit_{number}")
         self._origin = named(f"column_origin_{number}", ElidedLabel())
         self._origin.setProperty("rank", "warning")
-        in_column(
-            *(self._title, self._quantity, self._unit, self._origin),
-            on=self,
-            spacing=4,
-            margins=(_MARGIN_PX, 0, _MARGIN_PX, 0),
-        )
+        parts = (self._title, self._quantity, self._unit, self._origin)
+        in_column(*parts, on=self, spacing=4, margins=(_MARGIN_PX, 0, _MARGIN_PX, 0))
         if guess.column is not None:
             self._quantity.setCurrentIndex(1 + list(ColumnQuantity).index(guess.column.quantity))
         self._fill_units()

@@ -7,7 +7,7 @@ from pathlib import PurePath
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QPushButton, QSpinBox, QWidget
+from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QSpinBox, QWidget
 
 from armui.control.events import Level
 from armui.protocol.codes import MoveMode
@@ -21,7 +21,7 @@ from armui.ui.dialogs.base import ArmDialog
 from armui.ui.trajectory.table_import.columns_table import ColumnsTable
 from armui.ui.trajectory.table_import.dialect_bar import DialectBar
 from armui.ui.trajectory.table_import.table_import import TableImport
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
@@ -90,12 +90,8 @@ class ColumnsDialog(ArmDialog):
         self._name = named("columns_name", QLineEdit())
         self._move_label, self._speed_label, self._name_label = (QLabel() for _ in range(3))
         self._message = named("columns_message", MessageLine())
-        self.import_button, self._cancel = QPushButton(), QPushButton()
-        self.import_button.setObjectName("columns_import")
-        self.import_button.setProperty("primary", True)
-        self.import_button.setDefault(True)
-        self._cancel.setObjectName("columns_cancel")
-        self._cancel.setAutoDefault(False)
+        self.import_button = push_button("columns_import", primary=True, on_enter=True)
+        self._cancel = push_button("columns_cancel", on_enter=False)
 
     def _lay_out(self) -> None:
         choices = in_row(spacing=8)
@@ -105,9 +101,7 @@ class ColumnsDialog(ArmDialog):
             (self._speed_label, self._speed),
         ):
             label.setBuddy(field)
-            choices.addWidget(label)
-            choices.addWidget(field, 1 if field is self._name else 0)
-            choices.addSpacing(8)
+            fill(choices, label, (field, 1 if field is self._name else 0), 8)
         fill(self.body, self._source, self._dialect_bar, choices, (self._table, 1), self._message)
         fill(self.footer, STRETCH, self._cancel, self.import_button)
 
