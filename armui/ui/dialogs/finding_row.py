@@ -28,10 +28,8 @@ class FindingRow(QWidget):
         mark: How grave it is, in a word: for those who do not see the colour.
     """
 
-    def __init__(
-        self, finding: Diagnosis, text: str, mark: str, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, finding: Diagnosis, text: str, mark: str) -> None:
+        super().__init__()
         self._level = finding.severity
         self._icon = QLabel()
         self._icon.setFixedWidth(_ICON_PX)

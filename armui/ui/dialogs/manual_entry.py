@@ -25,8 +25,8 @@ class ManualEntry(Translated, QWidget):
 
     entered = Signal(object)
 
-    def __init__(self, interfaces: Sequence[str], parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, interfaces: Sequence[str]) -> None:
+        super().__init__()
         self._interface_label = QLabel()
         self.interface_box = QComboBox()
         self.interface_box.setEditable(True)

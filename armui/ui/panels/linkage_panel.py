@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel, QWidget
+from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -28,8 +28,8 @@ _BASES: Final = {"feedback": (0x2A1, 0x2A8), "control": (0x150, 0x15F), "target"
 class LinkagePanel(Panel):
     """What is to be set, which identifiers are in use, and how a teaching input is led back."""
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(controller, "linkage_message", parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__(controller, "linkage_message")
         self._role_label = QLabel()
         self._roles = QButtonGroup(self)
         self._role_buttons = {

@@ -48,10 +48,8 @@ class Panel(Translated, QWidget):
         message_name: The object name of the message.
     """
 
-    def __init__(
-        self, controller: ArmController, message_name: str, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController, message_name: str) -> None:
+        super().__init__()
         self._controller = controller
         self._operating_state = controller.operating_state
         self._refusal: Refusal | None = None

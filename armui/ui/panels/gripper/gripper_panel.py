@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtWidgets import QFrame, QWidget
+from PySide6.QtWidgets import QFrame
 
 from armui.arm.gripper import GripperState
 from armui.arm.refusal import Refusal
@@ -34,8 +34,8 @@ _ACTS: Final = ("enable", "disable", "clear", "zero")
 class GripperPanel(Panel):
     """Target and measured values of the gripper, the buttons for its power, its errors in words."""
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(controller, "gripper_message", parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__(controller, "gripper_message")
         self._generation = self._operating_state.generation or Generation.TWO
         self._reasons: tuple[Refusal | None, ...] | None = None
         self._mark = PowerMark()

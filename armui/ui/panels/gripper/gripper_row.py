@@ -39,8 +39,8 @@ class GripperRow(QWidget):
     edited = Signal()
     stepped = Signal(int)
 
-    def __init__(self, figure: Figure, *, steps: bool, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, figure: Figure, *, steps: bool) -> None:
+        super().__init__()
         name = f"gripper_{figure.name}"
         self._figure = figure
         self._label = QLabel()

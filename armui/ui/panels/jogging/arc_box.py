@@ -27,8 +27,8 @@ class ArcBox(Translated, QWidget):
     """Go to the start of the arc."""
     send_wanted = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.poses: list[Pose | None] = [None, None, None]
         self._title = text_label(rank="muted")
         self._captures = [push_button(f"capture_{point}") for point in _POINTS]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtWidgets import QFrame, QWidget
+from PySide6.QtWidgets import QFrame
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -47,9 +47,7 @@ class CartesianPanel(JogPanel):
         preferences: Keep the tool.
     """
 
-    def __init__(
-        self, controller: ArmController, preferences: SettingsStore, parent: QWidget | None = None
-    ) -> None:
+    def __init__(self, controller: ArmController, preferences: SettingsStore) -> None:
         super().__init__(
             controller,
             "tool",
@@ -57,7 +55,6 @@ class CartesianPanel(JogPanel):
             keys=_KEYS,
             numbers=range(len(_KEYS)),
             write_step=lambda step: f"{step:g} mm / {step:g}°",
-            parent=parent,
         )
         self._preferences = preferences
         self._jogged = False

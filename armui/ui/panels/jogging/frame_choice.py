@@ -13,8 +13,8 @@ from armui.ui.widgets.translated import Translated
 class FrameChoice(Translated, QWidget):
     """One button a frame; one of them is chosen."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._label = QLabel()
         self._buttons = QButtonGroup(self)
         layout = in_row(self._label, on=self, spacing=6, margins=0)

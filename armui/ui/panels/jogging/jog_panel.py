@@ -52,9 +52,8 @@ class JogPanel(Panel):
         keys: Keys,
         numbers: Sequence[int],
         write_step: Callable[[float], str],
-        parent: QWidget | None = None,
     ) -> None:
-        super().__init__(controller, message_name, parent)
+        super().__init__(controller, message_name)
         self._numbers = tuple(numbers)
         self._filled_for: Device | None = None
         self._step_label = QLabel()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtWidgets import QLabel
 
 from armui.arm.limits import ANGLE_STEP_DEG, JointLimits, check_joint
 from armui.arm.refusal import Refusal
@@ -33,8 +33,8 @@ class JointRow(JogSignals):
         limits: Its range until the arm tells another.
     """
 
-    def __init__(self, joint: int, limits: JointLimits, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, joint: int, limits: JointLimits) -> None:
+        super().__init__()
         painting.fill_ground(self)
         self.joint = joint
         self._limits = limits

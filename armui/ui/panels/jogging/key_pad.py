@@ -7,7 +7,7 @@ from typing import Final
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFocusEvent, QHideEvent, QKeyEvent
-from PySide6.QtWidgets import QFrame, QLabel, QWidget
+from PySide6.QtWidgets import QFrame, QLabel
 
 from armui.ui.widgets.hold_guard import HoldGuard
 from armui.ui.widgets.layouts import empty_grid, in_column
@@ -49,8 +49,8 @@ class KeyPad(Translated, QFrame):
     unattended = Signal()
     """It ended because the operator gave no sign for too long."""
 
-    def __init__(self, keys: Keys, name: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, keys: Keys, name: str) -> None:
+        super().__init__()
         self.setObjectName(name)
         self.setProperty("card", True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)

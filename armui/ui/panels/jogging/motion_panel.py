@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QWidget
+from PySide6.QtWidgets import QFrame
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
@@ -44,9 +44,7 @@ class MotionPanel(JogPanel):
         jog_step_deg: Step of − and + to begin with.
     """
 
-    def __init__(
-        self, controller: ArmController, jog_step_deg: float, parent: QWidget | None = None
-    ) -> None:
+    def __init__(self, controller: ArmController, jog_step_deg: float) -> None:
         super().__init__(
             controller,
             "jog",
@@ -54,7 +52,6 @@ class MotionPanel(JogPanel):
             keys=_KEYS,
             numbers=JOINTS,
             write_step=fmt.short_angle,
-            parent=parent,
         )
         self._jogged: int | None = None
         self._target_head = text_label(rank="muted")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Final
 
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtWidgets import QLabel
 
 from armui.ui import format as fmt
 from armui.ui.panels.jogging.jog_signals import JogSignals
@@ -31,8 +31,8 @@ class PoseRow(JogSignals):
         unit: ``mm`` or ``°``.
     """
 
-    def __init__(self, place: int, name: str, unit: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, place: int, name: str, unit: str) -> None:
+        super().__init__()
         painting.fill_ground(self)
         self.name = name
         self._unit = unit

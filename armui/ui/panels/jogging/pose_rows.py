@@ -22,8 +22,8 @@ class PoseRows(Translated, QWidget):
         rows: One an axis.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._point = text_label("point_label", rank="muted")
         self._measured_head = text_label(rank="muted")
         self._with_tool = False

@@ -21,8 +21,8 @@ class ToolBox(Translated, QWidget):
     changed = Signal(object)
     """Six figures as they were typed; one that is none stands as its text."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._title = text_label(rank="muted", wraps=True)
         self._fields = [FigureField(fmt.DECIMALS) for _ in AXES]
         grid = empty_grid(self, gaps=(8, 4), margins=0)

@@ -31,8 +31,8 @@ class ChannelRow(QWidget):
 
     edited = Signal()
 
-    def __init__(self, name: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, name: str) -> None:
+        super().__init__()
         self.label = QLabel()
         self.slider = named(f"{name}_slider", TrackSlider(1.0, origin=0.0))
         self.slider.setRange(0, FULL)

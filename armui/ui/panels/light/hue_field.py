@@ -43,8 +43,8 @@ class HueField(QWidget):
 
     picked = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._hue = 0.0
         self._saturation = 0.0
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)

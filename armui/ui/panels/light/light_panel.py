@@ -6,15 +6,7 @@ from typing import Final
 
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import (
-    QButtonGroup,
-    QCheckBox,
-    QFrame,
-    QHBoxLayout,
-    QLabel,
-    QSizePolicy,
-    QWidget,
-)
+from PySide6.QtWidgets import QButtonGroup, QCheckBox, QFrame, QHBoxLayout, QLabel, QSizePolicy
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
@@ -50,8 +42,8 @@ class LightPanel(Panel):
     while another panel is used.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(controller, "light_message", parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__(controller, "light_message")
         self._joint_label = QLabel()
         self._joints = QButtonGroup(self)
         self._lamp_label = QLabel()

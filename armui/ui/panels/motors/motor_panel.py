@@ -6,7 +6,7 @@ from functools import partial
 from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QLabel, QWidget
+from PySide6.QtWidgets import QFrame, QLabel
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
@@ -38,8 +38,8 @@ class MotorPanel(Panel):
     be confirmed by holding a button.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(controller, "motor_message", parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__(controller, "motor_message")
         self._heads = [QLabel() for _ in range(4)]
         self._rows = [MotorRow(joint) for joint in JOINTS]
         self._all_label = QLabel()

@@ -43,8 +43,8 @@ class MotorAct(enum.Enum):
 class PowerMark(QWidget):
     """Whether a motor is enabled, by shape and colour."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._mark, self._muted = Mark.UNKNOWN, False
         self.setFixedSize(QSize(20, 20))
 
@@ -71,8 +71,8 @@ class ActButtons(Translated, QWidget):
 
     wanted = Signal(int, object)
 
-    def __init__(self, joint: int, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, joint: int) -> None:
+        super().__init__()
         self.joint = joint
         self.buttons = {act: QPushButton() for act in MotorAct}
         row = in_row(on=self, spacing=6, margins=0)
@@ -122,8 +122,8 @@ class MotorRow(Translated, QWidget):
         joint: Its number, 1–6.
     """
 
-    def __init__(self, joint: int, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, joint: int) -> None:
+        super().__init__()
         self.joint = joint
         self._mark = PowerMark()
         name = QLabel(f"J{joint}")

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QLabel, QWidget
+from PySide6.QtWidgets import QFrame, QLabel
 
 from armui.arm.parameters import Batch, Group, heard
 from armui.control.arm_controller import ArmController
@@ -25,16 +25,9 @@ _TALLEST_CARD_PX: Final = 420
 class CollisionPanel(ParameterPanel):
     """A level for each joint, and one click for all of them."""
 
-    def __init__(
-        self,
-        controller: ArmController,
-        open_backup: Callable[[], object],
-        parent: QWidget | None = None,
-    ) -> None:
+    def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
         self._levels = [LevelCell(each) for each in Batch(Group.COLLISION).parameters()]
-        super().__init__(
-            controller, "collision", self._levels, open_backup, can_reset=False, parent=parent
-        )
+        super().__init__(controller, "collision", self._levels, open_backup, can_reset=False)
         self._all_label = QLabel()
         self._all = LevelRow(_LEVELS, "collision_all")
         self._all.chosen.connect(self._on_all_chosen)

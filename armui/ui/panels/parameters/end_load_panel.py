@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QButtonGroup, QFrame, QHBoxLayout, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QButtonGroup, QFrame, QHBoxLayout, QLabel, QSizePolicy
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
@@ -38,8 +38,8 @@ _FIGURES: Final = (
 class EndLoadPanel(Panel):
     """Three loads to choose from, and a table that lives while 0x481–0x486 arrive."""
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(controller, "end_load_message", parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__(controller, "end_load_message")
         self._reporting: bool | None = None
         self._loads = QButtonGroup(self)
         self._note = text_label(rank="muted", wraps=True)

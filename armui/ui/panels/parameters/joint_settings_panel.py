@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QLabel, QWidget
+from PySide6.QtWidgets import QFrame, QLabel
 
 from armui.arm.limits import JOINTS
 from armui.arm.parameters import KINDS, Parameter
@@ -26,16 +26,9 @@ _TALLEST_CARD_PX: Final = 420
 class JointSettingsPanel(ParameterPanel):
     """Six joints by four limits; the Tab key goes down the columns."""
 
-    def __init__(
-        self,
-        controller: ArmController,
-        open_backup: Callable[[], object],
-        parent: QWidget | None = None,
-    ) -> None:
+    def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
         cells = [FigureCell(Parameter(name, joint)) for name in _COLUMNS for joint in JOINTS]
-        super().__init__(
-            controller, "joint_settings", cells, open_backup, can_reset=True, parent=parent
-        )
+        super().__init__(controller, "joint_settings", cells, open_backup, can_reset=True)
         self._heads = {name: QLabel() for name in _COLUMNS}
         card = QFrame()
         grid = empty_grid(card, gaps=(6, 4), margins=(12, 10, 12, 10))

@@ -29,8 +29,8 @@ class LevelRow(QWidget):
 
     chosen = Signal(int)
 
-    def __init__(self, levels: range, name: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, levels: range, name: str) -> None:
+        super().__init__()
         self._group = QButtonGroup(self)
         layout = in_row(on=self, spacing=_GAP_PX, margins=0)
         for level in levels:
@@ -74,8 +74,8 @@ class LevelRow(QWidget):
 class LevelCell(SettingCell):
     """A parameter of whole levels; the row is named as the parameter, ``collision_level_3``."""
 
-    def __init__(self, parameter: Parameter, parent: QWidget | None = None) -> None:
-        super().__init__(parameter, parent)
+    def __init__(self, parameter: Parameter) -> None:
+        super().__init__(parameter)
         kind = parameter.kind
         levels = range(round(kind.minimum), round(kind.maximum) + 1)
         self._row = named(cell_name(parameter), LevelRow(levels, cell_name(parameter)))

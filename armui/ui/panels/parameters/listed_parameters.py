@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import ClassVar, Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QLabel, QWidget
+from PySide6.QtWidgets import QFrame, QLabel
 
 from armui.arm.parameters import Batch, Group
 from armui.control.arm_controller import ArmController
@@ -36,16 +36,9 @@ class ListedParameters(ParameterPanel):
     group: ClassVar[Group]
     can_reset: ClassVar[bool]
 
-    def __init__(
-        self,
-        controller: ArmController,
-        open_backup: Callable[[], object],
-        parent: QWidget | None = None,
-    ) -> None:
+    def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
         cells = [FigureCell(each, each.kind.unit) for each in Batch(self.group).parameters()]
-        super().__init__(
-            controller, self.name, cells, open_backup, can_reset=self.can_reset, parent=parent
-        )
+        super().__init__(controller, self.name, cells, open_backup, can_reset=self.can_reset)
         self._labels = {cell.parameter.name: QLabel() for cell in cells}
         card = QFrame()
         grid = empty_grid(card, gaps=(12, 6), margins=(16, 14, 16, 10))

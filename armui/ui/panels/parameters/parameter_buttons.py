@@ -23,8 +23,8 @@ class ParameterButtons(QWidget):
         can_reset: Whether there is a 【初始化】.
     """
 
-    def __init__(self, name: str, *, can_reset: bool, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, name: str, *, can_reset: bool) -> None:
+        super().__init__()
         self.read = push_button(f"{name}_read_button")
         self.reset = push_button(f"{name}_reset_button")
         self.edit = push_button(f"{name}_edit_button")

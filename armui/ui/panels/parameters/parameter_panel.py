@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
-from PySide6.QtWidgets import QFrame, QToolButton, QWidget
+from PySide6.QtWidgets import QFrame, QToolButton
 
 from armui.arm.device import Device
 from armui.arm.parameters import heard
@@ -61,9 +61,8 @@ class ParameterPanel(Panel):
         open_backup: Callable[[], object],
         *,
         can_reset: bool,
-        parent: QWidget | None = None,
     ) -> None:
-        super().__init__(controller, f"{name}_message", parent)
+        super().__init__(controller, f"{name}_message")
         self._settings = controller.settings
         self._cells = {cell.parameter: cell for cell in cells}
         self._draft = SettingDraft(list(self._cells))

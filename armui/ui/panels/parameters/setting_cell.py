@@ -35,8 +35,8 @@ class SettingCell(QWidget):
 
     edited = Signal()
 
-    def __init__(self, parameter: Parameter, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, parameter: Parameter) -> None:
+        super().__init__()
         self.parameter = parameter
         self.note = named(f"{cell_name(parameter)}_note", CellNote())
 
@@ -75,8 +75,8 @@ class SettingCell(QWidget):
 class FigureCell(SettingCell):
     """A parameter as a field for its figure; named as the parameter, ``max_angle_deg_2``."""
 
-    def __init__(self, parameter: Parameter, unit: str = "", parent: QWidget | None = None) -> None:
-        super().__init__(parameter, parent)
+    def __init__(self, parameter: Parameter, unit: str = "") -> None:
+        super().__init__(parameter)
         self.field = named(cell_name(parameter), FigureField(parameter.kind.decimals, unit))
         self.field.setMinimumWidth(_NARROWEST_PX)
         in_column(self.field, self.note, on=self, spacing=_GAP_PX, margins=0)

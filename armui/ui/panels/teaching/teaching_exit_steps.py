@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Final
 
-from PySide6.QtWidgets import QFrame, QLabel, QWidget
+from PySide6.QtWidgets import QFrame, QLabel
 
 from armui.control.devices.teaching_phase import TeachingPhase
 from armui.control.safety.recovery_steps import Step, StepKind
@@ -34,8 +34,8 @@ _OVER: Final = frozenset({StepKind.READY, StepKind.NO_DEVICE, StepKind.OPENING})
 class TeachingExitSteps(QFrame):
     """Four lines, the one that is due marked; hidden when there is nothing to leave."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("teaching_exit_steps")
         self._leaving = False
         self._due = 0

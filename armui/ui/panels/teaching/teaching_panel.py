@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Final, TypeVar
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton
 
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
@@ -51,8 +51,8 @@ _MOVES: Final = frozenset(
 class TeachingPanel(Panel):
     """Offers the commands that make sense now; the others say why they do not."""
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(controller, "teaching_message", parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__(controller, "teaching_message")
         self._unanswered: Event | None = None
         self._shown: tuple[object, ...] | None = None
         self._state_label = QLabel()

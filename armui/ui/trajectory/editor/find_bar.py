@@ -36,8 +36,8 @@ class FindBar(Translated, QWidget):
     replace_wanted = Signal(bool)
     closed = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._field = named("find_field", QComboBox())
         for name in _FIELDS:
             self._field.addItem(name, name)

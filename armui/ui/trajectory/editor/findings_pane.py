@@ -31,8 +31,8 @@ class FindingsPane(Translated, QWidget):
 
     row_wanted = Signal(int)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._checked: Preflight | None = None
         self._accept: Callable[[], object] | None = None
         self._title = text_label("findings_title")

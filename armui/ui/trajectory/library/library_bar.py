@@ -43,8 +43,8 @@ class LibraryBar(QWidget):
     export_wanted = Signal(str)
     open_wanted = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._buttons = {name: push_button(f"library_{name}", on_enter=False) for name in _BUTTONS}
         self._export_menu = QMenu(self)
         self.search = named("library_search", QLineEdit())

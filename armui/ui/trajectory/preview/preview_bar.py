@@ -6,7 +6,7 @@ import re
 from typing import Final
 
 from PySide6.QtCore import QElapsedTimer, QSignalBlocker, QTimer, Signal
-from PySide6.QtWidgets import QFrame, QLabel, QWidget
+from PySide6.QtWidgets import QFrame, QLabel
 
 from armui.ui.widgets.buttons import caption, describe, named, push_button
 from armui.ui.widgets.layouts import in_row
@@ -29,8 +29,8 @@ class PreviewBar(Translated, QFrame):
     time_changed = Signal(float)
     closed = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("preview_bar")
         self._duration_s = 0.0
         self._label = QLabel()

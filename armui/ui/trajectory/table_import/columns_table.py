@@ -49,13 +49,8 @@ class ColumnsTable(QScrollArea):
 
     changed = Signal()
 
-    def __init__(
-        self,
-        sheet: Sheet,
-        said: Mapping[int, TableColumn | None] | None = None,
-        parent: QWidget | None = None,
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, sheet: Sheet, said: Mapping[int, TableColumn | None] | None = None) -> None:
+        super().__init__()
         self._width = sheet.width
         self._places = _shown(sheet)
         self._pickers: list[ColumnPicker] = []

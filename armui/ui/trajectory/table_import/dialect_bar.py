@@ -27,8 +27,8 @@ class DialectBar(Translated, QWidget):
 
     changed = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._encoding = _choice("dialect_encoding", tuple(Encoding))
         self._delimiter = _choice("dialect_delimiter", DELIMITERS)
         self._decimal = _choice("dialect_decimal", DECIMALS)
