@@ -13,6 +13,7 @@ from armui.trajectory.columns.encodings import decode_as, guess_encoding
 from armui.trajectory.columns.model import DECIMALS, DELIMITERS
 from armui.trajectory.files import TrajectoryFileError
 from tests.examples import examples
+from tests.trajectory.strategies import outcome
 
 ROW = "1,5;2;3\n"
 
@@ -136,14 +137,6 @@ def test_the_odd_character_is_found():
 def test_a_file_that_is_gone_is_told(tmp_path):
     with pytest.raises(TrajectoryFileError, match=r"gone\.txt: cannot be read"):
         columns.open_table(tmp_path / "gone.txt")
-
-
-def outcome(call, *arguments):
-    """What a call returns, or the error it may raise."""
-    try:
-        return call(*arguments)
-    except TrajectoryFileError as error:
-        return error
 
 
 @settings(max_examples=examples(100))

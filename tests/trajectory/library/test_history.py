@@ -3,7 +3,6 @@
 import shutil
 from dataclasses import replace
 from datetime import UTC, datetime
-from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
@@ -15,7 +14,7 @@ from armui.trajectory.library.history import Deletion, LibraryHistory, Making, R
 from armui.trajectory.library.store import Library
 from tests.examples import examples
 from tests.moments import now
-from tests.trajectory.library.contents import names, opened, recording, refused, trajectory
+from tests.trajectory.library.contents import locked, names, opened, recording, refused, trajectory
 
 
 @pytest.fixture
@@ -100,15 +99,7 @@ def test_what_has_unsaved_changes_is_not_taken_away(history, library):
 
 def test_a_step_that_the_disk_refuses_can_be_tried_again(history, library, monkeypatch):
     history.delete(["a", "b"])
-    move = Path.replace
-
-    def fail_at_b(path, target):
-        if path.name == "b.log":
-            raise PermissionError(13, "Permission denied")
-        return move(path, target)
-
-    with monkeypatch.context() as patch:
-        patch.setattr(Path, "replace", fail_at_b)
+    with locked(monkeypatch, "b.log"):
         assert refused(history.undo).code == RefusalCode.LIBRARY_NOT_RESTORED
     assert names(library) == ["a", "c"]
     assert history.undo() == ("b",)

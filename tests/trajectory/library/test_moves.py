@@ -1,13 +1,20 @@
 """Renamed, duplicated, deleted and brought back."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files import TrajectoryFileError
-from tests.trajectory.library.contents import names, opened, recording, refused, shown, trajectory
+from tests.trajectory.library.contents import (
+    locked,
+    names,
+    opened,
+    recording,
+    refused,
+    shown,
+    trajectory,
+)
 
 
 def test_a_trajectory_is_renamed_with_its_mark_and_its_draft(library, folder):
@@ -91,15 +98,7 @@ def test_what_is_brought_back_replaces_nothing(library):
 def test_a_deletion_that_fails_half_way_deletes_nothing(library, folder, monkeypatch):
     library.save(trajectory("a"))
     library.save(trajectory("b"))
-    move = Path.replace
-
-    def fail_at_b(path, target):
-        if path.name == "b.log":
-            raise PermissionError(13, "Permission denied")
-        return move(path, target)
-
-    with monkeypatch.context() as patch:
-        patch.setattr(Path, "replace", fail_at_b)
+    with locked(monkeypatch, "b.log"):
         refusal = refused(library.delete, ["a", "b"])
     assert (refusal.code, refusal.params["text"]) == ("library_not_deleted", "Permission denied")
     assert names(library) == ["a", "b"]
