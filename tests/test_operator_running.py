@@ -86,8 +86,8 @@ class Operator:
         return [row for row, text in enumerate(headers) if text.startswith("▶")]
 
 
-def test_once_through_every_point_in_order(any_desk):
-    operator = Operator(any_desk, to(OUT), to(BACK), to(UP))
+def test_once_through_every_point_in_order(any_driver):
+    operator = Operator(any_driver, to(OUT), to(BACK), to(UP))
     operator.send()
     operator.until(lambda: operator.progress.index == 1)
     assert operator.lit() == [1]
@@ -128,8 +128,8 @@ def test_in_a_loop_until_it_is_ended_and_on_from_there(app_driver):
 
 
 @ONE_IS_ENOUGH
-def test_a_pause_holds_the_arm(any_desk):
-    operator = Operator(any_desk, to(OUT), to(BACK))
+def test_a_pause_holds_the_arm(any_driver):
+    operator = Operator(any_driver, to(OUT), to(BACK))
     operator.send()
     operator.until(lambda: operator.progress.index == 1)
     operator.app_driver.run(0.3)

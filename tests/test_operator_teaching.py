@@ -53,12 +53,12 @@ def due(app_driver):
 
 
 @pytest.fixture
-def enabled(any_desk):
-    any_desk.connect()
-    any_desk.enable_by_hand()
-    any_desk.click("menu_teaching")
-    any_desk.heard()
-    return any_desk
+def enabled(any_driver):
+    any_driver.connect()
+    any_driver.enable_by_hand()
+    any_driver.click("menu_teaching")
+    any_driver.heard()
+    return any_driver
 
 
 @pytest.fixture
@@ -146,18 +146,18 @@ def test_the_end_of_a_recording_is_asked_for_again(enabled):
 
 
 @ONE_IS_ENOUGH
-def test_motors_off_or_a_stop_keep_teaching_away_and_say_why(any_desk):
-    any_desk.connect()
-    any_desk.click("menu_teaching")
-    any_desk.run(0.2)
-    assert usable(any_desk) == set()
-    assert "not enabled" in any_desk.find("teaching_start_recording").toolTip()
-    assert "not in drag teaching" in any_desk.find("teaching_run_recording").toolTip()
-    any_desk.enable_by_hand()
-    any_desk.click("stop_button")
-    any_desk.run(0.3)
-    assert "emergency stop" in any_desk.find("teaching_start_recording").toolTip()
-    assert "emergency stop" in any_desk.find("plan_continue").toolTip()
+def test_motors_off_or_a_stop_keep_teaching_away_and_say_why(any_driver):
+    any_driver.connect()
+    any_driver.click("menu_teaching")
+    any_driver.run(0.2)
+    assert usable(any_driver) == set()
+    assert "not enabled" in any_driver.find("teaching_start_recording").toolTip()
+    assert "not in drag teaching" in any_driver.find("teaching_run_recording").toolTip()
+    any_driver.enable_by_hand()
+    any_driver.click("stop_button")
+    any_driver.run(0.3)
+    assert "emergency stop" in any_driver.find("teaching_start_recording").toolTip()
+    assert "emergency stop" in any_driver.find("plan_continue").toolTip()
 
 
 @ONE_IS_ENOUGH

@@ -73,20 +73,20 @@ def file_of(folder, file, name="one"):
     return path
 
 
-def test_reading_takes_its_time(slow_desk, tmp_path):
-    driver = LibraryDriver(slow_desk, "one")
+def test_reading_takes_its_time(slow_driver, tmp_path):
+    driver = LibraryDriver(slow_driver, "one")
     (tmp_path / "new.log").write_text("armui trajectory 1\nname: new\n\nJ 1 2 -3 4 5 6\n")
     driver.window._exchange.import_files([tmp_path / "new.log"])
     assert driver.message() == "Reading new.log…"
-    slow_desk.workers.work()
+    slow_driver.workers.work()
     assert driver.message() == "Imported: new"
     assert driver.names() == ["new", "one"]
 
 
-def test_reading_that_fails_altogether_is_told(slow_desk, tmp_path):
-    driver = LibraryDriver(slow_desk, "one")
+def test_reading_that_fails_altogether_is_told(slow_driver, tmp_path):
+    driver = LibraryDriver(slow_driver, "one")
     driver.window._exchange.import_files([tmp_path / "new.log"])
-    slow_desk.workers.break_down("out of memory")
+    slow_driver.workers.break_down("out of memory")
     assert "out of memory" in driver.message()
     assert driver.names() == ["one"]
 

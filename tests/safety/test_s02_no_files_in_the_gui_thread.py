@@ -61,7 +61,7 @@ def workers():
 
 
 @pytest.fixture
-def live_desk(qapp, request, tmp_path, workers):
+def live_driver(qapp, request, tmp_path, workers):
     """A program with the real thread and processes behind it, and loaded as the program is."""
     process, files = workers
     settings = tmp_path / "settings.json"
@@ -100,8 +100,8 @@ def test_the_watch_sees_what_it_must(tmp_path, monkeypatch):
     assert not any(subject.endswith("c") for _event, subject, _frames in seen)
 
 
-def test_the_library(live_desk, monkeypatch, tmp_path):
-    app_driver = live_desk
+def test_the_library(live_driver, monkeypatch, tmp_path):
+    app_driver = live_driver
     app_driver.ready()
     for name in ("one", "two"):
         Library(app_driver.library_folder).save(Trajectory(name, points=(POINT,) * 3))
@@ -144,8 +144,8 @@ def test_the_library(live_desk, monkeypatch, tmp_path):
     assert forbidden(seen) == []
 
 
-def test_the_editor(live_desk, monkeypatch):
-    app_driver = live_desk
+def test_the_editor(live_driver, monkeypatch):
+    app_driver = live_driver
     app_driver.ready()
     Library(app_driver.library_folder).save(Trajectory("one", points=(POINT,) * 3))
     app_driver.click("library_button")
@@ -169,8 +169,8 @@ def test_the_editor(live_desk, monkeypatch):
     assert len(Library(app_driver.library_folder).load("one").points) == 4
 
 
-def test_a_recording(live_desk, monkeypatch):
-    app_driver = live_desk
+def test_a_recording(live_driver, monkeypatch):
+    app_driver = live_driver
     app_driver.ready()
     app_driver.click("library_button")
     window = app_driver.dialog(LibraryWindow)
@@ -192,8 +192,8 @@ def test_a_recording(live_desk, monkeypatch):
     assert forbidden(seen) == []
 
 
-def test_the_curves(live_desk, monkeypatch, tmp_path):
-    app_driver = live_desk
+def test_the_curves(live_driver, monkeypatch, tmp_path):
+    app_driver = live_driver
     app_driver.ready()
     with watched(monkeypatch) as seen:
         app_driver.click("plots_button")
@@ -228,8 +228,8 @@ def test_the_dialogs(app_driver, monkeypatch, name):
     assert forbidden(seen) == []
 
 
-def test_the_file_choosers(live_desk, monkeypatch):
-    app_driver = live_desk
+def test_the_file_choosers(live_driver, monkeypatch):
+    app_driver = live_driver
     app_driver.ready()
     Library(app_driver.library_folder).save(Trajectory("one", points=(POINT,)))
     app_driver.click("library_button")

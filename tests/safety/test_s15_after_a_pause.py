@@ -62,8 +62,8 @@ def test_frames_of_a_backlog_are_not_dated_now(qapp, clock):
     assert worker.state.silences == 1
 
 
-def test_after_a_sleep_nothing_of_before_goes_on(any_bench):
-    rig = any_bench
+def test_after_a_sleep_nothing_of_before_goes_on(any_rig):
+    rig = any_rig
     rig.ready()
     assert rig.controller.jogging.start(JointJog(1, 1)) is None
     rig.run_until(lambda: rig.controller.operating_state.jogging)
