@@ -91,7 +91,8 @@ class DoctorDialog(ArmDialog):
         self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.copy_button = push_button("doctor_copy", on_enter=False)
         self.again_button = push_button("doctor_again", on_enter=False)
-        self.close_button = push_button(on_enter=True)
+        self.close_button = push_button(on_enter=False)
+        self.close_button.setDefault(True)
         fill(self.body, self._message, self._progress, (self._area, 1), self._note)
         fill(self.footer, self.copy_button, STRETCH, self.again_button, self.close_button)
 
