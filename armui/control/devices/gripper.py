@@ -231,11 +231,8 @@ class GripperControl:
             return
         action = self._action
         self.forget()
-        code = (
-            EventCode.GRIPPER_ACT_DONE
-            if outcome is RequestOutcome.DONE
-            else EventCode.GRIPPER_ACT_FAILED
-        )
+        done = outcome is RequestOutcome.DONE
+        code = EventCode.GRIPPER_ACT_DONE if done else EventCode.GRIPPER_ACT_FAILED
         self._context.tell(code, act=action)
 
     def _follow(self, travel: _Travel) -> None:

@@ -190,10 +190,7 @@ class JointRow(JogSignals):
         )
         self.field.setToolTip(target)
         self.slider.setToolTip(target)
-        origin = (
-            self.tr("Limit read from the arm")
-            if self._limits_read
-            else self.tr("Factory limit: not read from the arm yet")
-        )
+        read = self.tr("Limit read from the arm")
+        origin = read if self._limits_read else self.tr("Factory limit: not read from the arm yet")
         self._minimum.setToolTip(origin)
         self._maximum.setToolTip(origin)

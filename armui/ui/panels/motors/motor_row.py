@@ -105,11 +105,8 @@ class ActButtons(Translated, QWidget):
             MotorAct.ZERO: self.tr("Set zero"),
             MotorAct.CLEAR: self.tr("Clear error"),
         }
-        whose = (
-            self.tr("all joints")
-            if self.joint == ALL_JOINTS
-            else self.tr("joint {joint}").format(joint=self.joint)
-        )
+        one = self.tr("joint {joint}").format(joint=self.joint)
+        whose = self.tr("all joints") if self.joint == ALL_JOINTS else one
         for act, button in self.buttons.items():
             button.setText(words[act])
             button.setAccessibleName(f"{words[act]}: {whose}")

@@ -209,11 +209,10 @@ class ColumnsDialog(ArmDialog):
             self.reject()
 
     def _refuse(self, error: TrajectoryFileError | LibraryError) -> None:
-        reason = (
-            words.refusal(error.refusal)
-            if isinstance(error, LibraryError)
-            else words.file_error(error)
-        )
+        if isinstance(error, LibraryError):
+            reason = words.refusal(error.refusal)
+        else:
+            reason = words.file_error(error)
         said = self.tr("Not imported. {reason}").format(reason=reason)
         self._message.show_message(said, Level.FAULT)
 
