@@ -1,4 +1,4 @@
-"""The whole program on the bench, in the hands of an operator who clicks and reads."""
+"""The whole program on the rig, in the hands of an operator who clicks and reads."""
 
 from concurrent.futures import Executor, Future
 from pathlib import Path
@@ -56,17 +56,17 @@ class Slow(Executor):
 
 
 class AppDriver(ArmRig):
-    """A bench with the main window on it.
+    """A rig with the main window on it.
 
     Args:
         app: Qt's application.
-        channel: Of the virtual bus, this desk's alone.
+        channel: Of the virtual bus, this program's alone.
         settings: The file of the operator's settings; the library lies beside it.
         generation: Of the simulated arm's protocol.
         workers: Who does what takes long; whoever asks does it by default.
         files: Who does what waits for a disk; whoever asks does it by default.
         draws: Whether the 3D view is seen: drawing it costs more than most tests.
-        pictures: Has the 3D picture drawn; several desks one after another may share one.
+        pictures: Has the 3D picture drawn; several programs one after another may share one.
 
     Attributes:
         program: The program, wired as it is for the operator.
@@ -161,7 +161,7 @@ class AppDriver(ArmRig):
         dialog.close()
 
     def confirm(self) -> None:
-        """Press, or hold, the button of the open question that does the deed."""
+        """Press, or hold, the button of the open question that does it."""
         button = self.dialog(ConfirmDialog).action_button
         if isinstance(button, HoldButton):
             self.hold()
@@ -201,7 +201,7 @@ class AppDriver(ArmRig):
         assert condition(), "it never came"
 
     def close(self) -> None:
-        """End the program as it ends for the operator, then the bench."""
+        """End the program as it ends for the operator, then the rig."""
         for widget in QApplication.topLevelWidgets():
             if isinstance(widget, QDialog):
                 widget.close()

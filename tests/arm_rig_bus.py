@@ -1,4 +1,4 @@
-"""The two ends of the bench's bus: the arm's copies little, the program's says when it is done."""
+"""The two ends of the rig's bus: the arm's copies little, the program's says when it is done."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class ArmBus(VirtualBus):
     """Where the arm is plugged in.
 
     python-can copies a message deeply for each of those on the bus, and most of the work of a test
-    would be that: an arm says 3,000 frames a second. Nobody on the bench changes what was received.
+    would be that: an arm says 3,000 frames a second. Nobody on the rig changes what was received.
 
     Args:
         channel: Of the virtual bus.

@@ -1,4 +1,4 @@
-"""Whoever else is on the bus: a second host, another arm, a leader; they live by the bench's clock.
+"""Whoever else is on the bus: a second host, another arm, a leader; they live by the rig's clock.
 
 A host is written without the program's own codec: it says frames as candump does.
 """
@@ -23,7 +23,7 @@ Said = Callable[[float], Iterable[str]]
 
 
 class Stream:
-    """Frames said over and over; time passes with the bench's clock.
+    """Frames said over and over; time passes with the rig's clock.
 
     Attributes:
         running: Whether it goes on.
@@ -51,7 +51,7 @@ class Stream:
 
 
 class OtherHost:
-    """Another program on the bench's bus; it writes frames as candump does (`tests.sim.talk`).
+    """Another program on the rig's bus; it writes frames as candump does (`tests.sim.talk`).
 
     Args:
         rig: Where it is plugged in; it is unplugged with :meth:`close`.
@@ -61,7 +61,7 @@ class OtherHost:
     """
 
     def __init__(self, rig: ArmRig) -> None:
-        self._bench = rig
+        self._rig = rig
         self.streams: list[Stream] = []
         self._channel = rig.channel
         rig.company.append(self)
@@ -103,7 +103,7 @@ class OtherHost:
         self.say(f"151#01{move:02X}{percent:02X}{0xAD if mit else 0:02X}00000000")
 
     def stream(self, lines: Said, rate_hz: float = 200.0) -> Stream:
-        """Say frames over and over while the bench's time passes, until the stream is ended.
+        """Say frames over and over while the rig's time passes, until the stream is ended.
 
         Args:
             lines: What to say, by the time since the first round in seconds.
@@ -130,12 +130,12 @@ class OtherHost:
 
     def close(self) -> None:
         """Leave the bus."""
-        if self in self._bench.company:
-            self._bench.company.remove(self)
+        if self in self._rig.company:
+            self._rig.company.remove(self)
 
 
 class OtherArm:
-    """Another simulated arm on the bench's bus.
+    """Another simulated arm on the rig's bus.
 
     Its drivers' frames 0x251–0x266 and its answers 0x473–0x47E have the same identifiers as the
     first arm's, and it obeys the same 0x471 and 0x475, as 0x470 moves none of them.
@@ -164,7 +164,7 @@ class OtherArm:
         joints_deg: Iterable[float] = (0.0,) * 6,
         generation: Generation | None = None,
     ) -> None:
-        self._bench = rig
+        self._rig = rig
         flash = MemoryFlash()
         flash.save(ArmSettingsRecord(linkage=LinkageSettings(role, offset, offset, target_offset)))
         self.firmware = Firmware(
@@ -176,7 +176,7 @@ class OtherArm:
 
     @classmethod
     def leader(cls, rig: ArmRig, **how) -> "OtherArm":
-        """A teaching input that leads the bench's arm."""
+        """A teaching input that leads the rig's arm."""
         return cls(rig, 0, role=LinkageRole.TEACHING_INPUT, **how)
 
     def step(self, dt_s: float) -> None:
@@ -185,7 +185,7 @@ class OtherArm:
 
     def close(self) -> None:
         """Leave the bus."""
-        if self in self._bench.company:
-            self._bench.company.remove(self)
+        if self in self._rig.company:
+            self._rig.company.remove(self)
         self._bus.shutdown()
         del self.firmware, self.node

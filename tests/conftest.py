@@ -34,7 +34,7 @@ def rig(qapp, request):
 
 
 @pytest.fixture
-def any_bench(qapp, request, generation):
+def any_rig(qapp, request, generation):
     """The same, in both generations."""
     rig = ArmRig(request.node.nodeid, generation)
     yield rig
@@ -58,7 +58,7 @@ def app_driver(qapp, request, tmp_path):
 
 
 @pytest.fixture
-def slow_desk(qapp, request, tmp_path):
+def slow_driver(qapp, request, tmp_path):
     """The same; what takes long is only done when `app_driver.workers` is told to work."""
     settings = tmp_path / "settings.json"
     app_driver = AppDriver(qapp, request.node.nodeid, settings, Generation.TWO, Slow())
@@ -67,7 +67,7 @@ def slow_desk(qapp, request, tmp_path):
 
 
 @pytest.fixture
-def any_desk(qapp, request, tmp_path, generation):
+def any_driver(qapp, request, tmp_path, generation):
     """The same, in both generations."""
     app_driver = AppDriver(qapp, request.node.nodeid, tmp_path / "settings.json", generation)
     yield app_driver

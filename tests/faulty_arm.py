@@ -81,10 +81,10 @@ class HardOfHearing:
 LYING_DEG = (5.0, 10.0, -20.0, 0.0, 30.0, -40.0)
 
 
-def laid_down(bench: Any) -> Any:
+def laid_down(rig: Any) -> Any:
     """A connected arm whose joints read `LYING_DEG`, and whose ear the test can stop."""
-    bench.connect()
-    bench.firmware.mechanics.count_anew(LYING_DEG)
-    bench.run(0.1)
-    bench.ear = HardOfHearing(bench.firmware)
-    return bench
+    rig.connect()
+    rig.firmware.mechanics.count_anew(LYING_DEG)
+    rig.run(0.1)
+    rig.ear = HardOfHearing(rig.firmware)
+    return rig

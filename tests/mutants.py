@@ -116,11 +116,11 @@ TESTS: dict[str, Judges] = {
         ("tests/control/test_standstill.py",), ("tests/safety/test_s1[03]*",)
     ),
     "armui/control/safety/interlocks.py": Judges(
-        ("tests/control/test_interlocks.py",), ("tests/control/test_gates.py",)
+        ("tests/control/test_interlocks.py",), ("tests/control/test_refused_meanwhile.py",)
     ),
     "armui/control/assessment.py": Judges(
         ("tests/control/test_assessment.py",),
-        ("tests/control/test_gates.py", "tests/safety/test_s09*"),
+        ("tests/control/test_refused_meanwhile.py", "tests/safety/test_s09*"),
     ),
     "armui/control/safety/other_command.py": Judges(
         ("tests/control/test_other_command.py",),

@@ -44,7 +44,7 @@ def _waves() -> np.ndarray:
     return np.hstack([times_s, middle + swing, np.full_like(times_s, 30.0)])
 
 
-SHELF = (
+SAMPLES = (
     Trajectory("Pick and place", "from the tray to the belt", _PICK),
     Trajectory("Warm up", "every joint through its range", _PICK[:1] * 24),
     Trajectory("Out of reach", "for a picture of a failed check", (*_PICK[:2], _AWAY, _PICK[0])),

@@ -1,4 +1,4 @@
-"""The company on the test bench's bus: what it says, when, and what the arms make of it."""
+"""The company on the test rig's bus: what it says, when, and what the arms make of it."""
 
 import pytest
 
@@ -27,7 +27,7 @@ def heard(rig):
     return [text(each) for each in rig.node.heard]
 
 
-def test_a_stream_keeps_its_rate_by_the_bench_s_clock(rig, other_host):
+def test_a_stream_keeps_its_rate_by_the_rig_s_clock(rig, other_host):
     stream = other_host.stream_targets(lambda t_s: (t_s, 0, 0, 0, 0, 0), rate_hz=200.0)
     rig.run(0.5)
     assert stream.rounds == 100
@@ -75,7 +75,7 @@ def test_a_second_arm_has_its_own_feedback_and_obeys_its_own_targets(rig, second
     assert {each.arbitration_id for each in rig.node.heard} >= {0x2B1, 0x2B5, 0x2B6, 0x2B7}
 
 
-def test_a_leader_leads_the_bench_s_arm(rig, leader):
+def test_a_leader_leads_the_rig_s_arm(rig, leader):
     tell(rig.firmware, ENABLE)
     leader.firmware.hand_guiding.lead_to(THERE, speed_deg_s=40.0)
     rig.run(2.0)

@@ -51,8 +51,8 @@ def test_before_connecting_nothing_is_made_up(app_driver):
     assert "No arm is connected" in app_driver.read("motion_message")
 
 
-def test_connecting_shows_the_arm_online_and_its_angles(any_desk):
-    app_driver = any_desk
+def test_connecting_shows_the_arm_online_and_its_angles(any_driver):
+    app_driver = any_driver
     app_driver.connect_by_hand()
     app_driver.step()
     assert "Online" in app_driver.find("communication_button").accessibleName()
@@ -110,8 +110,8 @@ def test_an_unplugged_device_is_shown_and_comes_back(ready):
 # Enabling ----------------------------------------------------------------------------------------
 
 
-def test_enabling_shows_six_motors_on(any_desk):
-    app_driver = any_desk
+def test_enabling_shows_six_motors_on(any_driver):
+    app_driver = any_driver
     app_driver.connect_by_hand()
     app_driver.heard()
     assert "Disabled" in app_driver.find("enable_button").accessibleName()
@@ -239,8 +239,8 @@ def test_the_speed_slider_reaches_the_arm(ready):
 # Stopping ----------------------------------------------------------------------------------------
 
 
-def test_stop_recover_enable_and_go_on(any_desk):
-    app_driver = any_desk
+def test_stop_recover_enable_and_go_on(any_driver):
+    app_driver = any_driver
     app_driver.connect_by_hand()
     app_driver.enable_by_hand()
     app_driver.type_into("target_field_1", "90")

@@ -29,16 +29,16 @@ def frame(arbitration_id, payload):
 
 
 @pytest.fixture
-def arm(any_desk):
+def arm(any_driver):
     """Connected, 参数备份 open and the arm read."""
-    any_desk.connect()
-    any_desk.ear = HardOfHearing(any_desk.firmware)
-    any_desk.click("menu_end_limits")
-    settled(any_desk)
-    any_desk.click("end_limits_backup_button")
-    any_desk.box = any_desk.dialog(BackupDialog)
-    settled(any_desk)
-    return any_desk
+    any_driver.connect()
+    any_driver.ear = HardOfHearing(any_driver.firmware)
+    any_driver.click("menu_end_limits")
+    settled(any_driver)
+    any_driver.click("end_limits_backup_button")
+    any_driver.box = any_driver.dialog(BackupDialog)
+    settled(any_driver)
+    return any_driver
 
 
 def settled(app_driver):
@@ -280,17 +280,17 @@ def test_reading_can_be_stopped(arm):
     assert arm.box.read_button.text() == "Read"
 
 
-def test_what_could_not_be_read_is_not_in_the_file_and_that_is_said(any_desk, tmp_path):
-    any_desk.connect()
-    any_desk.ear = HardOfHearing(any_desk.firmware)
-    any_desk.ear.mute_on = {0x47B}
-    any_desk.click("menu_end_limits")
-    any_desk.click("end_limits_backup_button")
-    any_desk.box = any_desk.dialog(BackupDialog)
-    any_desk.run_until(any_desk.box.save_button.isEnabled)
-    assert rows(any_desk)["J1 Collision level"] == ("—", "—", "not read from the arm")
-    save(any_desk, tmp_path / "mine.json")
-    assert "6 could not be read from the arm and are not in the file." in said(any_desk)
+def test_what_could_not_be_read_is_not_in_the_file_and_that_is_said(any_driver, tmp_path):
+    any_driver.connect()
+    any_driver.ear = HardOfHearing(any_driver.firmware)
+    any_driver.ear.mute_on = {0x47B}
+    any_driver.click("menu_end_limits")
+    any_driver.click("end_limits_backup_button")
+    any_driver.box = any_driver.dialog(BackupDialog)
+    any_driver.run_until(any_driver.box.save_button.isEnabled)
+    assert rows(any_driver)["J1 Collision level"] == ("—", "—", "not read from the arm")
+    save(any_driver, tmp_path / "mine.json")
+    assert "6 could not be read from the arm and are not in the file." in said(any_driver)
 
 
 @ONE_IS_ENOUGH
@@ -318,12 +318,12 @@ def test_a_folder_that_cannot_be_written_to_is_named(arm, tmp_path, monkeypatch)
     assert list(tmp_path.glob("mine*")) == []
 
 
-def test_without_an_arm_a_file_can_still_be_read(any_desk, tmp_path):
-    any_desk.click("menu_end_limits")
-    any_desk.click("end_limits_backup_button")
-    any_desk.box = any_desk.dialog(BackupDialog)
-    assert "No arm is connected" in said(any_desk)
-    assert not any_desk.box.save_button.isEnabled()
+def test_without_an_arm_a_file_can_still_be_read(any_driver, tmp_path):
+    any_driver.click("menu_end_limits")
+    any_driver.click("end_limits_backup_button")
+    any_driver.box = any_driver.dialog(BackupDialog)
+    assert "No arm is connected" in said(any_driver)
+    assert not any_driver.box.save_button.isEnabled()
     path = tmp_path / "mine.json"
     path.write_text(
         '{"format": "armui-parameters", "version": 1, "saved_at": "2026-01-02T03:04:05+00:00",'
@@ -331,6 +331,6 @@ def test_without_an_arm_a_file_can_still_be_read(any_desk, tmp_path):
         '"parameters": [{"name": "max_angle_deg", "joint": 1, "value": 150.0, "unit": "°"}]}',
         encoding="utf-8",
     )
-    open_file(any_desk, path)
-    assert list(rows(any_desk)) == ["J1 Max. angle"]
-    assert not any_desk.box.restore_button.isEnabled()
+    open_file(any_driver, path)
+    assert list(rows(any_driver)) == ["J1 Max. angle"]
+    assert not any_driver.box.restore_button.isEnabled()

@@ -37,14 +37,14 @@ def apart_mm(app_driver, pose):
 
 
 @pytest.fixture
-def bent(any_desk):
+def bent(any_driver):
     """At a comfortable pose, enabled, at 100 %, the panel open."""
-    any_desk.window.activateWindow()
-    bend(any_desk)
-    any_desk.click("menu_cartesian")
-    any_desk.step()
-    any_desk.heard()
-    return any_desk
+    any_driver.window.activateWindow()
+    bend(any_driver)
+    any_driver.click("menu_cartesian")
+    any_driver.step()
+    any_driver.heard()
+    return any_driver
 
 
 def arm_hears(app_driver):

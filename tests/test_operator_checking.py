@@ -62,8 +62,8 @@ def to_here():
 
 
 @pytest.fixture
-def operator(slow_desk):
-    return Operator(slow_desk)
+def operator(slow_driver):
+    return Operator(slow_driver)
 
 
 def test_the_run_begins_when_the_check_has_ended(operator):

@@ -12,11 +12,11 @@ FIGURE = "linear_speed_m_s_2"
 
 
 @pytest.fixture
-def load(any_desk):
-    any_desk.connect()
-    any_desk.click("menu_end_load")
-    any_desk.ear = HardOfHearing(any_desk.firmware)
-    return any_desk
+def load(any_driver):
+    any_driver.connect()
+    any_driver.click("menu_end_load")
+    any_driver.ear = HardOfHearing(any_driver.firmware)
+    return any_driver
 
 
 def sent(app_driver):
@@ -98,8 +98,8 @@ def test_an_arm_that_answers_and_says_nothing(load):
 
 
 @ONE_IS_ENOUGH
-def test_without_an_arm(any_desk):
-    any_desk.click("menu_end_load")
+def test_without_an_arm(any_driver):
+    any_driver.click("menu_end_load")
     for name in ("load_confirm_button", "end_feedback_button"):
-        assert not any_desk.find(name).isEnabled()
-    assert "No arm is connected" in message(any_desk)
+        assert not any_driver.find(name).isEnabled()
+    assert "No arm is connected" in message(any_driver)

@@ -13,15 +13,15 @@ from tests.generations import ONE_IS_ENOUGH
 
 
 @pytest.fixture
-def grip(any_desk, generation):
-    any_desk.connect()
-    any_desk.click("menu_gripper")
-    any_desk.run(0.3)
-    any_desk.ear = HardOfHearing(any_desk.firmware)
+def grip(any_driver, generation):
+    any_driver.connect()
+    any_driver.click("menu_gripper")
+    any_driver.run(0.3)
+    any_driver.ear = HardOfHearing(any_driver.firmware)
     two = generation is Generation.TWO
-    any_desk.travel, any_desk.effort = ("opening", "torque") if two else ("angle", "speed")
-    any_desk.unit = " mm" if two else "°"
-    return any_desk
+    any_driver.travel, any_driver.effort = ("opening", "torque") if two else ("angle", "speed")
+    any_driver.unit = " mm" if two else "°"
+    return any_driver
 
 
 @pytest.fixture
@@ -182,12 +182,12 @@ def test_in_a_stop_nothing_can_be_sent(grip):
 
 
 @ONE_IS_ENOUGH
-def test_before_an_arm_is_heard(any_desk):
-    any_desk.click("menu_gripper")
-    assert any_desk.read("gripper_opening_measured") == "—"
-    assert any_desk.read("gripper_power") == "No gripper heard"
-    assert not any_desk.find("gripper_send_button").isEnabled()
-    assert "No arm is connected" in message(any_desk)
+def test_before_an_arm_is_heard(any_driver):
+    any_driver.click("menu_gripper")
+    assert any_driver.read("gripper_opening_measured") == "—"
+    assert any_driver.read("gripper_power") == "No gripper heard"
+    assert not any_driver.find("gripper_send_button").isEnabled()
+    assert "No arm is connected" in message(any_driver)
 
 
 @ONE_IS_ENOUGH

@@ -73,8 +73,8 @@ def test_an_arm_that_does_not_take_it(app_driver):
 
 
 @pytest.mark.parametrize("generation", [Generation.ONE])
-def test_generation_1_has_none_and_is_not_asked(any_desk):
-    app_driver = at(any_desk)
+def test_generation_1_has_none_and_is_not_asked(any_driver):
+    app_driver = at(any_driver)
     assert "generation 1" in app_driver.read("gripper_settings_message")
     assert not app_driver.find("gripper_settings_edit_button").isEnabled()
     assert [frame for frame in app_driver.ear.heard if frame.arbitration_id == 0x477] == []

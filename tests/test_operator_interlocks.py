@@ -37,10 +37,10 @@ RUNNING = "under way"
 
 
 @pytest.fixture
-def ready(any_desk):
-    any_desk.ready()
-    any_desk.ear = HardOfHearing(any_desk.firmware)
-    return any_desk
+def ready(any_driver):
+    any_driver.ready()
+    any_driver.ear = HardOfHearing(any_driver.firmware)
+    return any_driver
 
 
 def begun(app_driver, how):
@@ -158,10 +158,10 @@ def test_closing_drops_a_motion_that_is_paused(ready):
 
 
 @ONE_IS_ENOUGH
-def test_closing_ends_a_jog_without_a_question(any_desk):
-    joint_jog(any_desk)
-    any_desk.window.close()
-    assert not any_desk.controller.jogging.active
+def test_closing_ends_a_jog_without_a_question(any_driver):
+    joint_jog(any_driver)
+    any_driver.window.close()
+    assert not any_driver.controller.jogging.active
 
 
 @pytest.mark.parametrize("how", ["run_dwelling", "run_paused", "replay_moving"])

@@ -23,13 +23,13 @@ def choose_continuous(app_driver, step_box="jog_step"):
 
 
 @pytest.fixture
-def ready(any_desk):
+def ready(any_driver):
     """Bent, at 100 %, continuous jogging chosen, the window in front."""
-    any_desk.window.activateWindow()
-    bend(any_desk)
-    choose_continuous(any_desk)
-    any_desk.heard()
-    return any_desk
+    any_driver.window.activateWindow()
+    bend(any_driver)
+    choose_continuous(any_driver)
+    any_driver.heard()
+    return any_driver
 
 
 def press(app_driver, name="jog_plus_1", seconds=0.3):

@@ -94,13 +94,13 @@ class Table:
 
 
 @pytest.fixture
-def ready(any_desk):
+def ready(any_driver):
     """Connected and enabled, with drivers that can be made to complain."""
-    any_desk.faults = FaultyDrivers(any_desk.firmware)
-    any_desk.connect()
-    any_desk.enable_by_hand()
-    any_desk.heard()
-    return any_desk
+    any_driver.faults = FaultyDrivers(any_driver.firmware)
+    any_driver.connect()
+    any_driver.enable_by_hand()
+    any_driver.heard()
+    return any_driver
 
 
 def button(app_driver):
@@ -154,12 +154,12 @@ def test_a_joint_the_controller_cannot_talk_to(ready):
 
 
 @ONE_IS_ENOUGH
-def test_disabled_motors_are_said_in_the_table_and_in_the_button(any_desk):
-    any_desk.connect()
-    table = Table(any_desk)
-    any_desk.step()
+def test_disabled_motors_are_said_in_the_table_and_in_the_button(any_driver):
+    any_driver.connect()
+    table = Table(any_driver)
+    any_driver.step()
     assert table.unusual() == [("Driver enabled:", joint, "Disabled") for joint in range(1, 7)]
-    assert button(any_desk).state_text == "Disabled"
+    assert button(any_driver).state_text == "Disabled"
 
 
 @ONE_IS_ENOUGH
@@ -205,12 +205,12 @@ def test_disconnecting_leaves_nothing_standing(ready):
     assert button(ready).state_text == "Unknown —"
 
 
-def test_connecting_accuses_no_arm_of_bits_of_the_other_generation(any_desk):
+def test_connecting_accuses_no_arm_of_bits_of_the_other_generation(any_driver):
     """Bit 7 is «homed» in generation 1; until the arm has said which it speaks it says nothing."""
     seen = []
-    monitor = any_desk.window._joint_monitor
+    monitor = any_driver.window._joint_monitor
     monitor.worst_changed.connect(lambda: seen.append(monitor.worst.verdict))
-    any_desk.connect()
+    any_driver.connect()
     assert StatusVerdict.FAULT not in seen
     assert seen[-1] is StatusVerdict.DISABLED
 

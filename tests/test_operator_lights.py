@@ -16,12 +16,12 @@ def light(payload):
 
 
 @pytest.fixture
-def lit(any_desk):
+def lit(any_driver):
     """Connected, motors off, the light panel open."""
-    any_desk.connect()
-    any_desk.click("menu_light")
-    any_desk.heard()
-    return any_desk
+    any_driver.connect()
+    any_driver.click("menu_light")
+    any_driver.heard()
+    return any_driver
 
 
 def test_orange_for_joint_3(lit):

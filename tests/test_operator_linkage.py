@@ -10,11 +10,11 @@ from tests.generations import ONE_IS_ENOUGH
 
 
 @pytest.fixture
-def link(any_desk):
-    any_desk.connect()
-    any_desk.click("menu_linkage")
-    any_desk.ear = HardOfHearing(any_desk.firmware)
-    return any_desk
+def link(any_driver):
+    any_driver.connect()
+    any_driver.click("menu_linkage")
+    any_driver.ear = HardOfHearing(any_driver.firmware)
+    return any_driver
 
 
 def choose(app_driver, name, place):
@@ -83,11 +83,11 @@ def test_cancelled_nothing_is_sent(link):
 
 
 @ONE_IS_ENOUGH
-def test_without_an_arm(any_desk):
-    any_desk.click("menu_linkage")
-    assert not any_desk.find("linkage_confirm_button").isEnabled()
-    assert "No arm is connected" in any_desk.read("linkage_message")
-    assert any_desk.read("linkage_in_use") == "In use: —"
+def test_without_an_arm(any_driver):
+    any_driver.click("menu_linkage")
+    assert not any_driver.find("linkage_confirm_button").isEnabled()
+    assert "No arm is connected" in any_driver.read("linkage_message")
+    assert any_driver.read("linkage_in_use") == "In use: —"
 
 
 @ONE_IS_ENOUGH

@@ -14,11 +14,11 @@ JOINTS = range(1, 7)
 
 
 @pytest.fixture
-def motors(any_desk):
-    any_desk.connect()
-    any_desk.click("menu_motor")
-    any_desk.ear = HardOfHearing(any_desk.firmware)
-    return any_desk
+def motors(any_driver):
+    any_driver.connect()
+    any_driver.click("menu_motor")
+    any_driver.ear = HardOfHearing(any_driver.firmware)
+    return any_driver
 
 
 def frame(arbitration_id, payload):
@@ -155,12 +155,12 @@ def test_the_figures_beside_and_when_they_are_old(motors):
 
 
 @ONE_IS_ENOUGH
-def test_nothing_is_made_up_before_an_arm_is_heard(any_desk):
-    any_desk.click("menu_motor")
-    assert powers(any_desk) == ["—"] * 6
-    assert any_desk.read("voltage_1") == any_desk.read("current_1") == "—"
+def test_nothing_is_made_up_before_an_arm_is_heard(any_driver):
+    any_driver.click("menu_motor")
+    assert powers(any_driver) == ["—"] * 6
+    assert any_driver.read("voltage_1") == any_driver.read("current_1") == "—"
     for act in ("enable", "disable", "zero", "clear"):
-        button = any_desk.find(f"{act}_motor_1")
+        button = any_driver.find(f"{act}_motor_1")
         assert not button.isEnabled()
         assert "No arm is connected" in button.toolTip()
 

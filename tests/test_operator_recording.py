@@ -62,9 +62,9 @@ def operator(app_driver):
 
 
 @pytest.fixture
-def slow(slow_desk):
-    operator = Operator(slow_desk)
-    slow_desk.workers.work()
+def slow(slow_driver):
+    operator = Operator(slow_driver)
+    slow_driver.workers.work()
     return operator
 
 

@@ -33,11 +33,11 @@ def reads(app_driver, text):
 
 
 @pytest.fixture
-def online(any_desk):
-    any_desk.connect()
-    reads(any_desk, "motors are off")
-    any_desk.heard()
-    return any_desk
+def online(any_driver):
+    any_driver.connect()
+    reads(any_driver, "motors are off")
+    any_driver.heard()
+    return any_driver
 
 
 @pytest.fixture
@@ -152,8 +152,8 @@ def test_an_arm_that_falls_silent(ready):
     reads(ready, "Ready")
 
 
-def test_a_teaching_input_is_explained_and_led_back_by_one_click(any_desk):
-    app_driver = any_desk
+def test_a_teaching_input_is_explained_and_led_back_by_one_click(any_driver):
+    app_driver = any_driver
     app_driver.firmware.on_frame(Frame(0x470, bytes.fromhex("FA 00 00 00")))
     app_driver.controller.connect_device(app_driver.device)
     reads(app_driver, "teaching input")

@@ -86,8 +86,8 @@ class Operator:
         return [row for row, text in enumerate(headers) if text.startswith("▶")]
 
 
-def test_once_through_every_point_in_order(any_desk):
-    operator = Operator(any_desk, to(OUT), to(BACK), to(UP))
+def test_once_through_every_point_in_order(any_driver):
+    operator = Operator(any_driver, to(OUT), to(BACK), to(UP))
     operator.send()
     operator.until(lambda: operator.progress.index == 1)
     assert operator.lit() == [1]
@@ -103,7 +103,7 @@ def test_once_through_every_point_in_order(any_desk):
 
 def test_so_many_times(app_driver):
     operator = Operator(app_driver, to(OUT), to(UP))
-    operator.child("run_laps", QComboBox).setCurrentIndex(1)
+    operator.child("run_cycles", QComboBox).setCurrentIndex(1)
     operator.child("run_times", QSpinBox).setValue(2)
     operator.send()
     operator.until(lambda: operator.progress.cycle == 2)
@@ -114,7 +114,7 @@ def test_so_many_times(app_driver):
 
 def test_in_a_loop_until_it_is_ended_and_on_from_there(app_driver):
     operator = Operator(app_driver, to(OUT), to(UP))
-    operator.child("run_laps", QComboBox).setCurrentIndex(2)
+    operator.child("run_cycles", QComboBox).setCurrentIndex(2)
     operator.send()
     operator.until(lambda: (operator.progress.cycle, operator.progress.index) == (2, 1))
     assert "∞" in operator.text("run_text")
@@ -128,8 +128,8 @@ def test_in_a_loop_until_it_is_ended_and_on_from_there(app_driver):
 
 
 @ONE_IS_ENOUGH
-def test_a_pause_holds_the_arm(any_desk):
-    operator = Operator(any_desk, to(OUT), to(BACK))
+def test_a_pause_holds_the_arm(any_driver):
+    operator = Operator(any_driver, to(OUT), to(BACK))
     operator.send()
     operator.until(lambda: operator.progress.index == 1)
     operator.app_driver.run(0.3)

@@ -49,16 +49,16 @@ def lead(app_driver, angles_deg):
 
 
 def due(app_driver):
-    return app_driver.find("way_out").due
+    return app_driver.find("teaching_exit_steps").due
 
 
 @pytest.fixture
-def enabled(any_desk):
-    any_desk.connect()
-    any_desk.enable_by_hand()
-    any_desk.click("menu_teaching")
-    any_desk.heard()
-    return any_desk
+def enabled(any_driver):
+    any_driver.connect()
+    any_driver.enable_by_hand()
+    any_driver.click("menu_teaching")
+    any_driver.heard()
+    return any_driver
 
 
 @pytest.fixture
@@ -146,18 +146,18 @@ def test_the_end_of_a_recording_is_asked_for_again(enabled):
 
 
 @ONE_IS_ENOUGH
-def test_motors_off_or_a_stop_keep_teaching_away_and_say_why(any_desk):
-    any_desk.connect()
-    any_desk.click("menu_teaching")
-    any_desk.run(0.2)
-    assert usable(any_desk) == set()
-    assert "not enabled" in any_desk.find("teaching_start_recording").toolTip()
-    assert "not in drag teaching" in any_desk.find("teaching_run_recording").toolTip()
-    any_desk.enable_by_hand()
-    any_desk.click("stop_button")
-    any_desk.run(0.3)
-    assert "emergency stop" in any_desk.find("teaching_start_recording").toolTip()
-    assert "emergency stop" in any_desk.find("plan_continue").toolTip()
+def test_motors_off_or_a_stop_keep_teaching_away_and_say_why(any_driver):
+    any_driver.connect()
+    any_driver.click("menu_teaching")
+    any_driver.run(0.2)
+    assert usable(any_driver) == set()
+    assert "not enabled" in any_driver.find("teaching_start_recording").toolTip()
+    assert "not in drag teaching" in any_driver.find("teaching_run_recording").toolTip()
+    any_driver.enable_by_hand()
+    any_driver.click("stop_button")
+    any_driver.run(0.3)
+    assert "emergency stop" in any_driver.find("teaching_start_recording").toolTip()
+    assert "emergency stop" in any_driver.find("plan_continue").toolTip()
 
 
 @ONE_IS_ENOUGH
@@ -184,10 +184,10 @@ def test_what_the_button_on_the_arm_does_is_followed(enabled):
     assert enabled.heard() == []
 
 
-def test_the_way_out_one_step_at_a_time(taught):
+def test_teaching_is_left_one_step_at_a_time(taught):
     app_driver = taught
     assert due(app_driver) == 1
-    assert app_driver.find("way_out").isVisible()
+    assert app_driver.find("teaching_exit_steps").isVisible()
     app_driver.click("recovery_button")
     app_driver.confirm()
     phase(app_driver, "Recording")
@@ -204,7 +204,7 @@ def test_the_way_out_one_step_at_a_time(taught):
     app_driver.run_until(lambda: due(app_driver) == 4)
     assert app_driver.firmware.control_mode is ControlMode.STANDBY
     app_driver.click("recovery_button")
-    app_driver.run_until(lambda: not app_driver.find("way_out").isVisible())
+    app_driver.run_until(lambda: not app_driver.find("teaching_exit_steps").isVisible())
     assert app_driver.controller.operating_state.cannot_move is None
 
 
@@ -237,8 +237,8 @@ def test_motions_are_paused_continued_and_cleared(enabled):
 
 
 @ONE_IS_ENOUGH
-def test_the_way_out_is_not_shown_to_an_arm_that_was_only_stopped(enabled):
+def test_the_exit_steps_are_not_shown_to_an_arm_that_was_only_stopped(enabled):
     enabled.click("stop_button")
     enabled.run(0.3)
-    assert isinstance(enabled.find("way_out"), TeachingExitSteps)
-    assert not enabled.find("way_out").isVisible()
+    assert isinstance(enabled.find("teaching_exit_steps"), TeachingExitSteps)
+    assert not enabled.find("teaching_exit_steps").isVisible()

@@ -57,14 +57,7 @@ class Word(enum.Enum):
 
 
 FAULTS: Final = frozenset(
-    {
-        Word.TOO_LOW,
-        Word.TOO_HOT,
-        Word.OVERCURRENT,
-        Word.ABNORMAL,
-        Word.ERROR,
-        Word.TRIGGERED,
-    }
+    {Word.TOO_LOW, Word.TOO_HOT, Word.OVERCURRENT, Word.ABNORMAL, Word.ERROR, Word.TRIGGERED}
 )
 """The words that name a fault."""
 

@@ -41,11 +41,11 @@ def check_pose(
         return Refusal(
             RefusalCode.POSE_OUT_OF_REACH, {"missing": round(kinematics.missing_mm(pose), 1)}
         )
-    troubles = [check_joints(solution, limits) for solution in solutions]
-    for solution, trouble in zip(solutions, troubles, strict=True):
-        if trouble is None:
+    problems = [check_joints(solution, limits) for solution in solutions]
+    for solution, problem in zip(solutions, problems, strict=True):
+        if problem is None:
             return solution
-    return Refusal(RefusalCode.POSE_BEYOND_LIMITS, troubles[0].params if troubles[0] else {})
+    return Refusal(RefusalCode.POSE_BEYOND_LIMITS, problems[0].params if problems[0] else {})
 
 
 def check_path(

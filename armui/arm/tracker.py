@@ -99,7 +99,7 @@ class Tracker:
         elif heard.name in _TARGET_MESSAGES:
             self._note_foreign_target(_TARGET_MESSAGES.index(heard.name), at_s)
 
-    def picture(self) -> ArmState:
+    def snapshot(self) -> ArmState:
         """The arm as heard up to now; the same object as before if nothing new was heard."""
         if self._published != self._sequence:
             self._published = self._sequence

@@ -97,11 +97,8 @@ def explain(device: Device, error: BaseException) -> Refusal:
     for words, code in _CODE_OF_WORDS:
         if any(word in lowered for word in words):
             return Refusal(code, {**params, "text": text})
-    code = (
-        RefusalCode.BUS_BAD_ARGUMENT
-        if isinstance(error, ValueError | TypeError)
-        else RefusalCode.BUS_FAILED
-    )
+    bad = isinstance(error, ValueError | TypeError)
+    code = RefusalCode.BUS_BAD_ARGUMENT if bad else RefusalCode.BUS_FAILED
     return Refusal(code, {**params, "text": text})
 
 

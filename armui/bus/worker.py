@@ -48,7 +48,7 @@ _BURST: Final = 256
 """At most so many frames are taken in before the next look at what else is to be done."""
 
 _PICTURE_S: Final = 0.005
-"""A new picture of the arm at most so often: the screen shows one every 16 ms."""
+"""A new snapshot of the arm at most so often: the screen shows one every 16 ms."""
 
 _REOPEN_S: Final = 0.5
 
@@ -253,7 +253,7 @@ class BusWorker(QThread):
         self._line.flush(self._codec, now_s)
         if now_s - self._pictured_s >= _PICTURE_S or taken == 0:
             self._pictured_s = now_s
-            self._state = self._tracker.picture()
+            self._state = self._tracker.snapshot()
             self._traffic = self._others.traffic()
             self._queue.look(now_s)
 
@@ -274,7 +274,7 @@ class BusWorker(QThread):
         self._tracker.update(heard, now_s)
         self._line.heard.append((heard, now_s, frame, flags))
         if self.samples.wanted and isinstance(heard, Message) and heard.name == _LAST_ANGLES:
-            self.samples.put(self._tracker.picture(), now_s)
+            self.samples.put(self._tracker.snapshot(), now_s)
         if isinstance(heard, Message) and heard.name in ANSWERS:
             self.answered.emit(heard)
 

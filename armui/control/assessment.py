@@ -25,7 +25,7 @@ from armui.protocol.generation import Generation
 
 
 @dataclass(frozen=True, slots=True)
-class Activity:
+class ActiveTasks:
     """What the program itself is doing to the arm; see :class:`OperatingState` for the fields."""
 
     running: bool = False
@@ -42,7 +42,7 @@ class AssessmentInputs:
     Attributes:
         authority: Who moves the arm.
         other_host: Who else does, for the operator.
-        activity: What it is doing to the arm.
+        tasks: What it is doing to the arm.
     """
 
     link: LinkState
@@ -55,7 +55,7 @@ class AssessmentInputs:
     generation: Generation | None
     authority: Authority
     other_host: OtherHostReport | None = None
-    activity: Activity = Activity()
+    tasks: ActiveTasks = ActiveTasks()
     stop_lapsed: bool = False
     offsets: OffsetFollower = field(default_factory=OffsetFollower)
 
@@ -63,16 +63,14 @@ class AssessmentInputs:
 def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> OperatingState:
     """What the operator can do at monotonic time ``now_s``."""
     enabled = _fresh_enabled(state, now_s)
-    activity, authority = around.activity, around.authority
+    tasks, authority = around.tasks, around.authority
     no_command = interlocks.why_no_command(
         why_unreachable(around.link, around.device), around.stop, around.busy
     )
     cannot_run = _first(
         lambda: no_command,
         lambda: None if around.offsets.certain else Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN),
-        lambda: (
-            Refusal(RefusalCode.BUSY, {"what": activity.altering}) if activity.altering else None
-        ),
+        lambda: Refusal(RefusalCode.BUSY, {"what": tasks.altering}) if tasks.altering else None,
         authority.why_silent,
         authority.other.why_not,
         lambda: interlocks.why_not_enabled(enabled),
@@ -95,21 +93,21 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         busy=around.busy,
         cannot_move=_first(
             lambda: cannot_run,
-            lambda: Refusal(RefusalCode.RUN_UNDER_WAY) if activity.running else held,
+            lambda: Refusal(RefusalCode.RUN_UNDER_WAY) if tasks.running else held,
             lambda: Refusal(RefusalCode.SPEED_ZERO) if around.speed_percent == 0 else None,
         ),
         cannot_run=cannot_run,
-        running=activity.running,
-        jogging=activity.jogging,
-        recording=activity.recording,
+        running=tasks.running,
+        jogging=tasks.jogging,
+        recording=tasks.recording,
         cannot_send_motion=authority.why_silent() or authority.other.why_not(),
         mover=authority.mover,
         other_host=around.other_host,
         holds=authority.holds,
         held_target_deg=authority.held_target_deg,
         cancel_unheeded=authority.cancel_unheeded,
-        altering=activity.altering,
-        run_sets_lamps=activity.run_sets_lamps,
+        altering=tasks.altering,
+        run_sets_lamps=tasks.run_sets_lamps,
         cannot_enable=no_command,
         limits=tuple(
             limits or factory for limits, factory in zip(read, FACTORY_LIMITS, strict=True)

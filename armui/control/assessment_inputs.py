@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from armui.control.assessment import Activity, AssessmentInputs, assess
+from armui.control.assessment import ActiveTasks, AssessmentInputs, assess
 from armui.control.operating_state import Busy, OperatingState
 
 if TYPE_CHECKING:
@@ -60,15 +60,19 @@ class Assessor:
         """What the operator can do, by what the authority has seen and the parts are doing."""
         now_s = self._clock()
         controller = self._controller
-        operating_state = assess(controller.state, self._circumstances(now_s), now_s)
+        operating_state = assess(controller.state, self._inputs(now_s), now_s)
         if operating_state != self.read():
             self._operating_state = operating_state
             controller.operating_state_changed.emit(operating_state)
         return self.read()
 
-    def _circumstances(self, now_s: float) -> AssessmentInputs:
+    def _inputs(self, now_s: float) -> AssessmentInputs:
         """What the program knows beside the arm's feedback at monotonic time ``now_s``."""
-        controller, connection, keeper = self._controller, self._connection, self._stopping.keeper
+        controller, connection, emergency_stop = (
+            self._controller,
+            self._connection,
+            self._stopping.emergency_stop,
+        )
         busy = controller.motors.busy or (Busy.ZEROING if controller.zeroing.busy else None)
         resuming = busy is Busy.RESUMING
         return AssessmentInputs(
@@ -76,15 +80,15 @@ class Assessor:
             device=connection.device,
             link_problem=connection.problem,
             stop=self._stopping.state(controller.state, now_s, resuming=resuming),
-            stop_unconfirmed=keeper.unconfirmed(now_s),
-            stop_lapsed=keeper.lapsed,
+            stop_unconfirmed=emergency_stop.unconfirmed(now_s),
+            stop_lapsed=emergency_stop.lapsed,
             busy=busy,
             speed_percent=controller.motion.speed_percent,
             generation=connection.generation,
             offsets=connection.offsets,
             authority=self._watch.authority,
             other_host=self._watch.report(),
-            activity=Activity(
+            tasks=ActiveTasks(
                 running=controller.player.running or controller.replayer.running,
                 jogging=controller.jogging.active,
                 recording=controller.recorder.recording,

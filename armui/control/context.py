@@ -64,7 +64,7 @@ class Context:
     def why_no_motion(self) -> Refusal | None:
         """The reason against a motion frame of ours by who moves the arm now, or ``None``.
 
-        The gate that every motion frame passes: it judges by what is heard at this very moment,
+        The check that every motion frame passes: it judges by what is heard at this very moment,
         not by the controller's last tick.
         """
         self.observe()

@@ -162,7 +162,7 @@ def _arm(frames: Sequence[TimedFrame], offset: int, seconds: float) -> ArmFacts:
     tracker = Tracker(codec)
     for at_s, frame in frames:
         tracker.update(codec.decode(frame), at_s)
-    state = tracker.picture()
+    state = tracker.snapshot()
     return arm_facts(
         state,
         codec,

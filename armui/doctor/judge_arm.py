@@ -72,10 +72,7 @@ def _not_opened(heard: HeardFacts, base: dict[str, str]) -> Diagnosis:
     elif heard.interface == "socketcan" and heard.problem in {"bus_down", "bus_gone"}:
         commands = (f"sudo ip link set {heard.channel} up type can bitrate 1000000 restart-ms 100",)
     elif heard.problem == "bus_permission":
-        commands = (
-            _UDEV_RULE,
-            "sudo udevadm control --reload && sudo udevadm trigger",
-        )
+        commands = (_UDEV_RULE, "sudo udevadm control --reload && sudo udevadm trigger")
     code = heard.problem if heard.problem in _PROBLEMS else "bus_failed"
     return _finding(code, DiagnosisLevel.FAULT, params, commands)
 

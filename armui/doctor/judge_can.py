@@ -101,11 +101,7 @@ def _again(link: LinkFacts) -> tuple[str, ...]:
 
 
 def _without_driver(adapter: UsbAdapterFacts) -> Diagnosis:
-    params = {
-        "adapter": adapter.name,
-        "usb": adapter.usb_id,
-        "serial": adapter.serial or "—",
-    }
+    params = {"adapter": adapter.name, "usb": adapter.usb_id, "serial": adapter.serial or "—"}
     return _finding("no_driver", DiagnosisLevel.FAULT, params, ("sudo modprobe gs_usb",))
 
 

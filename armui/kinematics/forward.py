@@ -14,14 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from armui.kinematics.geometry import (
-    BASE_MM,
-    ELBOW_MM,
-    FOREARM_MM,
-    HAND_MM,
-    UPPER_ARM_MM,
-    Geometry,
-)
+from armui.kinematics.geometry import BASE_MM, ELBOW_MM, FOREARM_MM, HAND_MM, UPPER_ARM_MM, Geometry
 from armui.kinematics.poses import Matrix, components
 
 Value = Any

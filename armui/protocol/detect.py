@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import statistics
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from armui.protocol.codec import Codec
+from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.protocol.version import LONGEST, VERSION_ID, find_version, is_question
-
-if TYPE_CHECKING:
-    from armui.protocol.frame import Frame
 
 _CLEAR_LEAD = 20
 """So many frames of one generation more than of the other leave no doubt."""

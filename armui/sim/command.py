@@ -135,8 +135,8 @@ def run_arm(
         return EXIT_CANNOT_BEGIN
     known = bus.channel_info != "unknown"
     place = bus.channel_info if known else f"{interface} {channel}".rstrip()
-    if firmware.flash.trouble:
-        sys.stderr.write(f"armui sim: {firmware.flash.trouble}\n")
+    if firmware.flash.problem:
+        sys.stderr.write(f"armui sim: {firmware.flash.problem}\n")
     with bus, Node(firmware, bus, faults=faults, seed=seed) as node:
         sys.stdout.write(
             f"Simulated arm, generation {int(firmware.generation)}, on {place}. Ctrl-C ends it.\n"
@@ -222,9 +222,9 @@ def status_line(node: Node, sent: int, received: int, load_percent: float) -> st
     enabled = "".join("1" if on else "0" for on in arm.enabled)
     broken = ", ".join(f"{each.name}:{each.value:g}" for each in list(node.faults.active))
     faults = f"  broken: {broken}" if broken else ""
-    trouble = f"  {arm.flash.trouble}" if arm.flash.trouble else ""
+    problem = f"  {arm.flash.problem}" if arm.flash.problem else ""
     return (
         f"{arm.time_s:8.1f} s  sent {sent}/s  received {received}/s  load {load_percent:.0f} %  "
         f"lost {node.lost}  late {1e3 * node.worst_lateness_s:.1f} ms  "
-        f"{arm.control_mode.name} {arm.status.name}  enabled {enabled}{faults}{trouble}\n"
+        f"{arm.control_mode.name} {arm.status.name}  enabled {enabled}{faults}{problem}\n"
     )

@@ -4,13 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from armui.protocol.codes import (
-    ArmStatusCode,
-    ControlMode,
-    MotionState,
-    MoveMode,
-    TeachingState,
-)
+from armui.protocol.codes import ArmStatusCode, ControlMode, MotionState, MoveMode, TeachingState
 from armui.sim.faults.alarms import Alarms
 from armui.sim.mechanics.powered_joints import JOINT_COUNT
 

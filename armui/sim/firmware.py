@@ -195,7 +195,7 @@ class Firmware(Readings):
         elif self._moves.take(name, signals):
             answers = []
         else:
-            answers = self._desk.handle(name, signals) or []
+            answers = self._parameter_server.handle(name, signals) or []
         return [] if self._silent else answers
 
     def step(self, dt_s: float) -> list[Frame]:
@@ -253,7 +253,7 @@ class Firmware(Readings):
 
     def corrupt_limits(self, joint: int) -> None:
         """Lets a joint's (1–6) limits read back as 0xFFFF, as from a worn flash."""
-        self._desk.corrupt_limits(joint - 1)
+        self._parameter_server.corrupt_limits(joint - 1)
 
     def _advance(self, to_ns: int) -> None:
         dt_s = (to_ns - self._now_ns) / _NS_PER_S
@@ -288,7 +288,7 @@ class Firmware(Readings):
 
     def _speak(self, addressing: Addressing) -> None:
         self._codec = Codec(self.generation, addressing)
-        self._desk = ParameterServer(self._codec, self.settings, self.settings_applier)
+        self._parameter_server = ParameterServer(self._codec, self.settings, self.settings_applier)
         self._feedback = Feedback(self._codec, self)
 
     def _motion_command(self, signals: Signals) -> list[Frame]:
@@ -324,7 +324,7 @@ class Firmware(Readings):
             self.unsupported[command.name] += 1
         elif self.generation is not Generation.ONE:
             # the trajectory point of 0x476 is 0: no transferred trajectory is under way
-            return [self._desk.answer(SettingIndex.MOTION_COMMAND)]
+            return [self._parameter_server.answer(SettingIndex.MOTION_COMMAND)]
         return []
 
     def _mode_control(self, signals: Signals) -> list[Frame]:
@@ -367,7 +367,7 @@ class Firmware(Readings):
             self._drop_work()
             self._moves.cut_short()
             self.mechanics.power_off(indices, UnpoweredJoints.FREE)
-        return [self._desk.answer(SettingIndex.MOTOR_ENABLE)]
+        return [self._parameter_server.answer(SettingIndex.MOTOR_ENABLE)]
 
     def _gripper_command(self, signals: Signals) -> list[Frame]:
         if not self.condition.stopped:
@@ -376,7 +376,7 @@ class Firmware(Readings):
 
     def _linkage_setting(self, signals: Signals) -> list[Frame]:
         """Takes effect at once in standby or as a teaching input, else as soon as in standby."""
-        answer = self._desk.answer(SettingIndex.LINKAGE_SETTING)
+        answer = self._parameter_server.answer(SettingIndex.LINKAGE_SETTING)
         self.settings.linkage = LinkageSettings(
             LinkageRole(int(signals["Role"])) or self.settings.linkage.role,
             int(signals["FeedbackOffset"]),

@@ -2,13 +2,7 @@
 
 from __future__ import annotations
 
-from armui.protocol.codes import (
-    ArmStatusCode,
-    ControlMode,
-    MotionState,
-    MoveMode,
-    TeachingState,
-)
+from armui.protocol.codes import ArmStatusCode, ControlMode, MotionState, MoveMode, TeachingState
 from armui.sim.condition import Condition
 from armui.sim.mechanics.mechanics import Mechanics
 from armui.sim.mechanics.powered_joints import SixValues

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from concurrent.futures import Executor, Future
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Generic, TypeVar
+from typing import Generic, TypeVar
 
 from PySide6.QtCore import QObject, Signal
 
@@ -12,9 +13,6 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.system.error_text import error_text
 from armui.system.helper_process import FileThread
-
-if TYPE_CHECKING:
-    from concurrent.futures import Executor, Future
 
 Result = TypeVar("Result")
 

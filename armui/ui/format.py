@@ -20,9 +20,15 @@ def number(value: float | None, decimals: int = DECIMALS) -> str:
     return text.lstrip("-") if float(text) == 0 else text
 
 
+def with_unit(value: float | None, unit: str, decimals: int = DECIMALS) -> str:
+    """A figure with its unit; a degree sign stands close to it."""
+    gap = "" if unit == "°" else " "
+    return NOTHING if value is None else f"{number(value, decimals)}{gap}{unit}"
+
+
 def angle(value_deg: float | None) -> str:
     """An angle with its unit."""
-    return NOTHING if value_deg is None else f"{number(value_deg)}°"
+    return with_unit(value_deg, "°")
 
 
 def short_angle(value_deg: float) -> str:
@@ -33,7 +39,7 @@ def short_angle(value_deg: float) -> str:
 
 def percent(value: float | None) -> str:
     """A percentage without decimals."""
-    return NOTHING if value is None else f"{number(value, 0)} %"
+    return with_unit(value, "%", 0)
 
 
 def joints(numbers: list[int]) -> str:

@@ -138,11 +138,7 @@ class PictureClient(QObject):
             self._told.emit((self._link, news))
 
     def _on_told(self, told: tuple[ProcessLink | None, object]) -> None:
-        from armui.viewport.messages import (  # noqa: PLC0415 - see above
-            JointPicked,
-            LoadFailed,
-            MarkPicked,
-        )
+        from armui.viewport.messages import JointPicked, LoadFailed, MarkPicked  # noqa: PLC0415 - see above
 
         link, news = told
         if link is not self._link or link is None:

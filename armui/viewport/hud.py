@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPixmap
 
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from armui.viewport.palette import ScenePalette
+from armui.viewport.palette import ScenePalette
 
 _NOT_HEARD = "—"
 _POSE = (("X", "mm"), ("Y", "mm"), ("Z", "mm"), ("RX", "°"), ("RY", "°"), ("RZ", "°"))

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from pathlib import Path
+from typing import Final
 
 from armui.system.paths import URDF
 from armui.viewport.camera import HOME_CAMERA, OrbitCamera
 from armui.viewport.palette import LIGHT, ScenePalette
 from armui.viewport.path_picture import NOTHING, Preview
-
-if TYPE_CHECKING:
-    from pathlib import Path
 
 _SAME_ANGLE_DEG: Final = 0.005
 """Less moves nothing by a pixel: an arm at rest that reports the last digit is not drawn anew."""

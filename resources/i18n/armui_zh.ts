@@ -586,53 +586,6 @@
     </message>
 </context>
 <context>
-    <name>BuildBar</name>
-    <message>
-        <source>Encoding</source>
-        <translation>编码</translation>
-    </message>
-    <message>
-        <source>Delimiter</source>
-        <translation>分隔符</translation>
-    </message>
-    <message>
-        <source>Decimal sign</source>
-        <translation>小数点</translation>
-    </message>
-    <message>
-        <source>Figures from line</source>
-        <translation>数据起始行</translation>
-    </message>
-    <message>
-        <source>The line above it holds the titles, if it has as many cells as there are</source>
-        <translation>上一行的单元格数与列数相同时，作为列标题</translation>
-    </message>
-    <message>
-        <source>comma ,</source>
-        <translation>逗号 ,</translation>
-    </message>
-    <message>
-        <source>semicolon ;</source>
-        <translation>分号 ;</translation>
-    </message>
-    <message>
-        <source>tab</source>
-        <translation>制表符</translation>
-    </message>
-    <message>
-        <source>vertical bar |</source>
-        <translation>竖线 |</translation>
-    </message>
-    <message>
-        <source>blanks</source>
-        <translation>空格</translation>
-    </message>
-    <message>
-        <source>point .</source>
-        <translation>点 .</translation>
-    </message>
-</context>
-<context>
     <name>CartesianPanel</name>
     <message>
         <source>Fills the fields with the measured pose; nothing moves.</source>
@@ -1095,6 +1048,53 @@
     <message>
         <source>Connection lost</source>
         <translation>连接断开</translation>
+    </message>
+</context>
+<context>
+    <name>DialectBar</name>
+    <message>
+        <source>Encoding</source>
+        <translation>编码</translation>
+    </message>
+    <message>
+        <source>Delimiter</source>
+        <translation>分隔符</translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation>小数点</translation>
+    </message>
+    <message>
+        <source>Figures from line</source>
+        <translation>数据起始行</translation>
+    </message>
+    <message>
+        <source>The line above it holds the titles, if it has as many cells as there are</source>
+        <translation>上一行的单元格数与列数相同时，作为列标题</translation>
+    </message>
+    <message>
+        <source>comma ,</source>
+        <translation>逗号 ,</translation>
+    </message>
+    <message>
+        <source>semicolon ;</source>
+        <translation>分号 ;</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>制表符</translation>
+    </message>
+    <message>
+        <source>vertical bar |</source>
+        <translation>竖线 |</translation>
+    </message>
+    <message>
+        <source>blanks</source>
+        <translation>空格</translation>
+    </message>
+    <message>
+        <source>point .</source>
+        <translation>点 .</translation>
     </message>
 </context>
 <context>

@@ -23,7 +23,7 @@ def heard(generation):
     tracker = Tracker(codec, epoch=3)
     for frame in FRAMES:
         tracker.update(codec.decode(frame), 5.0)
-    return tracker.picture()
+    return tracker.snapshot()
 
 
 def test_both_generations_give_the_same():

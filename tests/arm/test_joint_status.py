@@ -62,7 +62,7 @@ class Arm:
     def hear(self, arbitration_id, payload, at_s=1.0):
         frame = Frame(arbitration_id, bytes.fromhex(payload))
         self.tracker.update(self.codec.decode(frame), at_s)
-        self.state = self.tracker.picture()
+        self.state = self.tracker.snapshot()
         return self.history.follow(self.state, self.generation, self.at)
 
     def driver(self, joint, code, at_s=1.0):

@@ -1,4 +1,4 @@
-"""Literal frames in, a picture of the arm out."""
+"""Literal frames in, a snapshot of the arm out."""
 
 import pytest
 
@@ -18,7 +18,7 @@ class Listener:
 
     def hear(self, arbitration_id, payload, at_s=1.0):
         self.tracker.update(self.codec.decode(Frame(arbitration_id, bytes.fromhex(payload))), at_s)
-        return self.tracker.picture()
+        return self.tracker.snapshot()
 
 
 @pytest.fixture(params=[Generation.ONE, Generation.TWO], ids=["gen1", "gen2"])
@@ -27,35 +27,35 @@ def listener(request):
 
 
 def test_nothing_heard_is_nothing_known(listener):
-    picture = listener.tracker.picture()
-    assert picture.status is None
-    assert picture.angles_deg() is None
-    assert picture.end_pose() is None
-    assert picture.enabled() == (None,) * 6
-    assert not picture.online(now_s=0.0)
+    snapshot = listener.tracker.snapshot()
+    assert snapshot.status is None
+    assert snapshot.angles_deg() is None
+    assert snapshot.end_pose() is None
+    assert snapshot.enabled() == (None,) * 6
+    assert not snapshot.online(now_s=0.0)
 
 
 def test_joint_angles_are_complete_only_when_all_three_frames_were_heard(listener):
     # 0x00002EE0 = 12000 -> 12 deg; 0xFFFFD120 = -12000 -> -12 deg
     listener.hear(0x2A5, "00002EE0 FFFFD120")
     assert listener.hear(0x2A6, "00000001 00000000").angles_deg() is None
-    picture = listener.hear(0x2A7, "00000000 FFFFFFFF", at_s=3.0)
-    assert picture.angles_deg() == (12.0, -12.0, 0.001, 0.0, 0.0, -0.001)
-    assert [heard.at_s for heard in picture.joints_deg] == [1, 1, 1, 1, 3, 3]
+    snapshot = listener.hear(0x2A7, "00000000 FFFFFFFF", at_s=3.0)
+    assert snapshot.angles_deg() == (12.0, -12.0, 0.001, 0.0, 0.0, -0.001)
+    assert [heard.at_s for heard in snapshot.joints_deg] == [1, 1, 1, 1, 3, 3]
 
 
 def test_the_end_pose_comes_in_three_frames(listener):
     listener.hear(0x2A2, "0000DB40 00000000")  # 56128 -> 56.128 mm
     listener.hear(0x2A3, "00034112 00000000")  # 213266 -> 213.266 mm
-    picture = listener.hear(0x2A4, "00014C08 00000000")  # 85000 -> 85 deg
-    assert picture.end_pose() == (56.128, 0, 213.266, 0, 85, 0)
+    snapshot = listener.hear(0x2A4, "00014C08 00000000")  # 85000 -> 85 deg
+    assert snapshot.end_pose() == (56.128, 0, 213.266, 0, 85, 0)
 
 
 def test_a_driver_reports_its_motor_enabled(listener):
     # 24.0 V, 31 degC, 29 degC, bit 6 enabled
-    picture = listener.hear(0x263, "00F0 001F 1D 40 0000")
-    assert picture.enabled() == (None, None, True, None, None, None)
-    driver = picture.drivers_slow[2].value
+    snapshot = listener.hear(0x263, "00F0 001F 1D 40 0000")
+    assert snapshot.enabled() == (None, None, True, None, None, None)
+    driver = snapshot.drivers_slow[2].value
     assert (driver.voltage_v, driver.driver_temperature_c, driver.motor_temperature_c) == (
         24,
         31,
@@ -103,29 +103,29 @@ def test_what_is_not_understood_is_counted_and_changes_nothing_else(listener):
     before = listener.hear(0x2A5, "00002EE0 00000000")
     listener.hear(0x2A5, "00 01")
     listener.hear(0x7FF, "00")
-    picture = listener.hear(0x2A5, "", at_s=9.0)
-    assert picture.invalid_frames == {"WRONG_LENGTH": 2, "UNKNOWN_ID": 1}
-    assert picture.joints_deg == before.joints_deg
-    assert picture.last_feedback_s == 1.0
-    assert picture.frames == 4
+    snapshot = listener.hear(0x2A5, "", at_s=9.0)
+    assert snapshot.invalid_frames == {"WRONG_LENGTH": 2, "UNKNOWN_ID": 1}
+    assert snapshot.joints_deg == before.joints_deg
+    assert snapshot.last_feedback_s == 1.0
+    assert snapshot.frames == 4
 
 
 def test_a_code_outside_the_table_is_counted_and_still_shown(listener):
-    picture = listener.hear(0x2A1, "01 2F 01 00 00 00 00 00")
-    assert picture.invalid_frames == {"VALUE_OUTSIDE_TABLE": 1}
-    assert picture.status.value.arm_status == 0x2F
+    snapshot = listener.hear(0x2A1, "01 2F 01 00 00 00 00 00")
+    assert snapshot.invalid_frames == {"VALUE_OUTSIDE_TABLE": 1}
+    assert snapshot.status.value.arm_status == 0x2F
 
 
-def test_a_picture_stays_the_same_object_until_something_is_heard(listener):
+def test_a_snapshot_stays_the_same_object_until_something_is_heard(listener):
     first = listener.hear(0x2A5, "00002EE0 00000000")
-    assert listener.tracker.picture() is first
+    assert listener.tracker.snapshot() is first
     assert listener.hear(0x2A5, "00002EE0 00000000").sequence > first.sequence
 
 
 def test_an_arm_is_online_for_half_a_second_after_its_last_frame(listener):
-    picture = listener.hear(0x2A5, "00002EE0 00000000", at_s=10.0)
-    assert picture.online(10.0 + FRESH_FOR_S)
-    assert not picture.online(10.0 + FRESH_FOR_S + 0.001)
+    snapshot = listener.hear(0x2A5, "00002EE0 00000000", at_s=10.0)
+    assert snapshot.online(10.0 + FRESH_FOR_S)
+    assert not snapshot.online(10.0 + FRESH_FOR_S + 0.001)
 
 
 def test_the_programs_own_commands_do_not_make_an_arm_online(listener):
@@ -139,9 +139,9 @@ TARGETS = (0x155, 0x156, 0x157)
 @pytest.mark.parametrize("offset", [0x00, 0x10, 0x20])
 def test_another_senders_joint_targets_are_noticed_whatever_their_offset(listener, offset):
     for at_s, target_id in enumerate(TARGETS, start=2):
-        picture = listener.hear(target_id + offset, "00002EE0 00000000", at_s=float(at_s))
-    assert picture.foreign_targets_s == 2.0
-    assert not picture.online(2.0)
+        snapshot = listener.hear(target_id + offset, "00002EE0 00000000", at_s=float(at_s))
+    assert snapshot.foreign_targets_s == 2.0
+    assert not snapshot.online(2.0)
 
 
 def test_a_stray_joint_target_makes_no_teaching_input(listener):
@@ -169,8 +169,8 @@ def test_generation_2_keeps_a_teaching_handle():
 
 
 def test_a_corrupt_memory_is_shown_as_it_was_read(listener):
-    picture = listener.hear(0x47B, "FF FF FF FF FF FF 00 00")
-    assert picture.collision_levels.value == (255,) * 6
+    snapshot = listener.hear(0x47B, "FF FF FF FF FF FF 00 00")
+    assert snapshot.collision_levels.value == (255,) * 6
 
 
 def test_the_motion_of_the_end_comes_a_joint_a_frame(listener):

@@ -154,7 +154,7 @@ def bare(editor):
     table.close()
 
 
-def deeds(table, edit, insert, delete, undo):
+def actions(table, edit, insert, delete, undo):
     """What is done, to one table as to the other."""
 
     def at(change):
@@ -175,7 +175,7 @@ def deeds(table, edit, insert, delete, undo):
 
 def with_the_editor(window):
     model, actions = window.model, window._actions
-    return deeds(
+    return actions(
         window.table,
         lambda row: model.setData(model.index(row, PointColumn.DWELL), f"{row % 90 + 0.25}"),
         lambda _row: actions["insert_after"].trigger(),
@@ -186,7 +186,7 @@ def with_the_editor(window):
 
 def with_the_bare(table):
     model = table.model()
-    return deeds(table, model.put, model.insert, model.delete, model.insert)
+    return actions(table, model.put, model.insert, model.delete, model.insert)
 
 
 def test_editor_smoothness(editor, bare, capsys, benchmark):

@@ -38,19 +38,19 @@ class Stamps:
     def __init__(self, program, sent_s):
         self._program, self._sent_s = program, sent_s
         self._key_of_sequence = {}
-        self._told_s, self._heard_s, self._folded_s = {}, {}, {}
-        self._pictured_s: deque[Any] = deque(maxlen=100)
+        self._told_s, self._heard_s, self._updated_s = {}, {}, {}
+        self._snapshots_s: deque[Any] = deque(maxlen=100)
         tracker = program.controller._connection._worker._tracker
-        picture = tracker.picture
+        snapshot = tracker.snapshot
 
-        def timed_picture():
-            state = picture()
-            self._pictured_s.append(time.monotonic())
+        def timed_snapshot():
+            state = snapshot()
+            self._snapshots_s.append(time.monotonic())
             return state
 
-        tracker.picture = timed_picture
+        tracker.snapshot = timed_snapshot
         self.stages_ms: dict[Any, Any] = {
-            name: [] for name in ("bus", "fold", "tick", "draw", "paint", "all")
+            name: [] for name in ("bus", "update", "tick", "draw", "paint", "all")
         }
         program.controller.state_changed.connect(self._on_state)
         client = program.view._client
@@ -67,8 +67,8 @@ class Stamps:
             self._key_of_sequence[sequence] = key
             self._heard_s[sequence] = six.at_s
             self._told_s[sequence] = time.monotonic()
-            folded_s = [at_s for at_s in list(self._pictured_s) if at_s >= six.at_s]
-            self._folded_s[sequence] = min(folded_s, default=six.at_s)
+            updated_s = [at_s for at_s in list(self._snapshots_s) if at_s >= six.at_s]
+            self._updated_s[sequence] = min(updated_s, default=six.at_s)
 
     def _on_painted(self, picture):
         self._frame_used(picture)
@@ -77,11 +77,11 @@ class Stamps:
         if key is None:
             return
         sent_s, heard_s = self._sent_s[key], self._heard_s[seen.sequence]
-        told_s, folded_s = self._told_s[seen.sequence], self._folded_s[seen.sequence]
+        told_s, updated_s = self._told_s[seen.sequence], self._updated_s[seen.sequence]
         ends = {
             "bus": heard_s - sent_s,
-            "fold": folded_s - heard_s,
-            "tick": told_s - folded_s,
+            "update": updated_s - heard_s,
+            "tick": told_s - updated_s,
             "draw": seen.ended_s - told_s,
             "paint": now_s - seen.ended_s,
             "all": now_s - sent_s,

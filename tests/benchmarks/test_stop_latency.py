@@ -178,7 +178,7 @@ def press_again_and_again(qapp, program, sent_s):
     for button in (stop_button, bare):
         button.pressed.connect(mouse.seen.set)
     # no repeats: each stop frame is a press's own
-    stop_button.pressed.connect(controller._stop.keeper.forget)
+    stop_button.pressed.connect(controller._stop.emergency_stop.forget)
     sent_s.clear()
     mouse.start()
     qapp.exec()

@@ -120,25 +120,27 @@ def test_half_an_hour_by_columns(report):
 
 
 def test_the_library(tmp_path, report):
-    shelf = Library(tmp_path)
+    library = Library(tmp_path)
     content, samples = program(), recording()
     short = Trajectory("short", points=content.points[:5])
     for number in range(ENTRIES):
-        shelf.save(Trajectory(f"short {number}", points=short.points))
+        library.save(Trajectory(f"short {number}", points=short.points))
     names = sum(1 for _ in tmp_path.iterdir())
     plain = seconds(lambda: [path.read_bytes() for path in tmp_path.glob("*.log")])
-    save = seconds(lambda: shelf.save(content, replacing=content.name))
+    save = seconds(lambda: library.save(content, replacing=content.name))
     report(f"{POINTS} points saved", save, "their bytes written", written(tmp_path / "x", content))
-    report(f"{POINTS} points opened", seconds(lambda: shelf.load(content.name)), "saved", save)
-    shelf.save(samples)
+    report(f"{POINTS} points opened", seconds(lambda: library.load(content.name)), "saved", save)
+    library.save(samples)
     raw = tmp_path / "raw.npy"
     np.save(raw, samples.samples)
     bare = seconds(lambda: np.load(raw))
-    report(f"{SAMPLES} samples opened", seconds(lambda: shelf.load(samples.name)), "np.load", bare)
+    report(
+        f"{SAMPLES} samples opened", seconds(lambda: library.load(samples.name)), "np.load", bare
+    )
     listed = seconds(lambda: Library(tmp_path).entries())
     report(f"a library of {ENTRIES + 2} listed", listed, "its short files read", plain)
     assert names == ENTRIES + 1
-    assert len(shelf.entries()) == ENTRIES + 2
+    assert len(library.entries()) == ENTRIES + 2
 
 
 def written(path, content):

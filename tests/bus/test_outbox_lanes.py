@@ -8,24 +8,6 @@ from armui.bus.outbox import Outbox
 from tests.bus.driver import FULL, Driver, InDriver
 from tests.bus.test_outbox import STOP, frames
 
-
-@pytest.fixture
-def driver():
-    return Driver()
-
-
-@pytest.fixture
-def time_s():
-    return [0.25]
-
-
-@pytest.fixture
-def outbox(driver, time_s):
-    box = Outbox(clock=lambda: time_s[0])
-    box.attach(driver)
-    return box
-
-
 # What it tells ------------------------------------------------------------------------------------
 
 

@@ -13,23 +13,6 @@ from tests.bus.test_outbox import STOP, frames
 
 
 @pytest.fixture
-def driver():
-    return Driver()
-
-
-@pytest.fixture
-def time_s():
-    return [0.25]
-
-
-@pytest.fixture
-def outbox(driver, time_s):
-    box = Outbox(clock=lambda: time_s[0])
-    box.attach(driver)
-    return box
-
-
-@pytest.fixture
 def threaded(driver, time_s):
     """An outbox of whose driver it is not known that it returns in time."""
     box = Outbox(clock=lambda: time_s[0])

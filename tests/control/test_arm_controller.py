@@ -33,26 +33,26 @@ def test_without_a_device_everything_is_refused_and_says_so(rig):
     assert rig.codes()[-1] == "stop_not_sent"
 
 
-def test_connecting_finds_the_generation_and_reads_the_limits(any_bench):
-    any_bench.connect()
-    operating_state = any_bench.controller.operating_state
+def test_connecting_finds_the_generation_and_reads_the_limits(any_rig):
+    any_rig.connect()
+    operating_state = any_rig.controller.operating_state
     assert operating_state.link is LinkState.ONLINE
-    assert operating_state.generation is any_bench.firmware.generation
+    assert operating_state.generation is any_rig.firmware.generation
     assert operating_state.limits_read == (True,) * 6
     assert (operating_state.limits[1].min_deg, operating_state.limits[1].max_deg) == (0, 180)
-    firmware = any_bench.controller.state.firmware
+    firmware = any_rig.controller.state.firmware
     assert firmware == ("S-V1.8-5" if operating_state.generation is Generation.TWO else None)
 
 
-def test_connecting_moves_and_enables_nothing(any_bench):
-    any_bench.connect()
-    any_bench.run(0.5)
-    assert any_bench.heard() == []
-    assert any_bench.firmware.enabled == (False,) * 6
+def test_connecting_moves_and_enables_nothing(any_rig):
+    any_rig.connect()
+    any_rig.run(0.5)
+    assert any_rig.heard() == []
+    assert any_rig.firmware.enabled == (False,) * 6
 
 
-def test_enable_and_disable_are_over_when_the_drivers_say_so(any_bench):
-    rig = any_bench
+def test_enable_and_disable_are_over_when_the_drivers_say_so(any_rig):
+    rig = any_rig
     rig.connect()
     assert rig.controller.operating_state.enabled == (False,) * 6
     assert rig.controller.motors.enable() is None
@@ -66,8 +66,8 @@ def test_enable_and_disable_are_over_when_the_drivers_say_so(any_bench):
     assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.NOT_ENABLED
 
 
-def test_six_angles_are_sent_as_the_protocol_says_and_reached(any_bench):
-    rig = any_bench
+def test_six_angles_are_sent_as_the_protocol_says_and_reached(any_rig):
+    rig = any_rig
     rig.ready()
     rig.heard()
     assert rig.controller.motion.send_joints([12, 30, -20, 5, -5, 60]) is None
@@ -174,8 +174,8 @@ def test_at_zero_percent_a_motion_is_refused(rig):
     assert rig.controller.motion.go_home().code == RefusalCode.SPEED_ZERO
 
 
-def test_stop_resume_enable_and_on(any_bench):
-    rig = any_bench
+def test_stop_resume_enable_and_on(any_rig):
+    rig = any_rig
     rig.ready()
     rig.controller.motion.send_joints([90, 90, -90, 0, 0, 0])
     rig.run(0.5)

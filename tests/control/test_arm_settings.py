@@ -28,10 +28,10 @@ def frame(arbitration_id, payload):
 
 
 @pytest.fixture
-def arm(any_bench):
-    any_bench.connect()
-    any_bench.ear = HardOfHearing(any_bench.firmware)
-    return any_bench
+def arm(any_rig):
+    any_rig.connect()
+    any_rig.ear = HardOfHearing(any_rig.firmware)
+    return any_rig
 
 
 @pytest.fixture
@@ -62,17 +62,17 @@ def saved(rig, changes):
     settled(rig)
 
 
-def test_everything_an_arm_keeps_is_read(any_bench):
-    any_bench.connect()
-    generation = any_bench.controller.operating_state.generation
+def test_everything_an_arm_keeps_is_read(any_rig):
+    any_rig.connect()
+    generation = any_rig.controller.operating_state.generation
     batches = list(all_batches(teaching=generation is Generation.TWO))
-    assert any_bench.controller.settings.read(batches) is None
-    settled(any_bench)
+    assert any_rig.controller.settings.read(batches) is None
+    settled(any_rig)
     for batch in batches:
         for parameter in batch.parameters():
-            assert states(any_bench, parameter) == [CellState.READ]
-            assert heard(any_bench.controller.state, parameter) is not None
-    assert any_bench.controller.state.collision_levels.value == (1,) * 6
+            assert states(any_rig, parameter) == [CellState.READ]
+            assert heard(any_rig.controller.state, parameter) is not None
+    assert any_rig.controller.state.collision_levels.value == (1,) * 6
 
 
 def test_only_what_changed_is_sent_in_generation_2(arm2):
@@ -90,8 +90,8 @@ def test_only_what_changed_is_sent_in_generation_2(arm2):
 
 
 @pytest.mark.parametrize("generation", [Generation.ONE])
-def test_generation_1_sends_the_rest_as_it_was_read(any_bench):
-    rig = any_bench
+def test_generation_1_sends_the_rest_as_it_was_read(any_rig):
+    rig = any_rig
     rig.connect()
     rig.ear = HardOfHearing(rig.firmware)
     saved(rig, {MAX_J2: 170.0})
@@ -202,13 +202,13 @@ def test_a_value_that_is_none_of_the_few_is_not_sent(arm2):
 
 
 @pytest.mark.parametrize("generation", [Generation.ONE])
-def test_an_arm_without_a_teaching_handle_is_neither_asked_nor_told(any_bench):
-    any_bench.connect()
-    ear = HardOfHearing(any_bench.firmware)
-    settings = any_bench.controller.settings
+def test_an_arm_without_a_teaching_handle_is_neither_asked_nor_told(any_rig):
+    any_rig.connect()
+    ear = HardOfHearing(any_rig.firmware)
+    settings = any_rig.controller.settings
     assert settings.read([Batch(Group.TEACHING)]).code == RefusalCode.SETTING_NOT_KEPT
     assert settings.save({Parameter("stroke_limit_mm"): 70.0}).code == RefusalCode.SETTING_NOT_KEPT
-    any_bench.run(0.2)
+    any_rig.run(0.2)
     assert ear.heard == []
 
 

@@ -12,7 +12,7 @@ from armui.arm.limits import FACTORY_LIMITS, JointLimits
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
-from armui.control.assessment import Activity, AssessmentInputs, assess
+from armui.control.assessment import ActiveTasks, AssessmentInputs, assess
 from armui.control.link.offsets import OffsetFollower
 from armui.control.motion.motion_command import Hold, Mover
 from armui.control.operating_state import Busy, LinkState, StopState
@@ -61,7 +61,7 @@ class Console:
 
     def does(self, **fields) -> None:
         """What the program does to the arm."""
-        self.given(activity=replace(self.inputs.activity, **fields))
+        self.given(tasks=replace(self.inputs.tasks, **fields))
 
     def assess(self):
         """What the operator can do."""
@@ -309,7 +309,7 @@ def test_a_controller_that_is_heard_is_none(teaching_input, what, age_s, feeds):
 
 
 def test_at_first_the_program_does_nothing_to_the_arm():
-    assert Activity() == Activity(False, False, False, None, False)
+    assert ActiveTasks() == ActiveTasks(False, False, False, None, False)
 
 
 def test_what_the_program_does_and_knows_is_told(console):
@@ -320,7 +320,7 @@ def test_what_the_program_does_and_knows_is_told(console):
         stop_lapsed=True,
         busy=Busy.ZEROING,
         generation=Generation.ONE,
-        activity=Activity(True, True, True, "zero", True),
+        tasks=ActiveTasks(True, True, True, "zero", True),
     )
     console.inputs.offsets.addressing = Addressing(0x10, 0x20)
     operating = console.assess()

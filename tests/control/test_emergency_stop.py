@@ -32,13 +32,13 @@ def told(arm_status, at_s):
 
 
 class Arm:
-    """An arm as heard, the keeper and what it has sent."""
+    """An arm as heard, the emergency_stop and what it has sent."""
 
     def __init__(self) -> None:
         self.sent: list[tuple[float, tuple[Frame, ...]]] = []
         self.on_the_bus = True
         self.now_s = BEGIN_S
-        self.keeper = EmergencyStop(self._send)
+        self.emergency_stop = EmergencyStop(self._send)
 
     def _send(self, frames) -> bool:
         self.sent.append((self.now_s, tuple(frames)))
@@ -51,7 +51,7 @@ class Arm:
         while self.now_s < end_s:
             self.now_s += STEP_S
             state = told(arm_status, self.now_s) if online else ArmState()
-            confirmed |= self.keeper.advance(state, self.now_s, online=online)
+            confirmed |= self.emergency_stop.advance(state, self.now_s, online=online)
         return confirmed
 
 
@@ -61,9 +61,9 @@ def arm():
 
 
 def test_nothing_is_asked_for_at_first(arm):
-    assert not arm.keeper.requested
-    assert not arm.keeper.lapsed
-    assert not arm.keeper.unconfirmed(BEGIN_S + 100.0)
+    assert not arm.emergency_stop.requested
+    assert not arm.emergency_stop.lapsed
+    assert not arm.emergency_stop.unconfirmed(BEGIN_S + 100.0)
     assert not arm.wait(1.0, STOPPED)
     assert arm.sent == []
 
@@ -71,68 +71,70 @@ def test_nothing_is_asked_for_at_first(arm):
 @pytest.mark.parametrize("on_the_bus", [True, False])
 def test_it_is_sent_at_once(arm, on_the_bus):
     arm.on_the_bus = on_the_bus
-    assert arm.keeper.request(STOP, arm.now_s) is on_the_bus
+    assert arm.emergency_stop.request(STOP, arm.now_s) is on_the_bus
     assert arm.sent == [(BEGIN_S, STOP)]
-    assert arm.keeper.requested
+    assert arm.emergency_stop.requested
 
 
 def test_and_again_every_tenth_of_a_second_until_it_is_confirmed(arm):
-    arm.keeper.request(STOP, arm.now_s)
+    arm.emergency_stop.request(STOP, arm.now_s)
     assert not arm.wait(0.5)
     times = [at_s - BEGIN_S for at_s, _ in arm.sent]
     assert times == [0.0, 7 / 64, 14 / 64, 21 / 64, 28 / 64]
     assert {frames for _, frames in arm.sent} == {STOP}
     assert arm.wait(STEP_S, STOPPED)
-    assert not arm.keeper.requested
+    assert not arm.emergency_stop.requested
     assert not arm.wait(1.0, STOPPED)
     assert len(arm.sent) == 5
 
 
 def test_a_repeat_of_exactly_a_tenth_of_a_second():
     arm = Arm()
-    arm.keeper.request(STOP, 0.0)
-    arm.keeper.advance(ArmState(), 0.1, online=True)
+    arm.emergency_stop.request(STOP, 0.0)
+    arm.emergency_stop.advance(ArmState(), 0.1, online=True)
     assert len(arm.sent) == 2
 
 
 @pytest.mark.parametrize("earlier_s", [0.0, STEP_S])
 def test_a_word_of_before_the_stop_confirms_nothing(arm, earlier_s):
     before = told(STOPPED, arm.now_s - earlier_s)
-    arm.keeper.request(STOP, arm.now_s)
-    assert not arm.keeper.advance(before, arm.now_s + STEP_S, online=True)
-    assert arm.keeper.requested
-    assert arm.keeper.advance(told(STOPPED, arm.now_s + STEP_S), arm.now_s + STEP_S, online=True)
+    arm.emergency_stop.request(STOP, arm.now_s)
+    assert not arm.emergency_stop.advance(before, arm.now_s + STEP_S, online=True)
+    assert arm.emergency_stop.requested
+    assert arm.emergency_stop.advance(
+        told(STOPPED, arm.now_s + STEP_S), arm.now_s + STEP_S, online=True
+    )
 
 
 def test_asked_for_again_it_is_still_due_since_the_first_time(arm):
-    arm.keeper.request(STOP, arm.now_s)
+    arm.emergency_stop.request(STOP, arm.now_s)
     arm.wait(0.25)
-    assert not arm.keeper.unconfirmed(arm.now_s)
+    assert not arm.emergency_stop.unconfirmed(arm.now_s)
     arm.wait(0.25)
-    assert not arm.keeper.unconfirmed(arm.now_s)
-    assert arm.keeper.unconfirmed(arm.now_s + STEP_S)
-    arm.keeper.request(OTHER, arm.now_s)
+    assert not arm.emergency_stop.unconfirmed(arm.now_s)
+    assert arm.emergency_stop.unconfirmed(arm.now_s + STEP_S)
+    arm.emergency_stop.request(OTHER, arm.now_s)
     assert arm.sent[-1] == (arm.now_s, OTHER)
-    assert arm.keeper.unconfirmed(arm.now_s + STEP_S)
+    assert arm.emergency_stop.unconfirmed(arm.now_s + STEP_S)
     arm.wait(0.25)
     assert arm.sent[-1][1] == OTHER
     # the arm's word may be of the first
-    assert arm.keeper.advance(told(STOPPED, BEGIN_S + 0.5), arm.now_s, online=True)
+    assert arm.emergency_stop.advance(told(STOPPED, BEGIN_S + 0.5), arm.now_s, online=True)
 
 
 def test_confirmed_it_is_not_overdue(arm):
-    arm.keeper.request(STOP, arm.now_s)
+    arm.emergency_stop.request(STOP, arm.now_s)
     arm.wait(0.1, STOPPED)
-    assert not arm.keeper.unconfirmed(arm.now_s + 100.0)
+    assert not arm.emergency_stop.unconfirmed(arm.now_s + 100.0)
 
 
 # An arm that is away ------------------------------------------------------------------------------
 
 
 def test_an_arm_heard_all_the_time_is_stopped_however_long_it_takes(arm):
-    arm.keeper.request(STOP, arm.now_s)
+    arm.emergency_stop.request(STOP, arm.now_s)
     arm.wait(30.0)
-    assert not arm.keeper.lapsed
+    assert not arm.emergency_stop.lapsed
     count = len(arm.sent)
     arm.wait(0.125)
     assert len(arm.sent) > count
@@ -140,78 +142,78 @@ def test_an_arm_heard_all_the_time_is_stopped_however_long_it_takes(arm):
 
 @pytest.mark.parametrize(("away_s", "lapsed"), [(9.0, False), (9.96875, False), (10.5, True)])
 def test_an_arm_that_comes_back_within_ten_seconds_is_stopped_by_itself(arm, away_s, lapsed):
-    arm.keeper.request(STOP, arm.now_s)
+    arm.emergency_stop.request(STOP, arm.now_s)
     arm.wait(away_s, online=False)
-    assert arm.keeper.lapsed is lapsed
+    assert arm.emergency_stop.lapsed is lapsed
     count = len(arm.sent)
     arm.wait(0.25)
-    assert arm.keeper.lapsed is lapsed
-    assert arm.keeper.requested
+    assert arm.emergency_stop.lapsed is lapsed
+    assert arm.emergency_stop.requested
     assert (len(arm.sent) == count) is lapsed
 
 
 def test_ten_seconds_and_no_longer(arm):
-    arm.keeper.request(STOP, arm.now_s)
+    arm.emergency_stop.request(STOP, arm.now_s)
     arm.wait(10.0, online=False)
-    assert not arm.keeper.lapsed
+    assert not arm.emergency_stop.lapsed
     arm.wait(STEP_S, online=False)
-    assert arm.keeper.lapsed
+    assert arm.emergency_stop.lapsed
 
 
 @pytest.mark.parametrize(("away_s", "lapsed"), [(0.984375, False), (1.125, True)])
 def test_after_ten_seconds_a_second_away_is_enough(arm, away_s, lapsed):
-    arm.keeper.request(STOP, arm.now_s)
+    arm.emergency_stop.request(STOP, arm.now_s)
     arm.wait(20.0)
     arm.wait(away_s, online=False)
     arm.wait(1.0)
-    assert arm.keeper.lapsed is lapsed
+    assert arm.emergency_stop.lapsed is lapsed
 
 
 def test_asked_for_again_what_has_lapsed_is_sent_again(arm):
-    arm.keeper.request(STOP, arm.now_s)
+    arm.emergency_stop.request(STOP, arm.now_s)
     arm.wait(11.0, online=False)
-    assert arm.keeper.lapsed
-    arm.keeper.request(STOP, arm.now_s)
-    assert not arm.keeper.lapsed
-    assert not arm.keeper.unconfirmed(arm.now_s + 0.5)
+    assert arm.emergency_stop.lapsed
+    arm.emergency_stop.request(STOP, arm.now_s)
+    assert not arm.emergency_stop.lapsed
+    assert not arm.emergency_stop.unconfirmed(arm.now_s + 0.5)
     count = len(arm.sent)
     arm.wait(9.0, online=False)
-    assert not arm.keeper.lapsed
+    assert not arm.emergency_stop.lapsed
     assert len(arm.sent) > count
     arm.wait(2.0, online=False)
-    assert arm.keeper.lapsed
+    assert arm.emergency_stop.lapsed
 
 
 def test_asked_for_again_before_it_lapses_it_has_ten_seconds_more(arm):
-    arm.keeper.request(STOP, arm.now_s)
+    arm.emergency_stop.request(STOP, arm.now_s)
     arm.wait(9.0, online=False)
-    arm.keeper.request(STOP, arm.now_s)
+    arm.emergency_stop.request(STOP, arm.now_s)
     arm.wait(9.0, online=False)
-    assert not arm.keeper.lapsed
+    assert not arm.emergency_stop.lapsed
     arm.wait(1.5, online=False)
-    assert arm.keeper.lapsed
+    assert arm.emergency_stop.lapsed
 
 
 def test_what_has_lapsed_is_confirmed_by_an_arm_that_says_so(arm):
-    arm.keeper.request(STOP, arm.now_s)
+    arm.emergency_stop.request(STOP, arm.now_s)
     arm.wait(11.0, online=False)
     assert arm.wait(STEP_S, STOPPED)
-    assert not arm.keeper.lapsed
-    assert not arm.keeper.requested
+    assert not arm.emergency_stop.lapsed
+    assert not arm.emergency_stop.requested
 
 
 def test_withdrawn_it_is_sent_no_more(arm):
-    arm.keeper.request(STOP, arm.now_s)
+    arm.emergency_stop.request(STOP, arm.now_s)
     arm.wait(11.0, online=False)
-    arm.keeper.forget()
-    assert not arm.keeper.requested
-    assert not arm.keeper.lapsed
+    arm.emergency_stop.forget()
+    assert not arm.emergency_stop.requested
+    assert not arm.emergency_stop.lapsed
     count = len(arm.sent)
     arm.wait(1.0)
     assert len(arm.sent) == count
-    arm.keeper.request(STOP, arm.now_s)
-    assert not arm.keeper.lapsed
-    assert not arm.keeper.unconfirmed(arm.now_s + 0.5)
+    arm.emergency_stop.request(STOP, arm.now_s)
+    assert not arm.emergency_stop.lapsed
+    assert not arm.emergency_stop.unconfirmed(arm.now_s + 0.5)
 
 
 # Where it stands ----------------------------------------------------------------------------------
@@ -232,9 +234,9 @@ FRESH, OLD = BEGIN_S - 0.5, BEGIN_S - 0.51
     ],
 )
 def test_resume_is_offered_only_while_stopped_is_heard(arm, state, online, resuming, stands):
-    assert arm.keeper.state(state, BEGIN_S, online=online, resuming=resuming) is stands
-    arm.keeper.request(STOP, arm.now_s)
-    requested = arm.keeper.state(state, BEGIN_S, online=online, resuming=resuming)
+    assert arm.emergency_stop.state(state, BEGIN_S, online=online, resuming=resuming) is stands
+    arm.emergency_stop.request(STOP, arm.now_s)
+    requested = arm.emergency_stop.state(state, BEGIN_S, online=online, resuming=resuming)
     assert requested is StopState.REQUESTED
 
 

@@ -22,11 +22,11 @@ def command(payload):
 
 
 @pytest.fixture
-def arm(any_bench):
-    any_bench.connect()
-    any_bench.ear = HardOfHearing(any_bench.firmware)
-    any_bench.gripper = any_bench.controller.gripper
-    return any_bench
+def arm(any_rig):
+    any_rig.connect()
+    any_rig.ear = HardOfHearing(any_rig.firmware)
+    any_rig.gripper = any_rig.controller.gripper
+    return any_rig
 
 
 @pytest.fixture
@@ -92,9 +92,9 @@ def test_its_zero(arm2):
     assert arm2.firmware.gripper.travel == 0.0
 
 
-def test_generation_1_has_no_zero(any_bench, generation):
-    any_bench.connect()
-    refusal = any_bench.controller.gripper.set_zero()
+def test_generation_1_has_no_zero(any_rig, generation):
+    any_rig.connect()
+    refusal = any_rig.controller.gripper.set_zero()
     assert (None if refusal is None else refusal.code) == (
         "gripper_no_zero" if generation is ONE else None
     )
@@ -188,9 +188,9 @@ def test_a_link_lost_half_way(arm):
     assert told(arm, "gripper_there") == told(arm, "gripper_not_there") == []
 
 
-def test_nothing_is_known_without_an_arm(any_bench):
-    assert any_bench.controller.gripper.move(5.0, 1.0).code == RefusalCode.NOT_CONNECTED
-    assert any_bench.controller.gripper.figures.travel.name == "opening"
+def test_nothing_is_known_without_an_arm(any_rig):
+    assert any_rig.controller.gripper.move(5.0, 1.0).code == RefusalCode.NOT_CONNECTED
+    assert any_rig.controller.gripper.figures.travel.name == "opening"
 
 
 def test_what_it_says(generation):

@@ -41,8 +41,8 @@ def angles(rig):
     ids=[*JOBS, "joint slowly", "base X at a third"],
 )
 @pytest.mark.parametrize("loss", LOSSES.values(), ids=LOSSES)
-def test_the_arm_rests_within_100_ms_of_any_loss(any_bench, loss, job, percent, record_property):
-    rig = any_bench
+def test_the_arm_rests_within_100_ms_of_any_loss(any_rig, loss, job, percent, record_property):
+    rig = any_rig
     bend(rig)
     rig.controller.motion.set_speed_percent(percent)
     assert rig.controller.jogging.start(job) is None
@@ -83,8 +83,8 @@ def test_turning_back_at_once_waits_for_the_rest(rig):
     assert rest_s(rig) <= 0.1
 
 
-def test_the_speed_is_the_cap_scaled_by_the_percentage(any_bench):
-    rig = any_bench
+def test_the_speed_is_the_cap_scaled_by_the_percentage(any_rig):
+    rig = any_rig
     bend(rig)
     for percent, speed_deg_s in ((100, 12.89), (50, 6.446), (10, 1.289)):
         rig.controller.motion.set_speed_percent(percent)
@@ -98,8 +98,8 @@ def test_the_speed_is_the_cap_scaled_by_the_percentage(any_bench):
         assert gone == pytest.approx(0.5 * speed_deg_s, rel=0.03)
 
 
-def test_the_first_setpoint_enters_move_j_and_the_rest_are_targets(any_bench):
-    rig = any_bench
+def test_the_first_setpoint_enters_move_j_and_the_rest_are_targets(any_rig):
+    rig = any_rig
     rig.ready()
     rig.controller.motion.set_speed_percent(100)
     rig.run(0.1)
@@ -122,8 +122,8 @@ def test_the_first_setpoint_enters_move_j_and_the_rest_are_targets(any_bench):
     assert rig.heard() == []
 
 
-def test_the_operator_s_speed_is_given_back(any_bench):
-    rig = any_bench
+def test_the_operator_s_speed_is_given_back(any_rig):
+    rig = any_rig
     bend(rig)
     rig.controller.jogging.start(JointJog(1, 1))
     hold(rig, 0.3)
@@ -139,8 +139,8 @@ def test_the_operator_s_speed_is_given_back(any_bench):
         assert status.speed_percent == 100
 
 
-def test_a_joint_stops_at_its_limit_and_says_so(any_bench):
-    rig = any_bench
+def test_a_joint_stops_at_its_limit_and_says_so(any_rig):
+    rig = any_rig
     bend(rig, (148.0, *BENT_DEG[1:]))
     jogging = rig.controller.jogging
     jogging.start(JointJog(1, 1))
@@ -234,13 +234,13 @@ def held(rig):
     return rig.controller
 
 
-def test_the_emergency_stop_ends_it_at_once(any_bench):
-    controller = held(any_bench)
+def test_the_emergency_stop_ends_it_at_once(any_rig):
+    controller = held(any_rig)
     controller.emergency_stop()
     assert not controller.jogging.active
-    hold(any_bench, 0.1)
-    assert {frame.arbitration_id for frame in any_bench.heard()} == {0x150}
-    hold(any_bench, 1.0)
+    hold(any_rig, 0.1)
+    assert {frame.arbitration_id for frame in any_rig.heard()} == {0x150}
+    hold(any_rig, 1.0)
     assert not controller.jogging.active
 
 

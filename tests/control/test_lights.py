@@ -12,8 +12,8 @@ def light(payload):
     return Frame(0x121, bytes.fromhex(payload))
 
 
-def test_a_lamp_is_coloured_as_the_protocol_says(any_bench):
-    rig = any_bench
+def test_a_lamp_is_coloured_as_the_protocol_says(any_rig):
+    rig = any_rig
     rig.connect()
     rig.heard()
     assert rig.controller.lights.set_light(2, 7, 255, 128, 1) is None
@@ -25,8 +25,8 @@ def test_a_lamp_is_coloured_as_the_protocol_says(any_bench):
     assert (told.code, told.params["color"]) == ("sent_lamp", "#FF8001")
 
 
-def test_all_lamps_are_lamp_0xff(any_bench):
-    rig = any_bench
+def test_all_lamps_are_lamp_0xff(any_rig):
+    rig = any_rig
     rig.connect()
     rig.heard()
     assert rig.controller.lights.set_light(6, ALL_LAMPS, 0, 0, 16) is None

@@ -18,11 +18,11 @@ STOP = bytes.fromhex("01 00 00 00 00 00 00 00")
 
 
 @pytest.fixture
-def arm(any_bench):
-    any_bench.connect()
-    any_bench.ear = HardOfHearing(any_bench.firmware)
-    any_bench.linkage = any_bench.controller.linkage
-    return any_bench
+def arm(any_rig):
+    any_rig.connect()
+    any_rig.ear = HardOfHearing(any_rig.firmware)
+    any_rig.linkage = any_rig.controller.linkage
+    return any_rig
 
 
 def used(arm):
@@ -75,8 +75,8 @@ def test_only_the_commands_move(arm):
     assert arm.firmware.addressing == Addressing(0x00, 0x10)
 
 
-def test_until_standby_it_is_not_sure(any_bench):
-    arm = any_bench
+def test_until_standby_it_is_not_sure(any_rig):
+    arm = any_rig
     arm.ready()
     arm.controller.motion.jog(1, 0.1)  # CAN control
     arm.run(1.0)
@@ -94,8 +94,8 @@ def test_a_stop_that_is_not_confirmed_goes_everywhere(arm):
     assert {frame.arbitration_id for frame in arm.ear.heard} == {0x160, 0x170}
 
 
-def test_an_arm_left_with_offsets_is_found(any_bench):
-    arm = any_bench
+def test_an_arm_left_with_offsets_is_found(any_rig):
+    arm = any_rig
     arm.firmware.settings.linkage = LinkageSettings(OUTPUT, 0x10, 0x20)
     arm.firmware._take_linkage()
     arm.controller.connect_device(arm.device)
@@ -148,22 +148,22 @@ def test_another_arm_on_the_bus_is_not_mixed_in(arm, request):
     assert arm.controller.state.angles_deg() == (0.0,) * 6
 
 
-def test_refused(any_bench):
-    linkage = any_bench.controller.linkage
+def test_refused(any_rig):
+    linkage = any_rig.controller.linkage
     assert linkage.release().code == RefusalCode.NOT_CONNECTED
-    any_bench.ready()
+    any_rig.ready()
     assert linkage.set(OUTPUT, feedback_offset=0x30).code == RefusalCode.OFFSET_NOT_POSSIBLE
-    any_bench.controller.motion.send_joints((20.0, 0.0, 0.0, 0.0, 0.0, 0.0))
-    any_bench.run_until(lambda: any_bench.controller.operating_state.moving)
+    any_rig.controller.motion.send_joints((20.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    any_rig.run_until(lambda: any_rig.controller.operating_state.moving)
     assert linkage.release().code == RefusalCode.LINKAGE_WHILE_MOVING
 
 
 def test_what_is_the_same_is_no_wish():
     follower = OffsetFollower()
-    follower.wish(Addressing(), 1.0)
+    follower.request(Addressing(), 1.0)
     assert follower.requested is None
     assert follower.certain
-    follower.wish(Addressing(0x10, 0x00), 1.0)
+    follower.request(Addressing(0x10, 0x00), 1.0)
     assert follower.certain  # the old feedback vouches for the old commands
-    follower.wish(Addressing(0x00, 0x10), 1.0)
+    follower.request(Addressing(0x00, 0x10), 1.0)
     assert not follower.certain

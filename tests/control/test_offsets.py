@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from armui.arm.state import ArmState, Reading
-from armui.control.link.offsets import OffsetFollower, Wished
+from armui.control.link.offsets import OffsetFollower, RequestedOffset
 from armui.protocol.addressing import OFFSETS, Addressing
 from armui.protocol.codes import ArmStatusCode, ControlMode
 from tests.control.heard_arm import status
@@ -51,10 +51,10 @@ class Arm:
             self.now_s += STEP_S
             self.look()
 
-    def wish(self, addressing: Addressing, *, ends_input: bool = False) -> None:
+    def request(self, addressing: Addressing, *, ends_input: bool = False) -> None:
         """Send offsets to the arm."""
         more = {"ends_input": True} if ends_input else {}
-        self.follower.wish(addressing, self.now_s, **more)
+        self.follower.request(addressing, self.now_s, **more)
 
     def answer(self) -> None:
         """The arm says that it keeps them."""
@@ -91,8 +91,8 @@ def test_an_arm_as_delivered(arm):
 
 
 def test_commands_that_move_are_uncertain_until_the_arm_has_answered_in_standby(arm):
-    arm.wish(COMMANDS_MOVE)
-    assert arm.follower.requested == Wished(COMMANDS_MOVE, arm.now_s)
+    arm.request(COMMANDS_MOVE)
+    assert arm.follower.requested == RequestedOffset(COMMANDS_MOVE, arm.now_s)
     assert not arm.certain
     arm.wait(2.0)
     assert not arm.certain
@@ -108,7 +108,7 @@ def test_commands_that_move_are_uncertain_until_the_arm_has_answered_in_standby(
 
 def test_a_status_of_exactly_a_twentieth_of_a_second_later_was_made_after_it():
     follower = OffsetFollower()
-    follower.wish(COMMANDS_MOVE, 0.0)
+    follower.request(COMMANDS_MOVE, 0.0)
     follower.answered(0.0)
     heard = Reading(status(control_mode=ControlMode.STANDBY), 0.05)
     state = ArmState(status=heard, status_heard_s=(0.05, None, None))
@@ -125,7 +125,7 @@ def test_a_status_of_exactly_a_twentieth_of_a_second_later_was_made_after_it():
 )
 def test_outside_standby_the_arm_takes_no_offset(arm, changes):
     arm.status = changes
-    arm.wish(COMMANDS_MOVE)
+    arm.request(COMMANDS_MOVE)
     arm.answer()
     arm.wait(1.0)
     assert not arm.certain
@@ -137,7 +137,7 @@ def test_outside_standby_the_arm_takes_no_offset(arm, changes):
 
 def test_another_fault_than_a_stop_does_not_keep_it_from_taking_it(arm):
     arm.status = {"control_mode": ControlMode.STANDBY, "arm_status": ArmStatusCode.NO_SOLUTION}
-    arm.wish(COMMANDS_MOVE)
+    arm.request(COMMANDS_MOVE)
     arm.answer()
     arm.wait(0.1)
     assert arm.addressing == COMMANDS_MOVE
@@ -145,7 +145,7 @@ def test_another_fault_than_a_stop_does_not_keep_it_from_taking_it(arm):
 
 def test_switched_on_again_it_uses_what_it_keeps(arm):
     arm.status = {"control_mode": ControlMode.CAN_CONTROL}
-    arm.wish(COMMANDS_MOVE)
+    arm.request(COMMANDS_MOVE)
     arm.answer()
     arm.wait(1.0)
     assert arm.look(came=True)
@@ -154,7 +154,7 @@ def test_switched_on_again_it_uses_what_it_keeps(arm):
 
 
 def test_switched_on_again_without_having_answered_nothing_is_known(arm):
-    arm.wish(COMMANDS_MOVE)
+    arm.request(COMMANDS_MOVE)
     arm.wait(1.0)
     assert not arm.look(came=True)
     assert arm.addressing == PLAIN
@@ -162,7 +162,7 @@ def test_switched_on_again_without_having_answered_nothing_is_known(arm):
 
 
 def test_a_teaching_input_that_gives_feedback_has_heard(arm):
-    arm.wish(COMMANDS_MOVE, ends_input=True)
+    arm.request(COMMANDS_MOVE, ends_input=True)
     arm.wait(1.0)
     assert arm.addressing == PLAIN
     assert arm.look(came=True)
@@ -173,7 +173,7 @@ def test_a_teaching_input_that_gives_feedback_has_heard(arm):
 def test_its_feedback_of_before_proves_nothing(arm):
     arm.heard_under = set()
     arm.wait(STEP_S)
-    arm.wish(COMMANDS_MOVE, ends_input=True)
+    arm.request(COMMANDS_MOVE, ends_input=True)
     assert not arm.look(came=True)
     assert arm.addressing == PLAIN
 
@@ -181,9 +181,9 @@ def test_its_feedback_of_before_proves_nothing(arm):
 def test_the_answer_is_of_what_was_sent_last(arm):
     arm.answer()
     assert arm.follower.requested is None
-    arm.wish(COMMANDS_MOVE)
+    arm.request(COMMANDS_MOVE)
     arm.answer()
-    arm.wish(Addressing(0x00, 0x20))
+    arm.request(Addressing(0x00, 0x20))
     arm.wait(1.0)
     assert arm.addressing == PLAIN
     arm.answer()
@@ -193,21 +193,21 @@ def test_the_answer_is_of_what_was_sent_last(arm):
 
 def test_without_a_status_nothing_is_taken():
     follower = OffsetFollower()
-    follower.wish(COMMANDS_MOVE, BEGIN_S)
+    follower.request(COMMANDS_MOVE, BEGIN_S)
     follower.answered(BEGIN_S)
     state = ArmState(status_heard_s=(BEGIN_S + 1.0, None, None))
     assert not follower.advance(state, BEGIN_S + 1.0, came=False)
 
 
 def test_what_is_in_use_already_needs_no_proof(arm):
-    arm.wish(PLAIN)
+    arm.request(PLAIN)
     assert arm.follower.requested is None
     assert arm.certain
 
 
 def test_what_was_in_use_needs_proof_after_another_was_sent(arm):
-    arm.wish(COMMANDS_MOVE)
-    arm.wish(PLAIN)
+    arm.request(COMMANDS_MOVE)
+    arm.request(PLAIN)
     assert not arm.certain
     arm.answer()
     arm.wait(0.1)
@@ -221,7 +221,7 @@ def test_an_offset_that_is_not_known_needs_proof_though_it_is_in_use(arm):
     arm.wait(1.0)
     assert arm.addressing == Addressing(0x10, 0x00)
     assert not arm.certain
-    arm.wish(Addressing(0x10, 0x00))
+    arm.request(Addressing(0x10, 0x00))
     assert arm.follower.requested is not None
     arm.answer()
     arm.wait(0.1)
@@ -232,7 +232,7 @@ def test_an_offset_that_is_not_known_needs_proof_though_it_is_in_use(arm):
 
 
 def test_while_the_old_feedback_is_heard_old_commands_reach_the_arm(arm):
-    arm.wish(FEEDBACK_MOVES)
+    arm.request(FEEDBACK_MOVES)
     assert arm.certain
     arm.answer()
     arm.wait(1.0)
@@ -241,7 +241,7 @@ def test_while_the_old_feedback_is_heard_old_commands_reach_the_arm(arm):
 
 
 def test_new_feedback_proves_what_was_sent_without_an_answer(arm):
-    arm.wish(FEEDBACK_MOVES)
+    arm.request(FEEDBACK_MOVES)
     arm.heard_under = {0x10}
     arm.wait(0.46875)
     assert arm.addressing == PLAIN
@@ -262,7 +262,7 @@ def test_feedback_nobody_asked_for_tells_nothing_of_the_commands(arm, offset):
 
 
 def test_feedback_other_than_asked_for_is_followed_and_proves_nothing(arm):
-    arm.wish(FEEDBACK_MOVES)
+    arm.request(FEEDBACK_MOVES)
     arm.heard_under = {0x20}
     arm.wait(1.0)
     assert arm.addressing == Addressing(0x20, 0x00)
@@ -278,7 +278,7 @@ def test_two_arms_are_never_mixed(arm):
 
 
 def test_of_two_others_the_one_asked_for_is_taken(arm):
-    arm.wish(Addressing(0x20, 0x00))
+    arm.request(Addressing(0x20, 0x00))
     arm.heard_under = {0x10, 0x20}
     arm.wait(1.0)
     assert arm.addressing == Addressing(0x20, 0x00)
@@ -309,10 +309,10 @@ def test_a_look_that_comes_late_sees_it_as_well(arm):
 
 
 def test_feedback_that_is_to_move_back_has_not_moved_while_it_is_heard(arm):
-    arm.wish(FEEDBACK_MOVES)
+    arm.request(FEEDBACK_MOVES)
     arm.heard_under = {0x10}
     arm.wait(1.0)
-    arm.wish(PLAIN)
+    arm.request(PLAIN)
     assert arm.certain
     arm.answer()
     arm.wait(1.0)
@@ -368,7 +368,7 @@ def test_the_known_feedback_has_half_a_second_to_be_heard(anew):
 
 
 def test_an_arm_that_came_may_be_another_than_was_set(arm):
-    arm.wish(COMMANDS_MOVE)
+    arm.request(COMMANDS_MOVE)
     arm.answer()
     arm.wait(0.1)
     assert arm.certain

@@ -45,7 +45,9 @@ def test_a_motion_is_judged_by_what_was_heard_since_the_last_tick(rig):
     assert operating_state.cannot_move is None
     context = rig.controller._context
     assert context.why_no_motion().code == RefusalCode.OTHER_HOST
-    assert rig.controller.operating_state is operating_state  # the gate tells nobody in mid-command
+    assert (
+        rig.controller.operating_state is operating_state
+    )  # the interlocks tell nobody in mid-command
     assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.OTHER_HOST
     assert rig.controller.operating_state.cannot_move.code == RefusalCode.OTHER_HOST
 

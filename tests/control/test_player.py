@@ -55,9 +55,9 @@ def _near(here, there, tolerance_deg=0.1):
 
 
 @pytest.fixture
-def ready(any_bench):
-    any_bench.ready()
-    return any_bench
+def ready(any_rig):
+    any_rig.ready()
+    return any_rig
 
 
 def phase(rig):
@@ -279,10 +279,10 @@ def test_nothing_else_moves_the_arm_meanwhile(ready):
     assert _near(ready.firmware.joints_deg, OUT)
 
 
-def test_an_arm_that_is_not_enabled_is_not_run(any_bench):
-    any_bench.connect()
-    assert any_bench.controller.player.start(run_of(to(OUT))).code == RefusalCode.NOT_ENABLED
-    assert any_bench.controller.player.start(run_of()).code == RefusalCode.NOT_ENABLED
+def test_an_arm_that_is_not_enabled_is_not_run(any_rig):
+    any_rig.connect()
+    assert any_rig.controller.player.start(run_of(to(OUT))).code == RefusalCode.NOT_ENABLED
+    assert any_rig.controller.player.start(run_of()).code == RefusalCode.NOT_ENABLED
 
 
 @pytest.mark.parametrize(

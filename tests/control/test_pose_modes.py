@@ -16,13 +16,13 @@ FIRST, SECOND, THIRD = (
 
 
 @pytest.fixture
-def ready(any_bench):
-    any_bench.ready()
-    any_bench.controller.motion.set_speed_percent(100)
-    any_bench.controller.cartesian.prepare()
-    assert any_bench.controller.motion.send_joints((20.0, 40.0, -40.0, 10.0, 20.0, 15.0)) is None
-    arrived(any_bench, FIRST)
-    return any_bench
+def ready(any_rig):
+    any_rig.ready()
+    any_rig.controller.motion.set_speed_percent(100)
+    any_rig.controller.cartesian.prepare()
+    assert any_rig.controller.motion.send_joints((20.0, 40.0, -40.0, 10.0, 20.0, 15.0)) is None
+    arrived(any_rig, FIRST)
+    return any_rig
 
 
 def arrived(rig, pose):

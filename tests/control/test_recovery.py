@@ -57,8 +57,8 @@ def move(rig: ArmRig, angles_deg) -> None:
 
 
 @pytest.mark.parametrize("name", sorted(FAULTS))
-def test_no_fault_is_a_dead_end(any_bench, name):
-    rig = any_bench
+def test_no_fault_is_a_dead_end(any_rig, name):
+    rig = any_rig
     rig.ready()
     broken = fault(name)
     rig.node.faults.start(broken)
@@ -77,8 +77,8 @@ def test_no_fault_is_a_dead_end(any_bench, name):
         move(rig, (5.0, *REST_DEG[1:]))
 
 
-def test_after_a_stop_resume_and_enable_lead_back(any_bench):
-    rig = any_bench
+def test_after_a_stop_resume_and_enable_lead_back(any_rig):
+    rig = any_rig
     rig.ready()
     rig.controller.emergency_stop()
     until(rig, StepKind.STOPPED)
@@ -86,8 +86,8 @@ def test_after_a_stop_resume_and_enable_lead_back(any_bench):
     assert obey(rig) == [StepKind.STOPPED, StepKind.MOTORS_OFF]
 
 
-def test_a_collision_is_cleared_without_dropping_the_arm(any_bench):
-    rig = any_bench
+def test_a_collision_is_cleared_without_dropping_the_arm(any_rig):
+    rig = any_rig
     rig.ready()
     push = fault("collision", 2)
     rig.node.faults.start(push)
@@ -99,8 +99,8 @@ def test_a_collision_is_cleared_without_dropping_the_arm(any_bench):
     assert rig.firmware.enabled == (True,) * 6
 
 
-def test_a_fault_whose_cause_stays_is_said_to_stay_and_leads_to_a_reset(any_bench):
-    rig = any_bench
+def test_a_fault_whose_cause_stays_is_said_to_stay_and_leads_to_a_reset(any_rig):
+    rig = any_rig
     rig.ready()
     rig.node.faults.start(fault("collision", 2))
     until(rig, StepKind.COLLISION)
@@ -136,8 +136,8 @@ def test_a_step_under_way_is_not_taken_twice(rig):
     assert rig.controller.recovery.act(step).code == RefusalCode.BUSY
 
 
-def test_an_arm_that_leads_becomes_a_motion_output_again(any_bench):
-    rig = any_bench
+def test_an_arm_that_leads_becomes_a_motion_output_again(any_rig):
+    rig = any_rig
     rig.firmware.on_frame(Frame(0x470, bytes.fromhex("FA 00 00 00")))
     rig.controller.connect_device(rig.device)
     until(rig, StepKind.TEACHING_INPUT)
@@ -159,8 +159,8 @@ def test_an_arm_that_goes_on_leading_is_said_to(rig):
     del rig.firmware.on_frame
 
 
-def test_left_over_drag_teaching_far_from_rest_is_left_by_hand_and_reset(any_bench):
-    rig = any_bench
+def test_left_over_drag_teaching_far_from_rest_is_left_by_hand_and_reset(any_rig):
+    rig = any_rig
     rig.ready()
     move(rig, AWAY_DEG)
     assert rig.controller.teaching.command(TeachingState.START_RECORDING) is None
@@ -222,8 +222,8 @@ def test_a_replay_under_way_is_no_dead_end(rig, command):
 
 
 @pytest.mark.parametrize("mode", [ControlMode.ETHERNET_CONTROL, ControlMode.REMOTE_CONTROL])
-def test_the_command_is_taken_without_a_motion(any_bench, mode):
-    rig = any_bench
+def test_the_command_is_taken_without_a_motion(any_rig, mode):
+    rig = any_rig
     rig.ready()
     rig.firmware.condition.control_mode = mode
     until(rig, StepKind.OTHER_CONTROL)
@@ -233,8 +233,8 @@ def test_the_command_is_taken_without_a_motion(any_bench, mode):
     assert rig.heard() == [Frame(0x151, bytes.fromhex("00 01 00 00 00 00 00 00"))]
 
 
-def test_a_refused_target_wants_another(any_bench):
-    rig = any_bench
+def test_a_refused_target_wants_another(any_rig):
+    rig = any_rig
     rig.ready()
     move(rig, (5.0, *REST_DEG[1:]))
     for target_id in (0x155, 0x156, 0x157):  # another host asks too much

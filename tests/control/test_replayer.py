@@ -27,9 +27,9 @@ def wave(seconds=4.0, rate_hz=100.0, swing_deg=10.0, gripper_mm=math.nan):
 
 
 @pytest.fixture
-def ready(any_bench):
-    any_bench.ready()
-    return any_bench
+def ready(any_rig):
+    any_rig.ready()
+    return any_rig
 
 
 def phase(rig):
@@ -187,6 +187,6 @@ def test_a_lost_arm_leaves_what_was_recorded(ready):
     assert recorder.finish("cut").joined().duration_s == pytest.approx(1.0, abs=0.1)
 
 
-def test_nothing_recorded_is_nothing(any_bench):
-    assert any_bench.controller.recorder.start().code == RefusalCode.NOT_CONNECTED
-    assert any_bench.controller.recorder.finish("empty") is None
+def test_nothing_recorded_is_nothing(any_rig):
+    assert any_rig.controller.recorder.start().code == RefusalCode.NOT_CONNECTED
+    assert any_rig.controller.recorder.finish("empty") is None

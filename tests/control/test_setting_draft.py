@@ -56,7 +56,7 @@ def test_two_ends_are_judged_together(draft):
 
 
 @pytest.mark.parametrize(
-    ("cell", "entered", "state", "look"),
+    ("cell", "entered", "state", "status"),
     [
         (SettingCellState(), None, ArmState(), CellStatus.NOT_READ),
         (SettingCellState(CellState.READING), None, ArmState(), CellStatus.READING),
@@ -80,10 +80,10 @@ def test_two_ends_are_judged_together(draft):
         ),
     ],
 )
-def test_every_state_has_its_look(draft, cell, entered, state, look):
+def test_every_state_has_its_status(draft, cell, entered, state, status):
     if entered is not None:
         draft.enter(state, MAX_J1, str(entered), entered)
-    assert draft.look(state, MAX_J1, cell) is look
+    assert draft.status(state, MAX_J1, cell) is status
 
 
 def test_giving_up_forgets_everything(draft):

@@ -132,7 +132,7 @@ def test_without_a_device_it_is_said_that_it_was_not_sent(console):
     console.connection.device = None
     console.stopping.stop()
     assert console.take() == [EventCode.STOP_NOT_SENT]
-    assert not console.stopping.keeper.requested
+    assert not console.stopping.emergency_stop.requested
 
 
 @pytest.mark.parametrize(
@@ -226,7 +226,7 @@ def test_a_stop_that_is_outstanding_may_be_withdrawn(console):
     console.take()
     console.stopping.withdraw()
     assert console.take() == [EventCode.STOP_WITHDRAWN]
-    assert not console.stopping.keeper.requested
+    assert not console.stopping.emergency_stop.requested
 
 
 # Another connection -------------------------------------------------------------------------------
@@ -237,7 +237,7 @@ def test_an_outstanding_stop_holds_for_the_device_it_was_asked_of(console, devic
     console.stopping.stop()
     console.take()
     console.stopping.on_connecting(device)
-    assert console.stopping.keeper.requested is kept
+    assert console.stopping.emergency_stop.requested is kept
     assert console.take() == ([] if kept else [EventCode.STOP_ABANDONED])
     assert console.params == ({} if kept else {"device": DEVICE})
 
@@ -266,7 +266,7 @@ def test_another_host_that_undoes_it_is_told_and_not_stopped_again_by_itself(con
     console.advance(STOPPED)
     console.advance(RUNNING)
     assert console.take() == [EventCode.STOP_UNDONE]
-    assert not console.stopping.keeper.requested
+    assert not console.stopping.emergency_stop.requested
 
 
 def test_as_a_setting_it_is_stopped_again(console):
@@ -274,7 +274,7 @@ def test_as_a_setting_it_is_stopped_again(console):
     console.stop_and_confirm()
     console.advance(RUNNING)
     assert console.take() == [EventCode.STOP_UNDONE, "sent", "all ended", EventCode.STOP_SENT]
-    assert console.stopping.keeper.requested
+    assert console.stopping.emergency_stop.requested
 
 
 def test_our_own_resume_undoes_nothing(console):

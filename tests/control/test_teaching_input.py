@@ -8,8 +8,8 @@ from armui.protocol.frame import Frame
 SET_AS_TEACHING_INPUT = Frame(0x470, bytes.fromhex("FA 00 00 00"))
 
 
-def test_an_arm_that_leads_is_told_apart_from_an_arm_that_is_silent(any_bench):
-    rig = any_bench
+def test_an_arm_that_leads_is_told_apart_from_an_arm_that_is_silent(any_rig):
+    rig = any_rig
     rig.firmware.on_frame(SET_AS_TEACHING_INPUT)
     rig.controller.connect_device(rig.device)
     rig.run_until(lambda: rig.controller.operating_state.teaching_input)
@@ -19,8 +19,8 @@ def test_an_arm_that_leads_is_told_apart_from_an_arm_that_is_silent(any_bench):
     assert not rig.controller.operating_state.teaching_input
 
 
-def test_the_programs_own_targets_make_no_teaching_input(any_bench):
-    rig = any_bench
+def test_the_programs_own_targets_make_no_teaching_input(any_rig):
+    rig = any_rig
     rig.ready()
     assert rig.controller.motion.send_joints([5.0] * 2 + [-5.0] * 4) is None
     rig.step()
@@ -29,8 +29,8 @@ def test_the_programs_own_targets_make_no_teaching_input(any_bench):
     assert not rig.controller.operating_state.teaching_input
 
 
-def test_a_second_host_beside_an_arm_that_answers_makes_no_teaching_input(any_bench):
-    rig = any_bench
+def test_a_second_host_beside_an_arm_that_answers_makes_no_teaching_input(any_rig):
+    rig = any_rig
     rig.connect()
     for target_id in (0x155, 0x156, 0x157):
         rig._arm_bus.send(

@@ -13,17 +13,10 @@ from tests.control.transaction_line import (
     NO,
     OTHER_INDEX,
     STEP_S,
-    Program,
     frame,
     question,
 )
 from tests.moments import now
-
-
-@pytest.fixture
-def program():
-    return Program()
-
 
 # Questions ----------------------------------------------------------------------------------------
 

@@ -12,16 +12,9 @@ from tests.control.transaction_line import (
     NO,
     OTHER_INDEX,
     STEP_S,
-    Program,
     frame,
     question,
 )
-
-
-@pytest.fixture
-def program():
-    return Program()
-
 
 # One order ----------------------------------------------------------------------------------------
 

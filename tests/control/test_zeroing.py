@@ -22,8 +22,8 @@ ZERO_ALL = {1: setting("07 AE 00 00 00 00 00 00"), 2: setting("07 AE 00 7F FF 00
 
 
 @pytest.fixture
-def arm(any_bench):
-    return laid_down(any_bench)
+def arm(any_rig):
+    return laid_down(any_rig)
 
 
 def sent(arm):
@@ -129,34 +129,34 @@ def test_a_link_lost_half_way_ends_it(arm):
     assert not arm.controller.zeroing.busy
 
 
-def test_not_while_it_moves(any_bench):
-    any_bench.ready()
-    any_bench.controller.motion.send_joints((30.0, 0.0, 0.0, 0.0, 0.0, 0.0))
-    any_bench.run_until(lambda: any_bench.controller.operating_state.moving)
-    any_bench.run(0.3)
-    any_bench.heard()
-    refusal = any_bench.controller.zeroing.set_zero(2)
+def test_not_while_it_moves(any_rig):
+    any_rig.ready()
+    any_rig.controller.motion.send_joints((30.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    any_rig.run_until(lambda: any_rig.controller.operating_state.moving)
+    any_rig.run(0.3)
+    any_rig.heard()
+    refusal = any_rig.controller.zeroing.set_zero(2)
     assert refusal.code == RefusalCode.JOINTS_MOVING
     assert refusal.params == {"joints": "1"}
-    any_bench.step()
-    assert 0x475 not in [frame.arbitration_id for frame in any_bench.heard()]
+    any_rig.step()
+    assert 0x475 not in [frame.arbitration_id for frame in any_rig.heard()]
 
 
-def test_not_without_an_arm_nor_in_a_stop(any_bench):
-    zeroing = any_bench.controller.zeroing
+def test_not_without_an_arm_nor_in_a_stop(any_rig):
+    zeroing = any_rig.controller.zeroing
     assert zeroing.set_zero(1).code == RefusalCode.NOT_CONNECTED
-    any_bench.connect()
-    any_bench.controller.emergency_stop()
-    any_bench.run_until(lambda: "stop_confirmed" in any_bench.codes())
+    any_rig.connect()
+    any_rig.controller.emergency_stop()
+    any_rig.run_until(lambda: "stop_confirmed" in any_rig.codes())
     assert zeroing.set_zero(1).code == RefusalCode.STOPPED
 
 
-def test_not_while_the_speeds_are_unknown(any_bench):
-    any_bench.connect()
-    drivers = FaultyDrivers(any_bench.firmware)
+def test_not_while_the_speeds_are_unknown(any_rig):
+    any_rig.connect()
+    drivers = FaultyDrivers(any_rig.firmware)
     drivers.missing = {0x254}
-    any_bench.run(0.7)
-    refusal = any_bench.controller.zeroing.set_zero()
+    any_rig.run(0.7)
+    refusal = any_rig.controller.zeroing.set_zero()
     assert refusal.code == RefusalCode.SPEED_UNKNOWN
     assert refusal.params == {"joints": "4"}
     drivers.mend()

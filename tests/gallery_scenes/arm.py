@@ -21,7 +21,7 @@ _PUSH = fault("collision", 2)
 REACH_OUT_DEG = (35.0, 95.0, -70.0, 20.0, 45.0, -30.0)
 
 
-def no_device(_desk: AppDriver) -> None:
+def no_device(_driver: AppDriver) -> None:
     """The window as it opens."""
 
 

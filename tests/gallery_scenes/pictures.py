@@ -105,18 +105,18 @@ class _WindowPictures:
     """The main window, with the arm drawn in 3D."""
 
     def __init__(self, app_driver: AppDriver, folder: Path, looks: Looks) -> None:
-        self._desk = app_driver
+        self._driver = app_driver
         self._folder = folder
         self._looks = looks
 
     def take(self, scene: Scene) -> int:
         """Every picture of a scene; returns how many."""
-        scene.play(self._desk)
+        scene.play(self._driver)
         count = 0
         for size, theme in itertools.product(self._looks.sizes, self._looks.themes):
             self._change(size, theme)
             for language in self._looks.languages:
-                self._desk.store.change(language=language)
+                self._driver.store.change(language=language)
                 look = f"{language}-{theme}"
                 for name, widget in self._subjects(scene, look, size):
                     _save(_steady(widget), self._folder, name)
@@ -126,7 +126,7 @@ class _WindowPictures:
     def _subjects(
         self, scene: Scene, look: str, size: tuple[int, int]
     ) -> Iterator[tuple[str, QWidget]]:
-        window = self._desk.window
+        window = self._driver.window
         yield f"window-{scene.name}-{look}-{size[0]}x{size[1]}", window
         if scene.panels and size == self._looks.sizes[0]:
             for panel, widget in _panels(window).items():
@@ -134,9 +134,9 @@ class _WindowPictures:
 
     def _change(self, size: tuple[int, int], theme: ThemeName) -> None:
         """Take another size and theme, and wait for the 3D picture of them."""
-        self._desk.window.resize(*size)
-        self._desk.store.change(theme=theme)
-        view, longest = self._desk.program.view, QDeadlineTimer(_LONGEST_MS)
+        self._driver.window.resize(*size)
+        self._driver.store.change(theme=theme)
+        view, longest = self._driver.program.view, QDeadlineTimer(_LONGEST_MS)
         _let_work()
         # a computer that can't draw shows why
         while not (view.is_settled or view.has_given_up or longest.hasExpired()):

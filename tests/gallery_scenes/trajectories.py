@@ -17,14 +17,14 @@ from armui.ui.trajectory.library.library_window import LibraryWindow
 from armui.ui.trajectory.recording.recording_window import RecordingWindow
 from armui.ui.trajectory.table_import.columns_dialog import ColumnsDialog
 from tests.app_driver import AppDriver
-from tests.sample_trajectories import SHELF
+from tests.sample_trajectories import SAMPLES
 
 
 def library(app_driver: AppDriver) -> LibraryWindow:
     """Four trajectories, one of them checked; the simulated arm never runs them."""
     library = Library(app_driver.library_folder)
     if not library.entries():
-        for content in SHELF:
+        for content in SAMPLES:
             library.save(content)
         library.mark("Warm up", check="ok", length_s=84.0)
     app_driver.window.open_library_window()

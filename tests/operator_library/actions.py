@@ -14,7 +14,7 @@ POINT = Waypoint(MoveMode.MOVE_J, (20.0, 40.0, -40.0, 10.0, 20.0, 15.0))
 CTRL = Qt.KeyboardModifier.ControlModifier
 
 
-class FileStore:
+class LibraryDriver:
     """The window 轨迹库 in the operator's hands.
 
     Attributes:

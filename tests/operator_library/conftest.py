@@ -2,13 +2,13 @@
 
 import pytest
 
-from tests.operator_library.actions import FileStore
+from tests.operator_library.actions import LibraryDriver
 from tests.operator_library.tables import Operator
 
 
 @pytest.fixture
-def shelf(app_driver):
-    return FileStore(app_driver, "one", "three", "two")
+def driver(app_driver):
+    return LibraryDriver(app_driver, "one", "three", "two")
 
 
 @pytest.fixture

@@ -1,4 +1,4 @@
-"""Tables of unknown build, and the dialog that imports them in the operator's hands."""
+"""Tables of an unknown dialect, and the dialog that imports them in the operator's hands."""
 
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -88,17 +88,19 @@ class Operator:
         QTest.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, pos=place)
         self.app_driver.wait(lambda: not view.isVisible())
 
-    def build(self, name):
+    def dialect_field(self, name):
         """A field that says how the table is built."""
-        return self.dialog.findChild(QWidget, f"build_{name}")
+        return self.dialog.findChild(QWidget, f"dialect_{name}")
 
     def built(self):
         """What the dialog says of that: encoding, delimiter, decimal sign, first line."""
-        boxes = [self.build(name).currentText() for name in ("encoding", "delimiter", "decimal")]
-        return (*boxes, self.build("line").value())
+        boxes = [
+            self.dialect_field(name).currentText() for name in ("encoding", "delimiter", "decimal")
+        ]
+        return (*boxes, self.dialect_field("line").value())
 
     def first_line(self, line):
-        field = self.build("line")
+        field = self.dialect_field("line")
         field.setFocus()
         field.selectAll()
         QTest.keyClicks(field, str(line))

@@ -1,4 +1,4 @@
-"""An operator who imports tables of unknown build, and says what each of their columns is."""
+"""An operator who imports tables of an unknown dialect, and says what each of their columns is."""
 
 import math
 

@@ -19,15 +19,15 @@ def test_the_delimiter_is_chosen_and_the_preview_follows(operator):
     row = "1.5;20;-30;40;50;60.7\n"
     operator.open(line=row * 3)
     assert operator.built()[1] == "semicolon ;"
-    operator.choose(operator.build("delimiter"), "comma ,")
+    operator.choose(operator.dialect_field("delimiter"), "comma ,")
     assert operator.preview()[0] == ["1.5;20;-30;40;50;60.7"]
     assert operator.message().startswith("Still missing")
-    operator.choose(operator.build("delimiter"), "semicolon ;")
-    operator.choose(operator.build("decimal"), "comma ,")
+    operator.choose(operator.dialect_field("delimiter"), "semicolon ;")
+    operator.choose(operator.dialect_field("decimal"), "comma ,")
     assert operator.built()[1:3] == ("semicolon ;", "comma ,")
     assert operator.preview()[0] == ["1.5", "20", "-30", "40", "50", "60.7"]
     assert operator.message().startswith("Still missing")
-    operator.choose(operator.build("decimal"), "point .")
+    operator.choose(operator.dialect_field("decimal"), "point .")
     assert operator.columns() == JOINTS
 
 
@@ -46,12 +46,12 @@ def test_the_line_of_the_first_figures_is_typed(operator):
 def test_the_encoding_is_chosen(operator):
     operator.open(line=TITLED.replace("temperature", "温度").encode("gbk"))
     assert operator.built()[0] == "GBK"
-    operator.choose(operator.build("encoding"), "UTF-8")
+    operator.choose(operator.dialect_field("encoding"), "UTF-8")
     assert operator.message() == (
         "line.csv, line 1, column 75: This is no text in UTF-8. Choose another encoding."
     )
     assert not operator.child("import").isEnabled()
-    operator.choose(operator.build("encoding"), "GBK")
+    operator.choose(operator.dialect_field("encoding"), "GBK")
     assert operator.message() == ""
     operator.take()
     assert not is_open()
@@ -71,9 +71,9 @@ def test_what_was_said_of_the_columns_stays_while_they_are_the_same(operator):
     operator.call(6, "Ignored")
     operator.first_line(2)
     assert operator.columns() == [*[f"J{joint} rad" for joint in range(1, 6)], "-"]
-    operator.choose(operator.build("delimiter"), "tab")
+    operator.choose(operator.dialect_field("delimiter"), "tab")
     assert len(operator.columns()) == 1
-    operator.choose(operator.build("delimiter"), "blanks")
+    operator.choose(operator.dialect_field("delimiter"), "blanks")
     assert operator.columns() == JOINTS
 
 

@@ -9,24 +9,24 @@ from armui.trajectory import files
 from armui.trajectory.points.program import Trajectory
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.trajectory.library.import_report import ImportReport
-from tests.operator_library.actions import POINT, FileStore
+from tests.operator_library.actions import POINT, LibraryDriver
 
 
 @pytest.mark.parametrize("suffix", files.SUFFIXES)
-def test_one_is_exported_to_the_file_that_is_named(shelf, tmp_path, suffix):
-    shelf.choose("two")
-    chooser = shelf.export(suffix)
+def test_one_is_exported_to_the_file_that_is_named(driver, tmp_path, suffix):
+    driver.choose("two")
+    chooser = driver.export(suffix)
     assert chooser.acceptMode() is QFileDialog.AcceptMode.AcceptSave
     chooser.fileSelected.emit(str(tmp_path / f"x{suffix}"))
     chooser.close()
     assert files.load(tmp_path / f"x{suffix}").points == (POINT,) * 3
-    assert shelf.message() == f"Exported: x{suffix}"
+    assert driver.message() == f"Exported: x{suffix}"
 
 
-def test_several_are_exported_into_a_folder_and_write_over_nothing(shelf, tmp_path):
+def test_several_are_exported_into_a_folder_and_write_over_nothing(driver, tmp_path):
     (tmp_path / "one.csv").write_text("mine")
-    shelf.choose("one", "two")
-    chooser = shelf.export(".csv")
+    driver.choose("one", "two")
+    chooser = driver.export(".csv")
     chooser.fileSelected.emit(str(tmp_path))
     chooser.close()
     assert (tmp_path / "one.csv").read_text() == "mine"
@@ -34,35 +34,35 @@ def test_several_are_exported_into_a_folder_and_write_over_nothing(shelf, tmp_pa
     assert len(files.load(tmp_path / "two.csv").points) == 3
 
 
-def test_a_file_that_cannot_be_written_is_told(shelf, tmp_path):
-    shelf.choose("one")
-    chooser = shelf.export(".log")
+def test_a_file_that_cannot_be_written_is_told(driver, tmp_path):
+    driver.choose("one")
+    chooser = driver.export(".log")
     chooser.fileSelected.emit(str(tmp_path / "nowhere" / "x.log"))
     chooser.close()
-    assert "x.log" in shelf.message()
-    assert "Not exported" in shelf.message()
+    assert "x.log" in driver.message()
+    assert "Not exported" in driver.message()
 
 
-def test_several_files_are_imported_and_a_broken_one_is_told(shelf, tmp_path):
+def test_several_files_are_imported_and_a_broken_one_is_told(driver, tmp_path):
     for suffix in files.SUFFIXES:
         data = files.to_bytes(Trajectory("new", points=(POINT,)), suffix)
         (tmp_path / f"new{suffix}").write_bytes(data)
     (tmp_path / "bad.log").write_text("armui trajectory 1\nname: bad\n\nJ 1 2 3\n")
-    shelf.click("import")
-    chooser = shelf.app_driver.dialog(FileDialog)
+    driver.click("import")
+    chooser = driver.app_driver.dialog(FileDialog)
     assert chooser.fileMode() is QFileDialog.FileMode.ExistingFiles
     chooser.filesSelected.emit([str(path) for path in sorted(tmp_path.glob("*.*"))])
     chooser.close()
-    assert {"new", "new 2", "new 3"} <= set(shelf.names())
-    assert "bad" not in shelf.names()
-    assert "Imported: new, new 2, new 3" in shelf.message()
-    assert "bad.log, line 4" in shelf.message()
+    assert {"new", "new 2", "new 3"} <= set(driver.names())
+    assert "bad" not in driver.names()
+    assert "Imported: new, new 2, new 3" in driver.message()
+    assert "bad.log, line 4" in driver.message()
 
 
-def brought(shelf, *paths):
+def brought(driver, *paths):
     """The paths are chosen in the window of the button."""
-    shelf.click("import")
-    chooser = shelf.app_driver.dialog(FileDialog)
+    driver.click("import")
+    chooser = driver.app_driver.dialog(FileDialog)
     chooser.filesSelected.emit([str(path) for path in paths])
     chooser.close()
 
@@ -73,35 +73,35 @@ def file_of(folder, file, name="one"):
     return path
 
 
-def test_reading_takes_its_time(slow_desk, tmp_path):
-    shelf = FileStore(slow_desk, "one")
+def test_reading_takes_its_time(slow_driver, tmp_path):
+    driver = LibraryDriver(slow_driver, "one")
     (tmp_path / "new.log").write_text("armui trajectory 1\nname: new\n\nJ 1 2 -3 4 5 6\n")
-    shelf.window._exchange.import_files([tmp_path / "new.log"])
-    assert shelf.message() == "Reading new.log…"
-    slow_desk.workers.work()
-    assert shelf.message() == "Imported: new"
-    assert shelf.names() == ["new", "one"]
+    driver.window._exchange.import_files([tmp_path / "new.log"])
+    assert driver.message() == "Reading new.log…"
+    slow_driver.workers.work()
+    assert driver.message() == "Imported: new"
+    assert driver.names() == ["new", "one"]
 
 
-def test_reading_that_fails_altogether_is_told(slow_desk, tmp_path):
-    shelf = FileStore(slow_desk, "one")
-    shelf.window._exchange.import_files([tmp_path / "new.log"])
-    slow_desk.workers.break_down("out of memory")
-    assert "out of memory" in shelf.message()
-    assert shelf.names() == ["one"]
+def test_reading_that_fails_altogether_is_told(slow_driver, tmp_path):
+    driver = LibraryDriver(slow_driver, "one")
+    driver.window._exchange.import_files([tmp_path / "new.log"])
+    slow_driver.workers.break_down("out of memory")
+    assert "out of memory" in driver.message()
+    assert driver.names() == ["one"]
 
 
-def test_a_name_that_is_taken_is_told(shelf, tmp_path):
-    brought(shelf, file_of(tmp_path, "x.json"), file_of(tmp_path, "y.log", "new"))
-    assert shelf.message() == (
+def test_a_name_that_is_taken_is_told(driver, tmp_path):
+    brought(driver, file_of(tmp_path, "x.json"), file_of(tmp_path, "y.log", "new"))
+    assert driver.message() == (
         "Imported: one 2, new\nTheir names were taken, so they got others: one → one 2"
     )
-    assert shelf.library.load("one").points == (POINT,)
-    assert len(shelf.library.load("one 2").points) == 7
-    assert {entry.name for entry in shelf.window.chosen()} == {"new", "one 2"}
+    assert driver.library.load("one").points == (POINT,)
+    assert len(driver.library.load("one 2").points) == 7
+    assert {entry.name for entry in driver.window.chosen()} == {"new", "one 2"}
 
 
-def test_of_many_files_the_report_tells_what_became_of_each(shelf, tmp_path):
+def test_of_many_files_the_report_tells_what_became_of_each(driver, tmp_path):
     paths = [file_of(tmp_path, f"good {number}.csv", f"g{number}") for number in range(7)]
     paths.append(file_of(tmp_path, "taken.log", "two"))
     for number in range(5):
@@ -112,17 +112,17 @@ def test_of_many_files_the_report_tells_what_became_of_each(shelf, tmp_path):
     paths.append(tmp_path / "gone.csv")
     paths.append(tmp_path / "table.txt")
     paths[-1].write_text("1;2;3\n4;5;6\n")
-    brought(shelf, *paths)
+    brought(driver, *paths)
 
-    said = shelf.message().splitlines()
+    said = driver.message().splitlines()
     assert said[0] == "Imported: g0, g1, g2, g3, g4 … (+3)"
     assert said[1] == "Their names were taken, so they got others: two → two 2"
     assert said[2] == "Not imported. bad 0.log, line 5, column 7: “x0” is not a number."
     assert said[-1] == "Not imported either: 4 more. See the results."
     assert len(said) == 6
-    assert shelf.child("by_columns").isVisible()
-    shelf.click("report")
-    report = shelf.app_driver.dialog(ImportReport)
+    assert driver.child("by_columns").isVisible()
+    driver.click("report")
+    report = driver.app_driver.dialog(ImportReport)
     assert report.findChild(QWidget, "report_summary").text() == "8 imported, 7 not imported."
     table = report.findChild(QTableWidget, "report_table")
     told = {table.item(row, 0).text(): table.item(row, 1).text() for row in range(15)}
@@ -134,21 +134,23 @@ def test_of_many_files_the_report_tells_what_became_of_each(shelf, tmp_path):
     report.close()
 
 
-def test_an_import_is_undone(shelf, tmp_path):
-    brought(shelf, file_of(tmp_path, "x.json"), file_of(tmp_path, "y.log", "new"))
-    shelf.undo()
-    assert shelf.names() == ["one", "three", "two"]
+def test_an_import_is_undone(driver, tmp_path):
+    brought(driver, file_of(tmp_path, "x.json"), file_of(tmp_path, "y.log", "new"))
+    driver.undo()
+    assert driver.names() == ["one", "three", "two"]
 
 
-def test_of_several_that_are_exported_a_damaged_one_keeps_none_back(shelf, tmp_path):
-    (shelf.app_driver.library_folder / "one.log").write_text("armui trajectory 1\nJ 1 2")
-    shelf.window.refresh()
-    shelf.choose("one", "two", "three")
-    chooser = shelf.export(".csv")
+def test_of_several_that_are_exported_a_damaged_one_keeps_none_back(driver, tmp_path):
+    (driver.app_driver.library_folder / "one.log").write_text("armui trajectory 1\nJ 1 2")
+    driver.window.refresh()
+    driver.choose("one", "two", "three")
+    chooser = driver.export(".csv")
     chooser.fileSelected.emit(str(tmp_path))
     chooser.close()
     assert sorted(path.name for path in tmp_path.glob("*.csv")) == ["three.csv", "two.csv"]
-    assert shelf.message().startswith("Exported: three.csv, two.csv\nNot exported. one.log, line 2")
+    assert driver.message().startswith(
+        "Exported: three.csv, two.csv\nNot exported. one.log, line 2"
+    )
 
 
 # Dropped ------------------------------------------------------------------------------------------
@@ -172,17 +174,17 @@ def drop(window, *urls, text=""):
     return enter.isAccepted()
 
 
-def test_files_dropped_on_the_window_are_imported(shelf, tmp_path):
+def test_files_dropped_on_the_window_are_imported(driver, tmp_path):
     bad = tmp_path / "bad.log"
     bad.write_text("armui trajectory 1\nname: bad\n\nJ 1\n")
     good = file_of(tmp_path, "good.csv", "new")
-    assert drop(shelf.window, bad.as_uri(), good.as_uri())
-    assert shelf.names() == ["new", "one", "three", "two"]
-    assert "bad.log, line 4" in shelf.message()
+    assert drop(driver.window, bad.as_uri(), good.as_uri())
+    assert driver.names() == ["new", "one", "three", "two"]
+    assert "bad.log, line 4" in driver.message()
     assert good.exists()
 
 
-def test_what_is_no_file_is_not_taken(shelf):
-    assert not drop(shelf.window, text="some text")
-    assert not drop(shelf.window, "https://example.org/a.log")
-    assert shelf.names() == ["one", "three", "two"]
+def test_what_is_no_file_is_not_taken(driver):
+    assert not drop(driver.window, text="some text")
+    assert not drop(driver.window, "https://example.org/a.log")
+    assert driver.names() == ["one", "three", "two"]

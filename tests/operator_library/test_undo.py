@@ -8,95 +8,95 @@ from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
 from armui.ui.trajectory.editor.editor_window import EditorWindow
 from armui.ui.trajectory.library.bin_dialog import BinDialog
-from tests.operator_library.actions import POINT, FileStore
+from tests.operator_library.actions import POINT, LibraryDriver
 
 
-def test_every_deletion_is_undone_by_keys_the_last_first(shelf):
+def test_every_deletion_is_undone_by_keys_the_last_first(driver):
     for name in ("one", "three"):
-        shelf.choose(name)
-        shelf.key(Qt.Key.Key_Delete)
-    assert shelf.names() == ["two"]
-    assert shelf.child("undo").text() == "Undo: bring back three"
-    assert shelf.child("undo").toolTip() == "Undo: bring back three (Ctrl+Z)"
-    shelf.undo()
-    assert shelf.names() == ["three", "two"]
-    assert shelf.message() == "Brought back: three"
-    assert [entry.name for entry in shelf.window.chosen()] == ["three"]
-    assert shelf.child("undo").text() == "Undo: bring back one"
-    shelf.undo()
-    assert shelf.names() == ["one", "three", "two"]
-    assert shelf.library.load("three").points == (POINT, POINT)
-    assert not shelf.child("undo").isVisible()
-    shelf.undo()
-    assert shelf.names() == ["one", "three", "two"]
+        driver.choose(name)
+        driver.key(Qt.Key.Key_Delete)
+    assert driver.names() == ["two"]
+    assert driver.child("undo").text() == "Undo: bring back three"
+    assert driver.child("undo").toolTip() == "Undo: bring back three (Ctrl+Z)"
+    driver.undo()
+    assert driver.names() == ["three", "two"]
+    assert driver.message() == "Brought back: three"
+    assert [entry.name for entry in driver.window.chosen()] == ["three"]
+    assert driver.child("undo").text() == "Undo: bring back one"
+    driver.undo()
+    assert driver.names() == ["one", "three", "two"]
+    assert driver.library.load("three").points == (POINT, POINT)
+    assert not driver.child("undo").isVisible()
+    driver.undo()
+    assert driver.names() == ["one", "three", "two"]
 
 
-def test_a_window_closed_and_opened_again_still_undoes(shelf):
-    shelf.choose("one")
-    shelf.click("delete")
-    shelf.window.close()
-    shelf.app_driver.click("library_button")
-    assert shelf.names() == ["three", "two"]
-    shelf.click("undo")
-    assert shelf.names() == ["one", "three", "two"]
+def test_a_window_closed_and_opened_again_still_undoes(driver):
+    driver.choose("one")
+    driver.click("delete")
+    driver.window.close()
+    driver.app_driver.click("library_button")
+    assert driver.names() == ["three", "two"]
+    driver.click("undo")
+    assert driver.names() == ["one", "three", "two"]
 
 
-def test_names_and_copies_are_undone_too(shelf):
-    shelf.choose("one")
-    shelf.rename("uno")
-    shelf.click("duplicate")
-    assert shelf.names() == ["three", "two", "uno", "uno 2"]
-    assert shelf.child("undo").text() == "Undo: delete uno 2"
-    shelf.click("undo")
-    assert shelf.names() == ["three", "two", "uno"]
-    assert shelf.child("undo").text() == "Undo: call it one again"
-    shelf.click("undo")
-    assert shelf.names() == ["one", "three", "two"]
-    assert shelf.message() == "“uno” is called “one” again."
+def test_names_and_copies_are_undone_too(driver):
+    driver.choose("one")
+    driver.rename("uno")
+    driver.click("duplicate")
+    assert driver.names() == ["three", "two", "uno", "uno 2"]
+    assert driver.child("undo").text() == "Undo: delete uno 2"
+    driver.click("undo")
+    assert driver.names() == ["three", "two", "uno"]
+    assert driver.child("undo").text() == "Undo: call it one again"
+    driver.click("undo")
+    assert driver.names() == ["one", "three", "two"]
+    assert driver.message() == "“uno” is called “one” again."
 
 
-def test_what_is_open_is_not_taken_away_by_undoing(shelf):
-    shelf.click("create")
-    editor = shelf.app_driver.dialog(EditorWindow)
-    shelf.click("undo")
-    assert "“Trajectory” is open" in shelf.message()
-    assert "Trajectory" in shelf.names()
+def test_what_is_open_is_not_taken_away_by_undoing(driver):
+    driver.click("create")
+    editor = driver.app_driver.dialog(EditorWindow)
+    driver.click("undo")
+    assert "“Trajectory” is open" in driver.message()
+    assert "Trajectory" in driver.names()
     editor.close()
-    shelf.click("undo")
-    assert shelf.names() == ["one", "three", "two"]
+    driver.click("undo")
+    assert driver.names() == ["one", "three", "two"]
 
 
-def test_what_was_worked_on_since_is_kept(shelf):
-    shelf.click("create")
-    editor = shelf.app_driver.dialog(EditorWindow)
-    shelf.app_driver.click(editor.findChild(QWidget, "editor_insert_measured"))
+def test_what_was_worked_on_since_is_kept(driver):
+    driver.click("create")
+    editor = driver.app_driver.dialog(EditorWindow)
+    driver.app_driver.click(editor.findChild(QWidget, "editor_insert_measured"))
     editor.document.set_note("mine", "note")
     editor.save()
     assert editor.document.saved
     editor.close()
-    shelf.click("undo")
-    assert "“Trajectory” has been changed since" in shelf.message()
-    assert shelf.library.load("Trajectory").note == "mine"
-    assert not shelf.child("undo").isVisible()
+    driver.click("undo")
+    assert "“Trajectory” has been changed since" in driver.message()
+    assert driver.library.load("Trajectory").note == "mine"
+    assert not driver.child("undo").isVisible()
 
 
-def test_in_the_search_the_key_undoes_typing(shelf):
-    shelf.choose("one")
-    shelf.click("delete")
-    shelf.key(Qt.Key.Key_F, Qt.KeyboardModifier.ControlModifier)
-    QTest.keyClicks(shelf.child("search"), "tw")
-    shelf.undo()
-    assert shelf.child("search").text() == ""
-    assert shelf.names() == ["three", "two"]
+def test_in_the_search_the_key_undoes_typing(driver):
+    driver.choose("one")
+    driver.click("delete")
+    driver.key(Qt.Key.Key_F, Qt.KeyboardModifier.ControlModifier)
+    QTest.keyClicks(driver.child("search"), "tw")
+    driver.undo()
+    assert driver.child("search").text() == ""
+    assert driver.names() == ["three", "two"]
 
 
 class Bin:
     """The window of what was deleted recently."""
 
-    def __init__(self, shelf):
-        self.shelf = shelf
-        shelf.click("bin")
-        self.window = shelf.app_driver.dialog(BinDialog)
+    def __init__(self, driver):
+        self.driver = driver
+        driver.click("bin")
+        self.window = driver.app_driver.dialog(BinDialog)
 
     @property
     def table(self):
@@ -110,14 +110,14 @@ class Bin:
         QTest.mouseClick(self.table.viewport(), Qt.MouseButton.LeftButton, modifier, place)
 
     def back(self):
-        self.shelf.app_driver.click(self.window.findChild(QWidget, "bin_back"))
+        self.driver.app_driver.click(self.window.findChild(QWidget, "bin_back"))
 
     def text(self, name):
         return self.window.findChild(QWidget, f"bin_{name}").text()
 
 
-def test_nothing_deleted_is_said(shelf):
-    bin_ = Bin(shelf)
+def test_nothing_deleted_is_said(driver):
+    bin_ = Bin(driver)
     assert bin_.text("text") == "Nothing has been deleted in the last 30 days."
     back = bin_.window.findChild(QWidget, "bin_back")
     assert not back.isEnabled()
@@ -126,44 +126,44 @@ def test_nothing_deleted_is_said(shelf):
 
 def test_what_was_deleted_in_an_earlier_run_is_brought_back(app_driver):
     earlier = Library(app_driver.library_folder)
-    shelf = FileStore(app_driver, "one", "three", "two")
+    driver = LibraryDriver(app_driver, "one", "three", "two")
     two = earlier.load("two")
     assert isinstance(two, Trajectory)
     earlier.save_draft("never saved", two)
     earlier.delete(["one", "three"])
     earlier.delete(["never saved"])
-    bin_ = Bin(shelf)
+    bin_ = Bin(driver)
     assert bin_.names() == ["never saved *", "one", "three"]
     assert "30 days" in bin_.text("text")
     bin_.choose(2)
     bin_.back()
     assert bin_.names() == ["never saved *", "one"]
     assert bin_.text("message") == "Brought back: three"
-    assert shelf.names() == ["three", "two"]
+    assert driver.names() == ["three", "two"]
     bin_.choose(0)
     bin_.choose(1, Qt.KeyboardModifier.ControlModifier)
     bin_.back()
     assert bin_.names() == []
-    assert shelf.names() == ["never saved *", "one", "three", "two"]
+    assert driver.names() == ["never saved *", "one", "three", "two"]
 
 
-def test_what_was_brought_back_there_is_not_undone_again(shelf):
-    shelf.choose("one", "two")
-    shelf.click("delete")
-    bin_ = Bin(shelf)
+def test_what_was_brought_back_there_is_not_undone_again(driver):
+    driver.choose("one", "two")
+    driver.click("delete")
+    bin_ = Bin(driver)
     bin_.choose(bin_.names().index("one"))
     bin_.back()
     bin_.window.close()
-    assert shelf.child("undo").text() == "Undo: bring back two"
-    shelf.click("undo")
-    assert shelf.names() == ["one", "three", "two"]
-    assert not shelf.child("undo").isVisible()
+    assert driver.child("undo").text() == "Undo: bring back two"
+    driver.click("undo")
+    assert driver.names() == ["one", "three", "two"]
+    assert not driver.child("undo").isVisible()
 
 
-def test_what_undoing_brings_back_leaves_the_list_of_the_deleted(shelf):
-    shelf.choose("one")
-    shelf.click("delete")
-    bin_ = Bin(shelf)
+def test_what_undoing_brings_back_leaves_the_list_of_the_deleted(driver):
+    driver.choose("one")
+    driver.click("delete")
+    bin_ = Bin(driver)
     assert bin_.names() == ["one"]
-    shelf.click("undo")
+    driver.click("undo")
     assert bin_.names() == []

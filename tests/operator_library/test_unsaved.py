@@ -5,78 +5,78 @@ from PySide6.QtWidgets import QWidget
 from armui.trajectory.points.program import Trajectory
 from armui.ui.dialogs.confirm import ConfirmDialog
 from armui.ui.trajectory.editor.editor_window import EditorWindow
-from tests.operator_library.actions import POINT, FileStore
+from tests.operator_library.actions import POINT, LibraryDriver
 
 
 def lost(app_driver):
     """A library whose trajectory `one` has only unsaved changes left."""
-    shelf = FileStore(app_driver, "one", "three")
-    three = shelf.library.load("three")
+    driver = LibraryDriver(app_driver, "one", "three")
+    three = driver.library.load("three")
     assert isinstance(three, Trajectory)
-    shelf.library.save_draft("one", three)
+    driver.library.save_draft("one", three)
     (app_driver.library_folder / "one.log").unlink()
-    shelf.window.refresh()
-    return shelf
+    driver.window.refresh()
+    return driver
 
 
 def test_it_is_listed_as_what_it_is(app_driver):
-    shelf = lost(app_driver)
-    name, points, _length, _modified, check, _note = shelf.rows()[0]
+    driver = lost(app_driver)
+    name, points, _length, _modified, check, _note = driver.rows()[0]
     assert (name, points, check) == ("one *", "2", "! not saved")
-    tip = shelf.table.model().index(0, 0).data(3)  # Qt.ToolTipRole
+    tip = driver.table.model().index(0, 0).data(3)  # Qt.ToolTipRole
     assert "Open it to save it, or delete it" in tip
 
 
 def test_it_is_opened_and_saved(app_driver):
-    shelf = lost(app_driver)
-    shelf.window.open_trajectory("one")
+    driver = lost(app_driver)
+    driver.window.open_trajectory("one")
     editor = app_driver.dialog(EditorWindow)
     assert editor.document.points == (POINT, POINT)
     assert editor.windowTitle() == "one *"
     app_driver.click(editor.findChild(QWidget, "editor_save"))
-    assert shelf.names() == ["one", "three"]
-    assert shelf.library.load("one").points == (POINT, POINT)
-    assert shelf.library.drafts() == []
+    assert driver.names() == ["one", "three"]
+    assert driver.library.load("one").points == (POINT, POINT)
+    assert driver.library.drafts() == []
 
 
 def test_it_is_opened_and_discarded(app_driver):
-    shelf = lost(app_driver)
-    shelf.window.open_trajectory("one")
+    driver = lost(app_driver)
+    driver.window.open_trajectory("one")
     app_driver.dialog(EditorWindow).close()
     app_driver.click(app_driver.dialog(ConfirmDialog).action_button)
-    assert shelf.names() == ["three"]
-    assert shelf.library.drafts() == []
+    assert driver.names() == ["three"]
+    assert driver.library.drafts() == []
 
 
 def test_it_is_deleted_and_brought_back(app_driver):
-    shelf = lost(app_driver)
-    shelf.choose("one *")
-    shelf.click("delete")
-    assert shelf.names() == ["three"]
-    shelf.undo()
-    assert shelf.names() == ["one *", "three"]
+    driver = lost(app_driver)
+    driver.choose("one *")
+    driver.click("delete")
+    assert driver.names() == ["three"]
+    driver.undo()
+    assert driver.names() == ["one *", "three"]
 
 
 def test_what_needs_a_saved_one_says_so(app_driver):
-    shelf = lost(app_driver)
-    shelf.choose("one *")
+    driver = lost(app_driver)
+    driver.choose("one *")
     for name in ("duplicate", "export"):
-        assert not shelf.child(name).isEnabled()
-        assert shelf.child(name).toolTip() == "Not saved yet. Open it and save it first"
+        assert not driver.child(name).isEnabled()
+        assert driver.child(name).toolTip() == "Not saved yet. Open it and save it first"
 
 
 def test_it_gets_another_name(app_driver):
-    shelf = lost(app_driver)
-    shelf.choose("one *")
-    shelf.rename("uno")
-    assert shelf.names() == ["three", "uno *"]
-    assert len(shelf.library.draft("uno").points) == 2
+    driver = lost(app_driver)
+    driver.choose("one *")
+    driver.rename("uno")
+    assert driver.names() == ["three", "uno *"]
+    assert len(driver.library.draft("uno").points) == 2
 
 
 def test_a_damaged_one_is_told(app_driver):
-    shelf = lost(app_driver)
+    driver = lost(app_driver)
     (app_driver.library_folder / "one.draft").write_text("armui trajectory 1\nname: one\n\nJ 1\n")
-    shelf.window.refresh()
-    assert shelf.rows()[0][4] == "✕ damaged"
-    shelf.window.open_trajectory("one")
-    assert "one.draft, line 4" in shelf.message()
+    driver.window.refresh()
+    assert driver.rows()[0][4] == "✕ damaged"
+    driver.window.open_trajectory("one")
+    assert "one.draft, line 4" in driver.message()

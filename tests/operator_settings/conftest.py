@@ -6,16 +6,16 @@ from tests.operator_settings.panels import at
 
 
 @pytest.fixture
-def joints(any_desk):
+def joints(any_driver):
     """Connected, the panel 关节设置 open and read."""
-    return at(any_desk, "joint_settings")
+    return at(any_driver, "joint_settings")
 
 
 @pytest.fixture
-def end(any_desk):
-    return at(any_desk, "end_limits")
+def end(any_driver):
+    return at(any_driver, "end_limits")
 
 
 @pytest.fixture
-def collision(any_desk):
-    return at(any_desk, "collision")
+def collision(any_driver):
+    return at(any_driver, "collision")

@@ -6,23 +6,23 @@ from tests.generations import ONE_IS_ENOUGH
 from tests.operator_settings.panels import generation, note, notes, settled
 
 
-def test_what_the_arm_holds_is_read_when_the_panel_opens(any_desk):
-    any_desk.connect()
-    any_desk.firmware.settings.accelerations_deg_s2[3] = 60.0
-    any_desk.ear = HardOfHearing(any_desk.firmware)
-    any_desk.click("menu_joint_settings")
-    assert notes(any_desk) == {"reading…"}
-    assert not any_desk.find("joint_settings_save_button").isEnabled()
-    settled(any_desk)
-    assert notes(any_desk) == {""}
-    assert any_desk.read("max_angle_deg_2") == "180.0"
-    assert any_desk.read("min_angle_deg_3") == "-170.0"
+def test_what_the_arm_holds_is_read_when_the_panel_opens(any_driver):
+    any_driver.connect()
+    any_driver.firmware.settings.accelerations_deg_s2[3] = 60.0
+    any_driver.ear = HardOfHearing(any_driver.firmware)
+    any_driver.click("menu_joint_settings")
+    assert notes(any_driver) == {"reading…"}
+    assert not any_driver.find("joint_settings_save_button").isEnabled()
+    settled(any_driver)
+    assert notes(any_driver) == {""}
+    assert any_driver.read("max_angle_deg_2") == "180.0"
+    assert any_driver.read("min_angle_deg_3") == "-170.0"
     # 60 °/s² are 1.05 rad/s² or 10 rpm/s on the bus
-    second = generation(any_desk) is Generation.TWO
-    assert any_desk.read("max_acceleration_deg_s2_4") == ("60.2" if second else "60.0")
+    second = generation(any_driver) is Generation.TWO
+    assert any_driver.read("max_acceleration_deg_s2_4") == ("60.2" if second else "60.0")
     # 3 rad/s are 28.65 rpm: generation 1 rounds to 29
-    assert any_desk.read("max_speed_deg_s_1") == ("171.9" if second else "174.0")
-    asked = [each for each in any_desk.ear.heard if each.arbitration_id == 0x472]
+    assert any_driver.read("max_speed_deg_s_1") == ("171.9" if second else "174.0")
+    asked = [each for each in any_driver.ear.heard if each.arbitration_id == 0x472]
     assert len(asked) == 12
 
 
@@ -34,16 +34,16 @@ def test_nothing_can_be_typed_before_edit_is_pressed(joints):
 
 
 @ONE_IS_ENOUGH
-def test_without_an_arm_there_are_no_figures_and_a_reason(any_desk):
-    any_desk.click("menu_joint_settings")
-    assert any_desk.read("max_angle_deg_1") == ""
-    assert notes(any_desk) == {"not read"}
-    assert "No arm is connected" in any_desk.read("joint_settings_message")
-    assert not any_desk.find("joint_settings_edit_button").isEnabled()
-    any_desk.connect()
-    settled(any_desk)
-    assert any_desk.read("max_angle_deg_1") == "150.0"  # read by itself, now that it is there
-    assert any_desk.read("joint_settings_message") == ""
+def test_without_an_arm_there_are_no_figures_and_a_reason(any_driver):
+    any_driver.click("menu_joint_settings")
+    assert any_driver.read("max_angle_deg_1") == ""
+    assert notes(any_driver) == {"not read"}
+    assert "No arm is connected" in any_driver.read("joint_settings_message")
+    assert not any_driver.find("joint_settings_edit_button").isEnabled()
+    any_driver.connect()
+    settled(any_driver)
+    assert any_driver.read("max_angle_deg_1") == "150.0"  # read by itself, now that it is there
+    assert any_driver.read("joint_settings_message") == ""
 
 
 def test_an_arm_that_does_not_say_what_it_holds(end):

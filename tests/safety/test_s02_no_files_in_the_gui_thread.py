@@ -24,7 +24,7 @@ from armui.ui.watch.events.event_window import EventWindow
 from armui.ui.watch.plot_layout import SETS
 from armui.ui.watch.plot_window import PlotWindow
 from tests.app_driver import AppDriver
-from tests.operator_library.actions import POINT, FileStore
+from tests.operator_library.actions import POINT, LibraryDriver
 from tests.safety.file_watch import watched
 
 MOST_S = 200.0
@@ -63,8 +63,8 @@ def workers():
 
 
 @pytest.fixture
-def live_desk(qapp, request, tmp_path, workers):
-    """A desk with the real thread and processes behind it, and loaded as the program is."""
+def live_driver(qapp, request, tmp_path, workers):
+    """A program with the real thread and processes behind it, and loaded as the program is."""
     process, files = workers
     settings = tmp_path / "settings.json"
     name = request.node.nodeid
@@ -102,41 +102,41 @@ def test_the_watch_sees_what_it_must(tmp_path, monkeypatch):
     assert not any(subject.endswith("c") for _event, subject, _frames in seen)
 
 
-def test_the_library(live_desk, monkeypatch, tmp_path):
-    app_driver = live_desk
+def test_the_library(live_driver, monkeypatch, tmp_path):
+    app_driver = live_driver
     app_driver.ready()
     for name in ("one", "two"):
         Library(app_driver.library_folder).save(Trajectory(name, points=(POINT,) * 3))
     outside = tmp_path / "outside.log"
     outside.write_bytes(to_bytes(Trajectory("outside", points=(POINT,) * 2000), ".log"))
     with watched(monkeypatch) as seen:
-        shelf = FileStore.__new__(FileStore)
-        shelf.app_driver = app_driver
+        driver = LibraryDriver.__new__(LibraryDriver)
+        driver.app_driver = app_driver
         app_driver.click("library_button")
-        shelf.window = window = app_driver.dialog(LibraryWindow)
-        app_driver.wait(lambda: shelf.names() == ["one", "two"])
-        window._deeds.duplicate("one")
-        app_driver.wait(lambda: "one 2" in shelf.names())
-        window._deeds.rename("one 2", "three")
-        app_driver.wait(lambda: "three" in shelf.names())
-        window._deeds.delete(["three"])
-        app_driver.wait(lambda: "three" not in shelf.names())
+        driver.window = window = app_driver.dialog(LibraryWindow)
+        app_driver.wait(lambda: driver.names() == ["one", "two"])
+        window._actions.duplicate("one")
+        app_driver.wait(lambda: "one 2" in driver.names())
+        window._actions.rename("one 2", "three")
+        app_driver.wait(lambda: "three" in driver.names())
+        window._actions.delete(["three"])
+        app_driver.wait(lambda: "three" not in driver.names())
         window._bin_button.click()
         bin_dialog = app_driver.dialog(BinDialog)
         table = bin_dialog.findChild(QTableView)
         app_driver.wait(lambda: table is None or table.model().rowCount() > 0)
         bin_dialog.close()
-        window._deeds.undo()
-        app_driver.wait(lambda: "three" in shelf.names())
+        window._actions.undo()
+        app_driver.wait(lambda: "three" in driver.names())
         window._exchange.import_files([outside])
-        app_driver.wait(lambda: "outside" in shelf.names())
+        app_driver.wait(lambda: "outside" in driver.names())
         window._exchange._write(["one", "two"], lambda name: tmp_path / f"{name}.csv")
         idle(app_driver)
-        shelf.choose("one")
+        driver.choose("one")
         window._strip.check()
         app_driver.wait(
             lambda: (
-                shelf.rows()[shelf.names().index("one")][4] != "–" and not window._strip._checking
+                driver.rows()[driver.names().index("one")][4] != "–" and not window._strip._checking
             )
         )
         window._strip._on_send()
@@ -146,8 +146,8 @@ def test_the_library(live_desk, monkeypatch, tmp_path):
     assert forbidden(seen) == []
 
 
-def test_the_editor(live_desk, monkeypatch):
-    app_driver = live_desk
+def test_the_editor(live_driver, monkeypatch):
+    app_driver = live_driver
     app_driver.ready()
     Library(app_driver.library_folder).save(Trajectory("one", points=(POINT,) * 3))
     app_driver.click("library_button")
@@ -171,8 +171,8 @@ def test_the_editor(live_desk, monkeypatch):
     assert len(Library(app_driver.library_folder).load("one").points) == 4
 
 
-def test_a_recording(live_desk, monkeypatch):
-    app_driver = live_desk
+def test_a_recording(live_driver, monkeypatch):
+    app_driver = live_driver
     app_driver.ready()
     app_driver.click("library_button")
     window = app_driver.dialog(LibraryWindow)
@@ -194,8 +194,8 @@ def test_a_recording(live_desk, monkeypatch):
     assert forbidden(seen) == []
 
 
-def test_the_curves(live_desk, monkeypatch, tmp_path):
-    app_driver = live_desk
+def test_the_curves(live_driver, monkeypatch, tmp_path):
+    app_driver = live_driver
     app_driver.ready()
     with watched(monkeypatch) as seen:
         app_driver.click("plots_button")
@@ -259,8 +259,8 @@ def test_the_dialogs(app_driver, monkeypatch, name):
     assert forbidden(seen) == []
 
 
-def test_the_file_choosers(live_desk, monkeypatch):
-    app_driver = live_desk
+def test_the_file_choosers(live_driver, monkeypatch):
+    app_driver = live_driver
     app_driver.ready()
     Library(app_driver.library_folder).save(Trajectory("one", points=(POINT,)))
     app_driver.click("library_button")

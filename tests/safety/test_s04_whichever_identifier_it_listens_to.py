@@ -21,8 +21,8 @@ def keep_control_offset(rig, offset):
 
 
 @pytest.mark.parametrize("offset", [0x00, 0x10, 0x20])
-def test_the_first_stop_reaches_an_arm_that_kept_a_control_offset(any_bench, offset):
-    rig = any_bench
+def test_the_first_stop_reaches_an_arm_that_kept_a_control_offset(any_rig, offset):
+    rig = any_rig
     keep_control_offset(rig, offset)
     rig.connect()
     rig.controller.emergency_stop()
@@ -31,8 +31,8 @@ def test_the_first_stop_reaches_an_arm_that_kept_a_control_offset(any_bench, off
     assert rig.firmware.stopped
 
 
-def test_it_goes_out_on_all_three_its_own_first(any_bench):
-    rig = any_bench
+def test_it_goes_out_on_all_three_its_own_first(any_rig):
+    rig = any_rig
     rig.connect()
     ear = HardOfHearing(rig.firmware)
     rig.controller.emergency_stop()
@@ -59,8 +59,8 @@ def test_one_arm_alone_names_no_other(rig):
     assert "stop_reaches_other" not in rig.codes()
 
 
-def test_a_linkage_change_the_arm_never_heard_is_not_told_as_in_use(any_bench):
-    rig = any_bench
+def test_a_linkage_change_the_arm_never_heard_is_not_told_as_in_use(any_rig):
+    rig = any_rig
     rig.connect()
     ear = HardOfHearing(rig.firmware)
     ear.deaf_to = {0x470}
@@ -78,8 +78,8 @@ def test_a_linkage_change_the_arm_never_heard_is_not_told_as_in_use(any_bench):
     assert rig.firmware.stopped
 
 
-def test_an_answer_proves_it(any_bench):
-    rig = any_bench
+def test_an_answer_proves_it(any_rig):
+    rig = any_rig
     rig.connect()
     assert rig.controller.linkage.set(OUTPUT, control_offset=0x10) is None
     rig.run_until(lambda: "linkage_in_use" in rig.codes())

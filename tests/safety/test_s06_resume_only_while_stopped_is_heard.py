@@ -10,11 +10,11 @@ from tests.sim.talk import RESUME, frame
 
 
 @pytest.fixture
-def stopped(any_desk):
-    any_desk.connect_by_hand()
-    any_desk.controller.emergency_stop()
-    any_desk.run_until(lambda: any_desk.controller.operating_state.stop is StopState.STOPPED)
-    return any_desk
+def stopped(any_driver):
+    any_driver.connect_by_hand()
+    any_driver.controller.emergency_stop()
+    any_driver.run_until(lambda: any_driver.controller.operating_state.stop is StopState.STOPPED)
+    return any_driver
 
 
 def test_with_a_silent_status_the_button_stops(stopped):

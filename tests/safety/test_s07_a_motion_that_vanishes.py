@@ -51,8 +51,8 @@ NOWHERE = {
 
 
 @pytest.mark.parametrize("motion", MOTIONS.values(), ids=MOTIONS)
-def test_it_is_said_of_an_arm_that_listens_elsewhere(any_bench, motion):
-    rig = any_bench
+def test_it_is_said_of_an_arm_that_listens_elsewhere(any_rig, motion):
+    rig = any_rig
     controller = ready(rig, 0x10)
     assert motion(controller) is None
     rig.run(2.0)
@@ -80,11 +80,11 @@ def test_a_held_jog_that_moves_nothing_is_said_to_move_nothing(rig):
 
 
 @pytest.mark.parametrize("motion", MOTIONS.values(), ids=MOTIONS)
-def test_nothing_is_said_of_a_motion_that_is_taken(any_bench, motion):
-    controller = ready(any_bench, 0x00)
+def test_nothing_is_said_of_a_motion_that_is_taken(any_rig, motion):
+    controller = ready(any_rig, 0x00)
     assert motion(controller) is None
-    any_bench.run(4.0)
-    assert EventCode.MOTION_UNHEEDED not in any_bench.codes()
+    any_rig.run(4.0)
+    assert EventCode.MOTION_UNHEEDED not in any_rig.codes()
 
 
 @pytest.mark.parametrize("motion", NOWHERE.values(), ids=NOWHERE)

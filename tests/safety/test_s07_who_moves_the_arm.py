@@ -14,8 +14,8 @@ def mover(rig) -> Mover:
     return rig.controller.operating_state.mover
 
 
-def test_nobody_then_gravity_then_nobody(any_bench):
-    rig = any_bench
+def test_nobody_then_gravity_then_nobody(any_rig):
+    rig = any_rig
     rig.connect()
     rig.run(0.5)
     assert mover(rig) is Mover.GRAVITY
@@ -24,8 +24,8 @@ def test_nobody_then_gravity_then_nobody(any_bench):
     assert mover(rig) is Mover.NOBODY
 
 
-def test_ours_while_it_is_under_way(any_bench):
-    rig = any_bench
+def test_ours_while_it_is_under_way(any_rig):
+    rig = any_rig
     rig.ready()
     assert rig.controller.motion.send_joints(A) is None
     rig.run(0.4)
@@ -34,8 +34,8 @@ def test_ours_while_it_is_under_way(any_bench):
     assert mover(rig) is Mover.NOBODY
 
 
-def test_a_hand_in_drag_teaching(any_bench):
-    rig = any_bench
+def test_a_hand_in_drag_teaching(any_rig):
+    rig = any_rig
     rig.ready()
     assert rig.controller.teaching.command(TeachingState.START_RECORDING) is None
     rig.run(0.5)
@@ -43,8 +43,8 @@ def test_a_hand_in_drag_teaching(any_bench):
 
 
 @pytest.mark.parametrize("silent", [0x2A1, 0x2A6])
-def test_not_known_while_the_arm_is_not_heard(any_bench, silent):
-    rig = any_bench
+def test_not_known_while_the_arm_is_not_heard(any_rig, silent):
+    rig = any_rig
     rig.ready()
     rig.node.link.mute_on.add(silent)
     rig.run(0.7)

@@ -11,12 +11,12 @@ A = (30.0, 30.0, -30.0, 0.0, 0.0, 0.0)
 
 
 @pytest.fixture
-def ready(any_bench):
-    any_bench.ready()
-    assert any_bench.controller.motion.send_joints(A) is None
-    any_bench.run(4.0)
-    any_bench.heard()
-    return any_bench
+def ready(any_rig):
+    any_rig.ready()
+    assert any_rig.controller.motion.send_joints(A) is None
+    any_rig.run(4.0)
+    any_rig.heard()
+    return any_rig
 
 
 @pytest.mark.parametrize("silent", [0x2A1, 0x2A5, 0x2A6, 0x2A7])

@@ -10,12 +10,12 @@ FAR = (120.0, 60.0, -60.0, 0.0, 0.0, 0.0)
 
 
 @pytest.fixture
-def moving(any_bench):
-    any_bench.ready()
-    any_bench.controller.motion.set_speed_percent(60)
-    assert any_bench.controller.motion.send_joints(FAR) is None
-    any_bench.run(0.6)
-    return any_bench
+def moving(any_rig):
+    any_rig.ready()
+    any_rig.controller.motion.set_speed_percent(60)
+    assert any_rig.controller.motion.send_joints(FAR) is None
+    any_rig.run(0.6)
+    return any_rig
 
 
 @pytest.mark.parametrize(

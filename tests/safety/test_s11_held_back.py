@@ -11,8 +11,8 @@ FAR = (80.0, 40.0, -40.0, 0.0, 0.0, 0.0)
 
 
 @pytest.fixture(params=["speed", "pause"])
-def held(request, any_bench):
-    rig, controller = any_bench, any_bench.controller
+def held(request, any_rig):
+    rig, controller = any_rig, any_rig.controller
     rig.ready()
     assert controller.motion.send_joints(FAR) is None
     rig.run(0.6)
@@ -75,8 +75,8 @@ def test_it_is_dropped_for_good(held):
     assert controller.operating_state.cannot_move is None
 
 
-def test_it_does_not_go_on_at_zero_percent(any_bench):
-    rig, controller = any_bench, any_bench.controller
+def test_it_does_not_go_on_at_zero_percent(any_rig):
+    rig, controller = any_rig, any_rig.controller
     rig.ready()
     assert controller.motion.send_joints(FAR) is None
     rig.run(0.6)

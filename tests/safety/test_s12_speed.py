@@ -10,13 +10,13 @@ FAR = (140.0, 30.0, -30.0, 0.0, 0.0, 0.0)
 
 
 @pytest.fixture
-def ready(any_bench):
-    any_bench.ready()
-    any_bench.controller.motion.set_speed_percent(100)
-    assert any_bench.controller.motion.send_joints(HERE) is None
-    any_bench.run(2.5)
-    any_bench.heard()
-    return any_bench
+def ready(any_rig):
+    any_rig.ready()
+    any_rig.controller.motion.set_speed_percent(100)
+    assert any_rig.controller.motion.send_joints(HERE) is None
+    any_rig.run(2.5)
+    any_rig.heard()
+    return any_rig
 
 
 def fastest_deg_s(rig, seconds):

@@ -14,9 +14,9 @@ STOPS = {0x150, 0x160, 0x170}
 
 
 @pytest.fixture
-def listening(any_bench):
+def listening(any_rig):
     """An arm somebody else has enabled, listened to."""
-    rig = any_bench
+    rig = any_rig
     rig.firmware.step(0.0)
     rig.said = []
     on_frame = rig.firmware.on_frame

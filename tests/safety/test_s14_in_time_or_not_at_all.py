@@ -14,8 +14,8 @@ ANSWER = 0x476
 
 
 @pytest.fixture
-def arm(any_bench):
-    return laid_down(any_bench)
+def arm(any_rig):
+    return laid_down(any_rig)
 
 
 def zeros(arm):
@@ -91,16 +91,16 @@ def test_a_zero_unanswered_where_the_joint_lay_at_zero_is_not_told_as_set(arm):
     assert failed(arm) == ["setting_unanswered"]
 
 
-def test_no_zero_while_the_angles_are_silent(any_bench):
-    any_bench.connect()
+def test_no_zero_while_the_angles_are_silent(any_rig):
+    any_rig.connect()
     silence = {0x2A5, 0x2A6, 0x2A7}
-    step = any_bench.firmware.step
-    any_bench.firmware.step = lambda dt_s: [
+    step = any_rig.firmware.step
+    any_rig.firmware.step = lambda dt_s: [
         frame for frame in step(dt_s) if frame.arbitration_id not in silence
     ]
-    any_bench.run(0.7)
-    assert any_bench.controller.zeroing.set_zero(1).code == RefusalCode.JOINTS_UNKNOWN
-    del any_bench.firmware.step
+    any_rig.run(0.7)
+    assert any_rig.controller.zeroing.set_zero(1).code == RefusalCode.JOINTS_UNKNOWN
+    del any_rig.firmware.step
 
 
 def test_a_parameter_is_not_set_again_on_an_arm_that_moves_by_then(rig, other_host):

@@ -52,18 +52,18 @@ def test_frames_of_a_backlog_are_not_dated_now(qapp, clock):
     clock[0] += 3.0
     bus.frames = [ANGLES] * 3
     worker._receive_burst(bus)
-    worker._state = worker._tracker.picture()
+    worker._state = worker._tracker.snapshot()
     assert worker.state.last_feedback_s == 1000.0
     bus.frames = [ANGLES]
     worker._receive_burst(bus)
-    worker._state = worker._tracker.picture()
+    worker._state = worker._tracker.snapshot()
     assert worker.state.last_feedback_s == 1003.0
     bus.shutdown()
     assert worker.state.silences == 1
 
 
-def test_after_a_sleep_nothing_of_before_goes_on(any_bench):
-    rig = any_bench
+def test_after_a_sleep_nothing_of_before_goes_on(any_rig):
+    rig = any_rig
     rig.ready()
     assert rig.controller.jogging.start(JointJog(1, 1)) is None
     rig.run_until(lambda: rig.controller.operating_state.jogging)

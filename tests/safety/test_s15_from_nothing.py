@@ -82,8 +82,8 @@ def test_an_arm_swapped_while_the_window_was_held_up_is_asked_anew(rig):
     assert rig.controller.operating_state.generation is Generation.ONE
 
 
-def test_a_power_cycle_starts_from_nothing(any_bench):
-    rig = any_bench
+def test_a_power_cycle_starts_from_nothing(any_rig):
+    rig = any_rig
     rig.connect()
     rig.controller.settings.read([END])
     settled(rig)
@@ -98,8 +98,8 @@ def test_a_power_cycle_starts_from_nothing(any_bench):
     assert rig.controller.settings.cell(LINEAR_SPEED).state is CellState.UNREAD
 
 
-def test_after_a_power_cycle_the_offset_of_the_commands_is_proven_by_nothing(any_bench):
-    rig = any_bench
+def test_after_a_power_cycle_the_offset_of_the_commands_is_proven_by_nothing(any_rig):
+    rig = any_rig
     rig.connect()
     assert rig.controller.linkage.set(LinkageRole.MOTION_OUTPUT, control_offset=0x10) is None
     rig.run_until(lambda: rig.controller.operating_state.addressing.control_offset == 0x10)
@@ -111,8 +111,8 @@ def test_after_a_power_cycle_the_offset_of_the_commands_is_proven_by_nothing(any
     assert not rig.controller.operating_state.control_certain
 
 
-def test_after_a_lost_cable_nothing_of_before_counts(any_bench, qtbot):
-    rig = any_bench
+def test_after_a_lost_cable_nothing_of_before_counts(any_rig, qtbot):
+    rig = any_rig
     rig.connect()
     rig.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
     qtbot.waitUntil(lambda: rig.controller.operating_state.link is LinkState.LOST)
@@ -176,8 +176,8 @@ def test_a_late_failure_of_one_device_does_not_close_the_next(rig):
     assert "connect_failed" not in rig.codes()
 
 
-def test_an_arm_that_is_only_listened_to_is_told_by_its_pace(any_bench, generation):
-    rig = any_bench
+def test_an_arm_that_is_only_listened_to_is_told_by_its_pace(any_rig, generation):
+    rig = any_rig
     rig.controller.connect_device(replace(rig.device, listen_only=True))
     rig.run_until(lambda: rig.controller.operating_state.generation is not None, 3.0)
     assert rig.controller.operating_state.generation is generation

@@ -88,7 +88,7 @@ def empty(rig):
 
 
 def step_blocked(rig, qtbot, tries, seconds):
-    """Let time pass although something waits; the bench's own step waits until nothing does."""
+    """Let time pass although something waits; the rig's own step waits until nothing does."""
     connection = rig.controller._connection
     for _ in range(round(seconds / 0.1)):
         before = len(tries)

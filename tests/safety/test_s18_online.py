@@ -43,7 +43,7 @@ def version_heard(*payloads):
     tracker = Tracker(codec)
     for payload in payloads:
         tracker.update(codec.decode(Frame(0x4AF, payload)), 1.0)
-    return tracker.picture().firmware
+    return tracker.snapshot().firmware
 
 
 def test_another_hosts_question_in_the_middle_of_an_answer_does_not_cut_it():
@@ -65,8 +65,8 @@ def test_an_answer_that_lost_a_frame_gives_no_version_and_the_next_one_does():
     assert version_heard(whole[0], b"25\0\0\0\0\0\0", *whole) == "S-V1.8-5"
 
 
-def test_a_leading_arm_whose_drivers_go_on_sending_is_no_dead_end(any_bench, generation):
-    rig = any_bench
+def test_a_leading_arm_whose_drivers_go_on_sending_is_no_dead_end(any_rig, generation):
+    rig = any_rig
     leader = OtherHost(rig)
     rig.powered = False
     rig.controller.connect_device(rig.device)

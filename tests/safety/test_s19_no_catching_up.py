@@ -14,9 +14,9 @@ PERIOD_S = 0.02
 
 
 @pytest.fixture
-def ready(any_bench):
-    any_bench.ready()
-    return any_bench
+def ready(any_rig):
+    any_rig.ready()
+    return any_rig
 
 
 def ramp(seconds=20.0, speed_deg_s=10.0):

@@ -116,8 +116,8 @@ def frames(rig):
     return [(frame.arbitration_id, bytes(frame.data)) for frame in rig.heard()]
 
 
-def test_ending_the_program_ends_a_single_motion(any_bench):
-    rig = any_bench
+def test_ending_the_program_ends_a_single_motion(any_rig):
+    rig = any_rig
     rig.ready()
     assert rig.controller.motion.send_joints(FAR) is None
     rig.run(1.0)
@@ -126,8 +126,8 @@ def test_ending_the_program_ends_a_single_motion(any_bench):
     assert (0x150, ABORT) in frames(rig)
 
 
-def test_at_rest_nothing_is_sent_at_the_end(any_bench):
-    rig = any_bench
+def test_at_rest_nothing_is_sent_at_the_end(any_rig):
+    rig = any_rig
     rig.ready()
     rig.run(1.0)
     rig.heard()
@@ -147,21 +147,21 @@ def moving(app_driver):
     return app_driver.dialog(CloseQuestion)
 
 
-def test_closing_the_window_ends_the_motion_first(any_desk):
-    question = moving(any_desk)
-    any_desk.click(question.action_button)
-    assert (0x150, ABORT) in frames(any_desk)
-    assert any_desk.window.isVisible()
-    any_desk.run_until(lambda: not any_desk.window.isVisible(), seconds=4.0)
-    assert not any_desk.controller.operating_state.moving
+def test_closing_the_window_ends_the_motion_first(any_driver):
+    question = moving(any_driver)
+    any_driver.click(question.action_button)
+    assert (0x150, ABORT) in frames(any_driver)
+    assert any_driver.window.isVisible()
+    any_driver.run_until(lambda: not any_driver.window.isVisible(), seconds=4.0)
+    assert not any_driver.controller.operating_state.moving
 
 
-def test_the_operator_may_let_it_finish(any_desk):
-    question = moving(any_desk)
-    any_desk.click(question.let_finish_button)
-    assert not any_desk.window.isVisible()
-    any_desk.program.shutdown()
-    assert (0x150, ABORT) not in frames(any_desk)
+def test_the_operator_may_let_it_finish(any_driver):
+    question = moving(any_driver)
+    any_driver.click(question.let_finish_button)
+    assert not any_driver.window.isVisible()
+    any_driver.program.shutdown()
+    assert (0x150, ABORT) not in frames(any_driver)
 
 
 def test_an_arm_that_does_not_come_to_rest_keeps_no_window(app_driver):

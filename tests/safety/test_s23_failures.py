@@ -136,8 +136,8 @@ def test_the_window_says_it_in_one_line_with_a_text_to_copy(app_driver, told):
     assert not line.isVisible()
 
 
-def test_a_jog_whose_part_fails_ends_and_the_stop_still_stops(any_desk, told, monkeypatch):
-    arm = any_desk
+def test_a_jog_whose_part_fails_ends_and_the_stop_still_stops(any_driver, told, monkeypatch):
+    arm = any_driver
     arm.ready()
     jogging = arm.controller.jogging
     assert jogging.start(JointJog(1, 1)) is None

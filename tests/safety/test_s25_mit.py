@@ -57,6 +57,14 @@ def test_the_speed_slider_lets_no_arm_fall(raised, other_host):
     assert rig.firmware.joints_deg == pytest.approx(A, abs=1.0)
 
 
+def resume_and_enable(rig):
+    rig.run(0.5)
+    assert rig.controller.motors.resume() is None
+    rig.run(3.0)
+    assert rig.controller.motors.enable() is None
+    rig.run(1.0)
+
+
 def test_the_way_back_is_the_reset(raised, other_host):
     rig, controller = raised, raised.controller
     other_host.say(MIT)
@@ -66,12 +74,7 @@ def test_the_way_back_is_the_reset(raised, other_host):
     assert step.dangerous
 
     assert controller.recovery.act(step) is None
-    rig.run(0.5)
-    assert controller.motors.resume() is None
-    rig.run(3.0)
-    assert controller.motors.enable() is None
-    rig.run(1.0)
-
+    resume_and_enable(rig)
     assert controller.operating_state.cannot_move is None
 
 
@@ -81,10 +84,5 @@ def test_high_follow_is_over_after_the_reset(raised, other_host):
     rig.run(3.0)
     assert controller.operating_state.cannot_move.code == RefusalCode.OTHER_MODE
     controller.emergency_stop()
-    rig.run(0.5)
-    assert controller.motors.resume() is None
-    rig.run(3.0)
-    assert controller.motors.enable() is None
-    rig.run(1.0)
-
+    resume_and_enable(rig)
     assert controller.operating_state.cannot_move is None

@@ -52,8 +52,8 @@ MOTIONS = {
 
 
 @pytest.mark.parametrize("begin", MOTIONS.values(), ids=MOTIONS)
-def test_it_ends_whatever_is_under_way_and_nothing_comes_back(any_bench, begin):
-    rig = any_bench
+def test_it_ends_whatever_is_under_way_and_nothing_comes_back(any_rig, begin):
+    rig = any_rig
     if begin not in (joint_jog, tool_jog):
         rig.ready()
     begin(rig)
@@ -83,8 +83,8 @@ def test_the_literal_frames_go_out_on_all_three_identifiers(rig):
     assert said == [Frame(each, ABORT) for each in (0x150, 0x160, 0x170)]
 
 
-def test_it_reaches_an_arm_whose_control_offset_is_not_proven(any_bench):
-    rig = any_bench
+def test_it_reaches_an_arm_whose_control_offset_is_not_proven(any_rig):
+    rig = any_rig
     rig.firmware.settings.linkage = LinkageSettings(LinkageRole.MOTION_OUTPUT, 0x10, 0x20)
     rig.firmware._take_linkage()
     rig.controller.connect_device(rig.device)

@@ -52,7 +52,7 @@ def test_settings_survive_a_restart_in_a_file(tmp_path: Path) -> None:
     assert tell(second, *ASK_EVERYTHING) == ANSWERS
     assert second.settings.load is EndLoad.HALF
     assert now(second.joints_deg) == (0, 90, 0, 0, 0, 0)
-    assert flash.trouble == ""
+    assert flash.problem == ""
     assert [each.name for each in tmp_path.iterdir()] == ["arm.json"]
 
 
@@ -115,13 +115,13 @@ def test_a_broken_file_is_kept_aside(tmp_path: Path, content: bytes, reason: str
     flash = FileFlash(path)
     arm = Firmware(TWO, flash=flash)
     assert arm.settings == ArmSettingsRecord()
-    assert flash.trouble.startswith(f"{path} is broken, factory values in use: ")
-    assert reason in flash.trouble
-    assert flash.trouble.endswith("; kept as arm.json.broken")
+    assert flash.problem.startswith(f"{path} is broken, factory values in use: ")
+    assert reason in flash.problem
+    assert flash.problem.endswith("; kept as arm.json.broken")
     assert (tmp_path / "arm.json.broken").read_bytes() == content
     tell(arm, "47A#0001020304080000")
     assert FileFlash(path).load().collision_levels == (0, 1, 2, 3, 4, 8)
-    assert flash.trouble == ""
+    assert flash.problem == ""
 
 
 def test_a_truncated_file_is_broken(tmp_path: Path) -> None:
@@ -131,21 +131,21 @@ def test_a_truncated_file_is_broken(tmp_path: Path) -> None:
         path.write_text(text[:length], encoding="utf-8")
         flash = FileFlash(path)
         assert flash.load() == ArmSettingsRecord()
-        assert flash.trouble
+        assert flash.problem
 
 
 def test_a_folder_that_is_not_there_is_told_and_the_arm_goes_on(tmp_path: Path) -> None:
     flash = FileFlash(tmp_path / "nowhere" / "arm.json")
     arm = Firmware(TWO, flash=flash)
     assert tell(arm, "47A#0001020304080000") == ["476#7A00000000000000"]
-    assert flash.trouble == f"cannot write {flash.path}: No such file or directory"
+    assert flash.problem == f"cannot write {flash.path}: No such file or directory"
     assert tell(arm, "477#0200000000000000") == ["47B#0001020304080000"]
 
 
 def test_a_folder_in_place_of_the_file_is_told(tmp_path: Path) -> None:
     flash = FileFlash(tmp_path)
     assert flash.load() == ArmSettingsRecord()
-    assert flash.trouble.startswith(f"cannot read {tmp_path}, factory values in use: ")
+    assert flash.problem.startswith(f"cannot read {tmp_path}, factory values in use: ")
 
 
 def test_a_failed_write_leaves_the_old_file_and_no_other(
@@ -162,11 +162,11 @@ def test_a_failed_write_leaves_the_old_file_and_no_other(
     with monkeypatch.context() as patch:
         patch.setattr("os.fsync", full)
         flash.save(ArmSettingsRecord(load=EndLoad.FULL))
-    assert flash.trouble == f"cannot write {path}: No space left on device"
+    assert flash.problem == f"cannot write {path}: No space left on device"
     assert path.read_bytes() == before
     assert list(tmp_path.iterdir()) == [path]
     flash.save(ArmSettingsRecord(load=EndLoad.FULL))
-    assert flash.trouble == ""
+    assert flash.problem == ""
     assert FileFlash(path).load().load is EndLoad.FULL
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from hypothesis import strategies as st
 
 from armui.protocol.codes import MoveMode
+from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.points.program import (
     JOINT_NAMES,
     LONGEST_NAME,
@@ -21,6 +22,14 @@ from armui.trajectory.points.program import (
     Waypoint,
 )
 from armui.trajectory.samples.recording import Recording
+
+
+def outcome(call, *arguments):
+    """What a call returns, or the error it may raise."""
+    try:
+        return call(*arguments)
+    except TrajectoryFileError as error:
+        return error
 
 
 def figure(name: str) -> st.SearchStrategy[float]:

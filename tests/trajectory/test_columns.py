@@ -1,4 +1,4 @@
-"""Tables of unknown build: what is seen in them, and what they become by a mapping."""
+"""Tables of an unknown dialect: what is seen in them, and what they become by a mapping."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.points.program import GripperOpening, Trajectory
 from armui.trajectory.samples.recording import Recording
 from tests.examples import examples
+from tests.trajectory.strategies import outcome
 
 JOINTS = [f"J{joint}" for joint in range(1, 7)]
 
@@ -255,14 +256,6 @@ WIDE = st.lists(
     max_size=6,
 ).map("\n".join)
 """Rows of half-sensible cells, wide enough for a recording."""
-
-
-def outcome(call, *arguments):
-    """What a call returns, or the error it may raise."""
-    try:
-        return call(*arguments)
-    except TrajectoryFileError as error:
-        return error
 
 
 @settings(max_examples=examples(100))

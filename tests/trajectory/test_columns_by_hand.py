@@ -1,4 +1,4 @@
-"""Tables of unknown build as the operator says they are: encoding, delimiter, first line."""
+"""Tables of an unknown dialect as the operator says they are: encoding, delimiter, first line."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from armui.trajectory.columns.encodings import decode_as, guess_encoding
 from armui.trajectory.columns.model import DECIMALS, DELIMITERS
 from armui.trajectory.files import TrajectoryFileError
 from tests.examples import examples
+from tests.trajectory.strategies import outcome
 
 ROW = "1,5;2;3\n"
 
@@ -70,7 +71,7 @@ def test_a_table_broken_further_down_is_shown_up_to_there_and_told_where(tmp_pat
         columns.apply(text, sheet, mapping, "x")
 
 
-def test_thousands_of_columns_are_no_hindrance():
+def test_thousands_of_columns_are_imported():
     titles = ["other"] * 3000
     titles[2000:2007] = "t_s", *(f"j{joint}_deg" for joint in range(1, 7))
     text = ",".join(titles) + "\n" + (",".join(["1.5"] * 3000) + "\n") * 100
@@ -138,14 +139,6 @@ def test_a_file_that_is_gone_is_told(tmp_path):
         columns.open_table(tmp_path / "gone.txt")
 
 
-def outcome(call, *arguments):
-    """What a call returns, or the error it may raise."""
-    try:
-        return call(*arguments)
-    except TrajectoryFileError as error:
-        return error
-
-
 @settings(max_examples=examples(100))
 @given(
     st.binary(max_size=120) | st.text("0123456789.,;\t| -#é时\n", max_size=120).map(str.encode),
@@ -157,15 +150,15 @@ def outcome(call, *arguments):
         st.none() | st.integers(1, 9),
     ),
 )
-def test_any_bytes_in_any_build_are_read_or_refused(data, encoding, build):
+def test_any_bytes_in_any_dialect_are_read_or_refused(data, encoding, dialect):
     table = columns.TableFile("x", data, Encoding.UTF_8, "", columns.sniff("1,2"))
-    table = outcome(table.read_anew, encoding, build)
+    table = outcome(table.read_anew, encoding, dialect)
     if isinstance(table, TrajectoryFileError):
         assert table.reason.code in set(RefusalCode)
         return
     sheet = table.sheet
     assert len(sheet.guesses) == sheet.width >= 1
     assert 1 <= sheet.first_line <= max(1, sheet.lines)
-    for said, shown in zip(build[:2], (sheet.delimiter, sheet.decimal), strict=True):
+    for said, shown in zip(dialect[:2], (sheet.delimiter, sheet.decimal), strict=True):
         assert said in (None, shown)
     assert encoding in (None, table.encoding)

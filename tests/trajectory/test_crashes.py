@@ -54,12 +54,12 @@ class FullDisk:
 
 
 ACTIONS = {
-    "save": lambda shelf: shelf.save(NEW, replacing="pick"),
-    "save another": lambda shelf: shelf.save(replace(NEW, name="other")),
-    "rename": lambda shelf: shelf.rename("pick", "other"),
-    "duplicate": lambda shelf: shelf.duplicate("pick", "other"),
-    "delete": lambda shelf: shelf.delete(["pick"]),
-    "draft": lambda shelf: shelf.save_draft("pick", NEW),
+    "save": lambda library: library.save(NEW, replacing="pick"),
+    "save another": lambda library: library.save(replace(NEW, name="other")),
+    "rename": lambda library: library.rename("pick", "other"),
+    "duplicate": lambda library: library.duplicate("pick", "other"),
+    "delete": lambda library: library.delete(["pick"]),
+    "draft": lambda library: library.save_draft("pick", NEW),
 }
 
 
@@ -70,14 +70,14 @@ def test_a_disk_that_refuses_any_one_step_is_named_and_changes_nothing(
     refusals = 0
     for steps in range(40):
         folder = tmp_path / str(steps)
-        shelf = Library(folder)
-        shelf.save(OLD)
-        before = [(entry.name, entry.count, entry.note) for entry in shelf.entries()]
+        library = Library(folder)
+        library.save(OLD)
+        before = [(entry.name, entry.count, entry.note) for entry in library.entries()]
         with monkeypatch.context() as patch:
             disk = FullDisk(patch, steps)
             error = None
             try:
-                ACTIONS[action](shelf)
+                ACTIONS[action](library)
             except LibraryError as caught:
                 error = caught
         if error is not None:

@@ -8,6 +8,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 
 from armui.ui.theme import Theme, apply_theme
+from armui.ui.translation import Translator
 from tests.ui.fake_controller import FakeController
 
 
@@ -17,3 +18,10 @@ def controller(qapp: QApplication) -> Iterator[FakeController]:
     fake = FakeController()
     yield fake
     fake.deleteLater()
+
+
+@pytest.fixture
+def translator(qapp: QApplication) -> Iterator[Translator]:
+    translator = Translator(qapp)
+    yield translator
+    translator.set_language("en")

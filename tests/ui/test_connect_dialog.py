@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import pytest
 from PySide6.QtCore import QItemSelectionModel, Qt
 from PySide6.QtWidgets import QApplication, QTableView
@@ -27,13 +25,6 @@ SIM_1 = Device("virtual", "sim-1", None, simulated=True, generation=1)
 CAN0 = Device("socketcan", "can0", None)
 CANDLE = Device("gs_usb", "0", 1_000_000, serial="0031002F")
 FOUND = [SIM_2, SIM_1, CAN0, CANDLE]
-
-
-@pytest.fixture
-def translator(qapp: QApplication) -> Iterator[Translator]:
-    translator = Translator(qapp)
-    yield translator
-    translator.set_language("en")
 
 
 @pytest.fixture

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -34,13 +34,6 @@ LEFT = Qt.MouseButton.LeftButton
 @pytest.fixture
 def store(tmp_path: Path) -> SettingsStore:
     return SettingsStore(tmp_path / "settings.json")
-
-
-@pytest.fixture
-def translator(qapp: QApplication) -> Iterator[Translator]:
-    translator = Translator(qapp)
-    yield translator
-    translator.set_language("en")
 
 
 MakeDialog = Callable[[FakeController, SettingsStore], QDialog]

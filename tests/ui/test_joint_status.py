@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 from datetime import datetime, timedelta
 
@@ -104,13 +103,6 @@ def dialog(qtbot: QtBot, controller: FakeController, monitor: JointMonitor) -> J
     dialog = JointStatusDialog(controller.as_real, monitor)
     shown(qtbot, dialog)
     return dialog
-
-
-@pytest.fixture
-def translator(qapp: QApplication) -> Iterator[Translator]:
-    translator = Translator(qapp)
-    yield translator
-    translator.set_language("en")
 
 
 def view(model: JointStatusModel, row: int, joint: int) -> CellView:

@@ -67,7 +67,7 @@ NAMED = [
     "teaching_message",
     "teaching_start_recording",
     "plan_pause",
-    "way_out",
+    "teaching_exit_steps",
     *(f"light_joint_{joint}" for joint in range(1, 7)),
     *(
         f"{panel}_{name}"

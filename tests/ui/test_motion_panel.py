@@ -103,7 +103,7 @@ def test_escape_brings_the_figure_back(panel, controller, qtbot):
     type_into(qtbot, field(panel, 1), "99")
     qtbot.keyClick(field(panel, 1), Qt.Key.Key_Escape)
     assert field(panel, 1).text() == "10.000"
-    assert slider(panel, 1).wish == pytest.approx(10.0)
+    assert slider(panel, 1).requested == pytest.approx(10.0)
 
 
 def test_arrow_keys_turn_the_figure_by_the_step(panel, controller, qtbot):

@@ -96,7 +96,7 @@ def test_speed_by_keys_on_the_slider(slider, field, controller, qtbot):
     qtbot.keyClick(slider, Qt.Key.Key_PageUp)
     assert controller.calls == [("set_speed_percent", 31), ("set_speed_percent", 41)]
     assert field.value() == 41
-    assert slider.wish == 41
+    assert slider.requested == 41
 
 
 def test_a_click_beside_the_handle_goes_a_page_only(slider, controller, qtbot):
@@ -130,7 +130,7 @@ def test_a_refused_speed_is_not_shown_as_a_fact(field, slider, controller, qtbot
     controller.answer = Refusal(RefusalCode.SPEED_OUT_OF_RANGE, {"value": 60})
     field.setValue(60)
     assert field.value() == 30
-    assert slider.wish == 30
+    assert slider.requested == 30
 
 
 def test_the_arm_s_own_speed_stands_beside(bar, slider, controller):

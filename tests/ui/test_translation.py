@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 import shutil
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
@@ -45,13 +44,6 @@ def entries(ts: Path) -> dict[Entry, ET.Element]:
 @pytest.fixture(scope="module")
 def committed() -> dict[Entry, ET.Element]:
     return entries(TS)
-
-
-@pytest.fixture
-def translator(qapp: QApplication) -> Iterator[Translator]:
-    translator = Translator(qapp)
-    yield translator
-    translator.set_language("en")
 
 
 # The files ----------------------------------------------------------------------------------------

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import string
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
@@ -24,13 +24,6 @@ from armui.ui.translation import LANGUAGES, Language, Translator
 from armui.ui.words import events, refusals
 
 AT = datetime(2026, 1, 2, 3, 4, 5).astimezone()
-
-
-@pytest.fixture
-def translator(qapp: QApplication) -> Iterator[Translator]:
-    translator = Translator(qapp)
-    yield translator
-    translator.set_language("en")
 
 
 @pytest.fixture

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -13,10 +13,7 @@ from armui.control.events import EventCode
 from armui.control.operating_state import why_unreachable
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.protocol import commands
-from armui.protocol.codes import SettingIndex
-
-if TYPE_CHECKING:
-    from armui.protocol.codes import EndLoad
+from armui.protocol.codes import EndLoad, SettingIndex
 
 _SILENT_S: Final = 0.3
 """After so long without one, the frames 0x481–0x486 have ended."""

@@ -68,7 +68,7 @@ class GripperControl:
         self._context = context
         self._end_run = end_run
         self._settings = settings
-        self._deed: str | None = None
+        self._action: str | None = None
         self._request: Request | None = None
         self._travel: _Travel | None = None
 
@@ -202,7 +202,7 @@ class GripperControl:
         return commands.move_gripper_opening(codec, opening_mm=travel, torque_nm=effort)
 
     def _start(
-        self, deed: str, frames: Sequence[Frame], seen: Callable[[GripperState], bool]
+        self, action: str, frames: Sequence[Frame], seen: Callable[[GripperState], bool]
     ) -> None:
         """Send something, again until the gripper shows it."""
         context = self._context
@@ -213,9 +213,9 @@ class GripperControl:
             return gripper is not None and gripper.at_s > since_s and seen(gripper.value)
 
         self.forget()
-        self._deed = deed
+        self._action = action
         self._request = Request(frames, shows, context.connection.send, _REPEAT_S, _ATTEMPTS)
-        context.tell(EventCode.GRIPPER_ACT_SENT, act=deed)
+        context.tell(EventCode.GRIPPER_ACT_SENT, act=action)
         self._request.advance(context.state(), context.clock())
 
     # A part of the controller -----------------------------------------------------------------
@@ -229,14 +229,11 @@ class GripperControl:
         outcome = self._request.advance(self._context.state(), self._context.clock())
         if outcome is RequestOutcome.WAITING:
             return
-        deed = self._deed
+        action = self._action
         self.forget()
-        code = (
-            EventCode.GRIPPER_ACT_DONE
-            if outcome is RequestOutcome.DONE
-            else EventCode.GRIPPER_ACT_FAILED
-        )
-        self._context.tell(code, act=deed)
+        done = outcome is RequestOutcome.DONE
+        code = EventCode.GRIPPER_ACT_DONE if done else EventCode.GRIPPER_ACT_FAILED
+        self._context.tell(code, act=action)
 
     def _follow(self, travel: _Travel) -> None:
         feedback, now_s = self._context.state().gripper, self._context.clock()
@@ -266,4 +263,4 @@ class GripperControl:
 
     def forget(self) -> None:
         """Nothing is awaited."""
-        self._deed = self._request = self._travel = None
+        self._action = self._request = self._travel = None

@@ -80,7 +80,7 @@ class LinkageControl:
             target_offset=target_offset,
         )
         # from the first frame on the arm may have moved, answered or not
-        context.connection.offsets.wish(
+        context.connection.offsets.request(
             Addressing(feedback_offset, control_offset),
             context.clock(),
             ends_input=context.operating_state().teaching_input,

@@ -33,11 +33,7 @@ class Motors:
         end_run: Called with the reason when motors are about to be disabled under a run.
     """
 
-    def __init__(
-        self,
-        context: Context,
-        end_run: Callable[[Refusal], None],
-    ) -> None:
+    def __init__(self, context: Context, end_run: Callable[[Refusal], None]) -> None:
         self._context = context
         self._end_run = end_run
         self._busy: Busy | None = None

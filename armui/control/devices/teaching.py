@@ -88,11 +88,8 @@ class TeachingControl:
             return
         command = self._pending
         self.forget()
-        code = (
-            EventCode.TEACHING_DONE
-            if outcome is RequestOutcome.DONE
-            else EventCode.TEACHING_UNANSWERED
-        )
+        done = outcome is RequestOutcome.DONE
+        code = EventCode.TEACHING_DONE if done else EventCode.TEACHING_UNANSWERED
         self._context.tell(code, command=int(command))
 
     def halt(self) -> None:

@@ -20,7 +20,7 @@ _SETTLED_S: Final = 0.05
 
 
 @dataclass(frozen=True, slots=True)
-class Wished:
+class RequestedOffset:
     """Offsets that were sent to the arm and have not been seen in use.
 
     Attributes:
@@ -52,7 +52,7 @@ class OffsetFollower:
     def __init__(self) -> None:
         self.addressing = Addressing()
         self.control_known = True
-        self.requested: Wished | None = None
+        self.requested: RequestedOffset | None = None
         self._listening_since_s: float | None = None
 
     @property
@@ -69,10 +69,10 @@ class OffsetFollower:
         )
         return self.control_known and not moves_unseen
 
-    def wish(self, addressing: Addressing, now_s: float, *, ends_input: bool = False) -> None:
+    def request(self, addressing: Addressing, now_s: float, *, ends_input: bool = False) -> None:
         """Offsets have been sent to the arm: it may use them from now on, or later."""
         same = addressing == self.addressing and self.control_known
-        requested = Wished(addressing, now_s, ends_input=ends_input)
+        requested = RequestedOffset(addressing, now_s, ends_input=ends_input)
         self.requested = None if same and self.requested is None else requested
 
     def answered(self, now_s: float) -> None:
@@ -115,7 +115,7 @@ class OffsetFollower:
         # nothing tells the offset of the commands; 0x00 would be a guess
         return self._use(Addressing(heard[0], self.addressing.control_offset), now_s, known=False)
 
-    def _taken_unseen(self, requested: Wished, state: ArmState, *, came: bool) -> bool:
+    def _taken_unseen(self, requested: RequestedOffset, state: ArmState, *, came: bool) -> bool:
         """Only the commands move: the arm takes that in standby, or when it is switched on.
 
         Nothing it sends shows that it has, so it must have said that it keeps it: a setting that

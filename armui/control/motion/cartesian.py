@@ -227,10 +227,7 @@ class Cartesian:
         codec, percent = context.connection.codec, self._motion.speed_percent
         frames = leading_mode(codec, context.state(), move_mode, percent)
         frames += commands.move_pose(
-            codec,
-            flange_pose(target, self.tool),
-            speed_percent=percent,
-            move_mode=move_mode,
+            codec, flange_pose(target, self.tool), speed_percent=percent, move_mode=move_mode
         )
         return self._send(frames, move_mode, target, code, figures)
 

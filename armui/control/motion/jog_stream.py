@@ -62,11 +62,11 @@ class JogStream:
             return self._way.end()
         before = self._gone
         way = min(self._way.speed(pace) * dt_s, room)
-        trouble = self._go(way, measured_deg, dt_s, pace)
+        reason = self._go(way, measured_deg, dt_s, pace)
         self._stalled_s = 0.0 if self._gone > before else self._stalled_s + dt_s
-        if trouble is None and self._stalled_s >= _STALLED_S:
+        if reason is None and self._stalled_s >= _STALLED_S:
             return Refusal(RefusalCode.JOG_NOT_FOLLOWING)
-        return trouble
+        return reason
 
     def _go(
         self, way: float, measured_deg: Sequence[float], dt_s: float, pace: Pace

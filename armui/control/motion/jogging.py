@@ -185,11 +185,11 @@ class Jogging:
             operating_state.limits,
             accelerations(context.state().accelerations_deg_s2),
         )
-        trouble = stream.advance(measured_deg, dt_s, present)
+        reason = stream.advance(measured_deg, dt_s, present)
         target_deg = tuple(round(angle, 3) for angle in stream.setpoint_deg)
         refusal = self._send(hold, target_deg, present.arm_percent)
-        if refusal is not None or trouble is not None:
-            self._end(refusal or trouble)
+        if refusal is not None or reason is not None:
+            self._end(refusal or reason)
 
     def _send(self, hold: _Hold, target_deg: Sequence[float], percent: int) -> Refusal | None:
         """The next setpoint: the first with the mode word, the others alone."""

@@ -114,7 +114,7 @@ class SettingDraft:
         reasons = (self.why_wrong(state, parameter) for parameter in self.parameters)
         return next((reason for reason in reasons if reason is not None), None)
 
-    def look(self, state: ArmState, parameter: Parameter, cell: SettingCellState) -> CellStatus:
+    def status(self, state: ArmState, parameter: Parameter, cell: SettingCellState) -> CellStatus:
         """How a parameter is to be shown.
 
         Args:

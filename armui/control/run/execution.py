@@ -31,11 +31,7 @@ class Execution(QObject):
 
     progressed = Signal(object)
 
-    def __init__(
-        self,
-        context: Context,
-        parent: QObject | None = None,
-    ) -> None:
+    def __init__(self, context: Context, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._context = context
         self._phase = RunPhase.IDLE

@@ -36,11 +36,7 @@ class Player(Execution):
         context: What the parts of the controller share.
     """
 
-    def __init__(
-        self,
-        context: Context,
-        parent: QObject | None = None,
-    ) -> None:
+    def __init__(self, context: Context, parent: QObject | None = None) -> None:
         super().__init__(context, parent)
         self._run: Run | None = None
         self._schedule: RunSchedule | None = None
@@ -50,7 +46,7 @@ class Player(Execution):
         self._known_s = 0.0
         self._known = True
         self._index = 0
-        self._lap = 1
+        self._cycle = 1
         self._watch: ArrivalWatch | None = None
 
     @property
@@ -72,7 +68,7 @@ class Player(Execution):
         self._run, self._schedule = run, RunSchedule(run)
         # once: the question is asked at every look at the arm, and there may be 10,000 points
         self._has_lights = any(point.light for point in run.points)
-        self._index, self._lap = run.first, 1
+        self._index, self._cycle = run.first, 1
         context.tell(EventCode.RUN_STARTED, name=run.name)
         self._send_point()
         return None
@@ -129,7 +125,7 @@ class Player(Execution):
         """Move on with the run; the controller's tick calls it."""
         if not self.running:
             return
-        reason = self._hindrance()
+        reason = self._reason()
         if reason is not None:
             self._fail(reason)
         elif not self._known:
@@ -142,7 +138,7 @@ class Player(Execution):
             self._follow_stopping()
         self._publish()
 
-    def _hindrance(self) -> Refusal | None:
+    def _reason(self) -> Refusal | None:
         """Why the run cannot go on; what is not known for a moment is waited for."""
         reason = self._context.operating_state().cannot_run
         now_s = self._context.clock()
@@ -182,7 +178,7 @@ class Player(Execution):
 
     def _at_end(self, run: Run) -> bool:
         last = self._index == len(run.points) - 1
-        return last and run.cycles != ENDLESS and self._lap >= run.cycles
+        return last and run.cycles != ENDLESS and self._cycle >= run.cycles
 
     def _next_point(self) -> None:
         run = self._run
@@ -195,7 +191,7 @@ class Player(Execution):
             self._index += 1
             if self._index == len(run.points):
                 self._index = 0
-                self._lap += 1
+                self._cycle += 1
             self._send_point()
         self._publish()
 
@@ -248,10 +244,12 @@ class Player(Execution):
             name=run.name,
             index=self._index,
             count=len(run.points),
-            cycle=self._lap,
+            cycle=self._cycle,
             cycles=run.cycles,
-            done=1.0 if over else schedule.in_lap_s(self._index, elapsed_s) / (schedule.lap_s or 1),
-            remaining_s=0.0 if over else schedule.remaining_s(self._index, self._lap, elapsed_s),
+            done=1.0
+            if over
+            else schedule.in_cycle_s(self._index, elapsed_s) / (schedule.cycle_s or 1),
+            remaining_s=0.0 if over else schedule.remaining_s(self._index, self._cycle, elapsed_s),
             reason=reason,
         )
 

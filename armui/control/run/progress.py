@@ -105,7 +105,7 @@ class RunSchedule:
         self._lengths_s = lengths_s
 
     @property
-    def lap_s(self) -> float:
+    def cycle_s(self) -> float:
         """How long a cycle takes."""
         return self._ends_s[-1] if self._ends_s else 0.0
 
@@ -113,7 +113,7 @@ class RunSchedule:
         """After this long a point has not been reached; generous, for an arm may be slower."""
         return 5.0 + 3.0 * self._lengths_s[index]
 
-    def in_lap_s(self, index: int, elapsed_s: float) -> float:
+    def in_cycle_s(self, index: int, elapsed_s: float) -> float:
         """How far a cycle is, so long after a point was sent."""
         length_s = self._lengths_s[index]
         return self._ends_s[index] - length_s + min(elapsed_s, length_s)
@@ -122,5 +122,5 @@ class RunSchedule:
         """How long the rest of the run takes; ``None`` if it has no end."""
         if self._run.cycles == ENDLESS:
             return None
-        laps_left = self._run.cycles - cycle
-        return self.lap_s * (laps_left + 1) - self.in_lap_s(index, elapsed_s)
+        cycles_left = self._run.cycles - cycle
+        return self.cycle_s * (cycles_left + 1) - self.in_cycle_s(index, elapsed_s)

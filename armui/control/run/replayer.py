@@ -54,7 +54,7 @@ class Replayer(Execution):
         self._ending = RunPhase.DONE
         self._watch: ArrivalWatch | None = None
         self._at_s = 0.0
-        self._lap = 1
+        self._cycle = 1
         self._gripper_mm: float | None = None
         self._timer = QTimer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
@@ -76,7 +76,7 @@ class Replayer(Execution):
         )
         if refusal is not None:
             return context.refuse(refusal)
-        self._replay, self._lap, self._at_s = replay, 1, 0.0
+        self._replay, self._cycle, self._at_s = replay, 1, 0.0
         self._gripper_mm = None
         context.tell(EventCode.RUN_STARTED, name=replay.recording.name)
         self._timer.start()
@@ -203,7 +203,7 @@ class Replayer(Execution):
             return
         self._move_gripper(replay.gripper_mm_at(self._at_s))
         if self._at_s >= replay.duration_s:
-            self._end_lap(replay)
+            self._end_cycle(replay)
 
     def _send_target(self, target_deg: tuple[float, ...]) -> bool:
         command = self._command
@@ -231,12 +231,12 @@ class Replayer(Execution):
             )
         )
 
-    def _end_lap(self, replay: Replay) -> None:
-        if replay.cycles != ENDLESS and self._lap >= replay.cycles:
+    def _end_cycle(self, replay: Replay) -> None:
+        if replay.cycles != ENDLESS and self._cycle >= replay.cycles:
             self._ending = RunPhase.DONE
             self._await_rest()
             return
-        self._lap += 1
+        self._cycle += 1
         self._at_s = 0.0
         self._approach(replay)
 
@@ -261,13 +261,13 @@ class Replayer(Execution):
         if replay is None:
             return Progress()
         done = 1.0 if self._phase is RunPhase.DONE else self._at_s / replay.duration_s
-        laps_left = replay.cycles - self._lap
-        rest_s = replay.duration_s * (1.0 - done + laps_left)
+        cycles_left = replay.cycles - self._cycle
+        rest_s = replay.duration_s * (1.0 - done + cycles_left)
         return Progress(
             phase=self._phase,
             name=replay.recording.name,
             count=len(replay.recording.samples),
-            cycle=self._lap,
+            cycle=self._cycle,
             cycles=replay.cycles,
             done=done,
             remaining_s=None if replay.cycles == ENDLESS else rest_s,

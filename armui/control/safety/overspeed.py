@@ -6,14 +6,12 @@ import math
 from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from armui.arm.limits import FACTORY_LIMITS, plausible
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-
-if TYPE_CHECKING:
-    from armui.arm.state import ArmState
+from armui.arm.state import ArmState
 
 _TOO_FAST: Final = 1.5
 _SLACK_DEG_S: Final = 2.0

@@ -45,13 +45,7 @@ _MAY_BE_BRIEF: Final = frozenset(
 step, and a line that flickers leads to wrong clicks."""
 
 _NEEDS_IDENTIFIERS: Final = frozenset(
-    {
-        Action.RESUME,
-        Action.STOP_RECORDING,
-        Action.ABORT_REPLAY,
-        Action.LEAD_BY_HAND,
-        Action.STANDBY,
-    }
+    {Action.RESUME, Action.STOP_RECORDING, Action.ABORT_REPLAY, Action.LEAD_BY_HAND, Action.STANDBY}
 )
 """What is said on 0x150 and 0x151, which another arm may listen to (0x470)."""
 
@@ -67,7 +61,7 @@ _AT_ONCE: Final = frozenset(
 )
 """Nothing is waited for: what comes of them is another step."""
 
-_Deed = Callable[[Step], Refusal | None]
+_Handler = Callable[[Step], Refusal | None]
 
 
 @dataclass(slots=True)
@@ -129,7 +123,7 @@ class Recovery:
         self._brief_since_s: float | None = None
         self.acts = False
         self.step = Step(StepKind.NO_DEVICE, Level.INFO, action=Action.CONNECT)
-        self._deeds: Mapping[Action, _Deed] = {
+        self._handlers: Mapping[Action, _Handler] = {
             Action.LEAVE_TEACHING_INPUT: self._leave_teaching_input,
             Action.RESUME: lambda _step: self._motors.resume(),
             Action.ENABLE: lambda _step: self._motors.enable(),
@@ -170,7 +164,7 @@ class Recovery:
             return self._context.refuse(refusal)
         self._give_up()
         with self._acting():
-            refusal = self._deeds[wanted](now)
+            refusal = self._handlers[wanted](now)
         if refusal is None and wanted not in _AT_ONCE:
             self._attempt = _PendingAction(now)
         self._context.refresh()
@@ -213,7 +207,7 @@ class Recovery:
             with self._acting():
                 self._joint_errors.clear(self._to_clear.pop(0))
         step = self._look()
-        if step.kind is not StepKind.WORKING:  # another kind is another trouble
+        if step.kind is not StepKind.WORKING:  # another kind is another problem
             self._in_vain = {kind: n for kind, n in self._in_vain.items() if kind is step.kind}
         step = self._follow(step, now_s)
         if self._holds(step, now_s) and step != self.step:
@@ -290,7 +284,7 @@ class Recovery:
         finally:
             self.acts = False
 
-    def _teach(self, command: TeachingState) -> _Deed:
+    def _teach(self, command: TeachingState) -> _Handler:
         return lambda _step: self._teaching.command(command)
 
     def _reset(self, _step: Step) -> Refusal | None:
@@ -320,7 +314,9 @@ class Recovery:
 
     def _leave_teaching_input(self, _step: Step) -> Refusal | None:
         frames = commands.set_linkage(self._context.connection.codec, LinkageRole.MOTION_OUTPUT)
-        self._context.connection.offsets.wish(Addressing(), self._context.clock(), ends_input=True)
+        self._context.connection.offsets.request(
+            Addressing(), self._context.clock(), ends_input=True
+        )
         return self._send(EventCode.MOTION_OUTPUT_SENT, frames)
 
     def _send(self, code: EventCode, frames: Sequence[Frame]) -> Refusal | None:

@@ -14,9 +14,7 @@ from typing import Final
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
-from armui.control.devices.teaching_phase import (
-    TeachingPhase,
-)
+from armui.control.devices.teaching_phase import TeachingPhase
 from armui.control.events import Level
 from armui.control.motion.motion_command import Hold
 from armui.control.operating_state import LinkState, OperatingState, StopState
@@ -76,7 +74,7 @@ def next_step(
         state: The arm as last heard.
         operating_state: What the operator can do, assessed from the same state.
         now_s: Monotonic time.
-        in_vain: How often the action against the present trouble came to nothing.
+        in_vain: How often the action against the present problem came to nothing.
     """
     heard = state.status
     view = RecoveryView(
@@ -125,10 +123,7 @@ _RULES: Final = (
     ),
     # it obeys nothing but this: neither a stop nor a resume
     _Rule(
-        StepKind.TEACHING_INPUT,
-        Level.WARNING,
-        Action.LEAVE_TEACHING_INPUT,
-        when(is_teaching_input),
+        StepKind.TEACHING_INPUT, Level.WARNING, Action.LEAVE_TEACHING_INPUT, when(is_teaching_input)
     ),
     _Rule(
         StepKind.STOP_UNCONFIRMED,
@@ -162,12 +157,7 @@ _RULES: Final = (
         None,
         when(lambda view: view.operating_state.generation is None),
     ),
-    _Rule(
-        StepKind.STATUS_UNKNOWN,
-        Level.WARNING,
-        Action.CONNECT,
-        when(not_heard),
-    ),
+    _Rule(StepKind.STATUS_UNKNOWN, Level.WARNING, Action.CONNECT, when(not_heard)),
     _Rule(
         StepKind.COMMUNICATION,
         Level.FAULT,
@@ -241,7 +231,7 @@ _RULES: Final = (
         Action.CONNECT,
         when(lambda view: None in view.operating_state.enabled),
     ),
-    # the way out of drag teaching: near the rest pose, then a reset
+    # the steps out of drag teaching: near the rest pose, then a reset
     _Rule(StepKind.DRAG_MODE_AT_REST, Level.WARNING, Action.RESET, when(near_rest)),
     _Rule(
         StepKind.DRAG_MODE_WITHOUT_POWER,

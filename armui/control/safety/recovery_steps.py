@@ -40,13 +40,7 @@ class Action(enum.Enum):
 
 
 DANGEROUS: Final = frozenset(
-    {
-        Action.RESUME,
-        Action.RESET,
-        Action.LEAD_BY_HAND,
-        Action.STANDBY,
-        Action.WITHDRAW_STOP,
-    }
+    {Action.RESUME, Action.RESET, Action.LEAD_BY_HAND, Action.STANDBY, Action.WITHDRAW_STOP}
 )
 """What the arm does then may surprise: the operator is asked first."""
 

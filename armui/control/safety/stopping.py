@@ -53,7 +53,7 @@ class Stopping:
         self._tell = tell
         self._clock = clock
         self._end_all = end_all
-        self.keeper = EmergencyStop(connection.send_urgent)
+        self.emergency_stop = EmergencyStop(connection.send_urgent)
         self._watch = StopWatch()
         self._asked_of: Device | None = None
         self._was_unconfirmed = False
@@ -72,38 +72,42 @@ class Stopping:
         self._asked_of = connection.device
         self._halted_s = None
         frames = self._on_every_offset(commands.emergency_stop(connection.codec))
-        on_the_bus = self.keeper.request(frames, self._clock())
+        on_the_bus = self.emergency_stop.request(frames, self._clock())
         self._end_all()
         self._tell(EventCode.STOP_SENT if on_the_bus else EventCode.STOP_NOT_SENT)
         self._name_others()
 
     def withdraw(self) -> None:
         """Withdraw a stop that the arm has not confirmed."""
-        if self.keeper.requested:
-            self.keeper.forget()
+        if self.emergency_stop.requested:
+            self.emergency_stop.forget()
             self._tell(EventCode.STOP_WITHDRAWN)
 
     def on_connecting(self, device: Device) -> None:
         """A stop that is outstanding holds for the device it was asked of, and no other."""
         self._watch.forget()
         self._halted_s = None
-        if self.keeper.requested and self._asked_of is not None and not device.same(self._asked_of):
-            self.keeper.forget()
+        if (
+            self.emergency_stop.requested
+            and self._asked_of is not None
+            and not device.same(self._asked_of)
+        ):
+            self.emergency_stop.forget()
             self._tell(EventCode.STOP_ABANDONED, device=self._asked_of)
 
     def advance(self, state: ArmState, now_s: float, *, resuming: bool, still: bool) -> None:
         """Take in what was heard; called at each tick, whatever else fails."""
-        keeper = self.keeper
+        emergency_stop = self.emergency_stop
         online = self._connection.link is LinkState.ONLINE
-        if keeper.advance(state, now_s, online=online):
+        if emergency_stop.advance(state, now_s, online=online):
             self._watch.confirmed()
             self._tell(EventCode.STOP_CONFIRMED)
-        unconfirmed = keeper.unconfirmed(now_s)
+        unconfirmed = emergency_stop.unconfirmed(now_s)
         if unconfirmed and not self._was_unconfirmed:
             self._tell(EventCode.STOP_UNCONFIRMED)
-        if keeper.lapsed and not self._was_lapsed:
+        if emergency_stop.lapsed and not self._was_lapsed:
             self._tell(EventCode.STOP_LAPSED)
-        self._was_unconfirmed, self._was_lapsed = unconfirmed, keeper.lapsed
+        self._was_unconfirmed, self._was_lapsed = unconfirmed, emergency_stop.lapsed
         if self._watch.undone(state, now_s, resuming=resuming):
             self._tell(EventCode.STOP_UNDONE)
             if self.stop_again:
@@ -113,7 +117,7 @@ class Stopping:
     def state(self, state: ArmState, now_s: float, *, resuming: bool) -> StopState:
         """Where the stop stands; see :meth:`EmergencyStop.state`."""
         online = self._connection.link is LinkState.ONLINE
-        return self.keeper.state(state, now_s, online=online, resuming=resuming)
+        return self.emergency_stop.state(state, now_s, online=online, resuming=resuming)
 
     def _name_others(self) -> None:
         """Name the arms with another offset that are heard: the stop reaches them, too."""

@@ -71,12 +71,7 @@ def listen(
 
 
 def _hear(
-    bus: can.BusABC,
-    device: Device,
-    seconds: float,
-    *,
-    ask: bool,
-    clock_s: Callable[[], float],
+    bus: can.BusABC, device: Device, seconds: float, *, ask: bool, clock_s: Callable[[], float]
 ) -> HeardFacts:
     from armui.doctor.hearing import TimedFrame, hear  # noqa: PLC0415 - numpy may be missing
     from armui.protocol.frame import Frame  # noqa: PLC0415 - as above

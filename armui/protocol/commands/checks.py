@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 from armui.protocol.errors import EncodeError
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
 
 
 def exactly(

@@ -123,10 +123,7 @@ def cartesian_target(codec: Codec, pose: Sequence[float]) -> list[Frame]:
 
 def move_joints(codec: Codec, joints_deg: Sequence[float], *, speed_percent: float) -> list[Frame]:
     """Moves to six joint angles in degrees: targets, then 0x151 with MOVE J."""
-    return [
-        *joint_target(codec, joints_deg),
-        *_can_control(codec, MoveMode.MOVE_J, speed_percent),
-    ]
+    return [*joint_target(codec, joints_deg), *_can_control(codec, MoveMode.MOVE_J, speed_percent)]
 
 
 def move_pose(
@@ -191,7 +188,7 @@ def disable_gripper(codec: Codec) -> list[Frame]:
 
 
 def clear_gripper_error(codec: Codec, *, enable: bool = False) -> list[Frame]:
-    """Clears the gripper's error, and enables it in the same breath if wished (0x159)."""
+    """Clears the gripper's error, and enables it with the same frame if asked for (0x159)."""
     return [codec.encode("GripperCommand", ClearError=1, Enable=int(enable))]
 
 

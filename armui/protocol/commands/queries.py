@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from armui.protocol.codes import (
-    LimitQuery,
-    ParameterQuery,
-)
+from armui.protocol.codes import LimitQuery, ParameterQuery
 
 if TYPE_CHECKING:
     from armui.protocol.codec import Codec

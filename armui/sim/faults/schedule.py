@@ -104,12 +104,7 @@ FAULTS: Final[dict[str, FaultKind]] = {
         "a driver is too hot",
         lambda arm, joint, present: arm.drivers.overheat_driver(joint - 1, on=present),
     ),
-    "undervoltage": FaultKind(
-        "the supply gives 18 V",
-        FaultParameter.NONE,
-        0.0,
-        _weaken_supply,
-    ),
+    "undervoltage": FaultKind("the supply gives 18 V", FaultParameter.NONE, 0.0, _weaken_supply),
     "overcurrent": FaultKind(
         "a driver sees too much current and switches its motor off",
         FaultParameter.JOINT,
@@ -140,16 +135,10 @@ FAULTS: Final[dict[str, FaultKind]] = {
         lambda arm, joint, present: arm.corrupt_limits(joint) if present else None,
     ),
     "feedback-stopped": FaultKind(
-        "the arm answers but no longer tells how it is",
-        FaultParameter.NONE,
-        0.0,
-        _stop_feedback,
+        "the arm answers but no longer tells how it is", FaultParameter.NONE, 0.0, _stop_feedback
     ),
     "bus-off": FaultKind(
-        "the controller neither hears nor says anything",
-        FaultParameter.NONE,
-        0.0,
-        _switch_off,
+        "the controller neither hears nor says anything", FaultParameter.NONE, 0.0, _switch_off
     ),
     "garbage": FaultKind(
         "frames of any identifier and content on the bus",

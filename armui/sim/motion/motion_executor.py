@@ -55,9 +55,7 @@ class MotionExecutor:
 
     def serves(self, order: Hashable) -> bool:
         """Whether this very order is under way, or was done or refused just here."""
-        return self.pursues(order) or (
-            order == self._order and self._settled == self._circumstances()
-        )
+        return self.pursues(order) or (order == self._order and self._settled == self._conditions())
 
     def pursues(self, order: Hashable) -> bool:
         """Whether this very order is under way."""
@@ -88,7 +86,7 @@ class MotionExecutor:
         condition.singular = planning_error.status is ArmStatusCode.SINGULARITY
         condition.beyond_limit = list(planning_error.beyond)
         self.cut_short()
-        self._order, self._settled = order, self._circumstances()
+        self._order, self._settled = order, self._conditions()
 
     def mode_changed(self) -> None:
         """Ends or changes the motion as the mode and speed in `condition` now ask."""
@@ -190,13 +188,13 @@ class MotionExecutor:
         if self._legs:
             self.drive()
         else:
-            self._settled = self._circumstances()
+            self._settled = self._conditions()
             self._condition.motion_state = MotionState.REACHED
 
     def _brake(self) -> None:
         self._body.brake(self._settings.accelerations_deg_s2)
 
-    def _circumstances(self) -> tuple[object, ...]:
+    def _conditions(self) -> tuple[object, ...]:
         """What the outcome of an order depends on."""
         settings = self._settings
         return (

@@ -163,7 +163,7 @@ def plan_replay(
 
 
 def _check(joints: Values, units_a_step: float, settings: ArmSettingsRecord) -> None:
-    """Raises the first trouble along a path."""
+    """Raises the first error along a path."""
     half_step = ANGLE_STEP_DEG / 2
     low = np.array([limits.min_deg - half_step for limits in settings.limits])
     high = np.array([limits.max_deg + half_step for limits in settings.limits])

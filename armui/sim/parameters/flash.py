@@ -15,17 +15,17 @@ class Flash(Protocol):
     """Keeps the settings of one arm.
 
     Attributes:
-        trouble: What went wrong last, in words; empty when all is well.
+        problem: What went wrong last, in words; empty when all is well.
     """
 
-    trouble: str
+    problem: str
 
     def load(self) -> ArmSettingsRecord:
         """What was saved last; factory values when nothing was, or when it cannot be read."""
         ...
 
     def save(self, settings: ArmSettingsRecord) -> None:
-        """Keeps the settings; what cannot be kept is told in `trouble`, never raised."""
+        """Keeps the settings; what cannot be kept is told in `problem`, never raised."""
         ...
 
 
@@ -38,7 +38,7 @@ class MemoryFlash:
     """
 
     def __init__(self) -> None:
-        self.trouble = ""
+        self.problem = ""
         self.text = ""
         self.writes = 0
 
@@ -49,7 +49,7 @@ class MemoryFlash:
         try:
             return from_text(self.text)
         except SettingsTextError as error:
-            self.trouble = f"flash unreadable, factory values in use: {error}"
+            self.problem = f"flash unreadable, factory values in use: {error}"
             return ArmSettingsRecord()
 
     def save(self, settings: ArmSettingsRecord) -> None:
@@ -69,7 +69,7 @@ class FileFlash:
 
     def __init__(self, path: Path) -> None:
         self.path = path
-        self.trouble = ""
+        self.problem = ""
         self._kept = ""
 
     def load(self) -> ArmSettingsRecord:
@@ -80,7 +80,7 @@ class FileFlash:
         except FileNotFoundError:
             return ArmSettingsRecord()
         except OSError as error:
-            self.trouble = f"cannot read {self.path}, factory values in use: {error_text(error)}"
+            self.problem = f"cannot read {self.path}, factory values in use: {error_text(error)}"
             return ArmSettingsRecord()
         except (UnicodeDecodeError, SettingsTextError) as error:
             self._put_aside(str(error))
@@ -96,10 +96,10 @@ class FileFlash:
         try:
             write_whole(self.path, text.encode())
         except OSError as error:
-            self.trouble = f"cannot write {self.path}: {error_text(error)}"
+            self.problem = f"cannot write {self.path}: {error_text(error)}"
             return
         self._kept = text
-        self.trouble = ""
+        self.problem = ""
 
     def _put_aside(self, reason: str) -> None:
         aside = self.path.with_name(f"{self.path.name}.broken")
@@ -109,4 +109,4 @@ class FileFlash:
             reason = f"{reason}; it could not be kept as {aside.name}: {error_text(error)}"
         else:
             reason = f"{reason}; kept as {aside.name}"
-        self.trouble = f"{self.path} is broken, factory values in use: {reason}"
+        self.problem = f"{self.path} is broken, factory values in use: {reason}"

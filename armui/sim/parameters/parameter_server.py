@@ -77,7 +77,7 @@ class ParameterServer:
         self._codec = codec
         self._arm = arm
         self.settings = settings
-        self._desks: dict[str, Callable[[Signals], list[Frame]]] = {
+        self._handlers: dict[str, Callable[[Signals], list[Frame]]] = {
             "LimitQuery": self._limit_query,
             "LimitSetting": self._limit_setting,
             "JointSetting": self._joint_setting,
@@ -90,10 +90,10 @@ class ParameterServer:
 
     def handle(self, name: str, signals: Signals) -> list[Frame] | None:
         """The answers to a message, None when it is not about settings."""
-        parameter_server = self._desks.get(name)
-        if parameter_server is None:
+        handler = self._handlers.get(name)
+        if handler is None:
             return None
-        answers = parameter_server(signals)
+        answers = handler(signals)
         if name not in _READS_ONLY:
             self._arm.settings_changed()
         return answers

@@ -34,10 +34,7 @@ LABELS: Final[Mapping[Encoding, str]] = {
 }
 """What each is called everywhere."""
 
-_MARKS: Final = {
-    codecs.BOM_UTF16_LE: Encoding.UTF_16_LE,
-    codecs.BOM_UTF16_BE: Encoding.UTF_16_BE,
-}
+_MARKS: Final = {codecs.BOM_UTF16_LE: Encoding.UTF_16_LE, codecs.BOM_UTF16_BE: Encoding.UTF_16_BE}
 
 
 def guess_encoding(data: bytes) -> Encoding:

@@ -30,7 +30,7 @@ _STYLES: Final = (
     *(("|", "."), (SPACES, "."), (SPACES, ",")),
 )
 _LOOKED_AT: Final = 400
-"""Lines the build of the table is judged by, spread over the whole text."""
+"""Lines the dialect of the table is judged by, spread over the whole text."""
 _LOOKED_AT_CHARACTERS: Final = 100_000
 _LEAST_LINES: Final = 10
 _ALL_GUESSED: Final = Dialect()
@@ -46,24 +46,24 @@ class _Style(NamedTuple):
     sense: float
 
 
-def sniff(text: str, build: Dialect = _ALL_GUESSED) -> Sheet:
+def sniff(text: str, dialect: Dialect = _ALL_GUESSED) -> Sheet:
     """How a table in a text is built and what its columns seem to hold.
 
     Args:
         text: Of the whole file; prose and comments may stand before the table.
-        build: What the operator says of it; the rest is guessed.
+        dialect: What the operator says of it; the rest is guessed.
 
     Raises:
         TrajectoryFileError: There are no rows of numbers, and nobody says where they should be.
     """
     lines = [line.rstrip("\n") for line in lines_of(text)]
-    skipped = 0 if build.first_line is None else min(build.first_line, max(1, len(lines))) - 1
+    skipped = 0 if dialect.first_line is None else min(dialect.first_line, max(1, len(lines))) - 1
     spread = _spread(lines[skipped:])
-    judged = (_judge(spread, *style) for style in _styles(build))
+    judged = (_judge(spread, *style) for style in _styles(dialect))
     style = max(judged, key=lambda one: one[2:][::-1])
-    first = skipped if build.first_line is not None else _first_row(lines, style)
+    first = skipped if dialect.first_line is not None else _first_row(lines, style)
     if first is None:
-        if build == _ALL_GUESSED or not spread:
+        if dialect == _ALL_GUESSED or not spread:
             raise broken(RefusalCode.FILE_NO_TABLE)
         first = 0
     style = style._replace(width=max(1, style.width))
@@ -86,12 +86,12 @@ def sniff(text: str, build: Dialect = _ALL_GUESSED) -> Sheet:
     )
 
 
-def _styles(build: Dialect) -> list[tuple[str, str]]:
+def _styles(dialect: Dialect) -> list[tuple[str, str]]:
     """The delimiters and decimal signs that come into question."""
-    if build.delimiter is None and build.decimal is None:
+    if dialect.delimiter is None and dialect.decimal is None:
         return list(_STYLES)
-    delimiters = DELIMITERS if build.delimiter is None else (build.delimiter,)
-    decimals = DECIMALS if build.decimal is None else (build.decimal,)
+    delimiters = DELIMITERS if dialect.delimiter is None else (dialect.delimiter,)
+    decimals = DECIMALS if dialect.decimal is None else (dialect.decimal,)
     return [(delimiter, decimal) for delimiter in delimiters for decimal in decimals]
 
 

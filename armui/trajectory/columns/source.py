@@ -31,13 +31,13 @@ class TableFile:
     text: str
     sheet: Sheet
 
-    def read_anew(self, encoding: Encoding | None, build: Dialect) -> TableFile:
+    def read_anew(self, encoding: Encoding | None, dialect: Dialect) -> TableFile:
         """The same file, read as the operator says; what is left open is guessed.
 
         Raises:
             TrajectoryFileError: It is not possible; it names the file.
         """
-        return _read(self.file_name, self.data, encoding, build)
+        return _read(self.file_name, self.data, encoding, dialect)
 
 
 def open_table(path: Path) -> TableFile:
@@ -49,11 +49,11 @@ def open_table(path: Path) -> TableFile:
     return _read(path.name, files.load_bytes(path), None, Dialect())
 
 
-def _read(file_name: str, data: bytes, encoding: Encoding | None, build: Dialect) -> TableFile:
+def _read(file_name: str, data: bytes, encoding: Encoding | None, dialect: Dialect) -> TableFile:
     try:
         encoding = encoding or guess_encoding(data)
         text = decode_as(data, encoding)
-        return TableFile(file_name, data, encoding, text, sniff(text, build))
+        return TableFile(file_name, data, encoding, text, sniff(text, dialect))
     except TrajectoryFileError as error:
         raise TrajectoryFileError(error.reason, error.line, error.column, file_name) from error
 

@@ -22,11 +22,7 @@ from armui.trajectory.files.text import number, parse_number
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.trajectory.samples.recording import COLUMN_COUNT, GRIPPER, Recording
 
-SAMPLE_TITLES: Final = (
-    "t_s",
-    *(f"j{joint}_deg" for joint in range(1, 7)),
-    "gripper_mm",
-)
+SAMPLE_TITLES: Final = ("t_s", *(f"j{joint}_deg" for joint in range(1, 7)), "gripper_mm")
 _LONGEST_CELL: Final = 1 << 20
 
 Row = tuple[int, list[str]]

@@ -31,11 +31,7 @@ def write(recording: Recording) -> bytes:
     """
     verify(recording)
     header = json.dumps(
-        {
-            "name": recording.name,
-            "note": recording.note,
-            "modified": recording.modified.isoformat(),
-        }
+        {"name": recording.name, "note": recording.note, "modified": recording.modified.isoformat()}
     )
     stream = io.BytesIO()
     np.savez(stream, header=np.array(header), samples=recording.samples)

@@ -55,7 +55,7 @@ class Library:
         self._folder = folder
         self._now = now
         self._call = call
-        self._shelf = FileStore(folder, call)
+        self._file_store = FileStore(folder, call)
         self._bin = Bin(folder / _BIN)
         self._drafts = Drafts(folder, call)
         self._met: dict[str, Stamp] = {}
@@ -112,21 +112,21 @@ class Library:
         content: Content = load_by(self._call, kept.path, kept.stamp.size)
         return content if content.name == name else replace(content, name=name)
 
-    def free_name(self, wish: str) -> str:
-        """A name nothing has, not even a draft: the wish, or the wish with a number.
+    def free_name(self, wanted: str) -> str:
+        """A name nothing has, not even a draft: the wanted, or the wanted with a number.
 
         Args:
-            wish: Any text; what no name can hold is left out of it.
+            wanted: Any text; what no name can hold is left out of it.
         """
-        if check_name(wish) is not None:
-            plain = wish.encode(errors="ignore").decode().replace("\0", "")
-            wish = " ".join(plain.split()) or "?"
-        wish = wish[: LONGEST_NAME - _ROOM_FOR_NUMBER].rstrip()
+        if check_name(wanted) is not None:
+            plain = wanted.encode(errors="ignore").decode().replace("\0", "")
+            wanted = " ".join(plain.split()) or "?"
+        wanted = wanted[: LONGEST_NAME - _ROOM_FOR_NUMBER].rstrip()
         taken = {*self._scan(), *self._drafts.names()}
-        name, number = wish, 1
+        name, number = wanted, 1
         while name in taken:
             number += 1
-            name = f"{wish} {number}"
+            name = f"{wanted} {number}"
         return name
 
     # Changes --------------------------------------------------------------------------------------
@@ -295,7 +295,7 @@ class Library:
         entry = replace(kept.entry, check=check)
         if entry.kind == "points":
             entry = replace(entry, length_s=length_s)
-        self._shelf.mark(kept, entry)
+        self._file_store.mark(kept, entry)
 
     # Drafts ---------------------------------------------------------------------------------------
 
@@ -345,7 +345,7 @@ class Library:
     def _scan(self) -> dict[str, StoredFile]:
         """All files by the name of what they hold."""
         with on_disk(RefusalCode.LIBRARY_UNREADABLE, str(self._folder)):
-            return self._shelf.scan()
+            return self._file_store.scan()
 
     def _verify(self, content: Content) -> None:
         """Make sure that what is kept can be read again.
@@ -389,7 +389,7 @@ class Library:
             with contextlib.suppress(OSError):
                 path = path.rename(fitting)
         with on_disk(RefusalCode.LIBRARY_UNREADABLE, str(self._folder)):
-            self._met[content.name] = self._shelf.note(path, entry_of(content))
+            self._met[content.name] = self._file_store.note(path, entry_of(content))
         return displaced
 
 

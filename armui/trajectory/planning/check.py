@@ -211,12 +211,7 @@ def _collisions(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
             yield _at(path, index, FindingCode.LINKS_COLLIDE, {"one": one, "other": other})
 
 
-def _worst(
-    mask: Flags,
-    badness: Array,
-    rows: Whole,
-    on_end: bool = False,
-) -> Iterable[int]:
+def _worst(mask: Flags, badness: Array, rows: Whole, on_end: bool = False) -> Iterable[int]:
     """The worst sample of each row that is marked; of a recording, of each run of samples."""
     marked = np.flatnonzero(mask)
     if not len(marked):

@@ -85,13 +85,7 @@ def _paths(
         arcs.append(arc)
     wanted = np.array(chosen, dtype=np.int64)
     origins = route.origins[wanted]
-    return Paths(
-        wanted,
-        table.goals[origins],
-        table.goals[wanted],
-        route.ends_deg[origins],
-        arcs,
-    )
+    return Paths(wanted, table.goals[origins], table.goals[wanted], route.ends_deg[origins], arcs)
 
 
 def _kept(moves: list[PlannedToolMoves], paths: Paths) -> tuple[list[PlannedToolMoves], Paths]:

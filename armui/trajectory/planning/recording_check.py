@@ -31,7 +31,7 @@ _STROKE_SLACK_MM: Final = 1.0
 def check_recorded(recording: Recording, path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
     """Checks the samples, at the speed the path was planned with.
 
-    Of samples on end with the same trouble, the first is named.
+    Of samples on end with the same problem, the first is named.
     """
     if len(recording.samples) < 2:
         yield Finding(FindingCode.EMPTY)

@@ -11,12 +11,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.codes import MoveMode
 from armui.trajectory.files.errors import TrajectoryFileError
-from armui.trajectory.files.log_points import (
-    gripper_text,
-    light_text,
-    read_gripper,
-    read_light,
-)
+from armui.trajectory.files.log_points import gripper_text, light_text, read_gripper, read_light
 from armui.trajectory.files.text import number
 from armui.trajectory.points.program import (
     POSE_NAMES,

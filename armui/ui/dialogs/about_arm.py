@@ -5,22 +5,23 @@ Each value is one that was heard, read or set; what the arm does not tell is sai
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QScrollArea, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
 
 from armui.arm.refusal import Refusal
+from armui.control.arm_controller import ArmController
 from armui.doctor.facts import LinkFacts
 from armui.doctor.probes.can_devices import look_at_links
 from armui.ui.background import Background, Job
 from armui.ui.dialogs.about_arm_rows import AboutRow, about_rows
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.online_since import OnlineSince
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
+from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.layouts import empty_grid, fill
+from armui.ui.widgets.text_label import text_label
 
 _SIZE_PX: Final = (720, 700)
 _REFRESH_MS: Final = 1000
@@ -68,30 +69,19 @@ class AboutArmDialog(ArmDialog):
 
     def _build(self) -> None:
         self._grid_widget = QWidget()
-        self._grid = QGridLayout(self._grid_widget)
-        self._grid.setContentsMargins(0, 0, 0, 0)
-        self._grid.setHorizontalSpacing(_COLUMN_GAP_PX)
-        self._grid.setVerticalSpacing(_ROW_GAP_PX)
+        self._grid = empty_grid(self._grid_widget, gaps=(_COLUMN_GAP_PX, _ROW_GAP_PX), margins=0)
         self._grid.setColumnStretch(1, 1)
-        area = QScrollArea()
-        area.setObjectName("about_arm_values")
+        area = named("about_arm_values", QScrollArea())
         area.setWidgetResizable(True)
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setWidget(self._grid_widget)
         area.viewport().setAutoFillBackground(False)
         self._grid_widget.setAutoFillBackground(False)
-        self._said = QLabel()
-        self._said.setObjectName("about_arm_said")
-        self._said.setProperty("rank", "muted")
-        self.copy_button = QPushButton()
-        self.copy_button.setObjectName("about_arm_copy")
-        self.copy_button.setAutoDefault(False)
-        self.close_button = QPushButton()
-        self.close_button.setDefault(True)
+        self._said = text_label("about_arm_said", rank="muted")
+        self.copy_button = push_button("about_arm_copy", on_enter=False)
+        self.close_button = push_button(on_enter=True)
         self.body.addWidget(area, 1)
-        self.footer.addWidget(self.copy_button)
-        self.footer.addWidget(self._said, 1)
-        self.footer.addWidget(self.close_button)
+        fill(self.footer, self.copy_button, (self._said, 1), self.close_button)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import platform
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Final, NamedTuple
 
-from PySide6.QtCore import QCoreApplication
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
 from armui import __version__
 from armui.arm.device import Device
@@ -21,6 +21,22 @@ from armui.ui import words
 
 _FEEDBACK: Final = (0x2A1, 0x2A8)
 _COMMANDS: Final = (0x150, 0x15F)
+_LABELS: Final[Mapping[str, object]] = {
+    "model": QT_TRANSLATE_NOOP("AboutArm", "Model"),
+    "firmware": QT_TRANSLATE_NOOP("AboutArm", "Firmware"),
+    "generation": QT_TRANSLATE_NOOP("AboutArm", "Protocol"),
+    "device": QT_TRANSLATE_NOOP("AboutArm", "Adapter"),
+    "serial": QT_TRANSLATE_NOOP("AboutArm", "Serial number of the adapter"),
+    "bitrate": QT_TRANSLATE_NOOP("AboutArm", "Bit rate"),
+    "feedback": QT_TRANSLATE_NOOP("AboutArm", "Identifiers of the feedback"),
+    "commands": QT_TRANSLATE_NOOP("AboutArm", "Identifiers of the commands"),
+    "rate": QT_TRANSLATE_NOOP("AboutArm", "Frames received"),
+    "online": QT_TRANSLATE_NOOP("AboutArm", "Heard without a break for"),
+    "running": QT_TRANSLATE_NOOP("AboutArm", "Running time of the arm"),
+    "joint": QT_TRANSLATE_NOOP("AboutArm", "Joint {joint}"),
+    "end": QT_TRANSLATE_NOOP("AboutArm", "End"),
+    "program": QT_TRANSLATE_NOOP("AboutArm", "Program"),
+}
 _NO_BITRATE: Final = frozenset({"virtual", "udp_multicast"})
 
 
@@ -55,55 +71,30 @@ def about_rows(
         frames_per_s: Received; ``None``: not measured yet.
     """
     online = now.link is LinkState.ONLINE
-    rows = [
-        AboutRow(
-            "model",
-            translate("AboutArm", "Model"),
-            translate("AboutArm", "unknown: the arm does not tell it"),
-        ),
-        AboutRow("firmware", translate("AboutArm", "Firmware"), _firmware(state, now)),
-        AboutRow("generation", translate("AboutArm", "Protocol"), _generation(now)),
-        AboutRow("device", translate("AboutArm", "Adapter"), _device(now.device)),
-        AboutRow(
-            "serial",
-            translate("AboutArm", "Serial number of the adapter"),
-            _serial(now.device, links),
-        ),
-        AboutRow("bitrate", translate("AboutArm", "Bit rate"), _bitrate(now.device, links)),
-        AboutRow(
-            "feedback",
-            translate("AboutArm", "Identifiers of the feedback"),
-            _feedback(now, online=online),
-        ),
-        AboutRow(
-            "commands",
-            translate("AboutArm", "Identifiers of the commands"),
-            _commands(now, online=online),
-        ),
-        AboutRow(
-            "rate", translate("AboutArm", "Frames received"), _rate(frames_per_s, online=online)
-        ),
-        AboutRow("online", translate("AboutArm", "Heard without a break for"), _duration(online_s)),
-        AboutRow(
-            "running",
-            translate("AboutArm", "Running time of the arm"),
-            translate("AboutArm", "unknown: the arm does not tell it"),
-        ),
-    ]
-    rows += [
-        AboutRow(
-            f"joint_{joint}",
-            translate("AboutArm", "Joint {joint}").format(joint=joint),
-            _limits(state, joint),
-        )
-        for joint in JOINTS
-    ]
-    rows.append(AboutRow("end", translate("AboutArm", "End"), _end_limits(state)))
+    untold = translate("AboutArm", "unknown: the arm does not tell it")
     system = f"{platform.system()} {platform.release()}, Python {platform.python_version()}"
-    rows.append(
-        AboutRow("program", translate("AboutArm", "Program"), f"armui {__version__}, {system}")
-    )
-    return rows
+    values = {
+        "model": untold,
+        "firmware": _firmware(state, now),
+        "generation": _generation(now),
+        "device": _device(now.device),
+        "serial": _serial(now.device, links),
+        "bitrate": _bitrate(now.device, links),
+        "feedback": _feedback(now, online=online),
+        "commands": _commands(now, online=online),
+        "rate": _rate(frames_per_s, online=online),
+        "online": _duration(online_s),
+        "running": untold,
+        **{f"joint_{joint}": _limits(state, joint) for joint in JOINTS},
+        "end": _end_limits(state),
+        "program": f"armui {__version__}, {system}",
+    }
+    return [AboutRow(key, _label(key), value) for key, value in values.items()]
+
+
+def _label(key: str) -> str:
+    name, _, joint = key.partition("_")
+    return translate("AboutArm", str(_LABELS[name])).format(joint=joint)
 
 
 def _firmware(state: ArmState, now: OperatingState) -> str:

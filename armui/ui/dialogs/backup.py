@@ -4,17 +4,12 @@ from __future__ import annotations
 
 from datetime import datetime
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-from PySide6.QtCore import Qt
 from PySide6.QtGui import QCloseEvent, QShowEvent
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QCheckBox,
-    QHBoxLayout,
     QHeaderView,
-    QProgressBar,
-    QPushButton,
     QTableView,
     QWidget,
 )
@@ -24,6 +19,7 @@ from armui.arm.comparison import ComparisonVerdict, compare
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.operating_state import OperatingState
 from armui.control.parameters.backup_files import backup_of, read_backup, write_backup
@@ -35,24 +31,20 @@ from armui.ui.dialogs.backup_model import BackupModel, DifferencesOnly
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.files import choose_file
+from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.plain_table import list_rows
+from armui.ui.widgets.progress import quiet_progress
 from armui.ui.widgets.text_label import text_label
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _SIZE_PX: Final = (860, 640)
 _NARROWEST_COLUMN_PX: Final = 110
 
 
 class BackupDialog(ArmDialog):
-    """Reads the arm when it opens; what a file says comes beside it.
-
-    Args:
-        controller: Reads and sets the parameters.
-        parent: The main window.
-    """
+    """Reads the arm when it opens; what a file says comes beside it."""
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(controller, parent)
@@ -73,54 +65,24 @@ class BackupDialog(ArmDialog):
     # Layout -----------------------------------------------------------------------------------
 
     def _build(self) -> None:
-        self._message = MessageLine()
-        self._message.setObjectName("backup_message")
+        self._message = named("backup_message", MessageLine())
         self._origin = text_label("backup_origin", wraps=True)
         self.table = QTableView()
         self.table.setModel(self._shown)
-        self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.table.setShowGrid(False)
-        self.table.setTabKeyNavigation(False)
-        self.table.verticalHeader().hide()
-        header = self.table.horizontalHeader()
-        header.setHighlightSections(False)
+        header = list_rows(self.table)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         header.setStretchLastSection(True)
         header.setMinimumSectionSize(_NARROWEST_COLUMN_PX)
         self.only_differences = QCheckBox()
-        self.all_button, self.none_button = QPushButton(), QPushButton()
-        self.progress = QProgressBar()
-        self.progress.setTextVisible(False)
-        policy = self.progress.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)
-        self.progress.setSizePolicy(policy)
-        self.progress.hide()
-        choice = QHBoxLayout()
-        choice.addWidget(self.only_differences)
-        choice.addStretch(1)
-        choice.addWidget(self.all_button)
-        choice.addWidget(self.none_button)
-        self.body.addWidget(self._message)
-        self.body.addWidget(self._origin)
-        self.body.addLayout(choice)
-        self.body.addWidget(self.table, 1)
-        self.body.addWidget(self.progress)
-        self.read_button, self.save_button = QPushButton(), QPushButton()
-        self.open_button, self.restore_button = QPushButton(), QPushButton()
-        self.close_button = QPushButton()
-        self.restore_button.setProperty("primary", True)
-        self.footer.addWidget(self.read_button)
-        self.footer.addStretch(1)
-        for button in (
-            self.save_button,
-            self.open_button,
-            self.restore_button,
-            self.close_button,
-        ):
-            self.footer.addWidget(button)
-        for button in self.findChildren(QPushButton):
-            button.setAutoDefault(False)
+        self.all_button, self.none_button = (push_button(on_enter=False) for _ in range(2))
+        self.progress = quiet_progress()
+        choice = in_row(self.only_differences, STRETCH, self.all_button, self.none_button)
+        fill(self.body, self._message, self._origin, choice, (self.table, 1), self.progress)
+        self.read_button, self.save_button = (push_button(on_enter=False) for _ in range(2))
+        self.open_button, self.close_button = (push_button(on_enter=False) for _ in range(2))
+        self.restore_button = push_button(primary=True, on_enter=False)
+        fill(self.footer, self.read_button, STRETCH, self.save_button)
+        fill(self.footer, self.open_button, self.restore_button, self.close_button)
 
     def _connect(self) -> None:
         self.only_differences.toggled.connect(self._shown.show_only_differences)

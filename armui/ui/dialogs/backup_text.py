@@ -59,10 +59,7 @@ def difference(backup: Backup, generation: Generation | None, firmware: str | No
             "The file is from firmware {filed}, this arm has {here}. Check the values before "
             "you restore them.",
         )
-        return text.format(
-            filed=backup.firmware or fmt.NOTHING,
-            here=firmware or fmt.NOTHING,
-        )
+        return text.format(filed=backup.firmware or fmt.NOTHING, here=firmware or fmt.NOTHING)
     return ""
 
 

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
+from armui.control.arm_controller import ArmController
 from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.halt_button import HaltButton
+from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
-
-if TYPE_CHECKING:
-    from PySide6.QtGui import QContextMenuEvent
-
-    from armui.control.arm_controller import ArmController
 
 _MARGIN_PX: Final = 20
 _GAP_PX: Final = 14
@@ -32,32 +30,21 @@ class ArmDialog(Translated, QDialog):
         parent: The window it belongs to and stays in front of.
     """
 
-    def __init__(
-        self,
-        controller: ArmController,
-        parent: QWidget | None = None,
-    ) -> None:
+    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setModal(False)
         self._heading = text_label(rank="title", wraps=True, plain=True)
         self.halt_button = HaltButton(controller, self)
         self.stop_button = StopButton(controller, self)
 
-        header = QHBoxLayout()
-        header.setSpacing(_GAP_PX)
-        header.addWidget(self._heading, 1)
+        header = in_row((self._heading, 1), spacing=_GAP_PX)
         header.addWidget(self.halt_button, 0, Qt.AlignmentFlag.AlignTop)
         header.addWidget(self.stop_button, 0, Qt.AlignmentFlag.AlignTop)
-        self._body = QVBoxLayout()
-        self._body.setSpacing(_GAP_PX)
-        self._footer = QHBoxLayout()
-        self._footer.setSpacing(_GAP_PX // 2)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(_MARGIN_PX, _MARGIN_PX, _MARGIN_PX, _MARGIN_PX)
-        layout.setSpacing(_GAP_PX)
-        layout.addLayout(header)
-        layout.addLayout(self._body, 1)
-        layout.addLayout(self._footer)
+        self._body = in_column(spacing=_GAP_PX)
+        self._footer = in_row(spacing=_GAP_PX // 2)
+        in_column(
+            header, (self._body, 1), self._footer, on=self, spacing=_GAP_PX, margins=_MARGIN_PX
+        )
 
     @property
     def body(self) -> QVBoxLayout:

@@ -2,23 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtWidgets import QWidget
 
+from armui.control.arm_controller import ArmController
 from armui.ui.dialogs.confirm import ConfirmDialog
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
+from armui.ui.widgets.buttons import push_button
 
 
 class CloseQuestion(ConfirmDialog):
     """End the motion and close, let it finish and close, or stay.
-
-    Args:
-        controller: Whom the emergency stop tells.
-        parent: The main window.
 
     Signals:
         let_finish: The program shall be closed and the arm go on to its target; accepted, the
@@ -39,8 +32,7 @@ class CloseQuestion(ConfirmDialog):
         )
         self.action_button.setText(self.tr("End the motion and close"))
         self.action_button.setProperty("primary", True)
-        self.let_finish_button = QPushButton(self.tr("Let it finish and close"))
-        self.let_finish_button.setAutoDefault(False)
+        self.let_finish_button = push_button("", self.tr("Let it finish and close"), on_enter=False)
         self.let_finish_button.clicked.connect(self._on_let_finish)
         self.footer.insertWidget(self.footer.count() - 1, self.let_finish_button)
 

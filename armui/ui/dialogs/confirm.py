@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
+from armui.control.arm_controller import ArmController
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
+from armui.ui.widgets.buttons import push_button
 from armui.ui.widgets.hold_button import HoldButton
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
+from armui.ui.widgets.layouts import STRETCH, fill, in_row
+from armui.ui.widgets.text_label import text_label
 
 _SIGN_PX: Final = 36
 _TEXT_WIDTH_PX: Final = 520
@@ -51,30 +52,23 @@ class ConfirmDialog(ArmDialog):
         self._text.setTextFormat(Qt.TextFormat.PlainText)
         self._text.setWordWrap(True)
         self._text.setMinimumWidth(_TEXT_WIDTH_PX)
-        content = QHBoxLayout()
-        content.setSpacing(16)
+        content = in_row(spacing=16)
         content.addWidget(self._sign, 0, Qt.AlignmentFlag.AlignTop)
         content.addWidget(self._text, 1, Qt.AlignmentFlag.AlignTop)
         self.body.addLayout(content)
 
-        self._hint = QLabel()
-        self._hint.setProperty("rank", "muted")
+        self._hint = text_label(rank="muted")
         self._hint.setVisible(hold)
         self.action_button: QPushButton
         if hold:
             self.action_button = HoldButton(action_label)
             self.action_button.held.connect(self.accept)
         else:
-            self.action_button = QPushButton(action_label)
-            self.action_button.setAutoDefault(False)
+            self.action_button = push_button("", action_label, on_enter=False)
             self.action_button.clicked.connect(self.accept)
-        self.cancel_button = QPushButton()
-        self.cancel_button.setDefault(True)
+        self.cancel_button = push_button(on_enter=True)
         self.cancel_button.clicked.connect(self.reject)
-        self.footer.addWidget(self._hint)
-        self.footer.addStretch(1)
-        self.footer.addWidget(self.action_button)
-        self.footer.addWidget(self.cancel_button)
+        fill(self.footer, self._hint, STRETCH, self.action_button, self.cancel_button)
         self.cancel_button.setFocus()
         self._recolor()
         self.retranslate_ui()

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-from PySide6.QtCore import QItemSelection, QItemSelectionModel, Qt, Signal
+from PySide6.QtCore import QItemSelection, QItemSelectionModel, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -15,14 +15,12 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QHeaderView,
     QLabel,
-    QProgressBar,
-    QPushButton,
-    QSizePolicy,
     QTableView,
     QWidget,
 )
 
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
+from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.operating_state import LinkState, OperatingState
 from armui.ui import words
@@ -30,11 +28,13 @@ from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.device_model import CHANNEL, STATE, DeviceModel, bitrate_text, same_device
 from armui.ui.dialogs.manual_entry import ManualEntry
+from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
+from armui.ui.widgets.plain_table import list_rows
+from armui.ui.widgets.progress import quiet_progress
+from armui.ui.widgets.text_label import text_label
 
 _BITRATES: Final = (DEFAULT_BITRATE, 500_000)
 """Today's hardware, and what generation 1's protocol text says."""
@@ -97,36 +97,18 @@ class ConnectDialog(ArmDialog):
         self._message = MessageLine()
         self._table = QTableView()
         self._table.setModel(self._model)
-        self._table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self._table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self._table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self._table.setShowGrid(False)
-        self._table.setTabKeyNavigation(False)
-        self._table.verticalHeader().hide()
-        header = self._table.horizontalHeader()
-        header.setHighlightSections(False)
-        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        header = list_rows(self._table)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(CHANNEL, QHeaderView.ResizeMode.Stretch)
-        self._progress = QProgressBar()
+        self._progress = quiet_progress()
         self._progress.setRange(0, 0)
-        self._progress.setTextVisible(False)
-        _keep_room(self._progress)
-        self._progress.hide()
-        self.diagnosis_button = QPushButton()
-        self.diagnosis_button.setObjectName("connect_diagnosis")
-        self.diagnosis_button.setAutoDefault(False)
-        said = QHBoxLayout()
-        said.setSpacing(8)
-        said.addWidget(self._message, 1)
-        said.addWidget(self.diagnosis_button)
-        self.body.addLayout(said)
-        self.body.addWidget(self._table, 1)
-        self.body.addWidget(self._progress)
-        self.body.addLayout(self._build_bitrate())
+        self.diagnosis_button = push_button("connect_diagnosis", on_enter=False)
+        said = in_row((self._message, 1), self.diagnosis_button, spacing=8)
+        fill(self.body, said, (self._table, 1), self._progress, self._build_bitrate())
         self._manual = ManualEntry(self._controller.interfaces())
-        self._manual_label = QLabel()
-        self._manual_label.setProperty("rank", "muted")
+        self._manual_label = text_label(rank="muted")
         self.body.addWidget(self._manual_label)
         self.body.addWidget(self._manual)
         self._build_buttons()
@@ -137,32 +119,19 @@ class ConnectDialog(ArmDialog):
         for bitrate in _BITRATES:
             self.bitrate_box.addItem("", bitrate)
         self._bitrate_label.setBuddy(self.bitrate_box)
-        self._bitrate_hint = QLabel()
-        self.listen_only_box = QCheckBox()
-        self.listen_only_box.setObjectName("listen_only_box")
-        self._bitrate_hint.setProperty("rank", "muted")
-        row = QHBoxLayout()
-        row.addWidget(self._bitrate_label)
-        row.addWidget(self.bitrate_box)
-        row.addSpacing(8)
-        row.addWidget(self._bitrate_hint, 1)
-        row.addWidget(self.listen_only_box)
-        return row
+        self._bitrate_hint = text_label(rank="muted")
+        self.listen_only_box = named("listen_only_box", QCheckBox())
+        return in_row(
+            self._bitrate_label, self.bitrate_box, 8, (self._bitrate_hint, 1), self.listen_only_box
+        )
 
     def _build_buttons(self) -> None:
-        self.refresh_button = QPushButton()
-        self.disconnect_button = QPushButton()
-        self.connect_button = QPushButton()
-        self.close_button = QPushButton()
-        self.connect_button.setProperty("primary", "true")
-        for button in (self.refresh_button, self.disconnect_button, self.close_button):
-            button.setAutoDefault(False)
-        self.connect_button.setDefault(True)
-        self.footer.addWidget(self.refresh_button)
-        self.footer.addStretch(1)
-        self.footer.addWidget(self.disconnect_button)
-        self.footer.addWidget(self.connect_button)
-        self.footer.addWidget(self.close_button)
+        self.refresh_button = push_button(on_enter=False)
+        self.disconnect_button = push_button(on_enter=False)
+        self.connect_button = push_button(primary=True, on_enter=True)
+        self.close_button = push_button(on_enter=False)
+        fill(self.footer, self.refresh_button, STRETCH)
+        fill(self.footer, self.disconnect_button, self.connect_button, self.close_button)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
@@ -297,20 +266,17 @@ class ConnectDialog(ArmDialog):
             reason = ""
         enable_or_explain(self.connect_button, reason)
         nothing = self._operating_state.device is None
-        enable_or_explain(
-            self.disconnect_button, self.tr("No device is connected.") if nothing else ""
-        )
-        enable_or_explain(
-            self.refresh_button, self.tr("The search is under way.") if self._searching else ""
-        )
+        reason = self.tr("No device is connected.") if nothing else ""
+        enable_or_explain(self.disconnect_button, reason)
+        reason = self.tr("The search is under way.") if self._searching else ""
+        enable_or_explain(self.refresh_button, reason)
 
     def _refresh_message(self) -> None:
         operating_state = self._operating_state
         failed = operating_state.link_problem is not None
         self.diagnosis_button.setVisible(failed or operating_state.link is LinkState.OFFLINE)
-        name = (
-            words.device_name(operating_state.device) if operating_state.device is not None else ""
-        )
+        device = operating_state.device
+        name = "" if device is None else words.device_name(device)
         if operating_state.link_problem is not None:
             self._message.show_message(words.refusal(operating_state.link_problem), Level.FAULT)
         elif operating_state.link is LinkState.OFFLINE and operating_state.cannot_move is not None:
@@ -340,10 +306,3 @@ class ConnectDialog(ArmDialog):
         self.bitrate_box.setEnabled(device is not None and not reason)
         self.bitrate_box.setToolTip(reason)
         self._bitrate_hint.setText(reason)
-
-
-def _keep_room(widget: QWidget) -> None:
-    """Let a widget keep its place while it is hidden, so that nothing below it jumps."""
-    policy: QSizePolicy = widget.sizePolicy()
-    policy.setRetainSizeWhenHidden(True)
-    widget.setSizePolicy(policy)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from armui.control.arm_controller import ArmController
 from armui.control.operating_state import LinkState
 from armui.doctor.facts import HeardFacts
 from armui.doctor.finding import Diagnosis, DiagnosisLevel, Section
@@ -11,9 +10,6 @@ from armui.doctor.hearing import arm_facts
 from armui.doctor.judge_arm import judge_heard
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 
 def judge_connected(controller: ArmController, *, frames: int, seconds: float) -> list[Diagnosis]:

@@ -5,21 +5,14 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any, Final, Protocol
+from typing import Any, Final, Protocol
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QGuiApplication
-from PySide6.QtWidgets import (
-    QFrame,
-    QLabel,
-    QProgressBar,
-    QPushButton,
-    QScrollArea,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QFrame, QLabel, QProgressBar, QScrollArea, QWidget
 
 from armui.arm.device import Device
+from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.doctor.finding import Diagnosis, DiagnosisLevel, Section
 from armui.doctor.process import DoctorProcess
@@ -27,11 +20,11 @@ from armui.doctor.report import Words, as_text
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.connected_arm import judge_connected
 from armui.ui.dialogs.finding_row import FindingRow
+from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.layouts import STRETCH, fill, in_column
 from armui.ui.widgets.message_line import MessageLine
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
+from armui.ui.widgets.text_label import text_label
 
 _SIZE_PX: Final = (860, 640)
 _GAP_PX: Final = 12
@@ -87,36 +80,21 @@ class DoctorDialog(ArmDialog):
     # Layout -----------------------------------------------------------------------------------
 
     def _build(self) -> None:
-        self._message = MessageLine()
-        self._message.setObjectName("doctor_message")
+        self._message = named("doctor_message", MessageLine())
         self._progress = QProgressBar()
         self._progress.setRange(0, 0)
         self._progress.setTextVisible(False)
-        self._note = QLabel()
-        self._note.setProperty("rank", "muted")
-        self._note.setTextFormat(Qt.TextFormat.PlainText)
-        self._note.setWordWrap(True)
-        self._area = QScrollArea()
-        self._area.setObjectName("doctor_findings")
+        self._note = text_label(rank="muted", wraps=True, plain=True)
+        self._area = named("doctor_findings", QScrollArea())
         self._area.setWidgetResizable(True)
         self._area.setFrameShape(QFrame.Shape.NoFrame)
         self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.copy_button = QPushButton()
-        self.copy_button.setObjectName("doctor_copy")
-        self.again_button = QPushButton()
-        self.again_button.setObjectName("doctor_again")
-        self.close_button = QPushButton()
-        for button in (self.copy_button, self.again_button, self.close_button):
-            button.setAutoDefault(False)
+        self.copy_button = push_button("doctor_copy", on_enter=False)
+        self.again_button = push_button("doctor_again", on_enter=False)
+        self.close_button = push_button(on_enter=False)
         self.close_button.setDefault(True)
-        self.body.addWidget(self._message)
-        self.body.addWidget(self._progress)
-        self.body.addWidget(self._area, 1)
-        self.body.addWidget(self._note)
-        self.footer.addWidget(self.copy_button)
-        self.footer.addStretch(1)
-        self.footer.addWidget(self.again_button)
-        self.footer.addWidget(self.close_button)
+        fill(self.body, self._message, self._progress, (self._area, 1), self._note)
+        fill(self.footer, self.copy_button, STRETCH, self.again_button, self.close_button)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
@@ -237,10 +215,7 @@ class DoctorDialog(ArmDialog):
                 self._rows.append(partial(_heading, words.section(section)))
             self._rows += [partial(_row, each, words) for each in findings]
         column = QWidget()
-        layout = QVBoxLayout(column)
-        layout.setContentsMargins(0, 0, _GAP_PX, 0)
-        layout.setSpacing(_GAP_PX)
-        layout.addStretch(1)
+        layout = in_column(STRETCH, on=column, spacing=_GAP_PX, margins=(0, 0, _GAP_PX, 0))
         self._column = layout
         self._add_rows()
         column.setAutoFillBackground(False)

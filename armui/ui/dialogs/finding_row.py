@@ -7,11 +7,13 @@ from typing import Final
 
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QFontDatabase, QGuiApplication
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
 
 from armui.doctor.finding import Diagnosis, DiagnosisLevel
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
+from armui.ui.widgets.buttons import push_button
+from armui.ui.widgets.layouts import empty_grid, in_row
 
 _ICON_PX: Final = 18
 _GAP_PX: Final = 10
@@ -26,10 +28,8 @@ class FindingRow(QWidget):
         mark: How grave it is, in a word: for those who do not see the colour.
     """
 
-    def __init__(
-        self, finding: Diagnosis, text: str, mark: str, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, finding: Diagnosis, text: str, mark: str) -> None:
+        super().__init__()
         self._level = finding.severity
         self._icon = QLabel()
         self._icon.setFixedWidth(_ICON_PX)
@@ -39,10 +39,7 @@ class FindingRow(QWidget):
         label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         label.setWordWrap(True)
         label.setAccessibleName(f"{mark} {text}")
-        grid = QGridLayout(self)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setHorizontalSpacing(_GAP_PX)
-        grid.setVerticalSpacing(4)
+        grid = empty_grid(self, gaps=(_GAP_PX, 4), margins=0)
         grid.setColumnStretch(1, 1)
         grid.addWidget(self._icon, 0, 0, Qt.AlignmentFlag.AlignTop)
         grid.addWidget(label, 0, 1)
@@ -58,16 +55,10 @@ class FindingRow(QWidget):
         field.setCursorPosition(0)
         field.setToolTip(command)
         field.setAccessibleName(command)
-        button = QPushButton(self.tr("Copy"))
-        button.setObjectName("copy_command")
-        button.setAutoDefault(False)
+        button = push_button("copy_command", self.tr("Copy"), on_enter=False)
         button.clicked.connect(partial(_copy, command))
         self.copy_buttons.append(button)
-        line = QHBoxLayout()
-        line.setSpacing(8)
-        line.addWidget(field, 1)
-        line.addWidget(button)
-        return line
+        return in_row((field, 1), button, spacing=8)
 
     def _draw_icon(self) -> None:
         colors = colors_of(self)

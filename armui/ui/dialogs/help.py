@@ -3,25 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Qt
-from PySide6.QtWidgets import (
-    QFrame,
-    QGridLayout,
-    QHBoxLayout,
-    QLabel,
-    QPushButton,
-    QScrollArea,
-    QWidget,
-)
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QWidget
 
+from armui.control.arm_controller import ArmController
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.keycap import KeyCap
 from armui.ui.theme import scaled_font
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
+from armui.ui.widgets.buttons import push_button
+from armui.ui.widgets.layouts import empty_grid, in_row
+from armui.ui.widgets.text_label import text_label
 
 _SIZE_PX: Final = (980, 540)
 _COLUMN_GAP_PX: Final = 36
@@ -123,19 +116,13 @@ _SECTIONS: Final = (
 
 
 class HelpDialog(ArmDialog):
-    """Explains mouse, keyboard and figures of the 3D picture.
-
-    Args:
-        controller: Whom the emergency stop tells.
-        parent: The main window.
-    """
+    """Explains mouse, keyboard and figures of the 3D picture."""
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(controller, parent)
         self._labels: list[tuple[QLabel, object]] = []
         self.body.addWidget(self._build_page(), 1)
-        self.close_button = QPushButton()
-        self.close_button.setDefault(True)
+        self.close_button = push_button(on_enter=True)
         self.close_button.clicked.connect(self.close)
         self.footer.addStretch(1)
         self.footer.addWidget(self.close_button)
@@ -144,9 +131,7 @@ class HelpDialog(ArmDialog):
 
     def _build_page(self) -> QScrollArea:
         page = QWidget()
-        columns = QHBoxLayout(page)
-        columns.setContentsMargins(0, 0, 8, 0)
-        columns.setSpacing(_COLUMN_GAP_PX)
+        columns = in_row(on=page, spacing=_COLUMN_GAP_PX, margins=(0, 0, 8, 0))
         for number in (0, 1):
             columns.addLayout(self._build_column(number), 1)
         self.area = area = QScrollArea()
@@ -157,9 +142,7 @@ class HelpDialog(ArmDialog):
         return area
 
     def _build_column(self, number: int) -> QGridLayout:
-        grid = QGridLayout()
-        grid.setHorizontalSpacing(18)
-        grid.setVerticalSpacing(_LINE_GAP_PX)
+        grid = empty_grid(gaps=(18, _LINE_GAP_PX))
         grid.setColumnStretch(1, 1)
         for section in _SECTIONS:
             if section.column == number:
@@ -171,8 +154,7 @@ class HelpDialog(ArmDialog):
         row = grid.rowCount()
         grid.setRowMinimumHeight(row, _SECTION_GAP_PX if row > 1 else 0)
         row += 1
-        heading = QLabel()
-        heading.setProperty("rank", "muted")
+        heading = text_label(rank="muted")
         grid.addWidget(heading, row, 0, 1, 2)
         self._labels.append((heading, section.heading))
         align = Qt.AlignmentFlag.AlignVCenter if section.keys else Qt.AlignmentFlag.AlignTop

@@ -3,36 +3,34 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractItemView,
-    QHBoxLayout,
     QHeaderView,
-    QPushButton,
     QSizePolicy,
     QTableView,
-    QVBoxLayout,
     QWidget,
 )
 
 from armui.arm.joint_status import Item, Word
 from armui.arm.limits import JOINTS
+from armui.control.arm_controller import ArmController
+from armui.control.devices.joint_monitor import JointMonitor
 from armui.control.events import Event, EventCode, Level
 from armui.control.operating_state import OperatingState
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.joint_status_cell import JointCellDelegate, cell_width
 from armui.ui.dialogs.joint_status_model import JointStatusModel
+from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
-    from armui.control.devices.joint_monitor import JointMonitor
 
 _HEADER_PAD_PX: Final = 20
 _FRAME_PX: Final = 1
@@ -60,8 +58,7 @@ class JointStatusDialog(ArmDialog):
         self._model = JointStatusModel(monitor)
         self._build_table()
         self._build_clear_buttons()
-        self._message = MessageLine()
-        self._message.setObjectName("joint_status_message")
+        self._message = named("joint_status_message", MessageLine())
         self.body.addWidget(self._message)
         self.body.addStretch(1)
         self._build_footer()
@@ -77,8 +74,7 @@ class JointStatusDialog(ArmDialog):
     # Layout -----------------------------------------------------------------------------------
 
     def _build_table(self) -> None:
-        self._table = QTableView()
-        self._table.setObjectName("joint_status_table")
+        self._table = named("joint_status_table", QTableView())
         self._table.setModel(self._model)
         self._table.setItemDelegate(JointCellDelegate(self._table))
         self._table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
@@ -102,9 +98,7 @@ class JointStatusDialog(ArmDialog):
         self._table.setCornerButtonEnabled(False)
         corner = self._table.findChild(QAbstractButton)
         if corner is not None:  # Qt's own, and nowhere promised
-            layout = QVBoxLayout(corner)
-            layout.setContentsMargins(0, 0, 6, 0)
-            layout.addWidget(self._corner_label)
+            in_column(self._corner_label, on=corner, margins=(0, 0, 6, 0))
 
     def quantities_at(self, place: QPoint) -> list[str]:
         """What the cell at a place of the dialog shows."""
@@ -116,29 +110,17 @@ class JointStatusDialog(ArmDialog):
 
     def _build_clear_buttons(self) -> None:
         self._below_header = QWidget()
-        self.clear_buttons = [QPushButton() for _ in JOINTS]
-        row = QHBoxLayout()
-        row.setContentsMargins(_FRAME_PX, 0, _FRAME_PX, 0)
-        row.setSpacing(0)
-        row.addWidget(self._below_header)
+        names = (f"clear_error_{joint}" for joint in JOINTS)
+        self.clear_buttons = [push_button(name, on_enter=False) for name in names]
+        row = in_row(self._below_header, spacing=0, margins=(_FRAME_PX, 0, _FRAME_PX, 0))
         for joint, button in zip(JOINTS, self.clear_buttons, strict=True):
-            button.setObjectName(f"clear_error_{joint}")
-            button.setAutoDefault(False)
             button.clicked.connect(partial(self._clear_error, joint))
-            cell = QHBoxLayout()
-            cell.setContentsMargins(4, 0, 4, 0)
-            cell.addWidget(button)
-            row.addLayout(cell, 1)
-        table_and_buttons = QVBoxLayout()
-        table_and_buttons.setSpacing(6)
-        table_and_buttons.addWidget(self._table)
-        table_and_buttons.addLayout(row)
-        self.body.addLayout(table_and_buttons)
+            row.addLayout(in_row(button, margins=(4, 0, 4, 0)), 1)
+        self.body.addLayout(in_column(self._table, row, spacing=6))
 
     def _build_footer(self) -> None:
         self._detail = text_label("joint_status_detail", rank="muted", wraps=True, plain=True)
-        self.close_button = QPushButton()
-        self.close_button.setDefault(True)
+        self.close_button = push_button(on_enter=True)
         self.close_button.clicked.connect(self.close)
         self.footer.addWidget(self._detail, 1)
         self.footer.addWidget(self.close_button)
@@ -181,13 +163,9 @@ class JointStatusDialog(ArmDialog):
 
     def _show_usable(self, operating_state: OperatingState) -> None:
         reason = operating_state.unreachable or operating_state.occupied
+        use = self.tr("Ask the driver of joint {joint} to clear its error")
         for joint, button in zip(JOINTS, self.clear_buttons, strict=True):
-            button.setEnabled(reason is None)
-            button.setToolTip(
-                self.tr("Ask the driver of joint {joint} to clear its error").format(joint=joint)
-                if reason is None
-                else words.refusal(reason)
-            )
+            enable_or_explain(button, words.why_not(reason), use.format(joint=joint))
 
     def _show_detail(self, *_cells: object) -> None:
         """The cell the operator went to, in full: tooltips are out of the keyboard's reach."""

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
 
 from armui.arm.joint_status import UNITS, Item, StatusCell, Word, rows
 from armui.arm.limits import JOINTS
+from armui.control.devices.joint_monitor import JointMonitor
+from armui.protocol.generation import Generation
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.widgets.state_mark import Mark
-
-if TYPE_CHECKING:
-    from armui.control.devices.joint_monitor import JointMonitor
-    from armui.protocol.generation import Generation
 
 _Index = QModelIndex | QPersistentModelIndex
 

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
+from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QWidget
 
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
+from armui.ui.widgets.buttons import push_button
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.translated import Translated
 
 
@@ -23,8 +25,8 @@ class ManualEntry(Translated, QWidget):
 
     entered = Signal(object)
 
-    def __init__(self, interfaces: Sequence[str], parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, interfaces: Sequence[str]) -> None:
+        super().__init__()
         self._interface_label = QLabel()
         self.interface_box = QComboBox()
         self.interface_box.setEditable(True)
@@ -34,17 +36,10 @@ class ManualEntry(Translated, QWidget):
         self._channel_label = QLabel()
         self.channel_edit = QLineEdit()
         self._channel_label.setBuddy(self.channel_edit)
-        self.add_button = QPushButton()
-        self.add_button.setAutoDefault(False)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self._interface_label)
-        layout.addWidget(self.interface_box, 2)
-        layout.addSpacing(8)
-        layout.addWidget(self._channel_label)
-        layout.addWidget(self.channel_edit, 3)
-        layout.addWidget(self.add_button)
-
+        self.add_button = push_button(on_enter=False)
+        of_interface = (self._interface_label, (self.interface_box, 2), 8)
+        of_channel = (self._channel_label, (self.channel_edit, 3))
+        in_row(*of_interface, *of_channel, self.add_button, on=self, margins=0)
         self.add_button.clicked.connect(self._on_add)
         self.channel_edit.textChanged.connect(self._on_changed)
         self.interface_box.editTextChanged.connect(self._on_changed)

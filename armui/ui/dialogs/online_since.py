@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from PySide6.QtCore import QObject
 
+from armui.control.arm_controller import ArmController
 from armui.control.operating_state import LinkState, OperatingState
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 
 class OnlineSince(QObject):

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from PySide6.QtCore import QCoreApplication, Signal
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtWidgets import QWidget
 
+from armui.control.arm_controller import ArmController
 from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.widgets.buttons import push_button
 from armui.ui.widgets.enable_or_explain import enable_or_explain
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 
 class SaveQuestion(ConfirmDialog):
@@ -36,9 +33,7 @@ class SaveQuestion(ConfirmDialog):
             text=text,
             action_label=QCoreApplication.translate("SaveQuestion", "Discard changes"),
         )
-        self.save_button = QPushButton(self.tr("Save"))
-        self.save_button.setProperty("primary", True)
-        self.save_button.setAutoDefault(False)
+        self.save_button = push_button("", self.tr("Save"), primary=True, on_enter=False)
         self.save_button.clicked.connect(self._on_save)
         self.footer.insertWidget(self.footer.count() - 1, self.save_button)
 

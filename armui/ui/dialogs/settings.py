@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
@@ -11,27 +11,25 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QGridLayout,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
-    QPushButton,
     QWidget,
 )
 
 from armui import settings
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.settings import SettingsStore
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.files import choose_file
+from armui.ui.widgets.buttons import caption, named, push_button
 from armui.ui.widgets.elided_label import ElidedLabel
+from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _SIZE_PX: Final = (680, 460)
 _STEP_WIDTH_PX: Final = 110
@@ -88,13 +86,11 @@ class SettingsDialog(ArmDialog):
         self._theme_label, self.theme_box = QLabel(), QComboBox()
         self._jog_label, self.jog_step_edit, self._jog_hint = QLabel(), QLineEdit(), QLabel()
         self._urdf_label, self._urdf_name = QLabel(), ElidedLabel()
-        self.stop_again_box = QCheckBox()
-        self.stop_again_box.setObjectName("stop_again_box")
-        self.browse_button, self.built_in_button = QPushButton(), QPushButton()
-        self.diagnosis_button, self.about_arm_button = QPushButton(), QPushButton()
-        self.diagnosis_button.setObjectName("diagnosis_button")
-        self.about_arm_button.setObjectName("about_arm_button")
-        self.close_button = QPushButton()
+        self.stop_again_box = named("stop_again_box", QCheckBox())
+        self.browse_button, self.built_in_button = (push_button(on_enter=False) for _ in range(2))
+        self.diagnosis_button = push_button("diagnosis_button", on_enter=False)
+        self.about_arm_button = push_button("about_arm_button", on_enter=False)
+        self.close_button = push_button(on_enter=False)
         for code, name in _LANGUAGES:
             self.language_box.addItem(name, code)
         for code in ("light", "dark", "system"):
@@ -102,38 +98,18 @@ class SettingsDialog(ArmDialog):
         self.jog_step_edit.setFixedWidth(_STEP_WIDTH_PX)
         self.jog_step_edit.setAlignment(Qt.AlignmentFlag.AlignRight)
         self._jog_hint.setProperty("rank", "muted")
-        for button in (
-            self.browse_button,
-            self.built_in_button,
-            self.diagnosis_button,
-            self.about_arm_button,
-            self.close_button,
-        ):
-            button.setAutoDefault(False)
-
-        grid = QGridLayout()
-        grid.setHorizontalSpacing(18)
-        grid.setVerticalSpacing(12)
+        grid = empty_grid(gaps=(18, 12))
         grid.setColumnStretch(1, 1)
         _add_row(grid, self._language_label, self.language_box)
         _add_row(grid, self._theme_label, self.theme_box)
         _add_row(grid, self._jog_label, self.jog_step_edit, self._jog_hint)
         _add_row(grid, self._urdf_label, self._urdf_name)
-        row = QHBoxLayout()
-        row.setSpacing(8)
-        row.addWidget(self.browse_button)
-        row.addWidget(self.built_in_button)
-        row.addStretch(1)
+        row = in_row(self.browse_button, self.built_in_button, STRETCH, spacing=8)
         grid.addLayout(row, grid.rowCount(), 1)
         grid.addWidget(self.stop_again_box, grid.rowCount(), 1)
         self._message = MessageLine()
-        self.body.addLayout(grid)
-        self.body.addStretch(1)
-        self.body.addWidget(self._message)
-        self.footer.addWidget(self.diagnosis_button)
-        self.footer.addWidget(self.about_arm_button)
-        self.footer.addStretch(1)
-        self.footer.addWidget(self.close_button)
+        fill(self.body, grid, STRETCH, self._message)
+        fill(self.footer, self.diagnosis_button, self.about_arm_button, STRETCH, self.close_button)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
@@ -149,13 +125,11 @@ class SettingsDialog(ArmDialog):
             )
         )
         self._urdf_label.setText(self.tr("Robot description (URDF)"))
-        self.stop_again_box.setText(self.tr("Stop again if another host undoes an emergency stop"))
-        self.stop_again_box.setAccessibleName(self.stop_again_box.text())
-        self.stop_again_box.setToolTip(
-            self.tr(
-                "Such a stop is always told as a fault. With this, it is also sent again by itself."
-            )
+        text = self.tr("Stop again if another host undoes an emergency stop")
+        tip = self.tr(
+            "Such a stop is always told as a fault. With this, it is also sent again by itself."
         )
+        caption(self.stop_again_box, text, tip=tip)
         self.browse_button.setText(self.tr("Browse…"))
         self.built_in_button.setText(self.tr("Use the built-in one"))
         self.diagnosis_button.setText(self.tr("Diagnosis…"))
@@ -267,8 +241,5 @@ def _add_row(grid: QGridLayout, label: QLabel, field: QWidget, hint: QLabel | No
     if hint is None:
         grid.addWidget(field, row, 1)
         return
-    line = QHBoxLayout()
-    line.setSpacing(12)
-    line.addWidget(field)
-    line.addWidget(hint, 1)
+    line = in_row(field, (hint, 1), spacing=12)
     grid.addLayout(line, row, 1)

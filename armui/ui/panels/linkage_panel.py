@@ -2,98 +2,67 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-from PySide6.QtWidgets import (
-    QButtonGroup,
-    QComboBox,
-    QFrame,
-    QGridLayout,
-    QLabel,
-    QPushButton,
-    QToolButton,
-    QWidget,
-)
+from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.control.events import Event
+from armui.control.arm_controller import ArmController
 from armui.control.operating_state import LinkState, OperatingState
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import LinkageRole
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.panels.panel import Panel
+from armui.ui.widgets.buttons import caption, choice_button, named, push_button
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.layouts import empty_grid
 from armui.ui.widgets.text_label import text_label
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _TALLEST_CARD_PX: Final = 400
 _BASES: Final = {"feedback": (0x2A1, 0x2A8), "control": (0x150, 0x15F), "target": (0x150, 0x15F)}
 
 
 class LinkagePanel(Panel):
-    """What is to be set; which identifiers are in use; what a teaching input is, and the way back.
+    """What is to be set, which identifiers are in use, and how a teaching input is led back."""
 
-    Args:
-        controller: Whom to tell.
-    """
-
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(controller, "linkage_message", parent)
-        self._event: Event | None = None
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__(controller, "linkage_message")
         self._role_label = QLabel()
         self._roles = QButtonGroup(self)
         self._role_buttons = {
-            LinkageRole.TEACHING_INPUT: QToolButton(),
-            LinkageRole.MOTION_OUTPUT: QToolButton(),
+            LinkageRole.TEACHING_INPUT: choice_button("linkage_input"),
+            LinkageRole.MOTION_OUTPUT: choice_button("linkage_output"),
         }
-        self._labels = {name: QLabel() for name in _BASES}
-        self._boxes = {name: QComboBox() for name in _BASES}
+        self._labels = {name: text_label(wraps=True) for name in _BASES}
+        self._boxes = {name: named(f"linkage_{name}_offset", QComboBox()) for name in _BASES}
         self._in_use = text_label("linkage_in_use", wraps=True)
         self._teaching = text_label("linkage_teaching_input", wraps=True)
-        self._back = QPushButton()
-        self._back.setObjectName("linkage_back_button")
-        self._confirm = QPushButton()
-        self._confirm.setObjectName("linkage_confirm_button")
-        self._confirm.setProperty("primary", True)
+        self._back = push_button("linkage_back_button")
+        self._confirm = push_button("linkage_confirm_button", primary=True)
         self._confirm.setMinimumHeight(38)
         self._note = text_label(rank="muted", wraps=True)
         self._lay_out()
         self._confirm.clicked.connect(self._ask)
         self._back.clicked.connect(lambda: self._accepted(controller.linkage.release()))
-        controller.operating_state_changed.connect(self._on_operating_state_changed)
-        controller.noticed.connect(self._on_noticed)
+        self._listen("linkage_")
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
         card = QFrame()
-        grid = QGridLayout(card)
-        grid.setContentsMargins(16, 12, 16, 12)
-        grid.setHorizontalSpacing(10)
-        grid.setVerticalSpacing(10)
+        grid = empty_grid(card, gaps=(10, 10), margins=(16, 12, 16, 12))
         grid.addWidget(self._role_label, 0, 0, 1, 2)
         for row, (role, button) in enumerate(self._role_buttons.items(), start=1):
-            button.setObjectName(
-                "linkage_input" if role is LinkageRole.TEACHING_INPUT else "linkage_output"
-            )
-            button.setCheckable(True)
-            button.setProperty("choice", True)
             button.setSizePolicy(self._confirm.sizePolicy())
             self._roles.addButton(button, int(role))
             grid.addWidget(button, row, 0, 1, 2)
         self._role_buttons[LinkageRole.MOTION_OUTPUT].setChecked(True)
         for row, (name, box) in enumerate(self._boxes.items(), start=3):
-            box.setObjectName(f"linkage_{name}_offset")
-            first, last = _BASES[name]
             for offset in OFFSETS:
-                span = f"0x{first + offset:03X}–0x{last + offset:03X}"
-                box.addItem(f"0x{offset:02X}  ({span})", offset)
+                box.addItem(f"0x{offset:02X}  ({_span(name, offset)})", offset)
             self._labels[name].setBuddy(box)
-            self._labels[name].setWordWrap(True)
             grid.addWidget(self._labels[name], row, 0)
             grid.addWidget(box, row, 1)
         grid.addWidget(self._in_use, 6, 0, 1, 2)
@@ -145,17 +114,9 @@ class LinkagePanel(Panel):
 
     # -- appearance ---------------------------------------------------------------------------
 
-    def _on_noticed(self, event: Event) -> None:
-        if event.code.startswith("linkage_"):
-            self._refusal, self._event = None, event
-            self._show_message()
-
-    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
-        old, self._operating_state = self._operating_state, operating_state
-        if old.device != operating_state.device:
+    def _forget_outdated(self, old: OperatingState) -> None:
+        if old.device != self._operating_state.device:
             self._refusal = self._event = None
-        if self.isVisible():
-            self._show_all()
 
     def _show_all(self) -> None:
         operating_state = self._operating_state
@@ -177,18 +138,11 @@ class LinkagePanel(Panel):
             self._in_use.setText(self.tr("In use: —"))
             return
         addressing = operating_state.addressing
-        control = (
-            f"0x{0x150 + addressing.control_offset:03X}–0x{0x15F + addressing.control_offset:03X}"
-            if operating_state.control_certain
-            else self.tr("not known")
-        )
-        self._in_use.setText(
-            self.tr("In use: feedback {feedback}, commands {control}").format(
-                feedback=f"0x{0x2A1 + addressing.feedback_offset:03X}–"
-                f"0x{0x2A8 + addressing.feedback_offset:03X}",
-                control=control,
-            )
-        )
+        feedback = _span("feedback", addressing.feedback_offset)
+        certain = operating_state.control_certain
+        control = _span("control", addressing.control_offset) if certain else self.tr("not known")
+        text = self.tr("In use: feedback {feedback}, commands {control}")
+        self._in_use.setText(text.format(feedback=feedback, control=control))
 
     def _show_message(self) -> None:
         operating_state = self._operating_state
@@ -207,8 +161,7 @@ class LinkagePanel(Panel):
             (LinkageRole.TEACHING_INPUT, self.tr("Master arm (teaching input arm)")),
             (LinkageRole.MOTION_OUTPUT, self.tr("Slave arm (motion output arm)")),
         ):
-            self._role_buttons[role].setText(text)
-            self._role_buttons[role].setAccessibleName(text)
+            caption(self._role_buttons[role], text)
         for name, text in (
             ("feedback", self.tr("Feedback offset")),
             ("control", self.tr("Control offset")),
@@ -225,10 +178,8 @@ class LinkagePanel(Panel):
                 "and no feedback. It obeys nothing but this:"
             )
         )
-        self._back.setText(self.tr("Back to a motion output arm without offsets"))
-        self._back.setAccessibleName(self._back.text())
-        self._confirm.setText(self.tr("Confirm"))
-        self._confirm.setAccessibleName(f"{self._title.text()}: {self._confirm.text()}")
+        caption(self._back, self.tr("Back to a motion output arm without offsets"))
+        caption(self._confirm, self.tr("Confirm"), whose=self._title.text())
         self._note.setText(
             self.tr(
                 "The arm cannot be asked for this setting: what counts is where its feedback is "
@@ -236,3 +187,9 @@ class LinkagePanel(Panel):
             )
         )
         self._show_all()
+
+
+def _span(name: str, offset: int) -> str:
+    """From which to which identifier an offset leads."""
+    first, last = _BASES[name]
+    return f"0x{first + offset:03X}–0x{last + offset:03X}"

@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QLabel, QLayout, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLayout, QScrollArea, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.arm.state import ArmState
+from armui.control.arm_controller import ArmController
 from armui.control.events import Event, Level
+from armui.control.operating_state import OperatingState
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _LEVELS: Final = {
     RefusalCode.NOT_CONNECTED: Level.INFO,
@@ -37,25 +40,23 @@ def level_of(refusal: Refusal) -> Level:
 class Panel(Translated, QWidget):
     """Shows what is new while it is seen, and catches up when it is shown again.
 
-    A panel of its own makes its widgets, lays them out with :meth:`_stack`, and calls
-    :meth:`retranslate_ui` as the last step of being made.
+    A panel of its own makes its widgets, lays them out with :meth:`_stack`, listens with
+    :meth:`_listen`, and calls :meth:`retranslate_ui` as the last step of being made.
 
     Args:
         controller: Whom to ask and to tell.
         message_name: The object name of the message.
     """
 
-    def __init__(
-        self, controller: ArmController, message_name: str, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController, message_name: str) -> None:
+        super().__init__()
         self._controller = controller
         self._operating_state = controller.operating_state
         self._refusal: Refusal | None = None
-        self._title = QLabel()
-        self._title.setProperty("rank", "title")
-        self._message = MessageLine()
-        self._message.setObjectName(message_name)
+        self._event: Event | None = None
+        self._told_here: tuple[str, ...] = ()
+        self._title = text_label(rank="title")
+        self._message = named(message_name, MessageLine())
 
     # -- what a panel of its own adds ---------------------------------------------------------
 
@@ -71,7 +72,39 @@ class Panel(Translated, QWidget):
         """Say the one thing that matters most now."""
         raise NotImplementedError
 
+    def _show_state(self, state: ArmState) -> None:
+        """Show what the arm says."""
+
+    def _forget_outdated(self, old: OperatingState) -> None:
+        """Drop what was said, if the operating state that is left explains it no more."""
+
     # -- what it finds here -------------------------------------------------------------------
+
+    def _listen(self, *told_here: str) -> None:
+        """Follow the controller.
+
+        Args:
+            told_here: How the codes of the events begin that the panel tells.
+        """
+        self._told_here = told_here
+        self._controller.state_changed.connect(self._on_state_changed)
+        self._controller.operating_state_changed.connect(self._on_operating_state_changed)
+        self._controller.noticed.connect(self._on_noticed)
+
+    def _on_noticed(self, event: Event) -> None:
+        if event.code.startswith(self._told_here):
+            self._refusal, self._event = None, event
+            self._show_message()
+
+    def _on_state_changed(self, state: ArmState) -> None:
+        if self.isVisible():
+            self._show_state(state)
+
+    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
+        old, self._operating_state = self._operating_state, operating_state
+        self._forget_outdated(old)
+        if self.isVisible():
+            self._show_all()
 
     def _stack(
         self, *parts: QWidget | QLayout, head: QLayout | None = None, gap_px: int = _GAP_PX
@@ -85,9 +118,7 @@ class Panel(Translated, QWidget):
             head: Holds the title and what stands beside it; the title alone where there is none.
             gap_px: Between the parts.
         """
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(16, 14, 16, 14)
-        layout.setSpacing(gap_px)
+        layout = in_column(on=self, spacing=gap_px, margins=(16, 14, 16, 14))
         for part in (head or self._title, *parts, self._message):
             if isinstance(part, QLayout):
                 layout.addLayout(part)
@@ -120,7 +151,7 @@ class Panel(Translated, QWidget):
             title: The question in a few words.
             text: What will physically happen, and what to do before.
             label: What the button does, in a word.
-            act: The deed; its refusal is shown.
+            act: The command; its refusal is shown.
         """
         confirm(
             self.window(),

@@ -102,7 +102,7 @@ class SpeedControl(Translated, QWidget):
 
     def _show_setpoint(self) -> None:
         percent = self._controller.operating_state.speed_percent
-        self._slider.show_wish(percent)
+        self._slider.show_requested(percent)
         with QSignalBlocker(self._field):
             self._field.setValue(percent)
 

@@ -74,8 +74,8 @@ class UnsavedQuestion(SaveQuestion):
 
     def _follow(self) -> None:
         left = unsaved(self._panels)
-        hindrances = (panel.why_no_saving() for panel in left)
-        self.allow_saving(next((each for each in hindrances if each), ""))
+        reasons = (panel.why_no_saving() for panel in left)
+        self.allow_saving(next((each for each in reasons if each), ""))
         if not left and self.isVisible():
             self.reject()
 

@@ -13,6 +13,8 @@ from PySide6.QtCore import QCoreApplication, QObject, QPoint, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtWidgets import QMenu, QWidget
 
+from armui.ui.widgets.buttons import named
+
 _PROPERTY: Final = "quantities"
 
 
@@ -58,8 +60,7 @@ def offer_curves(window: QWidget, event: QContextMenuEvent) -> None:
         event.ignore()
         return
     event.accept()
-    menu = QMenu(window)
-    menu.setObjectName("curve_menu")
+    menu = named("curve_menu", QMenu(window))
     menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     text = QCoreApplication.translate("CurveMenu", "Show as curve")
     menu.addAction(text, lambda: shower.show_as_curves(keys))

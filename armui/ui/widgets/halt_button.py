@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
+from armui.control.arm_controller import ArmController
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import painting
 from armui.ui.widgets.press_button import PressButton
 from armui.ui.widgets.stop_shortcut import HALT_KEY_NAME
 from armui.ui.widgets.translated import Translated
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _SIGN_PX: Final = 8.0
 _SIGN_GAP_PX: Final = 9.0

@@ -6,11 +6,12 @@ from typing import Final
 
 from PySide6.QtCore import QEvent, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QPaintEvent, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from armui.control.events import Level
 from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import icons, painting
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
 
 _ICON_PX: Final = 20
@@ -32,9 +33,7 @@ class MessageLine(QWidget):
         self._icon.setFixedWidth(_ICON_PX)
         self._label = text_label(wraps=True, plain=True)
         self._label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(_SIDE_PX, _TOP_PX, _SIDE_PX, _TOP_PX)
-        layout.setSpacing(_GAP_PX)
+        layout = in_row(on=self, spacing=_GAP_PX, margins=(_SIDE_PX, _TOP_PX, _SIDE_PX, _TOP_PX))
         layout.addWidget(self._icon, 0, Qt.AlignmentFlag.AlignVCenter)
         layout.addWidget(self._label, 1)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, Qt, QTimer
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QApplication
 
+from armui.control.arm_controller import ArmController
 from armui.ui.widgets.press_button import PressButton
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 STOP_KEYS: Final = frozenset({Qt.Key.Key_F12, Qt.Key.Key_Pause})
 STOP_KEY_NAME: Final = "F12, Pause"

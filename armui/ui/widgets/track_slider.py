@@ -5,15 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import QPointF, QRectF, QSignalBlocker, QSize, Qt
-from PySide6.QtGui import (
-    QColor,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-    QPolygonF,
-    QWheelEvent,
-)
+from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF, QWheelEvent
 from PySide6.QtWidgets import QSizePolicy, QSlider, QWidget
 
 from armui.ui.theme import Colors, colors_of
@@ -26,10 +18,10 @@ _GROOVE_PX: Final = 4.0
 
 
 class TrackSlider(QSlider):
-    """A horizontal slider whose handle is the wish and whose mark below the track is the fact.
+    """A horizontal slider whose handle is what is requested and whose mark is what is measured.
 
     The slider counts in whole steps, as Qt's sliders do; a step is ``resolution`` of the
-    quantity's unit. Without a wish there is no handle, without a fact no mark.
+    quantity's unit. What is not known has no handle, or no mark.
 
     Args:
         resolution: How much one step of the slider is.
@@ -51,7 +43,7 @@ class TrackSlider(QSlider):
         self._origin = origin
         self._jumps = jumps
         self._grabbed_at: float | None = None
-        self._wish_known = True
+        self._requested_known = True
         self._attention = False
         self._measured: float | None = None
         self._mark_px: float | None = None
@@ -61,7 +53,7 @@ class TrackSlider(QSlider):
     # -- values -------------------------------------------------------------------------------
 
     @property
-    def wish(self) -> float:
+    def requested(self) -> float:
         """The handle's place in the quantity's unit."""
         return self.sliderPosition() * self._resolution
 
@@ -77,20 +69,20 @@ class TrackSlider(QSlider):
         self._mark_px = self._place(self._measured)
         self.update()
 
-    def show_wish(self, value: float | None, *, attention: bool = False) -> None:
+    def show_requested(self, value: float | None, *, attention: bool = False) -> None:
         """Put the handle somewhere without telling anyone; ``None`` takes it away.
 
         Args:
             value: In the quantity's unit; beyond the track it stands at the end.
             attention: Draw it in the colour for something out of order.
         """
-        before = self._wish_known, self._attention
-        self._wish_known = value is not None
+        before = self._requested_known, self._attention
+        self._requested_known = value is not None
         self._attention = attention
         if value is not None:
             with QSignalBlocker(self):
                 self.setValue(round(value / self._resolution))  # repaints if it moves
-        if before != (self._wish_known, self._attention):
+        if before != (self._requested_known, self._attention):
             self.update()
 
     def show_measured(self, value: float | None) -> None:
@@ -132,12 +124,12 @@ class TrackSlider(QSlider):
             event.ignore()
             return
         x = event.position().x()
-        handle = self._place(self.wish) if self._wish_known else None
+        handle = self._place(self.requested) if self._requested_known else None
         if handle is not None and abs(x - handle) <= _HANDLE_PX + 2:
             self._grabbed_at = x - handle
         elif self._jumps:
             self._grabbed_at = 0.0
-            self._wish_known = True
+            self._requested_known = True
             self.setValue(self._value_at(x))
         else:
             step = self.pageStep() if handle is None or x > handle else -self.pageStep()
@@ -171,7 +163,7 @@ class TrackSlider(QSlider):
         painter = painting.begin(self)
         middle = self.height() / 2 - 3
         self._mark_px = self._place(self._measured)
-        handle = self._place(self.wish) if self._wish_known else None
+        handle = self._place(self.requested) if self._requested_known else None
         self._draw_track(painter, colors, middle, handle)
         if self._mark_px is not None:
             self._draw_mark(painter, colors, QPointF(self._mark_px, middle))

@@ -46,8 +46,7 @@ BACKUP_REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "Refusal", "The file {path} cannot be read: {text}. Choose another one."
     ),
     RefusalCode.BACKUP_NOT_WRITTEN: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "The backup could not be written to {path}: {text}. Choose another folder.",
+        "Refusal", "The backup could not be written to {path}: {text}. Choose another folder."
     ),
     RefusalCode.BACKUP_NOTHING_READ: QT_TRANSLATE_NOOP(
         "Refusal", "Nothing has been read from the arm. Press Read first."

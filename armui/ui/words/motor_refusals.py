@@ -32,8 +32,7 @@ MOTOR_REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "Refusal", "The arm is moving. Wait until it stands still, then set the linkage."
     ),
     RefusalCode.GRIPPER_SILENT: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "No gripper is heard. If one is mounted, check its cable and its power.",
+        "Refusal", "No gripper is heard. If one is mounted, check its cable and its power."
     ),
     RefusalCode.GRIPPER_NO_ZERO: QT_TRANSLATE_NOOP(
         "Refusal", "The gripper of a generation 1 arm has no command for its zero."

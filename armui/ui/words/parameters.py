@@ -31,7 +31,7 @@ _NAMES: Final[Mapping[str, object]] = {
     "teaching_friction": QT_TRANSLATE_NOOP("Parameter", "Teaching friction"),
 }
 
-_LOOKS: Final[Mapping[CellStatus, object]] = {
+_STATUS: Final[Mapping[CellStatus, object]] = {
     CellStatus.NOT_READ: QT_TRANSLATE_NOOP("Parameter", "not read"),
     CellStatus.READING: QT_TRANSLATE_NOOP("Parameter", "reading…"),
     CellStatus.CORRUPT: QT_TRANSLATE_NOOP("Parameter", "corrupt"),
@@ -83,15 +83,15 @@ def value_text(name: str, value: float) -> str:
     return f"{value:.{kind.decimals}f}{gap}{kind.unit}"
 
 
-def look_word(look: CellStatus) -> str:
+def status_word(status: CellStatus) -> str:
     """How a parameter stands, in a word or two; nothing where it is as the arm holds it."""
-    source = _LOOKS.get(look)
+    source = _STATUS.get(status)
     return "" if source is None else sentence("Parameter", source, {})
 
 
-def look_explained(look: CellStatus, held: str) -> str:
+def status_explained(status: CellStatus, held: str) -> str:
     """The same as a sentence; ``held`` is what the arm holds."""
-    source = _EXPLAINED.get(look)
+    source = _EXPLAINED.get(status)
     return "" if source is None else sentence("Parameter", source, {"held": held})
 
 
@@ -104,8 +104,5 @@ def span_text(name: str) -> str:
     """From which to which value a parameter can be set."""
     kind = KINDS[name]
     source = QT_TRANSLATE_NOOP("Parameter", "Possible: {minimum} to {maximum}")
-    words = {
-        "minimum": value_text(name, kind.minimum),
-        "maximum": value_text(name, kind.maximum),
-    }
+    words = {"minimum": value_text(name, kind.minimum), "maximum": value_text(name, kind.maximum)}
     return sentence("Parameter", source, words)

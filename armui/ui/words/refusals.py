@@ -31,16 +31,14 @@ _REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "and the bit rate.",
     ),
     RefusalCode.LINK_LOST: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "The CAN device is gone. Plug it in again: the program reconnects by itself.",
+        "Refusal", "The CAN device is gone. Plug it in again: the program reconnects by itself."
     ),
     RefusalCode.STOPPED: QT_TRANSLATE_NOOP(
         "Refusal",
         "The arm is in emergency stop. Hold the arm, press Resume, then enable the motors.",
     ),
     RefusalCode.HALT_LISTEN_ONLY: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "This connection only listens: nothing is sent on it but the emergency stop.",
+        "Refusal", "This connection only listens: nothing is sent on it but the emergency stop."
     ),
     RefusalCode.STOP_REQUESTED: QT_TRANSLATE_NOOP(
         "Refusal",
@@ -48,8 +46,7 @@ _REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "confirmation.",
     ),
     RefusalCode.NOT_STOPPED: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "The arm is not in emergency stop: there is nothing to resume from.",
+        "Refusal", "The arm is not in emergency stop: there is nothing to resume from."
     ),
     RefusalCode.BUSY: QT_TRANSLATE_NOOP(
         "Refusal", "Still under way: {what}. Wait until it is done."
@@ -64,27 +61,22 @@ _REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "The arm is not in drag teaching. Start recording first, or press the button on the arm.",
     ),
     RefusalCode.TEACHING_IDLE: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Nothing is under way in drag teaching. Start recording or replay first.",
+        "Refusal", "Nothing is under way in drag teaching. Start recording or replay first."
     ),
     RefusalCode.TEACHING_RECORDING: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "The arm is recording. Stop recording first.",
+        "Refusal", "The arm is recording. Stop recording first."
     ),
     RefusalCode.TEACHING_REPLAYING: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "The arm is replaying. Pause or terminate the replay first.",
+        "Refusal", "The arm is replaying. Pause or terminate the replay first."
     ),
     RefusalCode.TEACHING_PAUSED: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "The replay is paused. Continue or terminate it first.",
+        "Refusal", "The replay is paused. Continue or terminate it first."
     ),
     RefusalCode.NOT_MOVING: QT_TRANSLATE_NOOP(
         "Refusal", "The arm is not moving: there is nothing to pause."
     ),
     RefusalCode.NOT_ENABLED: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "The motors of these joints are not enabled: {joints}. Press Enable first.",
+        "Refusal", "The motors of these joints are not enabled: {joints}. Press Enable first."
     ),
     RefusalCode.ENABLED_UNKNOWN: QT_TRANSLATE_NOOP(
         "Refusal",
@@ -96,8 +88,7 @@ _REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "The speed is set to 0 %: the arm would not move. Set a speed from 1 to 100 % at the top.",
     ),
     RefusalCode.SPEED_OUT_OF_RANGE: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Speed {value} % is out of range. Enter a value from 0 to 100 %.",
+        "Refusal", "Speed {value} % is out of range. Enter a value from 0 to 100 %."
     ),
     RefusalCode.JOINT_OUT_OF_LIMITS: QT_TRANSLATE_NOOP(
         "Refusal",
@@ -109,16 +100,13 @@ _REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "Joint {joint}: “{value}” is not an angle. Enter degrees in figures, for example 12.5.",
     ),
     RefusalCode.STILL_MOVING: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "The arm is still moving. Wait until it stands still, then press again.",
+        "Refusal", "The arm is still moving. Wait until it stands still, then press again."
     ),
     RefusalCode.JOG_AT_LIMIT: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Joint {joint} is at its limit of {limit}°. Jog the other way.",
+        "Refusal", "Joint {joint} is at its limit of {limit}°. Jog the other way."
     ),
     RefusalCode.JOG_OUT_OF_REACH: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "The arm reaches no further this way. Jog in another direction.",
+        "Refusal", "The arm reaches no further this way. Jog in another direction."
     ),
     RefusalCode.JOG_SINGULAR: QT_TRANSLATE_NOOP(
         "Refusal",
@@ -126,8 +114,7 @@ _REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "another way, or turn joint 5 away from 0° under Motion control.",
     ),
     RefusalCode.JOG_NOT_FOLLOWING: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "The arm does not follow. Check that nothing blocks it and what its status says.",
+        "Refusal", "The arm does not follow. Check that nothing blocks it and what its status says."
     ),
     RefusalCode.JOG_NO_FEEDBACK: QT_TRANSLATE_NOOP(
         "Refusal",
@@ -139,16 +126,13 @@ _REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "go and press again; move the mouse a little while you hold it for long.",
     ),
     RefusalCode.JOG_HELD_UP: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "The program was held up for {value} ms. Let go and press again.",
+        "Refusal", "The program was held up for {value} ms. Let go and press again."
     ),
     RefusalCode.POSE_UNKNOWN: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "The arm has not reported its pose yet. Wait until all six values are shown.",
+        "Refusal", "The arm has not reported its pose yet. Wait until all six values are shown."
     ),
     RefusalCode.TARGET_REFUSED: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "The arm itself refuses its last target: {status}. Send another one.",
+        "Refusal", "The arm itself refuses its last target: {status}. Send another one."
     ),
     RefusalCode.POSE_NOT_A_NUMBER: QT_TRANSLATE_NOOP(
         "Refusal",
@@ -188,8 +172,7 @@ _REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "The three poses lie on a line, or two in one place: that is no arc. Capture others.",
     ),
     RefusalCode.ARC_INCOMPLETE: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Not captured yet: {point}. Bring the arm there and press its button.",
+        "Refusal", "Not captured yet: {point}. Bring the arm there and press its button."
     ),
     RefusalCode.MODEL_DIFFERS: QT_TRANSLATE_NOOP(
         "Refusal",
@@ -214,8 +197,7 @@ _REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "The arm has not reported all of its joint angles yet. Wait until all six are shown.",
     ),
     RefusalCode.OTHER_CONTROL: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "The arm takes its commands from elsewhere: {mode}. Leave that mode first.",
+        "Refusal", "The arm takes its commands from elsewhere: {mode}. Leave that mode first."
     ),
     RefusalCode.ARM_FAULT: QT_TRANSLATE_NOOP(
         "Refusal",
@@ -223,12 +205,10 @@ _REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "the arm, Resume.",
     ),
     RefusalCode.BUS_GONE: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "{device} is not there. Check that it is plugged in and its cable is sound.",
+        "Refusal", "{device} is not there. Check that it is plugged in and its cable is sound."
     ),
     RefusalCode.BUS_BUSY: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "{device} is in use by another program. Close that program, then connect again.",
+        "Refusal", "{device} is in use by another program. Close that program, then connect again."
     ),
     RefusalCode.BUS_DOWN: QT_TRANSLATE_NOOP(
         "Refusal",
@@ -301,12 +281,10 @@ _REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "Setting “{field}”: “{value}” is not possible. Its first setting is used instead.",
     ),
     RefusalCode.JOG_STEP_OUT_OF_RANGE: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Jog step {value}° is out of range. Enter a value from {minimum}° to {maximum}°.",
+        "Refusal", "Jog step {value}° is out of range. Enter a value from {minimum}° to {maximum}°."
     ),
     RefusalCode.JOG_STEP_NOT_A_NUMBER: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Jog step: “{value}” is not an angle. Enter degrees in figures, for example 0.5.",
+        "Refusal", "Jog step: “{value}” is not an angle. Enter degrees in figures, for example 0.5."
     ),
 }
 

@@ -29,8 +29,7 @@ ROBOT_REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "“robot”. Choose a URDF file.",
     ),
     RefusalCode.URDF_MALFORMED: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Robot description: {path} is not written as URDF demands: {text}. Correct it.",
+        "Refusal", "Robot description: {path} is not written as URDF demands: {text}. Correct it."
     ),
     RefusalCode.URDF_INCOMPLETE: QT_TRANSLATE_NOOP(
         "Refusal",
@@ -58,12 +57,10 @@ ROBOT_REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "file says, or correct its name in the file.",
     ),
     RefusalCode.MESH_UNREADABLE: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Robot description: the mesh {mesh} cannot be read: {text}. Export it again.",
+        "Refusal", "Robot description: the mesh {mesh} cannot be read: {text}. Export it again."
     ),
     RefusalCode.MESH_EMPTY: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Robot description: the mesh {mesh} holds no surface. Export it again.",
+        "Refusal", "Robot description: the mesh {mesh} holds no surface. Export it again."
     ),
     RefusalCode.URDF_ENDS_VIEW: QT_TRANSLATE_NOOP(
         "Refusal",

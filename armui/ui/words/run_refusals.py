@@ -21,12 +21,10 @@ RUN_REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "Refusal", "The program did not come to the end of its work: {text}. Try again."
     ),
     RefusalCode.MOVED_SINCE_CHECK: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Not run: the arm has moved by {value}° since it was checked. Send again.",
+        "Refusal", "Not run: the arm has moved by {value}° since it was checked. Send again."
     ),
     RefusalCode.LIMITS_CHANGED_SINCE_CHECK: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "Not run: the arm's joint limits are others than those of the check. Send again.",
+        "Refusal", "Not run: the arm's joint limits are others than those of the check. Send again."
     ),
     RefusalCode.NOT_RUNNING: QT_TRANSLATE_NOOP(
         "Refusal", "No trajectory is running: nothing to pause."

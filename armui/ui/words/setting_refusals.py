@@ -13,8 +13,7 @@ from armui.ui.words.parameters import full_name, value_text
 
 SETTING_REFUSALS: Final[Mapping[RefusalCode, object]] = {
     RefusalCode.GENERATION_UNKNOWN: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "The program is still finding out which protocol the arm speaks. Wait a second.",
+        "Refusal", "The program is still finding out which protocol the arm speaks. Wait a second."
     ),
     RefusalCode.SETTING_OUT_OF_RANGE: QT_TRANSLATE_NOOP(
         "Refusal",

@@ -17,8 +17,7 @@ _SENTENCES: Final[Mapping[StepKind, object]] = {
     StepKind.NO_DEVICE: QT_TRANSLATE_NOOP("RecoveryStep", "No arm is connected."),
     StepKind.OPENING: QT_TRANSLATE_NOOP("RecoveryStep", "The device is being opened."),
     StepKind.DEVICE_LOST: QT_TRANSLATE_NOOP(
-        "RecoveryStep",
-        "The CAN device is gone. Plug it in again, or choose another one.",
+        "RecoveryStep", "The CAN device is gone. Plug it in again, or choose another one."
     ),
     StepKind.STOP_WAITS_FOR_DEVICE: QT_TRANSLATE_NOOP(
         "RecoveryStep",
@@ -46,16 +45,14 @@ _SENTENCES: Final[Mapping[StepKind, object]] = {
         "moves.",
     ),
     StepKind.STOP_REQUESTED: QT_TRANSLATE_NOOP(
-        "RecoveryStep",
-        "Stop sent. Waiting for the arm to confirm it.",
+        "RecoveryStep", "Stop sent. Waiting for the arm to confirm it."
     ),
     StepKind.OFFLINE: QT_TRANSLATE_NOOP(
         "RecoveryStep",
         "Nothing is heard from the arm. Check its power, the CAN cable and the bit rate.",
     ),
     StepKind.LISTEN_ONLY: QT_TRANSLATE_NOOP(
-        "RecoveryStep",
-        "Only listening: nothing is sent but the emergency stop.",
+        "RecoveryStep", "Only listening: nothing is sent but the emergency stop."
     ),
     StepKind.WORKING: QT_TRANSLATE_NOOP("RecoveryStep", "Waiting for the arm: {what}."),
     StepKind.STOPPED: QT_TRANSLATE_NOOP(
@@ -75,8 +72,7 @@ _SENTENCES: Final[Mapping[StepKind, object]] = {
         "the arm.",
     ),
     StepKind.COLLISION: QT_TRANSLATE_NOOP(
-        "RecoveryStep",
-        "Collision, joint {joints}. Remove what the arm hit, then clear the error.",
+        "RecoveryStep", "Collision, joint {joints}. Remove what the arm hit, then clear the error."
     ),
     StepKind.DRIVER_FAULT: QT_TRANSLATE_NOOP(
         "RecoveryStep",
@@ -88,8 +84,7 @@ _SENTENCES: Final[Mapping[StepKind, object]] = {
         "away, clear the error.",
     ),
     StepKind.STALL: QT_TRANSLATE_NOOP(
-        "RecoveryStep",
-        "Joint {joints} is held fast. Free it, then clear the error.",
+        "RecoveryStep", "Joint {joints} is held fast. Free it, then clear the error."
     ),
     StepKind.SENSOR: QT_TRANSLATE_NOOP(
         "RecoveryStep",
@@ -109,8 +104,7 @@ _SENTENCES: Final[Mapping[StepKind, object]] = {
         "The arm reports a joint status fault. Look at the joint status, then clear the errors.",
     ),
     StepKind.BRAKE_CLOSED: QT_TRANSLATE_NOOP(
-        "RecoveryStep",
-        "A joint's brake is not released. Hold the arm, then reset it.",
+        "RecoveryStep", "A joint's brake is not released. Hold the arm, then reset it."
     ),
     StepKind.CONTROLLER_HOT: QT_TRANSLATE_NOOP(
         "RecoveryStep",
@@ -129,20 +123,16 @@ _SENTENCES: Final[Mapping[StepKind, object]] = {
         "The arm reports a status this program does not know ({status}). Reset the arm.",
     ),
     StepKind.RECORDING: QT_TRANSLATE_NOOP(
-        "RecoveryStep",
-        "The arm records: lead it by hand. Stop recording when done.",
+        "RecoveryStep", "The arm records: lead it by hand. Stop recording when done."
     ),
     StepKind.REPLAYING: QT_TRANSLATE_NOOP(
-        "RecoveryStep",
-        "The arm replays what it was taught. Keep clear.",
+        "RecoveryStep", "The arm replays what it was taught. Keep clear."
     ),
     StepKind.REPLAY_PAUSED: QT_TRANSLATE_NOOP(
-        "RecoveryStep",
-        "The replay is paused. Continue under Teaching, or terminate it.",
+        "RecoveryStep", "The replay is paused. Continue under Teaching, or terminate it."
     ),
     StepKind.OTHER_CONTROL: QT_TRANSLATE_NOOP(
-        "RecoveryStep",
-        "The arm takes its commands from elsewhere: {mode}. Take the command.",
+        "RecoveryStep", "The arm takes its commands from elsewhere: {mode}. Take the command."
     ),
     StepKind.CANCEL_UNHEEDED: QT_TRANSLATE_NOOP(
         "RecoveryStep",
@@ -158,8 +148,7 @@ _SENTENCES: Final[Mapping[StepKind, object]] = {
         "Another program controls the arm since {since} ({frames}, {rate} frames/s).",
     ),
     StepKind.LEADER_ARM: QT_TRANSLATE_NOOP(
-        "RecoveryStep",
-        "A leader arm moves this arm since {since} ({frames}, {rate} frames/s).",
+        "RecoveryStep", "A leader arm moves this arm since {since} ({frames}, {rate} frames/s)."
     ),
     StepKind.PAUSED: QT_TRANSLATE_NOOP(
         "RecoveryStep",
@@ -195,16 +184,13 @@ _SENTENCES: Final[Mapping[StepKind, object]] = {
         "{joint}: {angle}°).",
     ),
     StepKind.OVERSPEED_REPORTED: QT_TRANSLATE_NOOP(
-        "RecoveryStep",
-        "The arm was dragged too fast. Hold it, then reset it.",
+        "RecoveryStep", "The arm was dragged too fast. Hold it, then reset it."
     ),
     StepKind.MOTORS_MIXED: QT_TRANSLATE_NOOP(
-        "RecoveryStep",
-        "The motors of joint {joints} are off. Hold the arm, then enable them.",
+        "RecoveryStep", "The motors of joint {joints} are off. Hold the arm, then enable them."
     ),
     StepKind.MOTORS_OFF: QT_TRANSLATE_NOOP(
-        "RecoveryStep",
-        "The motors are off. Enable them to move the arm.",
+        "RecoveryStep", "The motors are off. Enable them to move the arm."
     ),
     StepKind.BEYOND_LIMIT: QT_TRANSLATE_NOOP(
         "RecoveryStep",
@@ -232,8 +218,7 @@ _SOMEWHERE: Final[Mapping[StepKind, object]] = {
         "The arm has lost a joint. Check the cables; if the message stays, reset the arm.",
     ),
     StepKind.COLLISION: QT_TRANSLATE_NOOP(
-        "RecoveryStep",
-        "The arm has hit something. Remove it, then clear the errors.",
+        "RecoveryStep", "The arm has hit something. Remove it, then clear the errors."
     ),
 }
 """What to say where the arm does not tell which joint it is."""

@@ -43,8 +43,7 @@ _FILES: Final[Mapping[RefusalCode, object]] = {
         "Refusal", "“{value}” is no entry of the header; name, note and modified are."
     ),
     RefusalCode.OPTION_UNKNOWN: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "“{value}” is no option of a point; speed, dwell, gripper, light and note are.",
+        "Refusal", "“{value}” is no option of a point; speed, dwell, gripper, light and note are."
     ),
     RefusalCode.OPTION_TWICE: QT_TRANSLATE_NOOP("Refusal", "“{value}” is given twice. Leave one."),
     RefusalCode.OPTION_BAD: QT_TRANSLATE_NOOP(

@@ -11,8 +11,8 @@ import, most of it for charts and matplotlib, which the picture of an arm has no
 from __future__ import annotations
 
 import ctypes.util
+from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
 
 import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 - what VTK's windows and actors draw with
@@ -22,9 +22,6 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.viewport.errors import SceneError
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
 
 
 class Pixels:

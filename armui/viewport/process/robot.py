@@ -12,14 +12,11 @@ the bus thread waiting. A test compares the two.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
 
 Matrix = NDArray[np.float64]
 Rgb = tuple[float, float, float]

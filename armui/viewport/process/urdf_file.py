@@ -13,8 +13,8 @@ import os
 import stat
 import xml.etree.ElementTree as ET
 from collections import Counter
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 import trimesh
@@ -33,9 +33,6 @@ from armui.viewport.process.robot import (
     RobotPart,
     Surface,
 )
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
 
 _MOST_BYTES = 32_000_000
 

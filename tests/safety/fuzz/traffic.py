@@ -81,7 +81,7 @@ class Traffic:
 
     Args:
         firmware: The arm; its `on_frame` is watched.
-        clock: The bench's time.
+        clock: The rig's time.
 
     Attributes:
         asked: What the operator has asked for last, asked at each frame.

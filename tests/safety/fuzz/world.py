@@ -1,4 +1,4 @@
-"""The bench with its company as the fuzz drives it: one clock, and every word noted."""
+"""The rig with its company as the fuzz drives it: one clock, and every word noted."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ class NotedHost(OtherHost):
 
 
 class World(ArmRig):
-    """A bench on which nothing but its own clock counts.
+    """A rig on which nothing but its own clock counts.
 
     Attributes:
         other: The second host.

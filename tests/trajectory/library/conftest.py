@@ -11,5 +11,5 @@ def folder(tmp_path):
 
 
 @pytest.fixture
-def shelf(folder):
+def library(folder):
     return opened(folder)

@@ -1,6 +1,8 @@
 """What is put into a library, and what it then shows."""
 
+from contextlib import contextmanager
 from datetime import UTC, datetime
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -28,8 +30,8 @@ def opened(folder):
     return Library(folder, lambda: NOW)
 
 
-def names(shelf):
-    return [entry.name for entry in shelf.entries()]
+def names(library):
+    return [entry.name for entry in library.entries()]
 
 
 def shown(folder):
@@ -48,3 +50,18 @@ def damage(folder, file="pick.log", row=7):
     lines[row - 1] = "J 0 0 o 0 0 0"
     path.write_text("\n".join(lines))
     return path.read_bytes()
+
+
+@contextmanager
+def locked(monkeypatch, name):
+    """A file of the library that the system lets nobody move."""
+    move = Path.replace
+
+    def refuse(path, target):
+        if path.name == name:
+            raise PermissionError(13, "Permission denied")
+        return move(path, target)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "replace", refuse)
+        yield

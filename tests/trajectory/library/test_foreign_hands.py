@@ -21,24 +21,24 @@ from tests.trajectory.library.contents import (
 # Marks and the cache ------------------------------------------------------------------------------
 
 
-def test_a_mark_lasts_until_the_file_changes(shelf, folder):
-    shelf.save(trajectory())
-    shelf.mark("pick", check="errors", length_s=12.5)
+def test_a_mark_lasts_until_the_file_changes(library, folder):
+    library.save(trajectory())
+    library.mark("pick", check="errors", length_s=12.5)
     (entry,) = opened(folder).entries()
     assert (entry.check, entry.length_s) == ("errors", 12.5)
 
     (folder / "pick.log").write_bytes(files.to_bytes(trajectory(count=3), ".log"))
 
-    (entry,) = shelf.entries()
+    (entry,) = library.entries()
     assert (entry.check, entry.length_s, entry.count) == (None, None, 3)
-    shelf.mark("pick", check="ok", length_s=1.0)
-    shelf.save(trajectory(), replacing="pick")
-    assert shelf.entries()[0].check is None
+    library.mark("pick", check="ok", length_s=1.0)
+    library.save(trajectory(), replacing="pick")
+    assert library.entries()[0].check is None
 
 
-def test_a_listing_opens_only_what_is_new(shelf, folder, monkeypatch):
-    shelf.save(trajectory())
-    shelf.save(recording())
+def test_a_listing_opens_only_what_is_new(library, folder, monkeypatch):
+    library.save(trajectory())
+    library.save(recording())
     read = []
     load = files.load
 
@@ -58,9 +58,9 @@ def test_a_listing_opens_only_what_is_new(shelf, folder, monkeypatch):
 @pytest.mark.parametrize(
     "text", ["", "{", "[]", '{"version": 1, "files": {"pick.log": [1]}}', "\0"]
 )
-def test_a_broken_cache_loses_nothing_but_marks(shelf, folder, text):
-    shelf.save(trajectory())
-    shelf.mark("pick", check="ok", length_s=1.0)
+def test_a_broken_cache_loses_nothing_but_marks(library, folder, text):
+    library.save(trajectory())
+    library.mark("pick", check="ok", length_s=1.0)
     (folder / ".index.json").write_text(text)
     (entry,) = opened(folder).entries()
     assert (entry.name, entry.count, entry.check) == ("pick", 2, None)
@@ -69,12 +69,12 @@ def test_a_broken_cache_loses_nothing_but_marks(shelf, folder, text):
 # Damage -------------------------------------------------------------------------------------------
 
 
-def test_a_damaged_file_is_listed_with_its_fault_and_never_written_over(shelf, folder):
-    shelf.save(trajectory("取/料", 4))
-    shelf.save(trajectory("sound"))
+def test_a_damaged_file_is_listed_with_its_fault_and_never_written_over(library, folder):
+    library.save(trajectory("取/料", 4))
+    library.save(trajectory("sound"))
     data = damage(folder, "取_料.log")
 
-    for again in (shelf, opened(folder), opened(folder)):  # the last finds the fault in the cache
+    for again in (library, opened(folder), opened(folder)):  # the last finds the fault in the cache
         entry = next(entry for entry in again.entries() if entry.name == "取/料")
         assert (entry.count, entry.check) == (0, None)
         assert str(entry.damage) == "取_料.log, line 7, column 7: “o” is no number"
@@ -89,9 +89,9 @@ def test_a_damaged_file_is_listed_with_its_fault_and_never_written_over(shelf, f
             again.rename("取/料", "b")
         again.mark("取/料", check="ok", length_s=1.0)
         assert (folder / "取_料.log").read_bytes() == data
-    deleted = shelf.delete(["取/料"])
-    assert names(shelf) == ["sound"]
-    shelf.restore(deleted)
+    deleted = library.delete(["取/料"])
+    assert names(library) == ["sound"]
+    library.restore(deleted)
     assert (folder / "取_料.log").read_bytes() == data
 
 
@@ -99,28 +99,28 @@ def test_a_damaged_file_is_listed_with_its_fault_and_never_written_over(shelf, f
     "data", [b"", b"\xff\xff\x00", b"PK\x03\x04junk", b"armui recording 1\n\n1"]
 )
 @pytest.mark.parametrize("file", ["odd.log", "odd.npz"])
-def test_files_of_no_sense_are_listed_as_damaged(shelf, folder, file, data):
+def test_files_of_no_sense_are_listed_as_damaged(library, folder, file, data):
     folder.mkdir()
     (folder / file).write_bytes(data)
-    (entry,) = shelf.entries()
+    (entry,) = library.entries()
     assert entry.name == "odd"
     assert entry.damage.file == file
 
 
-def test_a_copied_file_goes_by_its_own_name(shelf, folder):
-    shelf.save(trajectory(count=1))
+def test_a_copied_file_goes_by_its_own_name(library, folder):
+    library.save(trajectory(count=1))
     (folder / "a copy.log").write_bytes((folder / "pick.log").read_bytes())
     (folder / "pick.npz").write_bytes(files.to_bytes(recording("pick"), ".npz"))
 
-    assert names(shelf) == ["a copy", "pick", "pick 2"]
-    copy = shelf.load("a copy")
+    assert names(library) == ["a copy", "pick", "pick 2"]
+    copy = library.load("a copy")
     assert copy.name == "a copy"
-    shelf.save(replace(copy, note="mine"), replacing="a copy")
+    library.save(replace(copy, note="mine"), replacing="a copy")
     assert [entry.note for entry in opened(folder).entries()] == ["mine", "", ""]
 
 
-def test_what_belongs_to_nobody_is_left_alone_and_remains_of_writes_are_not(shelf, folder):
-    shelf.save(trajectory())
+def test_what_belongs_to_nobody_is_left_alone_and_remains_of_writes_are_not(library, folder):
+    library.save(trajectory())
     (folder / "readme.txt").write_text("mine")
     (folder / "folder.log").mkdir()
     (folder / ".unseen.log").write_text("x")

@@ -3,7 +3,6 @@
 import shutil
 from dataclasses import replace
 from datetime import UTC, datetime
-from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
@@ -15,24 +14,24 @@ from armui.trajectory.library.history import Deletion, LibraryHistory, Making, R
 from armui.trajectory.library.store import Library
 from tests.examples import examples
 from tests.moments import now
-from tests.trajectory.library.contents import names, opened, recording, refused, trajectory
+from tests.trajectory.library.contents import locked, names, opened, recording, refused, trajectory
 
 
 @pytest.fixture
-def history(shelf):
+def history(library):
     for name in "abc":
-        shelf.save(trajectory(name))
-    return LibraryHistory(shelf)
+        library.save(trajectory(name))
+    return LibraryHistory(library)
 
 
-def test_deletions_are_undone_the_last_first(history, shelf):
+def test_deletions_are_undone_the_last_first(history, library):
     history.delete(["a", "b"])
     history.delete(["c"])
     assert history.last.names == ("c",)
     assert history.undo() == ("c",)
     assert history.last.names == ("a", "b")
     assert history.undo() == ("a", "b")
-    assert names(shelf) == ["a", "b", "c"]
+    assert names(library) == ["a", "b", "c"]
     assert history.last is None
 
 
@@ -41,34 +40,34 @@ def test_what_was_gone_already_is_no_step(history):
     assert history.last is None
 
 
-def test_the_mark_of_the_check_comes_back_too(history, shelf):
-    shelf.mark("a", check="warnings", length_s=3.5)
+def test_the_mark_of_the_check_comes_back_too(history, library):
+    library.mark("a", check="warnings", length_s=3.5)
     history.delete(["a"])
     history.undo()
-    (entry,) = [entry for entry in shelf.entries() if entry.name == "a"]
+    (entry,) = [entry for entry in library.entries() if entry.name == "a"]
     assert (entry.check, entry.length_s) == ("warnings", 3.5)
 
 
-def test_a_name_is_given_back(history, shelf):
+def test_a_name_is_given_back(history, library):
     history.rename("a", "z")
     history.delete(["z"])
     assert history.undo() == ("z",)
     assert isinstance(history.last, Renaming)
     assert history.last.touched == ("z",)
     assert history.undo() == ("a",)
-    assert names(shelf) == ["a", "b", "c"]
+    assert names(library) == ["a", "b", "c"]
 
 
-def test_a_name_that_was_taken_meanwhile_is_not_given_back(history, shelf):
+def test_a_name_that_was_taken_meanwhile_is_not_given_back(history, library):
     history.delete(["b"])
     history.rename("a", "z")
-    shelf.save(trajectory("a", 7))
+    library.save(trajectory("a", 7))
     assert refused(history.undo).code == RefusalCode.NAME_TAKEN
-    assert names(shelf) == ["a", "c", "z"]
+    assert names(library) == ["a", "c", "z"]
     assert history.undo() == ("b",)  # what can never be done does not bar the way
 
 
-def test_the_name_of_what_is_gone_is_not_given_back(history, shelf, folder):
+def test_the_name_of_what_is_gone_is_not_given_back(history, library, folder):
     history.rename("a", "z")
     (folder / "z.log").unlink()
     with pytest.raises(TrajectoryFileError, match="not in the library"):
@@ -76,46 +75,38 @@ def test_the_name_of_what_is_gone_is_not_given_back(history, shelf, folder):
     assert history.last is None
 
 
-def test_what_was_made_is_taken_away_as_long_as_it_is_as_made(history, shelf):
+def test_what_was_made_is_taken_away_as_long_as_it_is_as_made(history, library):
     history.note_made(["a", "b"])
     history.note_made(["c", "never there"])
     assert isinstance(history.last, Making)
     assert history.last.touched == ("c",)
     assert history.undo() == ()
-    assert names(shelf) == ["a", "b"]
-    shelf._now = lambda: datetime(2027, 1, 1, tzinfo=UTC)
-    shelf.save(trajectory("b", 9), replacing="b")
+    assert names(library) == ["a", "b"]
+    library._now = lambda: datetime(2027, 1, 1, tzinfo=UTC)
+    library.save(trajectory("b", 9), replacing="b")
     refusal = refused(history.undo)
     assert (refusal.code, refusal.params) == ("changed_since", {"name": "b"})
-    assert names(shelf) == ["a", "b"]
+    assert names(library) == ["a", "b"]
     assert history.last is None
 
 
-def test_what_has_unsaved_changes_is_not_taken_away(history, shelf):
+def test_what_has_unsaved_changes_is_not_taken_away(history, library):
     history.note_made(["a"])
-    shelf.save_draft("a", trajectory("a", 5))
+    library.save_draft("a", trajectory("a", 5))
     assert refused(history.undo).code == RefusalCode.CHANGED_SINCE
-    assert len(shelf.draft("a").points) == 5
+    assert len(library.draft("a").points) == 5
 
 
-def test_a_step_that_the_disk_refuses_can_be_tried_again(history, shelf, monkeypatch):
+def test_a_step_that_the_disk_refuses_can_be_tried_again(history, library, monkeypatch):
     history.delete(["a", "b"])
-    move = Path.replace
-
-    def fail_at_b(path, target):
-        if path.name == "b.log":
-            raise PermissionError(13, "Permission denied")
-        return move(path, target)
-
-    with monkeypatch.context() as patch:
-        patch.setattr(Path, "replace", fail_at_b)
+    with locked(monkeypatch, "b.log"):
         assert refused(history.undo).code == RefusalCode.LIBRARY_NOT_RESTORED
-    assert names(shelf) == ["a", "c"]
+    assert names(library) == ["a", "c"]
     assert history.undo() == ("b",)
-    assert names(shelf) == ["a", "b", "c"]
+    assert names(library) == ["a", "b", "c"]
 
 
-def test_what_is_in_the_bin_no_more_is_said_to_be(history, shelf, folder):
+def test_what_is_in_the_bin_no_more_is_said_to_be(history, library, folder):
     history.delete(["a"])
     shutil.rmtree(folder / ".deleted")
     refusal = refused(history.undo)
@@ -123,13 +114,13 @@ def test_what_is_in_the_bin_no_more_is_said_to_be(history, shelf, folder):
     assert history.last is None
 
 
-def test_the_bin_is_seen_after_a_restart_the_last_deleted_first(history, shelf, folder):
-    shelf.save(recording("取/料"))
-    shelf.save_draft("b", trajectory("b", 9))
-    shelf.save_draft("only", trajectory("only", 4))
+def test_the_bin_is_seen_after_a_restart_the_last_deleted_first(history, library, folder):
+    library.save(recording("取/料"))
+    library.save_draft("b", trajectory("b", 9))
+    library.save_draft("only", trajectory("only", 4))
     history.delete(["a", "b"])
     history.delete(["取/料", "only"])
-    rooms = {one.places[0][1].parent for one in shelf.recently_deleted()}
+    rooms = {one.places[0][1].parent for one in library.recently_deleted()}
     assert len(rooms) == 2
 
     again = opened(folder)
@@ -146,16 +137,16 @@ def test_the_bin_is_seen_after_a_restart_the_last_deleted_first(history, shelf, 
     assert len(again.recently_deleted()) == 3
 
 
-def test_what_was_brought_back_from_the_bin_is_not_undone_once_more(history, shelf):
+def test_what_was_brought_back_from_the_bin_is_not_undone_once_more(history, library):
     history.delete(["a"])
     history.delete(["b", "c"])
-    both = {one.names[0]: one for one in shelf.recently_deleted()}
+    both = {one.names[0]: one for one in library.recently_deleted()}
     assert history.bring_back([both["a"], both["b"]]) == ("a", "b")
     assert isinstance(now(history.last), Deletion)
     assert history.last.names == ("c",)
     assert history.undo() == ("c",)
     assert now(history.last) is None
-    assert names(shelf) == ["a", "b", "c"]
+    assert names(library) == ["a", "b", "c"]
 
 
 ACTIONS = st.lists(

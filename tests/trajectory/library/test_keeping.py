@@ -20,18 +20,18 @@ from tests.trajectory.library.contents import (
 )
 
 
-def test_a_library_not_yet_there_is_empty(shelf, folder):
-    assert shelf.entries() == []
-    assert shelf.drafts() == []
+def test_a_library_not_yet_there_is_empty(library, folder):
+    assert library.entries() == []
+    assert library.drafts() == []
     assert not folder.exists()
 
 
-def test_what_is_saved_is_listed_and_loaded(shelf, folder):
-    shelf.save(trajectory(note="for the tray"))
-    shelf.save(recording())
+def test_what_is_saved_is_listed_and_loaded(library, folder):
+    library.save(trajectory(note="for the tray"))
+    library.save(recording())
 
     assert shown(folder) == ["pick.log", "wave.npz"]
-    for again in (shelf, opened(folder)):
+    for again in (library, opened(folder)):
         pick, wave = again.entries()
         assert (pick.name, pick.kind, pick.count, pick.length_s) == ("pick", "points", 2, None)
         assert (pick.note, pick.modified, pick.check, pick.damage) == (
@@ -43,58 +43,58 @@ def test_what_is_saved_is_listed_and_loaded(shelf, folder):
         assert again.load("wave") == replace(recording(), modified=NOW)
 
 
-def test_nothing_is_replaced_unasked(shelf):
-    shelf.save(trajectory(count=1))
+def test_nothing_is_replaced_unasked(library):
+    library.save(trajectory(count=1))
 
-    refusal = refused(shelf.save, trajectory(count=5))
+    refusal = refused(library.save, trajectory(count=5))
 
     assert (refusal.code, refusal.params) == ("name_taken", {"name": "pick"})
-    assert len(shelf.load("pick").points) == 1
-    shelf.save(trajectory(count=5), replacing="pick")
-    assert len(shelf.load("pick").points) == 5
-    assert names(shelf) == ["pick"]
+    assert len(library.load("pick").points) == 1
+    library.save(trajectory(count=5), replacing="pick")
+    assert len(library.load("pick").points) == 5
+    assert names(library) == ["pick"]
 
 
-def test_what_replaces_another_may_bear_another_name_or_be_of_another_kind(shelf, folder):
-    shelf.save(trajectory())
-    shelf.save(trajectory("place"), replacing="pick")
+def test_what_replaces_another_may_bear_another_name_or_be_of_another_kind(library, folder):
+    library.save(trajectory())
+    library.save(trajectory("place"), replacing="pick")
     assert shown(folder) == ["place.log"]
-    shelf.save(recording("place"), replacing="place")
+    library.save(recording("place"), replacing="place")
     assert shown(folder) == ["place.npz"]
-    shelf.save(recording(), replacing="gone by now")
-    assert names(shelf) == ["place", "wave"]
+    library.save(recording(), replacing="gone by now")
+    assert names(library) == ["place", "wave"]
 
 
-def test_what_could_not_be_read_again_is_not_kept(shelf, folder):
+def test_what_could_not_be_read_again_is_not_kept(library, folder):
     bad = replace(trajectory(), points=(POINT, replace(POINT, speed_percent=0)))
     with pytest.raises(LibraryError, match=r"row 2: point_out_of_range\(.*speed") as caught:
-        shelf.save(bad)
+        library.save(bad)
     assert caught.value.row == 2
-    assert refused(shelf.save, trajectory(" ")).code == RefusalCode.NAME_EMPTY
-    assert refused(shelf.save_draft, "pick", bad).code == RefusalCode.POINT_OUT_OF_RANGE
+    assert refused(library.save, trajectory(" ")).code == RefusalCode.NAME_EMPTY
+    assert refused(library.save_draft, "pick", bad).code == RefusalCode.POINT_OUT_OF_RANGE
     assert not folder.exists()
 
 
 def test_a_folder_that_takes_nothing_says_so(tmp_path):
     (tmp_path / "file").write_text("in the way")
-    shelf = opened(tmp_path / "file")
+    library = opened(tmp_path / "file")
 
-    refusal = refused(shelf.save, trajectory())
+    refusal = refused(library.save, trajectory())
 
     assert refusal.code == RefusalCode.LIBRARY_NOT_SAVED
     assert refusal.params["name"] == "pick"
     assert refusal.params["text"]
-    assert refused(shelf.save_draft, "pick", trajectory()).code == RefusalCode.LIBRARY_NOT_SAVED
+    assert refused(library.save_draft, "pick", trajectory()).code == RefusalCode.LIBRARY_NOT_SAVED
 
 
 # Drafts -------------------------------------------------------------------------------------------
 
 
-def test_a_draft_outlives_the_program_until_the_trajectory_is_saved(shelf, folder):
-    shelf.save(trajectory(count=1))
-    shelf.save_draft("pick", trajectory(count=2))
-    shelf.save_draft("pick", trajectory(count=3))
-    shelf.save_draft("a/b \\ 新", trajectory(count=4))
+def test_a_draft_outlives_the_program_until_the_trajectory_is_saved(library, folder):
+    library.save(trajectory(count=1))
+    library.save_draft("pick", trajectory(count=2))
+    library.save_draft("pick", trajectory(count=3))
+    library.save_draft("a/b \\ 新", trajectory(count=4))
 
     again = opened(folder)
 
@@ -110,9 +110,9 @@ def test_a_draft_outlives_the_program_until_the_trajectory_is_saved(shelf, folde
     assert shown(folder) == ["pick.log"]
 
 
-def test_a_damaged_draft_says_where(shelf, folder):
-    shelf.save_draft("pick", trajectory(count=4))
+def test_a_damaged_draft_says_where(library, folder):
+    library.save_draft("pick", trajectory(count=4))
     damage(folder, "pick.draft")
-    assert shelf.drafts() == ["pick"]
+    assert library.drafts() == ["pick"]
     with pytest.raises(TrajectoryFileError, match="line 7, column 7"):
-        shelf.draft("pick")
+        library.draft("pick")

@@ -18,10 +18,10 @@ ODD_NAMES = [
 ]  # fmt: skip
 
 
-def test_every_name_finds_its_file_even_where_case_counts_nothing(shelf, folder):
+def test_every_name_finds_its_file_even_where_case_counts_nothing(library, folder):
     for count, name in enumerate(ODD_NAMES):
-        shelf.save(trajectory(name, count))
-    assert names(shelf) == sorted(ODD_NAMES)
+        library.save(trajectory(name, count))
+    assert names(library) == sorted(ODD_NAMES)
     again = opened(folder)
     for count, name in enumerate(ODD_NAMES):
         assert len(again.load(name).points) == count
@@ -51,11 +51,11 @@ def test_a_stem_is_numbered_until_it_is_free():
     assert free_stem("Run", {"run", "run 2"}) == "Run 3"
 
 
-def test_a_free_name(shelf):
-    assert shelf.free_name("pick") == "pick"
-    shelf.save(trajectory())
-    shelf.save_draft("pick 2", trajectory())
-    assert shelf.free_name("pick") == "pick 3"
-    for wish in ("", "\n", "a\nb", "\ud800x\0", "x" * 1000):
-        assert check_name(shelf.free_name(wish)) is None
-    assert shelf.free_name("a\nb") == "a b"
+def test_a_free_name(library):
+    assert library.free_name("pick") == "pick"
+    library.save(trajectory())
+    library.save_draft("pick 2", trajectory())
+    assert library.free_name("pick") == "pick 3"
+    for wanted in ("", "\n", "a\nb", "\ud800x\0", "x" * 1000):
+        assert check_name(library.free_name(wanted)) is None
+    assert library.free_name("a\nb") == "a b"

@@ -23,7 +23,7 @@ STATE = ViewState(
 )
 
 
-class Desk:
+class PainterRig:
     """A painter and what it told."""
 
     def __init__(self) -> None:
@@ -34,16 +34,16 @@ class Desk:
 
 
 @pytest.fixture
-def app_driver():
-    app_driver = Desk()
-    yield app_driver
-    app_driver.painter.close()
+def rig():
+    rig = PainterRig()
+    yield rig
+    rig.painter.close()
 
 
-def test_an_unchanged_state_is_not_drawn_again(app_driver):
-    assert app_driver.painter.paint(STATE).size_px == (240, 180)
-    assert app_driver.painter.paint(replace(STATE)) is None
-    assert app_driver.painter.paint(replace(STATE, angles_deg=(1.0,) * 6)) is not None
+def test_an_unchanged_state_is_not_drawn_again(rig):
+    assert rig.painter.paint(STATE).size_px == (240, 180)
+    assert rig.painter.paint(replace(STATE)) is None
+    assert rig.painter.paint(replace(STATE, angles_deg=(1.0,) * 6)) is not None
 
 
 @pytest.mark.parametrize(
@@ -58,77 +58,77 @@ def test_an_unchanged_state_is_not_drawn_again(app_driver):
         {"angles_deg": None},
     ],
 )
-def test_each_change_gives_another_picture(app_driver, change):
-    before = app_driver.painter.paint(STATE).top_down()
-    after = app_driver.painter.paint(replace(STATE, **change)).top_down()
+def test_each_change_gives_another_picture(rig, change):
+    before = rig.painter.paint(STATE).top_down()
+    after = rig.painter.paint(replace(STATE, **change)).top_down()
     assert after.shape != before.shape or (after != before).any()
 
 
-def test_a_question_is_answered_once_and_draws_nothing(app_driver):
-    app_driver.painter.paint(STATE)
+def test_a_question_is_answered_once_and_draws_nothing(rig):
+    rig.painter.paint(STATE)
     asked = replace(STATE, pick=PickRequest(1, 0.0, 0.0))
-    assert app_driver.painter.paint(asked) is None
-    assert app_driver.painter.paint(asked) is None
-    assert app_driver.picked == [None]
-    app_driver.painter.paint(replace(STATE, pick=PickRequest(2, 0.0, 0.0)))
-    assert app_driver.picked == [None, None]
+    assert rig.painter.paint(asked) is None
+    assert rig.painter.paint(asked) is None
+    assert rig.picked == [None]
+    rig.painter.paint(replace(STATE, pick=PickRequest(2, 0.0, 0.0)))
+    assert rig.picked == [None, None]
 
 
-def test_a_robot_that_fails_is_told_and_the_old_one_stays(app_driver, tmp_path):
-    before = app_driver.painter.paint(STATE).top_down()
+def test_a_robot_that_fails_is_told_and_the_old_one_stays(rig, tmp_path):
+    before = rig.painter.paint(STATE).top_down()
     path = write_arm(tmp_path, hinges=3)
-    after = app_driver.painter.paint(replace(STATE, robot=RobotChoice(path))).top_down()
+    after = rig.painter.paint(replace(STATE, robot=RobotChoice(path))).top_down()
     np.testing.assert_array_equal(before, after)
-    (failure,) = app_driver.failures
+    (failure,) = rig.failures
     assert failure == Refusal(
         RefusalCode.URDF_JOINT_COUNT, {"path": str(path), "found": 3, "wanted": 6}
     )
 
 
-def test_the_same_file_is_read_again_when_asked_again(app_driver, tmp_path):
+def test_the_same_file_is_read_again_when_asked_again(rig, tmp_path):
     path = write_arm(tmp_path, hinges=3)
-    app_driver.painter.paint(replace(STATE, robot=RobotChoice(path, 0)))
+    rig.painter.paint(replace(STATE, robot=RobotChoice(path, 0)))
     write_arm(tmp_path)
-    app_driver.painter.paint(replace(STATE, robot=RobotChoice(path, 1)))
-    assert len(app_driver.failures) == 1
+    rig.painter.paint(replace(STATE, robot=RobotChoice(path, 1)))
+    assert len(rig.failures) == 1
 
 
-def test_slow_smoothing_waits_until_the_picture_rests(app_driver, monkeypatch):
+def test_slow_smoothing_waits_until_the_picture_rests(rig, monkeypatch):
     monkeypatch.setattr(frame_painter, "_CHEAP_FRAME_S", 0.0)
-    rough = app_driver.painter.paint(STATE).top_down()
-    assert app_driver.painter.is_rough
-    fine = app_driver.painter.refine().top_down()
+    rough = rig.painter.paint(STATE).top_down()
+    assert rig.painter.is_rough
+    fine = rig.painter.refine().top_down()
     assert (fine != rough).any()
-    assert not app_driver.painter.is_rough
-    assert app_driver.painter.refine() is None
-    app_driver.painter.paint(replace(STATE, stale=True))
-    assert app_driver.painter.is_rough
+    assert not rig.painter.is_rough
+    assert rig.painter.refine() is None
+    rig.painter.paint(replace(STATE, stale=True))
+    assert rig.painter.is_rough
 
 
-def test_cheap_smoothing_is_used_at_once(app_driver, monkeypatch):
+def test_cheap_smoothing_is_used_at_once(rig, monkeypatch):
     monkeypatch.setattr(frame_painter, "_CHEAP_FRAME_S", 1e9)
-    app_driver.painter.paint(STATE)
-    app_driver.painter.refine()
-    app_driver.painter.paint(replace(STATE, stale=True))
-    assert not app_driver.painter.is_rough
+    rig.painter.paint(STATE)
+    rig.painter.refine()
+    rig.painter.paint(replace(STATE, stale=True))
+    assert not rig.painter.is_rough
 
 
-def test_a_robot_that_was_read_before_is_not_read_again(app_driver, tmp_path):
+def test_a_robot_that_was_read_before_is_not_read_again(rig, tmp_path):
     path = write_arm(
         tmp_path, visual='<visual><geometry><sphere radius="0.05"/></geometry></visual>'
     )
     state = replace(STATE, robot=RobotChoice(path))
-    first = app_driver.painter.paint(state).top_down()
-    known = pickle.loads(pickle.dumps(app_driver.painter.robot))
+    first = rig.painter.paint(state).top_down()
+    known = pickle.loads(pickle.dumps(rig.painter.robot))
     path.unlink()
-    later = Desk()
+    later = PainterRig()
     np.testing.assert_array_equal(later.painter.paint(state, known).top_down(), first)
     later.painter.close()
     assert not later.failures
 
 
-def test_the_image_is_written_as_windows_are_painted(app_driver):
-    pixels = app_driver.painter.paint(STATE)
+def test_the_image_is_written_as_windows_are_painted(rig):
+    pixels = rig.painter.paint(STATE)
     target = bytearray(pixels.nbytes)
     assert pixels.copy_to(memoryview(target)) == (240, 180)
     written = np.frombuffer(target, np.uint8).reshape(180, 240, 4)

@@ -2,25 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import (
-    QFrame,
-    QGridLayout,
-    QHBoxLayout,
-    QLabel,
-    QPushButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QFrame
 
 from armui.arm.gripper import GripperState
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
+from armui.control.arm_controller import ArmController
 from armui.control.devices.gripper_ranges import figures_of
-from armui.control.events import Event
 from armui.control.operating_state import OperatingState
 from armui.protocol.generation import Generation
 from armui.ui import words
@@ -28,13 +19,12 @@ from armui.ui.freshness import is_stale
 from armui.ui.panels.gripper.gripper_row import GripperRow
 from armui.ui.panels.motors.motor_row import PowerMark
 from armui.ui.panels.panel import Panel
+from armui.ui.widgets.buttons import caption, push_button
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
 from armui.ui.widgets.state_mark import Mark
 from armui.ui.widgets.text_label import text_label
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _TALLEST_CARD_PX: Final = 330
 _SEND_KEY: Final = "Ctrl+Return"
@@ -42,30 +32,20 @@ _ACTS: Final = ("enable", "disable", "clear", "zero")
 
 
 class GripperPanel(Panel):
-    """Target and measured values of the gripper, the buttons for its power, its errors in words.
+    """Target and measured values of the gripper, the buttons for its power, its errors in words."""
 
-    Args:
-        controller: Whom to tell.
-    """
-
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(controller, "gripper_message", parent)
-        self._event: Event | None = None
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__(controller, "gripper_message")
         self._generation = self._operating_state.generation or Generation.TWO
-        self._hindrances: tuple[Refusal | None, ...] | None = None
+        self._reasons: tuple[Refusal | None, ...] | None = None
         self._mark = PowerMark()
-        self._power = QLabel()
-        self._power.setObjectName("gripper_power")
+        self._power = text_label("gripper_power")
         self._faults = text_label("gripper_faults", rank="fault", wraps=True)
-        self._rows = QVBoxLayout()
-        self._rows.setSpacing(10)
+        self._rows = in_column(spacing=10)
         self._stroke_note = text_label("gripper_stroke_note", rank="muted", wraps=True)
-        self._send = QPushButton()
-        self._send.setObjectName("gripper_send_button")
-        self._send.setShortcut(QKeySequence(_SEND_KEY))
-        self._send.setProperty("primary", True)
+        self._send = push_button("gripper_send_button", primary=True)
         self._send.setMinimumHeight(38)
-        self._acts = {act: QPushButton() for act in _ACTS}
+        self._acts = {act: push_button(f"gripper_{act}_button") for act in _ACTS}
         self._rows_of = {each: self._make_rows(each) for each in Generation}
         self._lay_out()
         self._connect()
@@ -94,24 +74,12 @@ class GripperPanel(Panel):
         return self._rows_of[self._generation][1]
 
     def _lay_out(self) -> None:
-        state = QHBoxLayout()
-        state.addWidget(self._mark)
-        state.addWidget(self._power)
-        state.addStretch(1)
+        state = in_row(self._mark, self._power, STRETCH)
         card = QFrame()
-        column = QVBoxLayout(card)
-        column.setContentsMargins(16, 12, 16, 12)
-        column.setSpacing(10)
-        column.addLayout(state)
-        column.addWidget(self._faults)
-        column.addLayout(self._rows)
-        column.addWidget(self._stroke_note)
-        column.addStretch(1)
-
-        acts = QGridLayout()
-        acts.setSpacing(8)
-        for place, (act, button) in enumerate(self._acts.items()):
-            button.setObjectName(f"gripper_{act}_button")
+        parts = (state, self._faults, self._rows, self._stroke_note, STRETCH)
+        in_column(*parts, on=card, spacing=10, margins=(16, 12, 16, 12))
+        acts = empty_grid(gaps=(8, 8))
+        for place, button in enumerate(self._acts.values()):
             acts.addWidget(button, 0, place)
         self._stack(scrolled(card, _TALLEST_CARD_PX), self._send, acts)
 
@@ -123,9 +91,7 @@ class GripperPanel(Panel):
             lambda: self._accepted(self._controller.gripper.clear_error())
         )
         self._acts["zero"].clicked.connect(self._ask_for_zero)
-        self._controller.state_changed.connect(self._on_state_changed)
-        self._controller.operating_state_changed.connect(self._on_operating_state_changed)
-        self._controller.noticed.connect(self._on_noticed)
+        self._listen("gripper_")
 
     # -- actions ------------------------------------------------------------------------------
 
@@ -183,23 +149,11 @@ class GripperPanel(Panel):
 
     # -- what the gripper says ----------------------------------------------------------------
 
-    def _on_noticed(self, event: Event) -> None:
-        if event.code.startswith("gripper_"):
-            self._refusal, self._event = None, event
-            self._show_message()
-
-    def _on_state_changed(self, state: ArmState) -> None:
-        if self.isVisible():
-            self._show_state(state)
-
-    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
-        old, self._operating_state = self._operating_state, operating_state
-        if old.cannot_enable != operating_state.cannot_enable:
+    def _forget_outdated(self, old: OperatingState) -> None:
+        if old.cannot_enable != self._operating_state.cannot_enable:
             self._refusal = None
-        if old.device != operating_state.device:
+        if old.device != self._operating_state.device:
             self._event = None
-        if self.isVisible():
-            self._show_all()
 
     def _show_state(self, state: ArmState) -> None:
         heard = state.gripper
@@ -238,7 +192,7 @@ class GripperPanel(Panel):
         generation = self._operating_state.generation or self._generation
         if generation is not self._generation:
             self._generation = generation
-            self._hindrances = None
+            self._reasons = None
             self._describe()
         for each, rows in self._rows_of.items():
             for row in rows:
@@ -251,29 +205,26 @@ class GripperPanel(Panel):
 
     def _show_possible(self) -> None:
         gripper = self._controller.gripper
-        hindrances = (
+        reasons = (
             gripper.why_not(moving=True),
             gripper.why_not(moving=False),
             gripper.why_not(moving=False, letting_go=True),
         )
-        if hindrances == self._hindrances:
+        if reasons == self._reasons:
             return
-        self._hindrances = hindrances
-        why_not_move, why_not, why_not_let_go = map(words.why_not, hindrances)
+        self._reasons = reasons
+        why_not_move, why_not, why_not_let_go = map(words.why_not, reasons)
         self._travel.allow_steps(why_not_move)
         use = self.tr("Moves the gripper to the target, and gives it power.")
         enable_or_explain(self._send, why_not_move, use, key=_SEND_KEY)
-        for act, reason, use in (
-            ("enable", why_not_move, self.tr("Gives the gripper power where it is.")),
-            (
-                "disable",
-                why_not_let_go,
-                self.tr("Takes its power: it drops what it holds. Asks first."),
-            ),
-            ("clear", why_not, self.tr("Clears its error; it has no power until enabled again.")),
-            ("zero", why_not, self.tr("Makes the present opening its zero. Asks first.")),
-        ):
-            enable_or_explain(self._acts[act], reason, use)
+        use = self.tr("Gives the gripper power where it is.")
+        enable_or_explain(self._acts["enable"], why_not_move, use)
+        use = self.tr("Takes its power: it drops what it holds. Asks first.")
+        enable_or_explain(self._acts["disable"], why_not_let_go, use)
+        use = self.tr("Clears its error; it has no power until enabled again.")
+        enable_or_explain(self._acts["clear"], why_not, use)
+        use = self.tr("Makes the present opening its zero. Asks first.")
+        enable_or_explain(self._acts["zero"], why_not, use)
 
     def _show_message(self) -> None:
         refusal = self._refusal or self._operating_state.cannot_enable
@@ -296,12 +247,10 @@ class GripperPanel(Panel):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self._title.setText(self.tr("Gripper control"))
-        self._send.setText(self.tr("Send"))
-        self._send.setAccessibleName(f"{self._title.text()}: {self._send.text()}")
-        self._send.setShortcut(QKeySequence(_SEND_KEY))  # a new text takes it away
+        whose = self._title.text()
+        caption(self._send, self.tr("Send"), whose=whose, key=_SEND_KEY)
         for act, button in self._acts.items():
-            button.setText(words.gripper_act(act))
-            button.setAccessibleName(f"{self._title.text()}: {button.text()}")
-        self._hindrances = None
+            caption(button, words.gripper_act(act), whose=whose)
+        self._reasons = None
         self._describe()
         self._show_all()

@@ -5,16 +5,18 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.devices.gripper_ranges import Figure, check
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.widgets.buttons import describe, named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
+from armui.ui.widgets.layouts import empty_grid
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.value_label import ValueLabel
 
@@ -37,35 +39,26 @@ class GripperRow(QWidget):
     edited = Signal()
     stepped = Signal(int)
 
-    def __init__(self, figure: Figure, *, steps: bool, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, figure: Figure, *, steps: bool) -> None:
+        super().__init__()
         name = f"gripper_{figure.name}"
         self._figure = figure
         self._label = QLabel()
         self._label.setFixedWidth(_LABEL_PX)
-        self.field = FigureField(fmt.DECIMALS, figure.unit)
-        self.field.setObjectName(f"{name}_field")
+        self.field = named(f"{name}_field", FigureField(fmt.DECIMALS, figure.unit))
         self.field.step = figure.step
-        self.slider = TrackSlider(figure.resolution, origin=0.0)
-        self.slider.setObjectName(f"{name}_slider")
-        self.measured = ValueLabel(_WIDEST)
-        self.measured.setObjectName(f"{name}_measured")
+        self.slider = named(f"{name}_slider", TrackSlider(figure.resolution, origin=0.0))
+        self.measured = named(f"{name}_measured", ValueLabel(_WIDEST))
         tell_quantities(self, *(f"{source}.{name}" for source in ("arm", "own", "other")))
         self.minus, self.plus = JogButton("−"), JogButton("+")
         self._label.setBuddy(self.field)
-        grid = QGridLayout(self)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setHorizontalSpacing(6)
-        grid.setVerticalSpacing(4)
+        grid = empty_grid(self, gaps=(6, 4), margins=0)
         grid.addWidget(self._label, 0, 0)
         grid.addWidget(self.field, 0, 2)
         grid.addWidget(self.measured, 0, 4, Qt.AlignmentFlag.AlignRight)
         grid.addWidget(self.slider, 1, 1, 1, 4)
         grid.setColumnStretch(2, 1)
-        for button, word, sign, column in (
-            (self.minus, "minus", -1, 1),
-            (self.plus, "plus", 1, 3),
-        ):
+        for button, word, sign, column in ((self.minus, "minus", -1, 1), (self.plus, "plus", 1, 3)):
             button.setObjectName(f"{name}_{word}")
             button.setVisible(steps)
             button.stepped.connect(lambda sign=sign: self.stepped.emit(sign))
@@ -117,10 +110,7 @@ class GripperRow(QWidget):
 
     def show_measured(self, value: float | None, *, stale: bool) -> None:
         """Show what the gripper says."""
-        unit = self._figure.unit
-        gap = "" if unit == "°" else " "
-        text = fmt.NOTHING if value is None else f"{fmt.number(value)}{gap}{unit}"
-        self.measured.show_text(text, stale=stale)
+        self.measured.show_text(fmt.with_unit(value, self._figure.unit), stale=stale)
         self.slider.show_measured(None if stale else value)
 
     def allow_steps(self, why_not: str) -> None:
@@ -138,13 +128,13 @@ class GripperRow(QWidget):
         self.edited.emit()
 
     def _on_slider_moved(self) -> None:
-        self.field.show_value(self.slider.wish)
+        self.field.show_value(self.slider.requested)
         self._after_change()
         self.edited.emit()
 
     def _after_change(self) -> None:
         wrong = self.refusal() is not None
-        self.slider.show_wish(self.field.value, attention=wrong)
+        self.slider.show_requested(self.field.value, attention=wrong)
         self.field.show_attention(wanted=wrong)
 
     def retranslate_ui(self) -> None:
@@ -154,9 +144,8 @@ class GripperRow(QWidget):
         self._label.setText(name)
         span = f"{name}: {figure.minimum:g}–{figure.maximum:g} {figure.unit}"
         for widget in (self.field, self.slider):
-            widget.setAccessibleName(name)
-            widget.setToolTip(span)
-        self.measured.setAccessibleName(self.tr("Measured: {figure}").format(figure=name))
-        self.measured.setToolTip(self.tr("Measured by the gripper"))
+            describe(widget, name, span)
+        measured = self.tr("Measured: {figure}").format(figure=name)
+        describe(self.measured, measured, self.tr("Measured by the gripper"))
         self.minus.setAccessibleName(self.tr("{figure} minus").format(figure=name))
         self.plus.setAccessibleName(self.tr("{figure} plus").format(figure=name))

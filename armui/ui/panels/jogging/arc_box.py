@@ -5,9 +5,13 @@ from __future__ import annotations
 from functools import partial
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QWidget
 
 from armui.ui import format as fmt
+from armui.ui.widgets.buttons import caption, push_button
+from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.layouts import empty_grid, in_row
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 Pose = tuple[float, ...]
@@ -23,35 +27,23 @@ class ArcBox(Translated, QWidget):
     """Go to the start of the arc."""
     send_wanted = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.poses: list[Pose | None] = [None, None, None]
-        self._title = QLabel()
-        self._title.setProperty("rank", "muted")
-        self._captures = [QPushButton() for _ in _POINTS]
-        self._texts = [QLabel() for _ in _POINTS]
-        self.go_to_start = QPushButton()
-        self.go_to_start.setObjectName("arc_start_button")
-        self.send = QPushButton("MOVE C")
-        self.send.setObjectName("move_c_button")
-        grid = QGridLayout(self)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setHorizontalSpacing(10)
-        grid.setVerticalSpacing(4)
+        self._title = text_label(rank="muted")
+        self._captures = [push_button(f"capture_{point}") for point in _POINTS]
+        self._texts = [text_label(f"captured_{point}") for point in _POINTS]
+        self.go_to_start = push_button("arc_start_button")
+        self.send = push_button("move_c_button")
+        grid = empty_grid(self, gaps=(10, 4), margins=0)
         grid.setColumnStretch(1, 1)
         grid.addWidget(self._title, 0, 0, 1, 2)
-        for row, (point, button, text) in enumerate(
-            zip(_POINTS, self._captures, self._texts, strict=True)
-        ):
-            button.setObjectName(f"capture_{point}")
+        for row, (button, text) in enumerate(zip(self._captures, self._texts, strict=True)):
             button.clicked.connect(partial(self.capture_wanted.emit, row))
-            text.setObjectName(f"captured_{point}")
             text.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             grid.addWidget(button, row + 1, 0)
             grid.addWidget(text, row + 1, 1)
-        buttons = QHBoxLayout()
-        buttons.addWidget(self.go_to_start, 1)
-        buttons.addWidget(self.send, 1)
+        buttons = in_row((self.go_to_start, 1), (self.send, 1))
         grid.addLayout(buttons, len(_POINTS) + 1, 0, 1, 2)
         self.go_to_start.clicked.connect(self.start_wanted)
         self.send.clicked.connect(self.send_wanted)
@@ -77,19 +69,12 @@ class ArcBox(Translated, QWidget):
     def allow(self, why_no_capture: str, why_no_move: str) -> None:
         """Enable the buttons, or disable them and say why."""
         for button in self._captures:
-            button.setEnabled(not why_no_capture)
-            button.setToolTip(
-                why_no_capture or self.tr("Takes the pose the arm has now; nothing moves.")
-            )
-        self.go_to_start.setEnabled(not why_no_move)
-        self.go_to_start.setToolTip(
-            why_no_move or self.tr("Moves to the captured start with MOVE P.")
-        )
-        self.send.setEnabled(not why_no_move)
-        self.send.setToolTip(
-            why_no_move
-            or self.tr("Moves from the start over the middle to the end. Some firmware has no arc.")
-        )
+            use = self.tr("Takes the pose the arm has now; nothing moves.")
+            enable_or_explain(button, why_no_capture, use)
+        use = self.tr("Moves to the captured start with MOVE P.")
+        enable_or_explain(self.go_to_start, why_no_move, use)
+        use = self.tr("Moves from the start over the middle to the end. Some firmware has no arc.")
+        enable_or_explain(self.send, why_no_move, use)
 
     def _show_poses(self) -> None:
         for text, pose in zip(self._texts, self.poses, strict=True):
@@ -104,14 +89,9 @@ class ArcBox(Translated, QWidget):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self._title.setText(self.tr("Arc by three poses"))
-        for button, text in zip(
-            self._captures,
-            (self.tr("Capture start"), self.tr("Capture middle"), self.tr("Capture end")),
-            strict=True,
-        ):
-            button.setText(text)
-            button.setAccessibleName(text)
-        self.go_to_start.setText(self.tr("Go to start"))
-        self.go_to_start.setAccessibleName(self.tr("Go to start"))
-        self.send.setAccessibleName(self.send.text())
+        names = (self.tr("Capture start"), self.tr("Capture middle"), self.tr("Capture end"))
+        for button, text in zip(self._captures, names, strict=True):
+            caption(button, text)
+        caption(self.go_to_start, self.tr("Go to start"))
+        caption(self.send, "MOVE C")
         self._show_poses()

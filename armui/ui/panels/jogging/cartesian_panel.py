@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-from PySide6.QtWidgets import (
-    QFrame,
-    QPushButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QFrame
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
+from armui.control.arm_controller import ArmController
 from armui.control.motion.jog_path import ToolJog
 from armui.protocol.codes import ArmStatusCode, MoveMode
+from armui.settings import SettingsStore
 from armui.ui import words
 from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.arc_box import ArcBox
@@ -23,18 +20,12 @@ from armui.ui.panels.jogging.frame_choice import FrameChoice
 from armui.ui.panels.jogging.jog_panel import JogPanel
 from armui.ui.panels.jogging.pose_rows import PoseRows
 from armui.ui.panels.jogging.tool_box import ToolBox
+from armui.ui.widgets.buttons import caption, push_button
 from armui.ui.widgets.enable_or_explain import enable_or_explain
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
-    from armui.settings import SettingsStore
+from armui.ui.widgets.layouts import STRETCH, in_column
 
 _OWN_REFUSALS: Final = frozenset(
-    {
-        ArmStatusCode.NO_SOLUTION,
-        ArmStatusCode.SINGULARITY,
-        ArmStatusCode.TARGET_BEYOND_LIMIT,
-    }
+    {ArmStatusCode.NO_SOLUTION, ArmStatusCode.SINGULARITY, ArmStatusCode.TARGET_BEYOND_LIMIT}
 )
 """What 0x2A1 says of a target the arm itself refuses."""
 _KEYS: Final = (
@@ -56,12 +47,7 @@ class CartesianPanel(JogPanel):
         preferences: Keep the tool.
     """
 
-    def __init__(
-        self,
-        controller: ArmController,
-        preferences: SettingsStore,
-        parent: QWidget | None = None,
-    ) -> None:
+    def __init__(self, controller: ArmController, preferences: SettingsStore) -> None:
         super().__init__(
             controller,
             "tool",
@@ -69,7 +55,6 @@ class CartesianPanel(JogPanel):
             keys=_KEYS,
             numbers=range(len(_KEYS)),
             write_step=lambda step: f"{step:g} mm / {step:g}°",
-            parent=parent,
         )
         self._preferences = preferences
         self._jogged = False
@@ -77,15 +62,9 @@ class CartesianPanel(JogPanel):
         self._rows = PoseRows()
         self._tool = ToolBox()
         self._arc = ArcBox()
-        self._load, self._move_p, self._move_l = QPushButton(), QPushButton(), QPushButton()
-        for button, name in (
-            (self._load, "load_pose_button"),
-            (self._move_p, "move_p_button"),
-            (self._move_l, "move_l_button"),
-        ):
-            button.setObjectName(name)
-        self._move_p.setProperty("primary", True)
-        self._move_l.setProperty("primary", True)
+        self._load = push_button("load_pose_button")
+        self._move_p = push_button("move_p_button", primary=True)
+        self._move_l = push_button("move_l_button", primary=True)
         self._lay_out()
         self._connect()
         self._use_tool(preferences.settings.tool)
@@ -94,27 +73,13 @@ class CartesianPanel(JogPanel):
 
     def _lay_out(self) -> None:
         card = QFrame()
-        rows = QVBoxLayout(card)
-        rows.setContentsMargins(16, 10, 16, 12)
-        rows.setSpacing(12)
-        rows.addWidget(self._rows)
-        rows.addWidget(self._tool)
-        rows.addWidget(self._arc)
-        rows.addStretch(1)
-        self._finish(
-            card,
-            (self._load, self._move_p, self._move_l),
-            tallest_px=_TALLEST_CARD_PX,
-            above=(self._frame,),
-        )
+        parts = (self._rows, self._tool, self._arc, STRETCH)
+        in_column(*parts, on=card, spacing=12, margins=(16, 10, 16, 12))
+        buttons = (self._load, self._move_p, self._move_l)
+        self._finish(card, buttons, tallest_px=_TALLEST_CARD_PX, above=(self._frame,))
 
     def _connect(self) -> None:
-        self._rows.stepped.connect(self._on_stepped)
-        self._rows.repeated.connect(self._on_repeated)
-        self._rows.held.connect(self._on_held)
-        self._rows.let_go.connect(self._on_let_go)
-        self._rows.unattended.connect(self._on_unattended)
-        self._rows.edited.connect(self._on_edited)
+        self._follow_rows(self._rows.rows)
         self._tool.changed.connect(self._on_tool_changed)
         self._arc.capture_wanted.connect(self._on_capture)
         self._arc.start_wanted.connect(self._on_go_to_start)
@@ -122,7 +87,6 @@ class CartesianPanel(JogPanel):
         self._load.clicked.connect(self._on_load)
         self._move_p.clicked.connect(lambda: self._send(MoveMode.MOVE_P))
         self._move_l.clicked.connect(lambda: self._send(MoveMode.MOVE_L))
-        self._controller.state_changed.connect(self._on_state_changed)
 
     # -- the tool -----------------------------------------------------------------------------
 
@@ -197,9 +161,8 @@ class CartesianPanel(JogPanel):
         self._jogged = False
         start = self._arc.poses[0]
         if start is None:
-            self._accepted(
-                Refusal(RefusalCode.ARC_INCOMPLETE, {"point": self._arc.missing() or ""})
-            )
+            point = self._arc.missing() or ""
+            self._accepted(Refusal(RefusalCode.ARC_INCOMPLETE, {"point": point}))
         else:
             self._accepted(self._controller.cartesian.move(start, MoveMode.MOVE_P))
 
@@ -264,16 +227,12 @@ class CartesianPanel(JogPanel):
         unknown = self._controller.state.end_pose() is None
         no_pose = words.refusal(Refusal(RefusalCode.POSE_UNKNOWN)) if unknown else ""
         self._arc.allow(no_pose, why_not)
-        for button, reason, use in (
-            (
-                self._load,
-                no_pose,
-                self.tr("Fills the fields with the measured pose; nothing moves."),
-            ),
-            (self._move_p, why_not, self.tr("Moves to the pose, each joint on its own way.")),
-            (self._move_l, why_not, self.tr("Moves to the pose on a straight line.")),
-        ):
-            enable_or_explain(button, reason, use)
+        use = self.tr("Fills the fields with the measured pose; nothing moves.")
+        enable_or_explain(self._load, no_pose, use)
+        use = self.tr("Moves to the pose, each joint on its own way.")
+        enable_or_explain(self._move_p, why_not, use)
+        use = self.tr("Moves to the pose on a straight line.")
+        enable_or_explain(self._move_l, why_not, use)
 
     def _first_wrong(self) -> Refusal | None:
         """A figure that is none, or what the arm itself says against its last target."""
@@ -288,11 +247,7 @@ class CartesianPanel(JogPanel):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self._title.setText(self.tr("Tool control"))
-        for button, text in (
-            (self._load, self.tr("Load")),
-            (self._move_p, "MOVE P"),
-            (self._move_l, "MOVE L"),
-        ):
-            button.setText(text)
-            button.setAccessibleName(text)
+        caption(self._load, self.tr("Load"))
+        caption(self._move_p, "MOVE P")
+        caption(self._move_l, "MOVE L")
         super().retranslate_ui()

@@ -2,35 +2,24 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import (
-    QButtonGroup,
-    QHBoxLayout,
-    QLabel,
-    QSizePolicy,
-    QToolButton,
-    QWidget,
-)
+from PySide6.QtWidgets import QButtonGroup, QLabel, QSizePolicy, QWidget
 
 from armui.kinematics.axes import JogFrame
+from armui.ui.widgets.buttons import caption, choice_button
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.translated import Translated
 
 
 class FrameChoice(Translated, QWidget):
     """One button a frame; one of them is chosen."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._label = QLabel()
         self._buttons = QButtonGroup(self)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(6)
-        layout.addWidget(self._label)
+        layout = in_row(self._label, on=self, spacing=6, margins=0)
         for number, frame in enumerate(JogFrame):
-            button = QToolButton()
-            button.setObjectName(f"frame_{frame.value}")
-            button.setCheckable(True)
-            button.setProperty("choice", True)
+            button = choice_button(f"frame_{frame.value}")
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             self._buttons.addButton(button, number)
             layout.addWidget(button, 1)
@@ -46,5 +35,4 @@ class FrameChoice(Translated, QWidget):
         """Put every word into the operator's language."""
         self._label.setText(self.tr("− and + along"))
         for number, text in enumerate((self.tr("Base frame"), self.tr("Tool frame"))):
-            self._buttons.button(number).setText(text)
-            self._buttons.button(number).setAccessibleName(text)
+            caption(self._buttons.button(number), text)

@@ -2,35 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Final
+from collections.abc import Callable, Iterable, Sequence
+from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import (
-    QFrame,
-    QHBoxLayout,
-    QLabel,
-    QLayout,
-    QPushButton,
-    QToolButton,
-    QWidget,
-)
+from PySide6.QtWidgets import QFrame, QLabel, QLayout, QPushButton, QWidget
 
+from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.arm_controller import ArmController
 from armui.control.devices.zeroing import ENDED
 from armui.control.events import Event, EventCode
 from armui.control.operating_state import OperatingState
 from armui.ui import words
+from armui.ui.panels.jogging.jog_signals import JogSignals
 from armui.ui.panels.jogging.key_pad import KeyPad, Keys
 from armui.ui.panels.jogging.step_box import StepBox
 from armui.ui.panels.panel import Panel
+from armui.ui.widgets.buttons import choice_button, describe, named
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.hold_guard import UNATTENDED_S
-
-if TYPE_CHECKING:
-    from armui.arm.device import Device
-    from armui.control.arm_controller import ArmController
+from armui.ui.widgets.layouts import STRETCH, in_row
 
 _BUTTON_PX: Final = 38
 
@@ -59,21 +52,25 @@ class JogPanel(Panel):
         keys: Keys,
         numbers: Sequence[int],
         write_step: Callable[[float], str],
-        parent: QWidget | None = None,
     ) -> None:
-        super().__init__(controller, message_name, parent)
+        super().__init__(controller, message_name)
         self._numbers = tuple(numbers)
         self._filled_for: Device | None = None
         self._step_label = QLabel()
-        self._step_box = StepBox(write_step)
-        self._step_box.setObjectName(f"{name}_step")
+        self._step_box = named(f"{name}_step", StepBox(write_step))
         self._step_label.setBuddy(self._step_box)
-        self._keys = QToolButton()
-        self._keys.setObjectName(f"{name}_keys_button")
-        self._keys.setCheckable(True)
-        self._keys.setProperty("choice", True)
+        self._keys = choice_button(f"{name}_keys_button")
         self._key_pad = KeyPad(keys, f"{name}_key_pad")
         self._key_pad.hide()
+
+    def _follow_rows(self, rows: Iterable[JogSignals]) -> None:
+        for row in rows:
+            row.stepped.connect(self._on_stepped)
+            row.repeated.connect(self._on_repeated)
+            row.held.connect(self._on_held)
+            row.let_go.connect(self._on_let_go)
+            row.unattended.connect(self._on_unattended)
+            row.edited.connect(self._on_edited)
 
     def _finish(
         self,
@@ -91,13 +88,8 @@ class JogPanel(Panel):
             tallest_px: The card grows no higher.
             above: What stands between the title and the card.
         """
-        head = QHBoxLayout()
-        head.addWidget(self._title)
-        head.addStretch(1)
-        for widget in (self._keys, self._step_label, self._step_box):
-            head.addWidget(widget)
-        row = QHBoxLayout()
-        row.setSpacing(10)
+        head = in_row(self._title, STRETCH, *(self._keys, self._step_label, self._step_box))
+        row = in_row(spacing=10)
         for button in buttons:
             button.setMinimumHeight(_BUTTON_PX)
             row.addWidget(button, 1)
@@ -108,13 +100,20 @@ class JogPanel(Panel):
         self._key_pad.pressed.connect(self._on_key_pressed)
         self._key_pad.let_go.connect(self._on_let_go)
         self._key_pad.unattended.connect(self._on_unattended)
-        self._controller.operating_state_changed.connect(self._on_operating_state_changed)
-        self._controller.noticed.connect(self._on_noticed)
+        self._listen()
 
     # -- what a panel of its own adds ---------------------------------------------------------
 
     def _on_stepped(self, number: int, direction: int) -> None:
         """Jog by one step."""
+        raise NotImplementedError
+
+    def _on_repeated(self, number: int, direction: int) -> None:
+        """Jog by another step: the button is still held."""
+        raise NotImplementedError
+
+    def _on_edited(self) -> None:
+        """The operator changed a target."""
         raise NotImplementedError
 
     def _on_held(self, number: int, direction: int) -> None:
@@ -175,17 +174,14 @@ class JogPanel(Panel):
 
     # -- what the arm says --------------------------------------------------------------------
 
-    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
-        old, self._operating_state = self._operating_state, operating_state
-        if old.device != operating_state.device:
+    def _forget_outdated(self, old: OperatingState) -> None:
+        if old.device != self._operating_state.device:
             # another arm: targets made for the last one would be a trap
             self._filled_for = None
             self._forget_targets()
-        if old.cannot_move != operating_state.cannot_move:
+        if old.cannot_move != self._operating_state.cannot_move:
             self._refusal = None
         self._fill_once()
-        if self.isVisible():
-            self._show_all()
 
     def _why_not_move(self) -> str:
         return words.why_not(self._operating_state.cannot_move)
@@ -198,7 +194,7 @@ class JogPanel(Panel):
         self._step_label.setText(self.tr("Step"))
         self._step_box.setAccessibleName(self.tr("Step of − and +"))
         self._keys.setText(self.tr("Keys"))
-        self._keys.setAccessibleName(self.tr("Keyboard jogging"))
-        self._keys.setToolTip(self.tr("Jog by keys, with the space bar held as dead-man key"))
+        tip = self.tr("Jog by keys, with the space bar held as dead-man key")
+        describe(self._keys, self.tr("Keyboard jogging"), tip)
         self._show_possible()
         self._show_message()

@@ -2,69 +2,53 @@
 
 from __future__ import annotations
 
-from functools import partial
 from typing import Final
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel
 
 from armui.arm.limits import ANGLE_STEP_DEG, JointLimits, check_joint
 from armui.arm.refusal import Refusal
 from armui.ui import format as fmt
+from armui.ui.panels.jogging.jog_signals import JogSignals
 from armui.ui.theme import scaled_font
 from armui.ui.widgets import painting
+from armui.ui.widgets.buttons import describe, named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
+from armui.ui.widgets.layouts import empty_grid
 from armui.ui.widgets.track_slider import TrackSlider
-from armui.ui.widgets.translated import Translated
 from armui.ui.widgets.value_label import ValueLabel
 
 _WIDEST_ANGLE: Final = "-000.000°"
 _WIDEST_LIMIT: Final = "-000.00°"
 
 
-class JointRow(Translated, QWidget):
-    """The controls of one joint.
+class JointRow(JogSignals):
+    """The controls of one joint; its signals carry the joint's number.
 
     Args:
         joint: Its number, 1–6.
         limits: Its range until the arm tells another.
     """
 
-    stepped = Signal(int, int)
-    """Jog: the joint, and +1 or −1."""
-    repeated = Signal(int, int)
-    """The same, from a button that is still held."""
-    held = Signal(int, int)
-    """Jog until :attr:`let_go`: the joint, and +1 or −1."""
-    let_go = Signal()
-    unattended = Signal()
-    """A held button was let go by itself: the operator gave no sign for too long."""
-    edited = Signal(int)
-    """The operator changed the target of the joint; nothing is sent."""
-
-    def __init__(self, joint: int, limits: JointLimits, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, joint: int, limits: JointLimits) -> None:
+        super().__init__()
         painting.fill_ground(self)
         self.joint = joint
         self._limits = limits
         self._limits_read = False
         self._name = QLabel(f"J{joint}")
         self._name.setFont(scaled_font(self._name, 1.15, bold=True))
-        self.minus = JogButton("−")
-        self.minus.setObjectName(f"jog_minus_{joint}")
-        self.plus = JogButton("+")
-        self.plus.setObjectName(f"jog_plus_{joint}")
-        self.field = FigureField(fmt.DECIMALS, "°")
-        self.field.setObjectName(f"target_field_{joint}")
-        self.measured = ValueLabel(_WIDEST_ANGLE)
-        self.measured.setObjectName(f"measured_{joint}")
+        self.minus = named(f"jog_minus_{joint}", JogButton("−"))
+        self.plus = named(f"jog_plus_{joint}", JogButton("+"))
+        self.field = named(f"target_field_{joint}", FigureField(fmt.DECIMALS, "°"))
+        self.measured = named(f"measured_{joint}", ValueLabel(_WIDEST_ANGLE))
         tell_quantities(
             self, *(f"{source}.joint_angle.{joint}" for source in ("arm", "own", "other"))
         )
-        self.slider = TrackSlider(ANGLE_STEP_DEG)
-        self.slider.setObjectName(f"target_slider_{joint}")
+        self.slider = named(f"target_slider_{joint}", TrackSlider(ANGLE_STEP_DEG))
         self.slider.setSingleStep(round(1.0 / ANGLE_STEP_DEG))
         self.slider.setPageStep(round(10.0 / ANGLE_STEP_DEG))
         self._minimum = ValueLabel(_WIDEST_LIMIT)
@@ -72,23 +56,15 @@ class JointRow(Translated, QWidget):
         for label in (self._minimum, self._maximum):
             label.setFont(scaled_font(label, 0.88))
         self._lay_out()
-        for button, direction in ((self.minus, -1), (self.plus, 1)):
-            button.stepped.connect(partial(self.stepped.emit, joint, direction))
-            button.repeated.connect(partial(self.repeated.emit, joint, direction))
-            button.held.connect(partial(self.held.emit, joint, direction))
-            button.let_go.connect(self.let_go)
-            button.unattended.connect(self.unattended)
+        self._tell_presses(joint, self.minus, self.plus)
         self.field.value_edited.connect(self._on_field_edited)
         self.slider.valueChanged.connect(self._on_slider_moved)
         self.show_target(None)
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
-        grid = QGridLayout(self)
         top = Qt.AlignmentFlag.AlignTop
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setHorizontalSpacing(8)
-        grid.setVerticalSpacing(2)
+        grid = empty_grid(self, gaps=(8, 2), margins=0)
         grid.addWidget(self._name, 0, 0)
         grid.addWidget(self.minus, 0, 1)
         grid.addWidget(self.field, 0, 2)
@@ -123,14 +99,14 @@ class JointRow(Translated, QWidget):
         self.edited.emit(self.joint)
 
     def _on_slider_moved(self) -> None:
-        self.field.show_value(self.slider.wish)
+        self.field.show_value(self.slider.requested)
         self._after_target()
         self.edited.emit(self.joint)
 
     def _after_target(self) -> None:
         """Slider, marks and colours go with the figure in the field."""
         beyond = self.beyond_limits() is not None
-        self.slider.show_wish(self.target_deg, attention=beyond)
+        self.slider.show_requested(self.target_deg, attention=beyond)
         self.field.show_attention(wanted=beyond or self.field.is_nonsense())
         self._show_limits()
 
@@ -203,10 +179,8 @@ class JointRow(Translated, QWidget):
         self.plus.setAccessibleName(self.tr("Joint {joint} plus").format(joint=joint))
         self.field.setAccessibleName(self.tr("Target angle of joint {joint}").format(joint=joint))
         self.slider.setAccessibleName(self.tr("Target slider of joint {joint}").format(joint=joint))
-        self.measured.setAccessibleName(
-            self.tr("Measured angle of joint {joint}").format(joint=joint)
-        )
-        self.measured.setToolTip(self.tr("Measured by the arm"))
+        measured = self.tr("Measured angle of joint {joint}").format(joint=joint)
+        describe(self.measured, measured, self.tr("Measured by the arm"))
         target = self.tr(
             "Target of joint {joint}: {minimum} to {maximum}. Not sent before you press Send."
         ).format(
@@ -216,10 +190,7 @@ class JointRow(Translated, QWidget):
         )
         self.field.setToolTip(target)
         self.slider.setToolTip(target)
-        origin = (
-            self.tr("Limit read from the arm")
-            if self._limits_read
-            else self.tr("Factory limit: not read from the arm yet")
-        )
+        read = self.tr("Limit read from the arm")
+        origin = read if self._limits_read else self.tr("Factory limit: not read from the arm yet")
         self._minimum.setToolTip(origin)
         self._maximum.setToolTip(origin)

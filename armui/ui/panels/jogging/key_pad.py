@@ -7,9 +7,10 @@ from typing import Final
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFocusEvent, QHideEvent, QKeyEvent
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QLabel
 
 from armui.ui.widgets.hold_guard import HoldGuard
+from armui.ui.widgets.layouts import empty_grid, in_column
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -48,8 +49,8 @@ class KeyPad(Translated, QFrame):
     unattended = Signal()
     """It ended because the operator gave no sign for too long."""
 
-    def __init__(self, keys: Keys, name: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, keys: Keys, name: str) -> None:
+        super().__init__()
         self.setObjectName(name)
         self.setProperty("card", True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -63,20 +64,14 @@ class KeyPad(Translated, QFrame):
         self._guard.lost.connect(self._forget)
         self._guard.unattended.connect(self.unattended)
         self._hint = text_label(f"{name}_hint", wraps=True)
-        grid = QGridLayout()
-        grid.setHorizontalSpacing(18)
-        grid.setVerticalSpacing(2)
+        grid = empty_grid(gaps=(18, 2))
         for place, (what, plus, minus) in enumerate(keys):
             for text, direction in ((plus, 1), (minus, -1)):
                 self._moves[_key(text)] = (place, direction)
             label = QLabel(f"{what}   + {plus}   − {minus}")
             label.setProperty("rank", "muted")
             grid.addWidget(label, place % _COLUMNS, place // _COLUMNS)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(14, 8, 14, 8)
-        layout.setSpacing(4)
-        layout.addWidget(self._hint)
-        layout.addLayout(grid)
+        in_column(self._hint, grid, on=self, spacing=4, margins=(14, 8, 14, 8))
         self.retranslate_ui()
 
     def set_continuous(self, wanted: bool) -> None:

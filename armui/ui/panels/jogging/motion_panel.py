@@ -2,23 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import (
-    QFrame,
-    QHBoxLayout,
-    QLabel,
-    QPushButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QFrame
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
+from armui.control.arm_controller import ArmController
 from armui.control.events import Event, EventCode
 from armui.control.motion.jog_path import JointJog
 from armui.ui import format as fmt
@@ -26,10 +19,10 @@ from armui.ui import words
 from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.jog_panel import JogPanel
 from armui.ui.panels.jogging.joint_row import JointRow
+from armui.ui.widgets.buttons import caption, push_button
 from armui.ui.widgets.enable_or_explain import enable_or_explain
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
+from armui.ui.widgets.layouts import STRETCH, in_column, in_row
+from armui.ui.widgets.text_label import text_label
 
 _FIELD_INDENT_PX: Final = 80
 _TALLEST_CARD_PX: Final = 600
@@ -51,9 +44,7 @@ class MotionPanel(JogPanel):
         jog_step_deg: Step of − and + to begin with.
     """
 
-    def __init__(
-        self, controller: ArmController, jog_step_deg: float, parent: QWidget | None = None
-    ) -> None:
+    def __init__(self, controller: ArmController, jog_step_deg: float) -> None:
         super().__init__(
             controller,
             "jog",
@@ -61,61 +52,32 @@ class MotionPanel(JogPanel):
             keys=_KEYS,
             numbers=JOINTS,
             write_step=fmt.short_angle,
-            parent=parent,
         )
         self._jogged: int | None = None
-        self._target_head = QLabel()
-        self._measured_head = QLabel()
+        self._target_head = text_label(rank="muted")
+        self._measured_head = text_label(rank="muted")
         self._rows = [JointRow(j, self._operating_state.limits[j - 1]) for j in JOINTS]
-        self._home = QPushButton()
-        self._load = QPushButton()
-        self._send = QPushButton()
-        self._name_buttons()
+        self._home = push_button("home_button")
+        self._load = push_button("load_button")
+        self._send = push_button("send_button", primary=True)
         self._lay_out()
         self._connect()
         self.set_jog_step(jog_step_deg)
         self.retranslate_ui()
 
-    def _name_buttons(self) -> None:
-        for button, name, key in (
-            (self._home, "home_button", _HOME_KEY),
-            (self._load, "load_button", _LOAD_KEY),
-            (self._send, "send_button", _SEND_KEY),
-        ):
-            button.setObjectName(name)
-            button.setShortcut(QKeySequence(key))
-        self._send.setProperty("primary", True)
-
     def _lay_out(self) -> None:
         card = QFrame()
-        rows = QVBoxLayout(card)
-        rows.setContentsMargins(16, 10, 16, 12)
-        rows.setSpacing(4)
-        columns = QHBoxLayout()
-        columns.addSpacing(_FIELD_INDENT_PX)
-        for label in (self._target_head, self._measured_head):
-            label.setProperty("rank", "muted")
-        columns.addWidget(self._target_head)
-        columns.addStretch(1)
-        columns.addWidget(self._measured_head)
-        rows.addLayout(columns)
-        for row in self._rows:
-            rows.addWidget(row, 1)
+        heads = in_row(_FIELD_INDENT_PX, self._target_head, STRETCH, self._measured_head)
+        rows = ((row, 1) for row in self._rows)
+        in_column(heads, *rows, on=card, spacing=4, margins=(16, 10, 16, 12))
         buttons = (self._home, self._load, self._send)
         self._finish(card, buttons, tallest_px=_TALLEST_CARD_PX)
 
     def _connect(self) -> None:
-        for row in self._rows:
-            row.stepped.connect(self._on_stepped)
-            row.repeated.connect(self._on_repeated)
-            row.held.connect(self._on_held)
-            row.let_go.connect(self._on_let_go)
-            row.unattended.connect(self._on_unattended)
-            row.edited.connect(self._on_edited)
+        self._follow_rows(self._rows)
         self._home.clicked.connect(self._on_home)
         self._load.clicked.connect(self._on_load)
         self._send.clicked.connect(self._on_send)
-        self._controller.state_changed.connect(self._on_state_changed)
 
     # -- step ---------------------------------------------------------------------------------
 
@@ -256,17 +218,12 @@ class MotionPanel(JogPanel):
         self._key_pad.allow(why_not)
         heard = self._controller.state.angles_deg() is not None
         no_angles = "" if heard else words.refusal(Refusal(RefusalCode.JOINTS_UNKNOWN))
-        for button, reason, use, key in (
-            (self._home, why_not, self.tr("Moves all joints to 0°."), _HOME_KEY),
-            (
-                self._load,
-                no_angles,
-                self.tr("Fills the fields with the measured angles; nothing moves."),
-                _LOAD_KEY,
-            ),
-            (self._send, why_not, self.tr("Moves the arm to the angles in the fields."), _SEND_KEY),
-        ):
-            enable_or_explain(button, reason, use, key=key)
+        use = self.tr("Moves all joints to 0°.")
+        enable_or_explain(self._home, why_not, use, key=_HOME_KEY)
+        use = self.tr("Fills the fields with the measured angles; nothing moves.")
+        enable_or_explain(self._load, no_angles, use, key=_LOAD_KEY)
+        use = self.tr("Moves the arm to the angles in the fields.")
+        enable_or_explain(self._send, why_not, use, key=_SEND_KEY)
 
     def _first_wrong(self) -> Refusal | None:
         for row in self._rows:
@@ -283,13 +240,7 @@ class MotionPanel(JogPanel):
         self._step_box.setToolTip(self.tr("How far one press of − or + moves a joint"))
         self._target_head.setText(self.tr("Target"))
         self._measured_head.setText(self.tr("Measured"))
-        for button, text in (
-            (self._home, self.tr("Home")),
-            (self._load, self.tr("Load")),
-            (self._send, self.tr("Send")),
-        ):
-            shortcut = button.shortcut()
-            button.setText(text)
-            button.setShortcut(shortcut)
-            button.setAccessibleName(text)
+        caption(self._home, self.tr("Home"), key=_HOME_KEY)
+        caption(self._load, self.tr("Load"), key=_LOAD_KEY)
+        caption(self._send, self.tr("Send"), key=_SEND_KEY)
         super().retranslate_ui()

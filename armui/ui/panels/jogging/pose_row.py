@@ -5,24 +5,25 @@ from __future__ import annotations
 from functools import partial
 from typing import Final
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
+from PySide6.QtWidgets import QLabel
 
 from armui.ui import format as fmt
+from armui.ui.panels.jogging.jog_signals import JogSignals
 from armui.ui.theme import scaled_font
 from armui.ui.widgets import painting
+from armui.ui.widgets.buttons import describe, named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
-from armui.ui.widgets.translated import Translated
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.value_label import ValueLabel
 
 _WIDEST: Final = "-0000.000 mm"
 _NAME_PX: Final = 34
 
 
-class PoseRow(Translated, QWidget):
-    """The controls of one axis.
+class PoseRow(JogSignals):
+    """The controls of one axis; its signals carry the axis' place.
 
     Args:
         place: 0–5 for X, Y, Z, RX, RY, RZ.
@@ -30,50 +31,24 @@ class PoseRow(Translated, QWidget):
         unit: ``mm`` or ``°``.
     """
 
-    stepped = Signal(int, int)
-    """The place, and +1 or −1."""
-    repeated = Signal(int, int)
-    """The same, from a button that is still held."""
-    held = Signal(int, int)
-    """Jog until :attr:`let_go`."""
-    let_go = Signal()
-    unattended = Signal()
-    """A held button was let go by itself: the operator gave no sign for too long."""
-    edited = Signal(int)
-    """The operator changed the target; nothing is sent."""
-
-    def __init__(self, place: int, name: str, unit: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, place: int, name: str, unit: str) -> None:
+        super().__init__()
         painting.fill_ground(self)
         self.name = name
         self._unit = unit
         self._label = QLabel(name)
         self._label.setFont(scaled_font(self._label, 1.15, bold=True))
         self._label.setFixedWidth(_NAME_PX)
-        self.minus, self.plus = JogButton("−"), JogButton("+")
-        self.minus.setObjectName(f"pose_minus_{name}")
-        self.plus.setObjectName(f"pose_plus_{name}")
-        self.field = FigureField(fmt.DECIMALS, unit)
+        self.minus = named(f"pose_minus_{name}", JogButton("−"))
+        self.plus = named(f"pose_plus_{name}", JogButton("+"))
+        self.field = named(f"pose_field_{name}", FigureField(fmt.DECIMALS, unit))
         self.field.setTextMargins(0, 0, 28 if unit == "mm" else 5, 0)
-        self.field.setObjectName(f"pose_field_{name}")
-        self.measured = ValueLabel(_WIDEST, alignment=Qt.AlignmentFlag.AlignRight)
-        self.measured.setObjectName(f"pose_measured_{name}")
+        self.measured = named(f"pose_measured_{name}", ValueLabel(_WIDEST))
         kind = f"pose_{name.lower()}"
         tell_quantities(self, *(f"{source}.{kind}" for source in ("arm", "own", "other")))
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(8)
-        layout.addWidget(self._label)
-        layout.addWidget(self.minus)
-        layout.addWidget(self.field, 1)
-        layout.addWidget(self.plus)
-        layout.addWidget(self.measured)
-        for button, direction in ((self.minus, -1), (self.plus, 1)):
-            button.stepped.connect(partial(self.stepped.emit, place, direction))
-            button.repeated.connect(partial(self.repeated.emit, place, direction))
-            button.held.connect(partial(self.held.emit, place, direction))
-            button.let_go.connect(self.let_go)
-            button.unattended.connect(self.unattended)
+        parts = (self._label, self.minus, (self.field, 1), self.plus, self.measured)
+        in_row(*parts, on=self, spacing=8, margins=0)
+        self._tell_presses(place, self.minus, self.plus)
         self.field.value_edited.connect(partial(self._on_edited, place))
         self.retranslate_ui()
 
@@ -88,9 +63,7 @@ class PoseRow(Translated, QWidget):
 
     def show_measured(self, value: float | None, *, stale: bool) -> None:
         """Show the measured value."""
-        gap = "" if self._unit == "°" else " "
-        text = fmt.NOTHING if value is None else f"{fmt.number(value)}{gap}{self._unit}"
-        self.measured.show_text(text, stale=stale)
+        self.measured.show_text(fmt.with_unit(value, self._unit), stale=stale)
 
     def set_step(self, step: float, *, continuous: bool) -> None:
         """How far one press of − or + goes, or whether it goes on while they are held."""
@@ -114,6 +87,6 @@ class PoseRow(Translated, QWidget):
         """Put names and tooltips into the operator's language."""
         self.minus.setAccessibleName(self.tr("{axis} minus").format(axis=self.name))
         self.plus.setAccessibleName(self.tr("{axis} plus").format(axis=self.name))
-        self.field.setAccessibleName(self.tr("Target {axis}").format(axis=self.name))
-        self.field.setToolTip(self.tr("Not sent before you press MOVE P or MOVE L."))
+        target = self.tr("Target {axis}").format(axis=self.name)
+        describe(self.field, target, self.tr("Not sent before you press MOVE P or MOVE L."))
         self.measured.setToolTip(self.tr("Measured by the arm"))

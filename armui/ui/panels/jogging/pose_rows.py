@@ -4,64 +4,45 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.kinematics.axes import AXES, LINEAR_AXES
 from armui.ui.panels.jogging.pose_row import PoseRow
+from armui.ui.widgets.layouts import STRETCH, in_column, in_row
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 
 class PoseRows(Translated, QWidget):
-    """Targets to type and jog; their signals are those of :class:`PoseRow`."""
+    """Targets to type and jog.
 
-    stepped = Signal(int, int)
-    repeated = Signal(int, int)
-    held = Signal(int, int)
-    let_go = Signal()
-    unattended = Signal()
-    edited = Signal(int)
+    Attributes:
+        rows: One an axis.
+    """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._point = QLabel()
-        self._point.setObjectName("point_label")
-        self._measured_head = QLabel()
+    def __init__(self) -> None:
+        super().__init__()
+        self._point = text_label("point_label", rank="muted")
+        self._measured_head = text_label(rank="muted")
         self._with_tool = False
-        self._rows = [
+        self.rows = [
             PoseRow(place, name, "mm" if place < LINEAR_AXES else "°")
             for place, name in enumerate(AXES)
         ]
-        head = QHBoxLayout()
-        for label in (self._point, self._measured_head):
-            label.setProperty("rank", "muted")
-        head.addWidget(self._point)
-        head.addStretch(1)
-        head.addWidget(self._measured_head)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(6)
-        layout.addLayout(head)
-        for row in self._rows:
-            layout.addWidget(row)
-            row.stepped.connect(self.stepped)
-            row.repeated.connect(self.repeated)
-            row.held.connect(self.held)
-            row.let_go.connect(self.let_go)
-            row.unattended.connect(self.unattended)
-            row.edited.connect(self.edited)
+        head = in_row(self._point, STRETCH, self._measured_head)
+        in_column(head, *self.rows, on=self, spacing=6, margins=0)
         self.retranslate_ui()
 
     @property
     def empty(self) -> bool:
         """Whether nothing stands in any field."""
-        return not any(row.field.text() for row in self._rows)
+        return not any(row.field.text() for row in self.rows)
 
     def targets(self) -> list[float] | Refusal:
         """The six figures, or why one of them is none."""
-        values = [row.field.value for row in self._rows]
+        values = [row.field.value for row in self.rows]
         targets = [value for value in values if value is not None]
         if len(targets) == len(AXES):
             return targets
@@ -69,7 +50,7 @@ class PoseRows(Translated, QWidget):
 
     def nonsense(self) -> Refusal | None:
         """What is to be said against the first text that is no figure."""
-        for row in self._rows:
+        for row in self.rows:
             if row.field.is_nonsense():
                 return Refusal(
                     RefusalCode.POSE_NOT_A_NUMBER, {"axis": row.name, "value": row.field.text()}
@@ -78,22 +59,22 @@ class PoseRows(Translated, QWidget):
 
     def fill(self, pose: Sequence[float] | None) -> None:
         """Put a pose into the fields; ``None`` empties them."""
-        for row, value in zip(self._rows, pose or (None,) * len(AXES), strict=True):
+        for row, value in zip(self.rows, pose or (None,) * len(AXES), strict=True):
             row.show_target(value)
 
     def show_measured(self, pose: Sequence[float] | None, *, stale: bool) -> None:
         """Show what is measured."""
-        for row, value in zip(self._rows, pose or (None,) * len(AXES), strict=True):
+        for row, value in zip(self.rows, pose or (None,) * len(AXES), strict=True):
             row.show_measured(value, stale=stale)
 
     def set_step(self, step: float, *, continuous: bool) -> None:
         """How far one press of − or + goes, or whether it goes on while they are held."""
-        for row in self._rows:
+        for row in self.rows:
             row.set_step(step, continuous=continuous)
 
     def allow_jog(self, why_not: str) -> None:
         """Enable − and +, or disable them and say why."""
-        for row in self._rows:
+        for row in self.rows:
             row.allow_jog(why_not)
 
     def name_point(self, *, with_tool: bool) -> None:

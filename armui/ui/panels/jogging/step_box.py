@@ -6,14 +6,14 @@ from collections.abc import Callable, Sequence
 from typing import Final
 
 from PySide6.QtCore import QEvent, Signal
-from PySide6.QtWidgets import QComboBox, QWidget
+from PySide6.QtWidgets import QComboBox
 
 STEPS: Final = (0.1, 1.0, 5.0, 10.0)
 _CONTINUOUS: Final = 0.0
 
 
 class StepBox(QComboBox):
-    """The usual steps, one more if wished, and «Continuous».
+    """The usual steps, one more if asked for, and «Continuous».
 
     Args:
         write: A step as text.
@@ -22,8 +22,8 @@ class StepBox(QComboBox):
     chosen = Signal()
     """Another entry was chosen."""
 
-    def __init__(self, write: Callable[[float], str], parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, write: Callable[[float], str]) -> None:
+        super().__init__()
         self._write = write
         self._step = 1.0
         self._fill(STEPS)

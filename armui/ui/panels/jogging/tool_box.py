@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from armui.kinematics.axes import AXES, LINEAR_AXES
 from armui.ui import format as fmt
 from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.layouts import empty_grid
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -20,14 +21,11 @@ class ToolBox(Translated, QWidget):
     changed = Signal(object)
     """Six figures as they were typed; one that is none stands as its text."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._title = text_label(rank="muted", wraps=True)
         self._fields = [FigureField(fmt.DECIMALS) for _ in AXES]
-        grid = QGridLayout(self)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setHorizontalSpacing(8)
-        grid.setVerticalSpacing(4)
+        grid = empty_grid(self, gaps=(8, 4), margins=0)
         grid.addWidget(self._title, 0, 0, 1, 6)
         for place, (name, field) in enumerate(zip(AXES, self._fields, strict=True)):
             row, column = 1 + place // LINEAR_AXES, 2 * (place % LINEAR_AXES)

@@ -5,9 +5,11 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
+from armui.ui.widgets.buttons import describe, named
 from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.track_slider import TrackSlider
 
 FULL: Final = 255
@@ -29,22 +31,16 @@ class ChannelRow(QWidget):
 
     edited = Signal()
 
-    def __init__(self, name: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, name: str) -> None:
+        super().__init__()
         self.label = QLabel()
-        self.slider = TrackSlider(1.0, origin=0.0)
-        self.slider.setObjectName(f"{name}_slider")
+        self.slider = named(f"{name}_slider", TrackSlider(1.0, origin=0.0))
         self.slider.setRange(0, FULL)
         self.slider.setPageStep(_PAGE)
-        self.field = FigureField(0)
-        self.field.setObjectName(f"{name}_field")
+        self.field = named(f"{name}_field", FigureField(0))
         self.field.setFixedWidth(_FIELD_PX)
         self.label.setBuddy(self.field)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(10)
-        layout.addWidget(self.slider, 1)
-        layout.addWidget(self.field)
+        in_row((self.slider, 1), self.field, on=self, spacing=10, margins=0)
         self.slider.valueChanged.connect(self._on_slider_moved)
         self.field.value_edited.connect(self._on_field_edited)
 
@@ -60,7 +56,7 @@ class ChannelRow(QWidget):
         self._after_change()
 
     def _on_slider_moved(self) -> None:
-        self.field.show_value(self.slider.wish)
+        self.field.show_value(self.slider.requested)
         self._after_change()
         self.edited.emit()
 
@@ -71,12 +67,11 @@ class ChannelRow(QWidget):
     def _after_change(self) -> None:
         """The slider goes with the field as far as its track reaches."""
         wrong = self.value is None
-        self.slider.show_wish(self.field.value, attention=wrong)
+        self.slider.show_requested(self.field.value, attention=wrong)
         self.field.show_attention(wanted=wrong)
 
     def describe(self, name: str, tip: str) -> None:
         """Name the channel in the operator's language."""
         self.label.setText(name)
         for widget in (self.slider, self.field):
-            widget.setAccessibleName(name)
-            widget.setToolTip(tip)
+            describe(widget, name, tip)

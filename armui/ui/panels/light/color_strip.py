@@ -20,8 +20,8 @@ _BRIGHT: Final = 0.45
 class ColorStrip(QWidget):
     """Shows one colour with its hexadecimal value in it; without a colour it is hatched."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._color: QColor | None = None
         self.setFont(scaled_font(self, 1.1, bold=True))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)

@@ -43,8 +43,8 @@ class HueField(QWidget):
 
     picked = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._hue = 0.0
         self._saturation = 0.0
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -107,8 +107,7 @@ class HueField(QWidget):
     def _follow(self, place: QPointF) -> None:
         area = self._area()
         self._move(
-            (place.x() - area.left()) / area.width(),
-            1 - (place.y() - area.top()) / area.height(),
+            (place.x() - area.left()) / area.width(), 1 - (place.y() - area.top()) / area.height()
         )
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

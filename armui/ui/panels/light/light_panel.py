@@ -2,26 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QSignalBlocker, Qt
-from PySide6.QtGui import QColor, QKeySequence
-from PySide6.QtWidgets import (
-    QButtonGroup,
-    QCheckBox,
-    QFrame,
-    QGridLayout,
-    QHBoxLayout,
-    QLabel,
-    QPushButton,
-    QSizePolicy,
-    QToolButton,
-    QWidget,
-)
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QButtonGroup, QCheckBox, QFrame, QHBoxLayout, QLabel, QSizePolicy
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.arm_controller import ArmController
 from armui.control.devices.lights import RANGES, check_light
 from armui.control.operating_state import OperatingState
 from armui.protocol.codes import ALL_LAMPS
@@ -31,14 +21,13 @@ from armui.ui.panels.light.channel_row import FULL, ChannelRow
 from armui.ui.panels.light.color_strip import ColorStrip
 from armui.ui.panels.light.hue_field import HueField
 from armui.ui.panels.panel import Panel
+from armui.ui.widgets.buttons import caption, choice_button, describe, named, push_button
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.layouts import STRETCH, empty_grid, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.track_slider import TrackSlider
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _CHANNELS: Final = ("red", "green", "blue")
 _TALLEST_CARD_PX: Final = 520
@@ -51,39 +40,28 @@ class LightPanel(Panel):
 
     Fields, sliders and picker are three ways to the same colour. Everything stays as it was left
     while another panel is used.
-
-    Args:
-        controller: Whom to tell.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(controller, "light_message", parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__(controller, "light_message")
         self._joint_label = QLabel()
         self._joints = QButtonGroup(self)
         self._lamp_label = QLabel()
-        self._lamp = FigureField(0)
-        self._lamp.setObjectName("lamp_field")
+        self._lamp = named("lamp_field", FigureField(0))
         self._lamp.setFixedWidth(_FIELD_PX)
         self._lamp.show_value(0)
         self._lamp_label.setBuddy(self._lamp)
-        self._all_lamps = QCheckBox()
-        self._all_lamps.setObjectName("all_lamps")
+        self._all_lamps = named("all_lamps", QCheckBox())
         self._all_lamps.setChecked(True)
         self._rows = {name: ChannelRow(name) for name in _CHANNELS}
-        self._hue = HueField()
-        self._hue.setObjectName("hue_field")
+        self._hue = named("hue_field", HueField())
         self._brightness_label = QLabel()
-        self._brightness = TrackSlider(1.0, origin=0.0)
-        self._brightness.setObjectName("brightness_slider")
+        self._brightness = named("brightness_slider", TrackSlider(1.0, origin=0.0))
         self._brightness.setRange(0, FULL)
         self._brightness.setPageStep(16)
         self._effect_label = QLabel()
-        self._effect = ColorStrip()
-        self._effect.setObjectName("effect_strip")
-        self._confirm = QPushButton()
-        self._confirm.setObjectName("light_confirm_button")
-        self._confirm.setShortcut(QKeySequence(_CONFIRM_KEY))
-        self._confirm.setProperty("primary", True)
+        self._effect = named("effect_strip", ColorStrip())
+        self._confirm = push_button("light_confirm_button", primary=True)
         self._confirm.setMinimumHeight(38)
         self._note = text_label("light_note", rank="muted", wraps=True)
         self._lay_out()
@@ -95,16 +73,10 @@ class LightPanel(Panel):
 
     def _lay_out(self) -> None:
         card = QFrame()
-        grid = QGridLayout(card)
-        grid.setContentsMargins(16, 12, 16, 12)
-        grid.setHorizontalSpacing(10)
-        grid.setVerticalSpacing(8)
+        grid = empty_grid(card, gaps=(10, 8), margins=(16, 12, 16, 12))
         grid.addWidget(self._joint_label, 0, 0)
         grid.addLayout(self._make_joint_buttons(), 0, 1)
-        lamp = QHBoxLayout()
-        lamp.addWidget(self._all_lamps)
-        lamp.addStretch(1)
-        lamp.addWidget(self._lamp)
+        lamp = in_row(self._all_lamps, STRETCH, self._lamp)
         grid.addWidget(self._lamp_label, 1, 0)
         grid.addLayout(lamp, 1, 1)
         for place, row in enumerate(self._rows.values(), start=2):
@@ -116,22 +88,13 @@ class LightPanel(Panel):
         grid.setRowStretch(5, 1)
         grid.setColumnStretch(1, 1)
 
-        effect = QHBoxLayout()
-        effect.setSpacing(12)
-        effect.addWidget(self._effect_label)
-        effect.addWidget(self._effect, 1)
-
+        effect = in_row(self._effect_label, (self._effect, 1), spacing=12)
         self._stack(scrolled(card, _TALLEST_CARD_PX), effect, self._confirm, self._note)
 
     def _make_joint_buttons(self) -> QHBoxLayout:
-        buttons = QHBoxLayout()
-        buttons.setSpacing(6)
+        buttons = in_row(spacing=6)
         for joint in JOINTS:
-            button = QToolButton()
-            button.setObjectName(f"light_joint_{joint}")
-            button.setText(str(joint))
-            button.setCheckable(True)
-            button.setProperty("choice", True)
+            button = choice_button(f"light_joint_{joint}", str(joint))
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             self._joints.addButton(button, joint)
             buttons.addWidget(button)
@@ -162,7 +125,7 @@ class LightPanel(Panel):
         color = self.color()
         if color is not None:
             self._hue.show_color(color)
-            self._brightness.show_wish(color.value())
+            self._brightness.show_requested(color.value())
         self._effect.show_color(color)
         self._on_edited()
 
@@ -180,7 +143,7 @@ class LightPanel(Panel):
         for name, value in zip(_CHANNELS, (color.red(), color.green(), color.blue()), strict=True):
             self._rows[name].show_value(value)
         with QSignalBlocker(self._brightness):
-            self._brightness.show_wish(color.value())
+            self._brightness.show_requested(color.value())
         self._effect.show_color(color)
 
     # -- actions ------------------------------------------------------------------------------
@@ -242,13 +205,9 @@ class LightPanel(Panel):
 
     def _show_possible(self) -> None:
         """Enable what can be used now; say in the tooltip why not."""
+        why_not = words.why_not(self._operating_state.cannot_set_lamps)
         use = self.tr("Sends the colour to the lamps; nothing moves.")
-        enable_or_explain(
-            self._confirm,
-            words.why_not(self._operating_state.cannot_set_lamps),
-            use,
-            key=_CONFIRM_KEY,
-        )
+        enable_or_explain(self._confirm, why_not, use, key=_CONFIRM_KEY)
 
     def _show_message(self) -> None:
         self._say(self._refusal or self._operating_state.cannot_set_lamps or self._first_wrong())
@@ -259,25 +218,21 @@ class LightPanel(Panel):
         self._joint_label.setText(words.light_figure("joint"))
         for joint in JOINTS:
             name = self.tr("Lamps of joint {joint}").format(joint=joint)
-            self._joints.button(joint).setAccessibleName(name)
-            self._joints.button(joint).setToolTip(name)
+            describe(self._joints.button(joint), name)
         self._lamp_label.setText(words.light_figure("lamp"))
         self._lamp.setAccessibleName(words.light_figure("lamp"))
         self._all_lamps.setText(self.tr("All"))
         self._all_lamps.setAccessibleName(self.tr("All lamps of the joint"))
         for name, row in self._rows.items():
             row.describe(words.light_figure(name), _range_text(name))
-        self._hue.setAccessibleName(self.tr("Hue and saturation"))
-        self._hue.setToolTip(self.tr("Click, drag or use the arrow keys to pick a colour."))
+        tip = self.tr("Click, drag or use the arrow keys to pick a colour.")
+        describe(self._hue, self.tr("Hue and saturation"), tip)
         self._brightness_label.setText(self.tr("Brightness"))
-        self._brightness.setAccessibleName(self.tr("Brightness"))
-        self._brightness.setToolTip(self.tr("The same colour, darker or brighter"))
+        tip = self.tr("The same colour, darker or brighter")
+        describe(self._brightness, self.tr("Brightness"), tip)
         self._effect_label.setText(self.tr("Effect"))
-        self._effect.setAccessibleName(self.tr("Effect"))
-        self._effect.setToolTip(self.tr("The colour that Confirm sends"))
-        self._confirm.setText(self.tr("Confirm"))
-        self._confirm.setShortcut(QKeySequence(_CONFIRM_KEY))  # a new text takes it away
-        self._confirm.setAccessibleName(self.tr("Confirm"))
+        describe(self._effect, self.tr("Effect"), self.tr("The colour that Confirm sends"))
+        caption(self._confirm, self.tr("Confirm"), key=_CONFIRM_KEY)
         self._note.setText(
             self.tr(
                 "Works on joints that have a lamp board.\n"

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QLabel
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
-from armui.control.events import Event
+from armui.control.arm_controller import ArmController
 from armui.control.operating_state import OperatingState
 from armui.protocol.codes import ALL_JOINTS
 from armui.ui import words
@@ -26,18 +26,9 @@ from armui.ui.panels.motors.motor_row import (
 )
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.card import scrolled
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
+from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row
 
 _TALLEST_CARD_PX: Final = 520
-_OURS: Final = (
-    "enable",
-    "disable",
-    "zero_",
-    "clear_error_",
-)
-"""How the codes of the notices that are told here begin."""
 
 
 class MotorPanel(Panel):
@@ -45,14 +36,10 @@ class MotorPanel(Panel):
 
     Disabling lets the arm drop and a wrong zero makes it run into its stops: both say so and must
     be confirmed by holding a button.
-
-    Args:
-        controller: Whom to tell.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(controller, "motor_message", parent)
-        self._event: Event | None = None
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__(controller, "motor_message")
         self._heads = [QLabel() for _ in range(4)]
         self._rows = [MotorRow(joint) for joint in JOINTS]
         self._all_label = QLabel()
@@ -60,33 +47,21 @@ class MotorPanel(Panel):
         self._lay_out()
         for acts in self._all_acts():
             acts.wanted.connect(self._on_wanted)
-        controller.state_changed.connect(self._on_state_changed)
-        controller.operating_state_changed.connect(self._on_operating_state_changed)
-        controller.noticed.connect(self._on_noticed)
+        self._listen("enable", "disable", "zero_", "clear_error_")
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
         card = QFrame()
-        rows = QVBoxLayout(card)
-        rows.setContentsMargins(12, 8, 12, 10)
-        rows.setSpacing(9)
-        heads = QHBoxLayout()
-        heads.setSpacing(COLUMN_GAP_PX)
-        heads.addStretch(1)
+        rows = in_column(on=card, spacing=9, margins=(12, 8, 12, 10))
+        heads = in_row(STRETCH, spacing=COLUMN_GAP_PX)
         for head in self._heads:
             head.setProperty("rank", "muted")
             head.setFixedWidth(FIGURE_PX)
             head.setAlignment(Qt.AlignmentFlag.AlignRight)
             heads.addWidget(head)
-        rows.addLayout(heads)
-        for row in self._rows:
-            rows.addWidget(row)
-        rows.addStretch(1)
+        fill(rows, heads, *self._rows, STRETCH)
 
-        every = QVBoxLayout()
-        every.setSpacing(4)
-        every.addWidget(self._all_label)
-        every.addWidget(self._all)
+        every = in_column(self._all_label, self._all, spacing=4)
         self._stack(scrolled(card, _TALLEST_CARD_PX), every, gap_px=10)
 
     def _all_acts(self) -> list[ActButtons]:
@@ -138,28 +113,17 @@ class MotorPanel(Panel):
         self._ask_to_hold(title, f"{text}\n{danger}", self.tr("Set zero"), act)
 
     def _accepted(self, refusal: Refusal | None) -> bool:
-        """A no of the controller is a notice too; it stays until the next deed."""
+        """A refusal by the controller is shown as an event is; it stays until the next command."""
         if refusal is not None:
             self._say(refusal)
         return refusal is None
 
     # -- what the arm says --------------------------------------------------------------------
 
-    def _on_noticed(self, event: Event) -> None:
-        if event.code.startswith(_OURS):
-            self._event = event
-            self._show_message()
-
-    def _on_state_changed(self, state: ArmState) -> None:
-        if self.isVisible():
-            self._show_state(state)
-
-    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
-        old, self._operating_state = self._operating_state, operating_state
-        if old.unreachable != operating_state.unreachable or old.stop is not operating_state.stop:
+    def _forget_outdated(self, old: OperatingState) -> None:
+        now = self._operating_state
+        if old.unreachable != now.unreachable or old.stop is not now.stop:
             self._event = None
-        if self.isVisible():
-            self._show_all()
 
     def _show_state(self, state: ArmState) -> None:
         for row in self._rows:

@@ -7,14 +7,16 @@ from typing import Final
 
 from PySide6.QtCore import QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QPaintEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
 from armui.arm.state import DriverFast, DriverSlow, Reading
 from armui.protocol.codes import ALL_JOINTS
 from armui.ui import format as fmt
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import painting, state_mark
+from armui.ui.widgets.buttons import describe
 from armui.ui.widgets.curve_menu import tell_quantities
+from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.state_mark import Mark
 from armui.ui.widgets.translated import Translated
 from armui.ui.widgets.value_label import ValueLabel
@@ -41,8 +43,8 @@ class MotorAct(enum.Enum):
 class PowerMark(QWidget):
     """Whether a motor is enabled, by shape and colour."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._mark, self._muted = Mark.UNKNOWN, False
         self.setFixedSize(QSize(20, 20))
 
@@ -69,13 +71,11 @@ class ActButtons(Translated, QWidget):
 
     wanted = Signal(int, object)
 
-    def __init__(self, joint: int, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, joint: int) -> None:
+        super().__init__()
         self.joint = joint
         self.buttons = {act: QPushButton() for act in MotorAct}
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(6)
+        row = in_row(on=self, spacing=6, margins=0)
         for act, button in self.buttons.items():
             button.setObjectName(f"{act.value}_motor_{joint}")
             button.setProperty("compact", True)
@@ -105,11 +105,8 @@ class ActButtons(Translated, QWidget):
             MotorAct.ZERO: self.tr("Set zero"),
             MotorAct.CLEAR: self.tr("Clear error"),
         }
-        whose = (
-            self.tr("all joints")
-            if self.joint == ALL_JOINTS
-            else self.tr("joint {joint}").format(joint=self.joint)
-        )
+        one = self.tr("joint {joint}").format(joint=self.joint)
+        whose = self.tr("all joints") if self.joint == ALL_JOINTS else one
         for act, button in self.buttons.items():
             button.setText(words[act])
             button.setAccessibleName(f"{words[act]}: {whose}")
@@ -122,8 +119,8 @@ class MotorRow(Translated, QWidget):
         joint: Its number, 1–6.
     """
 
-    def __init__(self, joint: int, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, joint: int) -> None:
+        super().__init__()
         self.joint = joint
         self._mark = PowerMark()
         name = QLabel(f"J{joint}")
@@ -143,19 +140,10 @@ class MotorRow(Translated, QWidget):
             label.setFixedWidth(FIGURE_PX)
         self.acts = ActButtons(joint)
 
-        figures = QHBoxLayout()
-        figures.setSpacing(COLUMN_GAP_PX)
-        figures.addWidget(self._mark)
-        figures.addWidget(name)
-        figures.addWidget(self.power)
-        figures.addStretch(1)
-        for label in self.figures.values():
-            figures.addWidget(label)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(4)
-        column.addLayout(figures)
-        column.addWidget(self.acts)
+        figures = in_row(
+            self._mark, name, self.power, STRETCH, *self.figures.values(), spacing=COLUMN_GAP_PX
+        )
+        in_column(figures, self.acts, on=self, spacing=4, margins=0)
         self.retranslate_ui()
 
     def show_slow(self, heard: Reading[DriverSlow] | None, *, stale: bool) -> None:
@@ -195,7 +183,5 @@ class MotorRow(Translated, QWidget):
             ("current", self.tr("Motor current of joint {joint}")),
             ("voltage", self.tr("Supply voltage of joint {joint}")),
         ):
-            text = name.format(joint=self.joint)
-            self.figures[key].setAccessibleName(text)
-            self.figures[key].setToolTip(text)
+            describe(self.figures[key], name.format(joint=self.joint))
         self.power.setAccessibleName(self.tr("State of motor {joint}").format(joint=self.joint))

@@ -32,9 +32,9 @@ _MARKS: Final = {
 class CellNote(QWidget):
     """Keeps its room when there is nothing to say."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._look = CellStatus.READ
+    def __init__(self) -> None:
+        super().__init__()
+        self._status = CellStatus.READ
         self._text = ""
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
 
@@ -43,14 +43,14 @@ class CellNote(QWidget):
         return self._text
 
     @property
-    def look(self) -> CellStatus:
+    def status(self) -> CellStatus:
         """What the mark tells."""
-        return self._look
+        return self._status
 
-    def show_look(self, look: CellStatus, text: str) -> None:
+    def show_status(self, status: CellStatus, text: str) -> None:
         """Show another mark and word."""
-        if (look, text) != (self._look, self._text):
-            self._look, self._text = look, text
+        if (status, text) != (self._status, self._text):
+            self._status, self._text = status, text
             self.setAccessibleName(text)
             self.update()
 
@@ -67,7 +67,7 @@ class CellNote(QWidget):
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw the mark and, at its right, the word; both towards the right edge."""
-        mark = _MARKS.get(self._look)
+        mark = _MARKS.get(self._status)
         if mark is None and not self._text:
             return
         painter = painting.begin(self)

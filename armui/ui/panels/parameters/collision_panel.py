@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
+from PySide6.QtWidgets import QFrame, QLabel
 
 from armui.arm.parameters import Batch, Group, heard
+from armui.control.arm_controller import ArmController
 from armui.ui import format as fmt
 from armui.ui.panels.parameters.level_cell import LevelCell, LevelRow
 from armui.ui.panels.parameters.parameter_panel import ParameterPanel
 from armui.ui.panels.parameters.setting_cell import SettingCell
+from armui.ui.widgets.layouts import empty_grid
 from armui.ui.widgets.text_label import text_label
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _NO_DETECTION: Final = 0
 _LEVELS: Final = range(9)
@@ -26,25 +25,15 @@ _TALLEST_CARD_PX: Final = 420
 class CollisionPanel(ParameterPanel):
     """A level for each joint, and one click for all of them."""
 
-    def __init__(
-        self,
-        controller: ArmController,
-        open_backup: Callable[[], object],
-        parent: QWidget | None = None,
-    ) -> None:
+    def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
         self._levels = [LevelCell(each) for each in Batch(Group.COLLISION).parameters()]
-        super().__init__(
-            controller, "collision", self._levels, open_backup, can_reset=False, parent=parent
-        )
+        super().__init__(controller, "collision", self._levels, open_backup, can_reset=False)
         self._all_label = QLabel()
         self._all = LevelRow(_LEVELS, "collision_all")
         self._all.chosen.connect(self._on_all_chosen)
         self._note = text_label("collision_note", rank="muted", wraps=True)
         card = QFrame()
-        grid = QGridLayout(card)
-        grid.setContentsMargins(12, 12, 12, 10)
-        grid.setHorizontalSpacing(10)
-        grid.setVerticalSpacing(4)
+        grid = empty_grid(card, gaps=(10, 4), margins=(12, 12, 12, 10))
         for row, cell in enumerate(self._levels):
             label = QLabel(f"J{cell.parameter.joint}")
             label.setMinimumHeight(30)

@@ -2,41 +2,29 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import (
-    QButtonGroup,
-    QFrame,
-    QGridLayout,
-    QHBoxLayout,
-    QLabel,
-    QPushButton,
-    QSizePolicy,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QButtonGroup, QFrame, QHBoxLayout, QLabel, QSizePolicy
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
+from armui.control.arm_controller import ArmController
 from armui.control.devices.end_reports import is_reporting
-from armui.control.events import Event
 from armui.control.operating_state import LinkState, OperatingState
 from armui.protocol.codes import EndLoad
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.freshness import is_stale
 from armui.ui.panels.panel import Panel
+from armui.ui.widgets.buttons import caption, choice_button, named, push_button
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.layouts import empty_grid, fill, in_column
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.value_label import ValueLabel
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _LOADS: Final = (EndLoad.EMPTY, EndLoad.HALF, EndLoad.FULL)
 _FIGURES: Final = (
@@ -45,68 +33,49 @@ _FIGURES: Final = (
     ("linear_acceleration_m_s2", "m/s²"),
     ("angular_acceleration_rad_s2", "rad/s²"),
 )
-_OURS: Final = ("load_", "end_feedback_")
 
 
 class EndLoadPanel(Panel):
-    """Three loads to choose from, and a table that lives while 0x481–0x486 arrive.
+    """Three loads to choose from, and a table that lives while 0x481–0x486 arrive."""
 
-    Args:
-        controller: Whom to tell.
-    """
-
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(controller, "end_load_message", parent)
-        self._event: Event | None = None
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__(controller, "end_load_message")
         self._reporting: bool | None = None
         self._loads = QButtonGroup(self)
         self._note = text_label(rank="muted", wraps=True)
-        self._send = QPushButton()
-        self._send.setObjectName("load_confirm_button")
-        self._send.setProperty("primary", True)
+        self._send = push_button("load_confirm_button", primary=True)
         self._motion_title = QLabel()
-        self._state = QLabel()
-        self._state.setObjectName("end_feedback_state")
-        self._switch = QPushButton()
-        self._switch.setObjectName("end_feedback_button")
+        self._state = text_label("end_feedback_state")
+        self._switch = push_button("end_feedback_button")
         self._units = [QLabel(unit) for _field, unit in _FIGURES]
         self._cells = {
-            (joint, field): ValueLabel("-00.000") for joint in JOINTS for field, _unit in _FIGURES
+            (joint, field): named(f"{field}_{joint}", ValueLabel("-00.000"))
+            for joint in JOINTS
+            for field, _unit in _FIGURES
         }
         for (joint, field), cell in self._cells.items():
-            tell_quantities(
-                cell, f"arm.end_{field.partition('_m_')[0].partition('_rad_')[0]}.{joint}"
-            )
+            kind = field.partition("_m_")[0].partition("_rad_")[0]
+            tell_quantities(cell, f"arm.end_{kind}.{joint}")
         self._lay_out()
         self._send.clicked.connect(self._on_send)
         self._switch.clicked.connect(self._on_switch)
-        controller.state_changed.connect(self._on_state_changed)
-        controller.operating_state_changed.connect(self._on_operating_state_changed)
-        controller.noticed.connect(self._on_noticed)
+        self._listen("load_", "end_feedback_")
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
         load_card, motion_card = QFrame(), QFrame()
         for card in (load_card, motion_card):
             card.setProperty("card", True)
-        column = QVBoxLayout(load_card)
-        column.setContentsMargins(16, 12, 16, 12)
+        column = in_column(on=load_card, margins=(16, 12, 16, 12))
         row = QHBoxLayout()
         for load in _LOADS:
-            button = QToolButton()
-            button.setObjectName(f"load_{load.name.lower()}")
-            button.setCheckable(True)
-            button.setProperty("choice", True)
+            button = choice_button(f"load_{load.name.lower()}")
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             self._loads.addButton(button, int(load))
             row.addWidget(button)
-        column.addLayout(row)
-        column.addWidget(self._send)
-        column.addWidget(self._note)
+        fill(column, row, self._send, self._note)
 
-        grid = QGridLayout(motion_card)
-        grid.setContentsMargins(16, 12, 16, 12)
-        grid.setVerticalSpacing(6)
+        grid = empty_grid(motion_card, gaps=(None, 6), margins=(16, 12, 16, 12))
         grid.addWidget(self._motion_title, 0, 0, 1, 5)
         grid.addWidget(self._state, 1, 0, 1, 3)
         grid.addWidget(self._switch, 1, 3, 1, 2)
@@ -118,9 +87,7 @@ class EndLoadPanel(Panel):
         for joint in JOINTS:
             grid.addWidget(QLabel(f"J{joint}"), joint + 2, 0)
             for place, (field, _unit) in enumerate(_FIGURES, start=1):
-                cell = self._cells[joint, field]
-                cell.setObjectName(f"{field}_{joint}")
-                grid.addWidget(cell, joint + 2, place, right)
+                grid.addWidget(self._cells[joint, field], joint + 2, place, right)
         self._stack(load_card, motion_card)
 
     # -- actions ------------------------------------------------------------------------------
@@ -138,21 +105,9 @@ class EndLoadPanel(Panel):
 
     # -- appearance ---------------------------------------------------------------------------
 
-    def _on_noticed(self, event: Event) -> None:
-        if event.code.startswith(_OURS):
-            self._refusal, self._event = None, event
-            self._show_message()
-
-    def _on_state_changed(self, state: ArmState) -> None:
-        if self.isVisible():
-            self._show_state(state)
-
-    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
-        old, self._operating_state = self._operating_state, operating_state
-        if old.link is not operating_state.link:
+    def _forget_outdated(self, old: OperatingState) -> None:
+        if old.link is not self._operating_state.link:
             self._refusal = self._event = None
-        if self.isVisible():
-            self._show_all()
 
     def _show_state(self, state: ArmState) -> None:
         for joint in JOINTS:
@@ -165,8 +120,8 @@ class EndLoadPanel(Panel):
         if reporting is not self._reporting:
             self._reporting = reporting
             self._state.setText(self.tr("The arm reports") if reporting else self.tr("Not heard"))
-            self._switch.setText(self.tr("Switch off") if reporting else self.tr("Switch on"))
-            self._switch.setAccessibleName(f"{self._motion_title.text()}: {self._switch.text()}")
+            text = self.tr("Switch off") if reporting else self.tr("Switch on")
+            caption(self._switch, text, whose=self._motion_title.text())
 
     def _show_all(self) -> None:
         unreachable = self._operating_state.unreachable
@@ -185,11 +140,9 @@ class EndLoadPanel(Panel):
         """Put every word into the operator's language."""
         self._title.setText(self.tr("End load"))
         for load in _LOADS:
-            text = words.end_load(load)
-            self._loads.button(int(load)).setText(text)
-            self._loads.button(int(load)).setAccessibleName(f"{self._title.text()}: {text}")
-        self._send.setText(self.tr("Confirm"))
-        self._send.setAccessibleName(f"{self._title.text()}: {self._send.text()}")
+            button = self._loads.button(int(load))
+            caption(button, words.end_load(load), whose=self._title.text())
+        caption(self._send, self.tr("Confirm"), whose=self._title.text())
         self._note.setText(
             self.tr("The arm answers this setting and cannot be asked for it afterwards.")
         )

@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
+from PySide6.QtWidgets import QFrame, QLabel
 
 from armui.arm.limits import JOINTS
 from armui.arm.parameters import KINDS, Parameter
 from armui.arm.refusal import Refusal
+from armui.control.arm_controller import ArmController
 from armui.protocol.generation import Generation
 from armui.ui.panels.parameters.parameter_panel import ParameterPanel
 from armui.ui.panels.parameters.setting_cell import FigureCell
+from armui.ui.widgets.layouts import empty_grid
 from armui.ui.words.parameters import parameter_name
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _COLUMNS: Final = ("max_angle_deg", "min_angle_deg", "max_speed_deg_s", "max_acceleration_deg_s2")
 
@@ -27,22 +26,12 @@ _TALLEST_CARD_PX: Final = 420
 class JointSettingsPanel(ParameterPanel):
     """Six joints by four limits; the Tab key goes down the columns."""
 
-    def __init__(
-        self,
-        controller: ArmController,
-        open_backup: Callable[[], object],
-        parent: QWidget | None = None,
-    ) -> None:
+    def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
         cells = [FigureCell(Parameter(name, joint)) for name in _COLUMNS for joint in JOINTS]
-        super().__init__(
-            controller, "joint_settings", cells, open_backup, can_reset=True, parent=parent
-        )
+        super().__init__(controller, "joint_settings", cells, open_backup, can_reset=True)
         self._heads = {name: QLabel() for name in _COLUMNS}
         card = QFrame()
-        grid = QGridLayout(card)
-        grid.setContentsMargins(12, 10, 12, 10)
-        grid.setHorizontalSpacing(6)
-        grid.setVerticalSpacing(4)
+        grid = empty_grid(card, gaps=(6, 4), margins=(12, 10, 12, 10))
         for column, (name, head) in enumerate(self._heads.items(), start=1):
             head.setProperty("rank", "muted")
             head.setWordWrap(True)

@@ -5,17 +5,12 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import QSignalBlocker, Signal
-from PySide6.QtWidgets import (
-    QButtonGroup,
-    QHBoxLayout,
-    QSizePolicy,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QButtonGroup, QSizePolicy, QWidget
 
 from armui.arm.parameters import Parameter
 from armui.ui.panels.parameters.setting_cell import SettingCell, cell_name
+from armui.ui.widgets.buttons import choice_button, named
+from armui.ui.widgets.layouts import in_column, in_row
 
 _GAP_PX: Final = 3
 _HEIGHT_PX: Final = 30
@@ -34,18 +29,12 @@ class LevelRow(QWidget):
 
     chosen = Signal(int)
 
-    def __init__(self, levels: range, name: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, levels: range, name: str) -> None:
+        super().__init__()
         self._group = QButtonGroup(self)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(_GAP_PX)
+        layout = in_row(on=self, spacing=_GAP_PX, margins=0)
         for level in levels:
-            button = QToolButton()
-            button.setObjectName(f"{name}_level_{level}")
-            button.setText(str(level))
-            button.setCheckable(True)
-            button.setProperty("choice", True)
+            button = choice_button(f"{name}_level_{level}", str(level))
             button.setProperty("narrow", True)
             button.setFixedHeight(_HEIGHT_PX)
             button.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
@@ -85,17 +74,12 @@ class LevelRow(QWidget):
 class LevelCell(SettingCell):
     """A parameter of whole levels; the row is named as the parameter, ``collision_level_3``."""
 
-    def __init__(self, parameter: Parameter, parent: QWidget | None = None) -> None:
-        super().__init__(parameter, parent)
+    def __init__(self, parameter: Parameter) -> None:
+        super().__init__(parameter)
         kind = parameter.kind
         levels = range(round(kind.minimum), round(kind.maximum) + 1)
-        self._row = LevelRow(levels, cell_name(parameter))
-        self._row.setObjectName(cell_name(parameter))
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(1)
-        layout.addWidget(self._row)
-        layout.addWidget(self.note)
+        self._row = named(cell_name(parameter), LevelRow(levels, cell_name(parameter)))
+        in_column(self._row, self.note, on=self, spacing=1, margins=0)
         self._row.chosen.connect(self.edited)
 
     @property

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, ClassVar, Final
+from typing import ClassVar, Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
+from PySide6.QtWidgets import QFrame, QLabel
 
 from armui.arm.parameters import Batch, Group
+from armui.control.arm_controller import ArmController
 from armui.ui.panels.parameters.parameter_panel import ParameterPanel
 from armui.ui.panels.parameters.setting_cell import FigureCell
+from armui.ui.widgets.layouts import empty_grid
 from armui.ui.words.parameters import parameter_name
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _FIELD_PX: Final = 132
 _TALLEST_CARD_PX: Final = 260
@@ -37,22 +36,12 @@ class ListedParameters(ParameterPanel):
     group: ClassVar[Group]
     can_reset: ClassVar[bool]
 
-    def __init__(
-        self,
-        controller: ArmController,
-        open_backup: Callable[[], object],
-        parent: QWidget | None = None,
-    ) -> None:
+    def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
         cells = [FigureCell(each, each.kind.unit) for each in Batch(self.group).parameters()]
-        super().__init__(
-            controller, self.name, cells, open_backup, can_reset=self.can_reset, parent=parent
-        )
+        super().__init__(controller, self.name, cells, open_backup, can_reset=self.can_reset)
         self._labels = {cell.parameter.name: QLabel() for cell in cells}
         card = QFrame()
-        grid = QGridLayout(card)
-        grid.setContentsMargins(16, 14, 16, 10)
-        grid.setHorizontalSpacing(12)
-        grid.setVerticalSpacing(6)
+        grid = empty_grid(card, gaps=(12, 6), margins=(16, 14, 16, 10))
         for row, cell in enumerate(cells):
             label = self._labels[cell.parameter.name]
             label.setWordWrap(True)

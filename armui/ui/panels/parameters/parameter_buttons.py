@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
+from PySide6.QtWidgets import QWidget
+
+from armui.ui.widgets.buttons import caption, push_button
+from armui.ui.widgets.layouts import in_row
 
 SAVE_KEY: Final = "Ctrl+Return"
 """Of 【保存】, to be said in its tooltip."""
@@ -21,25 +23,15 @@ class ParameterButtons(QWidget):
         can_reset: Whether there is a 【初始化】.
     """
 
-    def __init__(self, name: str, *, can_reset: bool, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.read = QPushButton()
-        self.reset = QPushButton()
-        self.edit = QPushButton()
-        self.cancel = QPushButton()
-        self.save = QPushButton()
-        self.save.setProperty("primary", True)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(_GAP_PX)
-        for button, word in (
-            (self.read, "read"),
-            (self.reset, "reset"),
-            (self.edit, "edit"),
-            (self.cancel, "cancel"),
-            (self.save, "save"),
-        ):
-            button.setObjectName(f"{name}_{word}_button")
+    def __init__(self, name: str, *, can_reset: bool) -> None:
+        super().__init__()
+        self.read = push_button(f"{name}_read_button")
+        self.reset = push_button(f"{name}_reset_button")
+        self.edit = push_button(f"{name}_edit_button")
+        self.cancel = push_button(f"{name}_cancel_button")
+        self.save = push_button(f"{name}_save_button", primary=True)
+        layout = in_row(on=self, spacing=_GAP_PX, margins=0)
+        for button in (self.read, self.reset, self.edit, self.cancel, self.save):
             button.setMinimumHeight(_HEIGHT_PX)
             layout.addWidget(button, 1)
         self.reset.setVisible(can_reset)
@@ -54,13 +46,8 @@ class ParameterButtons(QWidget):
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
-        for button, text in (
-            (self.read, self.tr("Read")),
-            (self.reset, self.tr("Initialise")),
-            (self.edit, self.tr("Edit")),
-            (self.cancel, self.tr("Cancel")),
-            (self.save, self.tr("Save")),
-        ):
-            button.setText(text)
-            button.setAccessibleName(text)
-        self.save.setShortcut(QKeySequence(SAVE_KEY))  # a new text takes it away
+        caption(self.read, self.tr("Read"))
+        caption(self.reset, self.tr("Initialise"))
+        caption(self.edit, self.tr("Edit"))
+        caption(self.cancel, self.tr("Cancel"))
+        caption(self.save, self.tr("Save"), key=SAVE_KEY)

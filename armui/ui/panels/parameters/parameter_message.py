@@ -16,7 +16,7 @@ from armui.control.parameters.setting_cell import CellState, SettingCellState
 from armui.control.parameters.setting_draft import CellStatus, SettingDraft, shown_as
 from armui.ui import words
 from armui.ui.panels.panel import level_of
-from armui.ui.words.parameters import full_name, look_explained, value_text
+from armui.ui.words.parameters import full_name, status_explained, value_text
 
 _LEVELS: Final = {
     RefusalCode.SETTING_NOT_TAKEN: Level.FAULT,
@@ -62,11 +62,11 @@ def message(
     corrupt = [
         parameter
         for parameter in draft.parameters
-        if draft.look(state, parameter, cell(parameter)) is CellStatus.CORRUPT
+        if draft.status(state, parameter, cell(parameter)) is CellStatus.CORRUPT
     ]
     if corrupt:
         names = ", ".join(full_name(parameter) for parameter in corrupt)
-        return Said(f"{names}: {look_explained(CellStatus.CORRUPT, '')}", Level.FAULT)
+        return Said(f"{names}: {status_explained(CellStatus.CORRUPT, '')}", Level.FAULT)
     if danger:
         return Said(danger, Level.WARNING)
     if asked and all(cell(parameter).state is CellState.SAVED for parameter in asked):

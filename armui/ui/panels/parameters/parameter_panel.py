@@ -4,22 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
-from PySide6.QtWidgets import (
-    QFrame,
-    QHBoxLayout,
-    QToolButton,
-    QWidget,
-)
+from PySide6.QtWidgets import QFrame, QToolButton
 
 from armui.arm.device import Device
 from armui.arm.parameters import heard
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import Reading
+from armui.control.arm_controller import ArmController
 from armui.control.operating_state import OperatingState
 from armui.control.parameters.setting_checks import batches_of
 from armui.control.parameters.setting_draft import CellStatus, SettingDraft
@@ -31,18 +26,17 @@ from armui.ui.panels.panel import Panel
 from armui.ui.panels.parameters import parameter_message
 from armui.ui.panels.parameters.parameter_buttons import SAVE_KEY, ParameterButtons
 from armui.ui.panels.parameters.setting_cell import SettingCell
+from armui.ui.widgets.buttons import caption, named
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.layouts import in_row
 from armui.ui.words.parameters import (
     full_name,
-    look_explained,
-    look_word,
     span_text,
+    status_explained,
+    status_word,
     value_text,
 )
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 
 class ParameterPanel(Panel):
@@ -67,9 +61,8 @@ class ParameterPanel(Panel):
         open_backup: Callable[[], object],
         *,
         can_reset: bool,
-        parent: QWidget | None = None,
     ) -> None:
-        super().__init__(controller, f"{name}_message", parent)
+        super().__init__(controller, f"{name}_message")
         self._settings = controller.settings
         self._cells = {cell.parameter: cell for cell in cells}
         self._draft = SettingDraft(list(self._cells))
@@ -78,8 +71,7 @@ class ParameterPanel(Panel):
         self._batches = batches_of(self._cells)
         self._ready = False
         self._device: Device | None = None
-        self._backup = QToolButton()
-        self._backup.setObjectName(f"{name}_backup_button")
+        self._backup = named(f"{name}_backup_button", QToolButton())
         self._backup.clicked.connect(open_backup)
         self._buttons = ParameterButtons(name, can_reset=can_reset)
 
@@ -90,9 +82,7 @@ class ParameterPanel(Panel):
             card: Holds the cells.
             tallest_px: It grows no higher.
         """
-        head = QHBoxLayout()
-        head.addWidget(self._title, 1)
-        head.addWidget(self._backup)
+        head = in_row((self._title, 1), self._backup)
         self._stack(scrolled(card, tallest_px), self._buttons, head=head)
         for before, after in pairwise(cell.focus_widget for cell in self._cells.values()):
             self.setTabOrder(before, after)
@@ -315,18 +305,18 @@ class ParameterPanel(Panel):
             cell.show_value(None if known is None else known.value)
         cell.set_locked(locked=not self._draft.editing or self._saving.running)
         cell.setEnabled(self._operating_state.unreachable is None or self._draft.editing)
-        look = self._draft.look(state, parameter, stands)
+        status = self._draft.status(state, parameter, stands)
         held = fmt.NOTHING if known is None else value_text(parameter.name, known.value)
-        cell.show_look(look, self._word(cell, look, known))
+        cell.show_status(status, self._word(cell, status, known))
         reason = self._draft.why_wrong(state, parameter) or stands.reason
-        said = look_explained(look, held) if reason is None else words.refusal(reason)
+        said = status_explained(status, held) if reason is None else words.refusal(reason)
         lines = (full_name(parameter), span_text(parameter.name), said)
         cell.describe(full_name(parameter), "\n".join(line for line in lines if line))
 
-    def _word(self, cell: SettingCell, look: CellStatus, known: Reading[float] | None) -> str:
+    def _word(self, cell: SettingCell, status: CellStatus, known: Reading[float] | None) -> str:
         """What stands below a value."""
-        if look is not CellStatus.CHANGED:
-            return look_word(look) or self.remark(cell)
+        if status is not CellStatus.CHANGED:
+            return status_word(status) or self.remark(cell)
         held = None if known is None else known.value
         decimals = cell.parameter.kind.decimals
         return self.tr("was {held}").format(held=fmt.number(held, decimals))
@@ -375,11 +365,8 @@ class ParameterPanel(Panel):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self._title.setText(self.title())
-        self._backup.setText(self.tr("Backup…"))
-        self._backup.setAccessibleName(self.tr("Backup…"))
-        self._backup.setToolTip(
-            self.tr("All parameters of the arm: save them to a file, compare, restore.")
-        )
+        tip = self.tr("All parameters of the arm: save them to a file, compare, restore.")
+        caption(self._backup, self.tr("Backup…"), tip=tip)
         self._buttons.retranslate_ui()
         self._show_all()
 

@@ -5,12 +5,14 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from armui.arm.parameters import Parameter
 from armui.control.parameters.setting_draft import CellStatus, shown_as
 from armui.ui.panels.parameters.cell_note import CellNote
+from armui.ui.widgets.buttons import describe, named
 from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.layouts import in_column
 
 _GAP_PX: Final = 1
 _NARROWEST_PX: Final = 62
@@ -33,11 +35,10 @@ class SettingCell(QWidget):
 
     edited = Signal()
 
-    def __init__(self, parameter: Parameter, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, parameter: Parameter) -> None:
+        super().__init__()
         self.parameter = parameter
-        self.note = CellNote()
-        self.note.setObjectName(f"{cell_name(parameter)}_note")
+        self.note = named(f"{cell_name(parameter)}_note", CellNote())
 
     @property
     def text(self) -> str:
@@ -66,24 +67,19 @@ class SettingCell(QWidget):
         """Name it, and say in full how it stands."""
         raise NotImplementedError
 
-    def show_look(self, look: CellStatus, text: str) -> None:
+    def show_status(self, status: CellStatus, text: str) -> None:
         """Say how it stands."""
-        self.note.show_look(look, text)
+        self.note.show_status(status, text)
 
 
 class FigureCell(SettingCell):
     """A parameter as a field for its figure; named as the parameter, ``max_angle_deg_2``."""
 
-    def __init__(self, parameter: Parameter, unit: str = "", parent: QWidget | None = None) -> None:
-        super().__init__(parameter, parent)
-        self.field = FigureField(parameter.kind.decimals, unit)
-        self.field.setObjectName(cell_name(parameter))
+    def __init__(self, parameter: Parameter, unit: str = "") -> None:
+        super().__init__(parameter)
+        self.field = named(cell_name(parameter), FigureField(parameter.kind.decimals, unit))
         self.field.setMinimumWidth(_NARROWEST_PX)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(_GAP_PX)
-        layout.addWidget(self.field)
-        layout.addWidget(self.note)
+        in_column(self.field, self.note, on=self, spacing=_GAP_PX, margins=0)
         self.field.value_edited.connect(self.edited)
 
     @property
@@ -113,11 +109,10 @@ class FigureCell(SettingCell):
 
     def describe(self, name: str, tip: str) -> None:
         """Name it, and say in full how it stands."""
-        self.field.setAccessibleName(name)
-        self.field.setToolTip(tip)
+        describe(self.field, name, tip)
         self.note.setToolTip(tip)
 
-    def show_look(self, look: CellStatus, text: str) -> None:
+    def show_status(self, status: CellStatus, text: str) -> None:
         """Say how it stands; what cannot be saved is marked in the field too."""
-        super().show_look(look, text)
-        self.field.show_attention(wanted=look is CellStatus.WRONG)
+        super().show_status(status, text)
+        self.field.show_attention(wanted=status is CellStatus.WRONG)

@@ -1,14 +1,15 @@
-"""The way out of drag teaching, one step at a time: lead to rest, stop, resume, enable."""
+"""The end of drag teaching, one step at a time: lead to rest, stop, resume, enable."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import Final
 
-from PySide6.QtWidgets import QFrame, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QLabel
 
 from armui.control.devices.teaching_phase import TeachingPhase
 from armui.control.safety.recovery_steps import Step, StepKind
+from armui.ui.widgets.layouts import in_column
 
 _STEPS: Final = 4
 _NUMBER: Final[Mapping[StepKind, int]] = {
@@ -33,16 +34,14 @@ _OVER: Final = frozenset({StepKind.READY, StepKind.NO_DEVICE, StepKind.OPENING})
 class TeachingExitSteps(QFrame):
     """Four lines, the one that is due marked; hidden when there is nothing to leave."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("way_out")
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("teaching_exit_steps")
         self._leaving = False
         self._due = 0
         self._title = QLabel()
         self._lines = [QLabel() for _ in range(_STEPS)]
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 4, 0, 4)
-        layout.setSpacing(4)
+        layout = in_column(on=self, spacing=4, margins=(0, 4, 0, 4))
         for label in (self._title, *self._lines):
             label.setWordWrap(True)
             layout.addWidget(label)
@@ -54,7 +53,7 @@ class TeachingExitSteps(QFrame):
         return self._due if self._leaving else 0
 
     def show_step(self, phase: TeachingPhase | None, step: Step) -> None:
-        """Follow the arm: the way out begins with drag teaching and ends with a ready arm."""
+        """Follow the arm: the steps begin with drag teaching and end with a ready arm."""
         if phase is not None and phase is not TeachingPhase.OFF:
             self._leaving = True
         elif step.kind in _OVER:

@@ -1,18 +1,19 @@
-"""示教: drag teaching, the way out of it, and the motions the arm has planned (0x150)."""
+"""示教: drag teaching, the steps that end it, and the motions the arm has planned (0x150)."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Final, TypeVar
+from typing import Final, TypeVar
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton
 
 from armui.arm.state import ArmState
+from armui.control.arm_controller import ArmController
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of
 from armui.control.events import Event, EventCode, Level
 from armui.control.operating_state import OperatingState
-from armui.control.safety.recovery_steps import Action, Step
+from armui.control.safety.recovery_steps import Action
 from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.ui import format as fmt
 from armui.ui import words
@@ -20,13 +21,12 @@ from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
 from armui.ui.panels.panel import Panel
 from armui.ui.panels.teaching.teaching_exit_steps import TeachingExitSteps
+from armui.ui.widgets.buttons import caption
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.hold_button import HoldButton
+from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column
 from armui.ui.widgets.text_label import text_label
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _Key = TypeVar("_Key")
 
@@ -49,23 +49,19 @@ _MOVES: Final = frozenset(
 
 
 class TeachingPanel(Panel):
-    """Offers the commands that make sense now; the others say why they do not.
+    """Offers the commands that make sense now; the others say why they do not."""
 
-    Args:
-        controller: Whom to tell.
-    """
-
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(controller, "teaching_message", parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__(controller, "teaching_message")
         self._unanswered: Event | None = None
         self._shown: tuple[object, ...] | None = None
         self._state_label = QLabel()
         self._state = text_label("teaching_state", wraps=True)
         self._phase = text_label("teaching_phase", rank="muted")
-        self._note = _label("muted")
+        self._note = text_label(rank="muted", wraps=True)
         self._teaching_exit_steps = TeachingExitSteps()
         self._plan_label = QLabel()
-        self._plan_note = _label("muted")
+        self._plan_note = text_label(rank="muted", wraps=True)
         self._buttons = {
             command: self._make_button(f"teaching_{command.name.lower()}")
             for row in _COMMANDS
@@ -98,25 +94,23 @@ class TeachingPanel(Panel):
 
     def _lay_out(self) -> None:
         card = QFrame()
-        column = QVBoxLayout(card)
-        column.setContentsMargins(16, 12, 16, 12)
-        column.setSpacing(8)
-        state = QGridLayout()
-        state.setHorizontalSpacing(10)
+        state = empty_grid(gaps=(10, None))
         state.addWidget(self._state_label, 0, 0, Qt.AlignmentFlag.AlignTop)
         state.addWidget(self._state, 0, 1)
         state.addWidget(self._phase, 1, 1)
         state.setColumnStretch(1, 1)
-        column.addLayout(state)
-        column.addLayout(_grid(_COMMANDS, self._buttons))
-        column.addWidget(self._note)
-        column.addWidget(self._teaching_exit_steps)
-        column.addSpacing(6)
-        column.addWidget(self._plan_label)
-        column.addLayout(_grid(_PLANS, self._plan_buttons))
-        column.addWidget(self._plan_note)
-        column.addStretch(1)
-
+        parts = (
+            state,
+            _grid(_COMMANDS, self._buttons),
+            self._note,
+            self._teaching_exit_steps,
+            6,
+            self._plan_label,
+            _grid(_PLANS, self._plan_buttons),
+            self._plan_note,
+            STRETCH,
+        )
+        in_column(*parts, on=card, spacing=8, margins=(16, 12, 16, 12))
         self._stack(scrolled(card, _TALLEST_CARD_PX))
 
     def _connect(self) -> None:
@@ -127,11 +121,8 @@ class TeachingPanel(Panel):
                 button.held.connect(lambda which=plan: self._on_plan(which))
             else:
                 button.clicked.connect(lambda _checked, which=plan: self._on_plan(which))
-        controller = self._controller
-        controller.state_changed.connect(self._on_state_changed)
-        controller.operating_state_changed.connect(self._on_operating_state_changed)
-        controller.step_changed.connect(self._on_step_changed)
-        controller.noticed.connect(self._on_noticed)
+        self._listen()
+        self._controller.step_changed.connect(self._show_new)
 
     # -- actions ------------------------------------------------------------------------------
 
@@ -166,9 +157,6 @@ class TeachingPanel(Panel):
     def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
         self._operating_state = operating_state
         self._refusal = None
-        self._show_new()
-
-    def _on_step_changed(self, _step: Step) -> None:
         self._show_new()
 
     def _on_noticed(self, event: Event) -> None:
@@ -259,26 +247,16 @@ class TeachingPanel(Panel):
             self.tr("Works on motions under way. The arm does not report it: watch the arm.")
         )
         for command, button in self._buttons.items():
-            button.setText(words.teaching_command(command))
-            button.setAccessibleName(button.text())
+            caption(button, words.teaching_command(command))
         for plan, button in self._plan_buttons.items():
-            button.setText(words.trajectory_command(plan))
-            button.setAccessibleName(button.text())
+            caption(button, words.trajectory_command(plan))
         self._teaching_exit_steps.retranslate_ui()
         self._show_all()
 
 
-def _label(rank: str) -> QLabel:
-    label = QLabel()
-    label.setProperty("rank", rank)
-    label.setWordWrap(True)
-    return label
-
-
 def _grid(rows: Sequence[Sequence[_Key]], buttons: Mapping[_Key, QPushButton]) -> QGridLayout:
     """Two or three buttons a row, each row as wide as the others."""
-    grid = QGridLayout()
-    grid.setSpacing(8)
+    grid = empty_grid(gaps=(8, 8))
     for number, row in enumerate(rows):
         for column, command in enumerate(row):
             span = _COLUMNS // len(row)

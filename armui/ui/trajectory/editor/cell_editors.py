@@ -8,9 +8,12 @@ from __future__ import annotations
 from typing import Final, Protocol, runtime_checkable
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QLineEdit, QWidget
+from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QWidget
 
 from armui.trajectory.files.log_points import LETTERS
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import in_row
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 _FIELD_PX: Final = 62
@@ -74,25 +77,21 @@ class _Row(Translated, QWidget):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.setAutoFillBackground(True)
-        self._layout = QHBoxLayout(self)
-        self._layout.setContentsMargins(2, 0, 4, 0)
-        self._layout.setSpacing(4)
+        self._layout = in_row(on=self, spacing=4, margins=(2, 0, 4, 0))
         self.kind = QComboBox()
         self._layout.addWidget(self.kind)
         self.setFocusProxy(self.kind)
 
     def add_field(self, name: str, width_px: int = _FIELD_PX) -> QLineEdit:
         """One more field at the right end."""
-        field = QLineEdit()
-        field.setObjectName(name)
+        field = named(name, QLineEdit())
         field.setFixedWidth(width_px)
         self._layout.addWidget(field)
         return field
 
     def add_label(self) -> QLabel:
         """A unit behind it."""
-        label = QLabel()
-        label.setProperty("rank", "muted")
+        label = text_label(rank="muted")
         self._layout.addWidget(label)
         return label
 

@@ -9,14 +9,14 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Qt
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import STRETCH, in_row
+
 _TEXTS: Final[Mapping[str, tuple[object, str]]] = {
     "insert_before": (QT_TRANSLATE_NOOP("EditorAction", "Insert before"), "Ctrl+Shift+Return"),
     "insert_after": (QT_TRANSLATE_NOOP("EditorAction", "Insert after"), "Ctrl+Return"),
     "insert_measured": (QT_TRANSLATE_NOOP("EditorAction", "Insert current pose"), "Ctrl+I"),
-    "replace_by_measured": (
-        QT_TRANSLATE_NOOP("EditorAction", "Replace by current pose"),
-        "Ctrl+R",
-    ),
+    "replace_by_measured": (QT_TRANSLATE_NOOP("EditorAction", "Replace by current pose"), "Ctrl+R"),
     "duplicate": (QT_TRANSLATE_NOOP("EditorAction", "Duplicate"), "Ctrl+D"),
     "delete": (QT_TRANSLATE_NOOP("EditorAction", "Delete"), "Del"),
     "cut": (QT_TRANSLATE_NOOP("EditorAction", "Cut"), "Ctrl+X"),
@@ -63,8 +63,7 @@ class EditorActions:
         self._actions: dict[str, QAction] = {}
         for name, (_text, keys) in _TEXTS.items():
             owner = table if name in _OF_TABLE else window
-            action = QAction(owner)
-            action.setObjectName(f"action_{name}")
+            action = named(f"action_{name}", QAction(owner))
             action.setShortcut(QKeySequence(keys))
             action.triggered.connect(lambda _checked=False, do=handlers[name]: do())
             if name in _OF_TABLE:
@@ -85,15 +84,10 @@ class EditorActions:
 
     def bar(self) -> QHBoxLayout:
         """A row of buttons for the actions used most."""
-        row = QHBoxLayout()
-        row.setSpacing(6)
-        for name in _BAR:
-            button = QToolButton()
-            button.setObjectName(f"editor_{name}")
+        buttons = [named(f"editor_{name}", QToolButton()) for name in _BAR]
+        for name, button in zip(_BAR, buttons, strict=True):
             button.setDefaultAction(self._actions[name])
-            row.addWidget(button)
-        row.addStretch(1)
-        return row
+        return in_row(*buttons, STRETCH, spacing=6)
 
     def retranslate(self) -> None:
         """Put every word into the operator's language; tooltips name the keys."""

@@ -30,6 +30,8 @@ from armui.ui.trajectory.editor.points_model import PointsModel
 from armui.ui.trajectory.editor.points_table import PointsTable
 from armui.ui.trajectory.running.preflight import Checks, Preflight
 from armui.ui.trajectory.running.run_strip import RunStrip
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import fill
 from armui.ui.widgets.message_line import MessageLine
 
 if TYPE_CHECKING:
@@ -85,10 +87,8 @@ class EditorWindow(ArmDialog):
         self._edits = PointEdits(controller, self.document, self.table)
         self._drafts = DraftKeeper(self.document, work)
         self._find_bar = FindBar()
-        self._note = QLineEdit(trajectory.note)
-        self._note.setObjectName("trajectory_note")
-        self._message = MessageLine()
-        self._message.setObjectName("editor_message")
+        self._note = named("trajectory_note", QLineEdit(trajectory.note))
+        self._message = named("editor_message", MessageLine())
         self._findings = FindingsPane()
         self._strip = RunStrip(controller, checks, lambda then: then(self.document.trajectory()))
         self._actions = EditorActions(self, self.table, self._handlers())
@@ -122,12 +122,8 @@ class EditorWindow(ArmDialog):
         self._find_bar.hide()
         bar = self._actions.bar()
         bar.addWidget(self._note, 3)
-        self.body.addLayout(bar)
-        self.body.addWidget(self._find_bar)
-        self.body.addWidget(self.table, 1)
-        self.body.addWidget(self._findings)
-        self.body.addWidget(self._strip)
-        self.body.addWidget(self._message)
+        fill(self.body, bar, self._find_bar, (self.table, 1))
+        fill(self.body, self._findings, self._strip, self._message)
 
     def _connect(self) -> None:
         stack = self.document.stack
@@ -338,10 +334,8 @@ class EditorWindow(ArmDialog):
         if outcome is None:
             self._say("")
         elif isinstance(outcome, TrajectoryFileError):
-            self._say(
-                self.tr("Not pasted. {reason}").format(reason=words.file_error(outcome)),
-                Level.WARNING,
-            )
+            text = self.tr("Not pasted. {reason}").format(reason=words.file_error(outcome))
+            self._say(text, Level.WARNING)
         else:
             self._say(words.refusal(outcome), Level.WARNING)
 

@@ -7,13 +7,15 @@ from typing import Final
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLineEdit, QPushButton, QWidget
+from PySide6.QtWidgets import QComboBox, QLineEdit, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.trajectory.points import search
 from armui.trajectory.points.cells import figure
 from armui.trajectory.points.program import JOINT_NAMES, POSE_NAMES, Waypoint
 from armui.ui import words
+from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -34,29 +36,19 @@ class FindBar(Translated, QWidget):
     replace_wanted = Signal(bool)
     closed = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._field = QComboBox()
-        self._field.setObjectName("find_field")
+    def __init__(self) -> None:
+        super().__init__()
+        self._field = named("find_field", QComboBox())
         for name in _FIELDS:
             self._field.addItem(name, name)
-        self._wanted = QLineEdit()
-        self._wanted.setObjectName("find_text")
-        self._by = QLineEdit()
-        self._by.setObjectName("replace_text")
+        self._wanted = named("find_text", QLineEdit())
+        self._by = named("replace_text", QLineEdit())
         self._result = text_label("find_result", rank="muted")
-        self._next, self._previous = QPushButton(), QPushButton()
-        self._replace, self._replace_all, self._close = QPushButton(), QPushButton(), QPushButton()
-        buttons = {
-            "find_next": self._next,
-            "find_previous": self._previous,
-            "replace_one": self._replace,
-            "replace_all": self._replace_all,
-            "find_close": self._close,
-        }
-        for name, button in buttons.items():
-            button.setObjectName(name)
-            button.setAutoDefault(False)
+        self._next = push_button("find_next", on_enter=False)
+        self._previous = push_button("find_previous", on_enter=False)
+        self._replace = push_button("replace_one", on_enter=False)
+        self._replace_all = push_button("replace_all", on_enter=False)
+        self._close = push_button("find_close", on_enter=False)
         self._lay_out()
         self._next.clicked.connect(lambda: self.next_wanted.emit(1))
         self._previous.clicked.connect(lambda: self.next_wanted.emit(-1))
@@ -69,21 +61,10 @@ class FindBar(Translated, QWidget):
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(6)
-        for widget, stretch in (
-            (self._field, 0),
-            (self._wanted, 2),
-            (self._previous, 0),
-            (self._next, 0),
-            (self._by, 2),
-            (self._replace, 0),
-            (self._replace_all, 0),
-            (self._result, 1),
-            (self._close, 0),
-        ):
-            layout.addWidget(widget, stretch)
+        of_finding = (self._field, (self._wanted, 2), self._previous, self._next)
+        of_replacing = ((self._by, 2), self._replace, self._replace_all)
+        shown = (*of_finding, *of_replacing, (self._result, 1), self._close)
+        in_row(*shown, on=self, spacing=6, margins=0)
 
     def open(self) -> None:
         """Show it and wait for what to find."""

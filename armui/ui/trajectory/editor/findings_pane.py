@@ -6,20 +6,15 @@ from collections.abc import Callable
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import (
-    QHBoxLayout,
-    QLabel,
-    QListWidget,
-    QListWidgetItem,
-    QPushButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QListWidget, QListWidgetItem, QWidget
 
 from armui.trajectory.planning.findings import Finding, Severity
 from armui.ui import words
 from armui.ui.theme import colors_of
 from armui.ui.trajectory.running.preflight import Preflight
+from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.layouts import in_column, in_row
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 _TALLEST_PX = 170
@@ -36,34 +31,21 @@ class FindingsPane(Translated, QWidget):
 
     row_wanted = Signal(int)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._checked: Preflight | None = None
         self._accept: Callable[[], object] | None = None
-        self._title = QLabel()
-        self._title.setObjectName("findings_title")
-        self._list = QListWidget()
-        self._list.setObjectName("findings_list")
+        self._title = text_label("findings_title")
+        self._list = named("findings_list", QListWidget())
         self._list.setWordWrap(True)
         self._list.currentItemChanged.connect(self._on_current)
         self._list.itemClicked.connect(self._on_current)
-        self.accept_button = QPushButton()
-        self.accept_button.setObjectName("accept_warnings")
-        self.accept_button.setAutoDefault(False)
+        self.accept_button = push_button("accept_warnings", on_enter=False)
         self.accept_button.clicked.connect(self._on_accepted)
-        self._close_button = QPushButton()
-        self._close_button.setObjectName("findings_close")
-        self._close_button.setAutoDefault(False)
+        self._close_button = push_button("findings_close", on_enter=False)
         self._close_button.clicked.connect(self.clear)
-        head = QHBoxLayout()
-        head.addWidget(self._title, 1)
-        head.addWidget(self.accept_button)
-        head.addWidget(self._close_button)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(6)
-        layout.addLayout(head)
-        layout.addWidget(self._list)
+        head = in_row((self._title, 1), self.accept_button, self._close_button)
+        in_column(head, self._list, on=self, spacing=6, margins=0)
         self.clear()
         self.retranslate_ui()
 

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QWidget
 
+from armui.control.arm_controller import ArmController
 from armui.ui.dialogs.save_question import SaveQuestion
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 
 class LeaveQuestion(SaveQuestion):

@@ -130,10 +130,7 @@ class PointsModel(QAbstractTableModel):
         return text_of(point, column)
 
     def headerData(  # noqa: N802 - Qt's name
-        self,
-        section: int,
-        orientation: Qt.Orientation,
-        role: int = Qt.ItemDataRole.DisplayRole,
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
         """The titles of the columns; the row's number, and how it stands."""
         if role != Qt.ItemDataRole.DisplayRole:

@@ -6,7 +6,7 @@ from typing import Final
 
 from PySide6.QtCore import QItemSelection, QItemSelectionModel, QModelIndex, QRect, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QTableView, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QTableView
 
 from armui.arm.refusal import Refusal
 from armui.trajectory.points.cells import VALUES, PointColumn
@@ -38,8 +38,8 @@ class PointsTable(QTableView):
 
     row_chosen = Signal(int)
 
-    def __init__(self, model: PointsModel, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, model: PointsModel) -> None:
+        super().__init__()
         self.setObjectName("points_table")
         self.setModel(model)
         self._model = model

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from PySide6.QtWidgets import QPushButton, QWidget
 
+from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.ui.trajectory.library.bin_dialog import BinDialog
 from armui.ui.trajectory.library.library_actions import LibraryActions
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.widgets.translated import Translated
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 
 class BinButton(Translated, QPushButton):
@@ -22,17 +18,17 @@ class BinButton(Translated, QPushButton):
     Args:
         controller: Whom the emergency stop in the window tells.
         work: Asks the library what was deleted.
-        deeds: Brings back, and says what it did.
+        actions: Brings back, and says what it did.
         window: The window belongs to it.
     """
 
     def __init__(
-        self, controller: ArmController, work: LibraryWork, deeds: LibraryActions, window: QWidget
+        self, controller: ArmController, work: LibraryWork, actions: LibraryActions, window: QWidget
     ) -> None:
         super().__init__(window)
         self._controller = controller
         self._work = work
-        self._deeds = deeds
+        self._actions = actions
         self._dialog: BinDialog | None = None
         self.setObjectName("library_bin")
         self.setAutoDefault(False)
@@ -42,8 +38,8 @@ class BinButton(Translated, QPushButton):
     def _open(self) -> None:
         if self._dialog is None:
             self._dialog = BinDialog(self._controller, self.window())
-            self._dialog.wanted.connect(self._deeds.bring_back)
-            self._deeds.said.connect(self._dialog.say)
+            self._dialog.wanted.connect(self._actions.bring_back)
+            self._actions.said.connect(self._dialog.say)
         self._dialog.say("")
         self.refresh()
         self._dialog.open()

@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QSize, Signal
-from PySide6.QtWidgets import QAbstractItemView, QPushButton, QTableWidgetItem, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QTableWidgetItem, QWidget
 
+from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.trajectory.library.bin import KEPT
 from armui.trajectory.library.store import Deleted
 from armui.ui.dialogs.base import ArmDialog
+from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.layouts import STRETCH, fill
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.plain_table import plain_table
 from armui.ui.widgets.text_label import text_label
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _SIZE: Final = QSize(680, 460)
 _ROW_PX: Final = 34
@@ -26,10 +26,6 @@ _DATE_PX: Final = 160
 
 class BinDialog(ArmDialog):
     """Lists everything that was deleted, the last first; bringing back is done by others.
-
-    Args:
-        controller: Whom the emergency stop tells.
-        parent: The window it belongs to.
 
     Signals:
         wanted: Those to be brought back, as a list of :class:`Deleted`.
@@ -47,20 +43,11 @@ class BinDialog(ArmDialog):
         self._table.verticalHeader().setDefaultSectionSize(_ROW_PX)
         for column in (1, 2):
             self._table.setColumnWidth(column, _DATE_PX)
-        self._back = QPushButton()
-        self._back.setObjectName("bin_back")
-        self._back.setProperty("primary", True)
-        self._back.setDefault(True)
-        self._close = QPushButton()
-        self._close.setAutoDefault(False)
-        self._message = MessageLine()
-        self._message.setObjectName("bin_message")
-        self.body.addWidget(self._text)
-        self.body.addWidget(self._table, 1)
-        self.body.addWidget(self._message)
-        self.footer.addStretch(1)
-        self.footer.addWidget(self._close)
-        self.footer.addWidget(self._back)
+        self._back = push_button("bin_back", primary=True, on_enter=True)
+        self._close = push_button(on_enter=False)
+        self._message = named("bin_message", MessageLine())
+        fill(self.body, self._text, (self._table, 1), self._message)
+        fill(self.footer, STRETCH, self._close, self._back)
         self._table.itemSelectionChanged.connect(self._show_usable)
         self._table.itemDoubleClicked.connect(lambda _item: self._back.click())
         self._back.clicked.connect(lambda _checked=False: self.wanted.emit(self._chosen()))

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import Final, NamedTuple
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import QHeaderView, QLabel, QPushButton, QTableWidgetItem, QWidget
+from PySide6.QtWidgets import QHeaderView, QPushButton, QTableWidgetItem, QWidget
 
+from armui.control.arm_controller import ArmController
 from armui.ui.dialogs.base import ArmDialog
+from armui.ui.widgets.buttons import push_button
+from armui.ui.widgets.layouts import STRETCH, fill
 from armui.ui.widgets.plain_table import plain_table
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _SIZE: Final = QSize(860, 520)
 _FILE_PX: Final = 260
@@ -45,26 +46,19 @@ class ImportReport(ArmDialog):
     """
 
     def __init__(
-        self,
-        controller: ArmController,
-        results: Sequence[Result],
-        parent: QWidget | None = None,
+        self, controller: ArmController, results: Sequence[Result], parent: QWidget | None = None
     ) -> None:
         super().__init__(controller, parent)
         self._results = sorted(results, key=lambda result: not result.problem)
-        self._summary = QLabel()
-        self._summary.setObjectName("report_summary")
+        self._summary = text_label("report_summary")
         self._table = plain_table("report_table", 2, wide=1)
         self._table.setRowCount(len(results))
         self._table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self._table.setColumnWidth(0, _FILE_PX)
-        self._close = QPushButton()
-        self._close.setDefault(True)
+        self._close = push_button(on_enter=True)
         self._close.clicked.connect(self.accept)
-        self.body.addWidget(self._summary)
-        self.body.addWidget(self._table, 1)
-        self.footer.addStretch(1)
-        self.footer.addWidget(self._close)
+        fill(self.body, self._summary, (self._table, 1))
+        fill(self.footer, STRETCH, self._close)
         self.retranslate_ui()
         self.resize(_SIZE)
 
@@ -111,7 +105,7 @@ class ReportButton(Translated, QPushButton):
         self.hide()
         self.retranslate_ui()
 
-    def enable_or_explain(self, results: Sequence[Result]) -> None:
+    def show_for(self, results: Sequence[Result]) -> None:
         """Offer the report of these, or none."""
         self._results = results
         self.setVisible(bool(results))

@@ -47,10 +47,10 @@ class LibraryActions(QObject):
 
     def create(self, then: Callable[[Trajectory], object]) -> None:
         """Put an empty trajectory into the library, and hand it on."""
-        wish = self.tr("Trajectory")
+        wanted = self.tr("Trajectory")
 
         def make() -> Trajectory:
-            name = self._library.free_name(wish)
+            name = self._library.free_name(wanted)
             trajectory = Trajectory(name, modified=datetime.now().astimezone())
             self._library.save(trajectory)
             self._history.note_made([name])

@@ -8,10 +8,12 @@ from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAction, QKeyEvent, QKeySequence, QShortcut
-from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QMenu, QPushButton, QTableView, QWidget
+from PySide6.QtWidgets import QLineEdit, QMenu, QPushButton, QTableView, QWidget
 
 from armui.trajectory.files import SUFFIXES
 from armui.trajectory.library.store import IndexEntry
+from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.layouts import in_row
 
 _BUTTONS: Final[Mapping[str, tuple[object, str]]] = {
     "import": (QT_TRANSLATE_NOOP("LibraryBar", "Import files"), "Ctrl+O"),
@@ -41,22 +43,17 @@ class LibraryBar(QWidget):
     export_wanted = Signal(str)
     open_wanted = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._buttons = {name: QPushButton() for name in _BUTTONS}
+    def __init__(self) -> None:
+        super().__init__()
+        self._buttons = {name: push_button(f"library_{name}", on_enter=False) for name in _BUTTONS}
         self._export_menu = QMenu(self)
-        self.search = QLineEdit()
-        self.search.setObjectName("library_search")
+        self.search = named("library_search", QLineEdit())
         self.search.setClearButtonEnabled(True)
         self.search.setMinimumWidth(_SEARCH_PX)
         self.search.setAcceptDrops(False)  # files are for the window, not for the search
         self.search.installEventFilter(self)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(6)
+        layout = in_row(on=self, spacing=6, margins=0)
         for name, button in self._buttons.items():
-            button.setObjectName(f"library_{name}")
-            button.setAutoDefault(False)
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the list
             if name != "export":
                 button.clicked.connect(partial(self._on_clicked, name))

@@ -4,29 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 from shiboken6 import isValid
 
 from armui.arm.refusal import Refusal
+from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.library import imports
 from armui.trajectory.library.imports import Imported
 from armui.trajectory.library.store import LibraryError
 from armui.ui import words
-from armui.ui.background import Job
+from armui.ui.background import Background, Job
 from armui.ui.trajectory.library import library_files
 from armui.ui.trajectory.library.import_report import ReportButton, Result
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.table_import.columns_offer import ColumnsOffer
 from armui.ui.trajectory.text import name_list
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
-    from armui.ui.background import Background
 
 _MOST_PROBLEMS: Final = 3
 """That are told in the message itself."""
@@ -54,11 +51,7 @@ class LibraryExchange(QObject):
     imported = Signal(object)
 
     def __init__(
-        self,
-        controller: ArmController,
-        background: Background,
-        work: LibraryWork,
-        window: QWidget,
+        self, controller: ArmController, background: Background, work: LibraryWork, window: QWidget
     ) -> None:
         super().__init__(window)
         self._controller = controller
@@ -73,8 +66,8 @@ class LibraryExchange(QObject):
 
     def withdraw_offers(self) -> None:
         """Something else is said by now."""
-        self.by_columns.enable_or_explain(())
-        self.report.enable_or_explain(())
+        self.by_columns.show_for(())
+        self.report.show_for(())
 
     def choose_imports(self) -> None:
         """Let the operator choose files to import."""
@@ -105,8 +98,8 @@ class LibraryExchange(QObject):
         self.imported.emit([one.name for one in imported if one.name])
         failed = any(result.problem for result in results)
         self.said.emit(self._tell(results), Level.WARNING if failed else Level.DONE)
-        self.by_columns.enable_or_explain([one.path for one in imported if one.is_table])
-        self.report.enable_or_explain(results if len(results) > 1 else ())
+        self.by_columns.show_for([one.path for one in imported if one.is_table])
+        self.report.show_for(results if len(results) > 1 else ())
 
     def _tell(self, results: Sequence[Result]) -> str:
         """What became of some files, in as few lines as an operator reads."""
@@ -141,7 +134,7 @@ class LibraryExchange(QObject):
             names = ", ".join(path.name for path in left)
             text += "\n" + self.tr("Not imported yet: {names}").format(names=names)
         self.said.emit(text, Level.DONE)
-        self.by_columns.enable_or_explain(left)
+        self.by_columns.show_for(left)
 
     def export(self, names: Sequence[str], suffix: str) -> None:
         """Let the operator say where to, and write trajectories there in a format."""

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from armui.control.arm_controller import ArmController
 from armui.system.atomic import write_whole
 from armui.system.error_text import error_text
 from armui.trajectory import files
@@ -16,9 +17,6 @@ from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.library.file_names import file_stem
 from armui.trajectory.library.store import Library, LibraryError
 from armui.ui.dialogs.files import FileDialog
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 _PATTERNS: Final = "*.log *.csv *.json *.npz *.txt"
 

@@ -5,7 +5,11 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtWidgets import QLabel, QPushButton, QTableView, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QTableView, QWidget
+
+from armui.ui.widgets.buttons import push_button
+from armui.ui.widgets.layouts import STRETCH, in_column
+from armui.ui.widgets.text_label import text_label
 
 _WIDEST_PX: Final = 520
 
@@ -25,23 +29,14 @@ class LibraryHint(QWidget):
     def __init__(self, table: QTableView) -> None:
         super().__init__(table.viewport())
         self._searched = ""
-        self._title, self._text = QLabel(), QLabel()
-        self._title.setObjectName("library_hint_title")
-        self._title.setProperty("rank", "title")
-        self._text.setObjectName("library_hint")
-        self._text.setProperty("rank", "muted")
+        self._title = text_label("library_hint_title", rank="title", wraps=True, plain=True)
+        self._text = text_label("library_hint", rank="muted", wraps=True, plain=True)
         for label in (self._title, self._text):
-            label.setTextFormat(Qt.TextFormat.PlainText)
             label.setAlignment(Qt.AlignmentFlag.AlignHCenter)
-            label.setWordWrap(True)
             label.setFixedWidth(_WIDEST_PX)
-        self._clear = QPushButton()
-        self._clear.setObjectName("library_clear_search")
-        self._clear.setAutoDefault(False)
+        self._clear = push_button("library_clear_search", on_enter=False)
         self._clear.clicked.connect(lambda _checked=False: self.clear_wanted.emit())
-        layout = QVBoxLayout(self)
-        layout.setSpacing(10)
-        layout.addStretch(1)
+        layout = in_column(STRETCH, on=self, spacing=10)
         for widget in (self._title, self._text, self._clear):
             layout.addWidget(widget, 0, Qt.AlignmentFlag.AlignHCenter)
         layout.addStretch(2)

@@ -6,7 +6,7 @@ from collections.abc import Collection
 from typing import Final
 
 from PySide6.QtCore import QItemSelectionModel, QModelIndex, Qt
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
 
 from armui.trajectory.library.store import IndexEntry
 from armui.ui.trajectory.library.library_model import ENTRY_ROLE, LibraryColumn, LibraryFilter
@@ -28,8 +28,8 @@ class LibraryTable(QTableView):
         shown: The entries, as they are filtered.
     """
 
-    def __init__(self, shown: LibraryFilter, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, shown: LibraryFilter) -> None:
+        super().__init__()
         self.setObjectName("library_table")
         self.setModel(shown)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)

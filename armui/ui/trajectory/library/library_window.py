@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QEvent, QModelIndex, QSize, Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.run.progress import Progress
 from armui.trajectory.files import Content
@@ -19,6 +20,7 @@ from armui.trajectory.library.store import IndexEntry, Library, Listing
 from armui.trajectory.points.program import Trajectory
 from armui.trajectory.samples.recording import Recording
 from armui.ui import words
+from armui.ui.background import Background
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.trajectory.editor.editor_window import EditorWindow
 from armui.ui.trajectory.editor.findings_pane import FindingsPane
@@ -38,11 +40,9 @@ from armui.ui.trajectory.library.undo_button import UndoButton
 from armui.ui.trajectory.recording.recording_window import RecordingWindow
 from armui.ui.trajectory.running.preflight import Checks, Preflight
 from armui.ui.trajectory.running.run_strip import RunStrip
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import fill, in_row
 from armui.ui.widgets.message_line import MessageLine
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
-    from armui.ui.background import Background
 
 _SIZE: Final = QSize(1040, 640)
 
@@ -88,11 +88,10 @@ class LibraryWindow(ArmDialog):
         self._shown = LibraryFilter(self._model, self)
         self._bar = LibraryBar()
         self._table = LibraryTable(self._shown)
-        self._message = MessageLine()
-        self._message.setObjectName("library_message")
-        self._deeds = LibraryActions(self._work, self._editors.__contains__, self)
-        self._undo_button = UndoButton(self._deeds, self)
-        self._bin_button = BinButton(controller, self._work, self._deeds, self)
+        self._message = named("library_message", MessageLine())
+        self._actions = LibraryActions(self._work, self._editors.__contains__, self)
+        self._undo_button = UndoButton(self._actions, self)
+        self._bin_button = BinButton(controller, self._work, self._actions, self)
         self._hint = LibraryHint(self._table)
         self._watch = LibraryWatch(library.folder, self)
         self._exchange = LibraryExchange(controller, background, self._work, self)
@@ -107,26 +106,19 @@ class LibraryWindow(ArmDialog):
     # Layout -----------------------------------------------------------------------------------
 
     def _lay_out(self) -> None:
-        below = QHBoxLayout()
-        below.addWidget(self._message, 1)
-        below.addWidget(self._exchange.report)
-        below.addWidget(self._exchange.by_columns)
-        below.addWidget(self._undo_button)
+        offers = (self._exchange.report, self._exchange.by_columns)
+        below = in_row((self._message, 1), *offers, self._undo_button)
         self._bar.add_button(self._bin_button)
-        self.body.addWidget(self._bar)
-        self.body.addWidget(self._company)
-        self.body.addWidget(self._table, 1)
-        self.body.addWidget(self._findings)
-        self.body.addWidget(self._strip)
-        self.body.addLayout(below)
+        fill(self.body, self._bar, self._company, (self._table, 1))
+        fill(self.body, self._findings, self._strip, below)
 
     def _connect(self) -> None:
         handlers: dict[str, Callable[[], object]] = {
             "import": self._exchange.choose_imports,
             "create": self._create,
             "record": self.open_recorder,
-            "delete": lambda: self._deeds.delete(self._chosen_names()),
-            "duplicate": lambda: self._deeds.duplicate(self._chosen_names()[0]),
+            "delete": lambda: self._actions.delete(self._chosen_names()),
+            "duplicate": lambda: self._actions.duplicate(self._chosen_names()[0]),
             "rename": self._table.edit_name,
         }
         self._bar.wanted.connect(lambda name: handlers[name]())
@@ -138,9 +130,9 @@ class LibraryWindow(ArmDialog):
         self._table.doubleClicked.connect(self._on_double_click)
         self._table.selectionModel().selectionChanged.connect(self._show_usable)
         self._model.modelReset.connect(self._show_usable)
-        self._model.rename_wanted.connect(self._deeds.rename)
-        self._deeds.said.connect(self._say)
-        self._deeds.changed.connect(self._on_deed)
+        self._model.rename_wanted.connect(self._actions.rename)
+        self._actions.said.connect(self._say)
+        self._actions.changed.connect(self._on_action)
         self._watch.changed.connect(self._on_folder)
         FileDrop(self).dropped.connect(self._exchange.import_files)
         self._exchange.said.connect(self._say)
@@ -210,13 +202,13 @@ class LibraryWindow(ArmDialog):
         searched = self._bar.search.text() if self._model.rowCount() else ""
         self._hint.show_state(self._shown.rowCount(), searched)
 
-    def _on_deed(self, names: Sequence[str] | None) -> None:
+    def _on_action(self, names: Sequence[str] | None) -> None:
         """The keys go on in the list: the button that was pressed may be disabled by now."""
         self.refresh(names)
         self._table.setFocus()
 
     def _on_imported(self, names: Sequence[str]) -> None:
-        self._deeds.note_made(names)
+        self._actions.note_made(names)
         self.refresh(names)
 
     def chosen(self) -> list[IndexEntry]:
@@ -365,14 +357,12 @@ class LibraryWindow(ArmDialog):
     def _on_progress(self, progress: Progress) -> None:
         if progress.reason is not None:
             text = self.tr("“{name}” ended at row {row}. {reason}").format(
-                name=progress.name,
-                row=progress.index + 1,
-                reason=words.refusal(progress.reason),
+                name=progress.name, row=progress.index + 1, reason=words.refusal(progress.reason)
             )
             self._say(text, Level.FAULT)
 
     def _create(self) -> None:
-        self._deeds.create(self._open_editor)
+        self._actions.create(self._open_editor)
 
     def _chosen_names(self) -> list[str]:
         return [entry.name for entry in self.chosen()]

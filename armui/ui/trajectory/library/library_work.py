@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import Any, Generic, TypeVar
 
 from PySide6.QtCore import QObject
 from shiboken6 import isValid
@@ -14,10 +14,7 @@ from armui.arm.refusal import Refusal
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.library.store import Library, LibraryError
 from armui.ui import words
-from armui.ui.background import Job
-
-if TYPE_CHECKING:
-    from armui.ui.background import Background
+from armui.ui.background import Background, Job
 
 Result = TypeVar("Result")
 

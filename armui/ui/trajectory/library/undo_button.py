@@ -19,24 +19,24 @@ class UndoButton(Translated, QPushButton):
     """There while something can be undone; Ctrl+Z in its window presses it.
 
     Args:
-        deeds: Undoes.
+        actions: Undoes.
         window: Where the key counts.
     """
 
-    def __init__(self, deeds: LibraryActions, window: QWidget) -> None:
+    def __init__(self, actions: LibraryActions, window: QWidget) -> None:
         super().__init__(window)
-        self._deeds = deeds
+        self._actions = actions
         self.setObjectName("library_undo")
         self.setAutoDefault(False)
         self._keys = QShortcut(QKeySequence(QKeySequence.StandardKey.Undo), window)
-        self._keys.activated.connect(deeds.undo)
-        self.clicked.connect(lambda _checked=False: deeds.undo())
-        deeds.undo_changed.connect(self.show_step)
+        self._keys.activated.connect(actions.undo)
+        self.clicked.connect(lambda _checked=False: actions.undo())
+        actions.undo_changed.connect(self.show_step)
         self.show_step()
 
     def show_step(self) -> None:
         """Say what would be undone now."""
-        text = self._deeds.undo_text()
+        text = self._actions.undo_text()
         room_px = _WIDEST_PX - _SIDES_PX
         self.setText(self.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, room_px))
         keys = self._keys.key().toString(QKeySequence.SequenceFormat.NativeText)

@@ -6,8 +6,10 @@ import re
 from typing import Final
 
 from PySide6.QtCore import QElapsedTimer, QSignalBlocker, QTimer, Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QFrame, QLabel
 
+from armui.ui.widgets.buttons import caption, describe, named, push_button
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.translated import Translated
 from armui.ui.widgets.value_label import ValueLabel
@@ -27,32 +29,20 @@ class PreviewBar(Translated, QFrame):
     time_changed = Signal(float)
     closed = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("preview_bar")
         self._duration_s = 0.0
         self._label = QLabel()
-        self._play = QPushButton()
-        self._play.setObjectName("preview_play")
+        self._play = push_button("preview_play", on_enter=False)
         self._play.setCheckable(True)
-        self._slider = TrackSlider(_STEP_S, origin=0.0)
-        self._slider.setObjectName("preview_slider")
+        self._slider = named("preview_slider", TrackSlider(_STEP_S, origin=0.0))
         self._slider.setSingleStep(10)
         self._slider.setPageStep(100)
-        self._time = ValueLabel("")
-        self._time.setObjectName("preview_time")
-        self._close = QPushButton()
-        self._close.setObjectName("preview_close")
-        row = QHBoxLayout(self)
-        row.setContentsMargins(12, 8, 12, 8)
-        row.setSpacing(10)
-        row.addWidget(self._label)
-        row.addWidget(self._play)
-        row.addWidget(self._slider, 1)
-        row.addWidget(self._time)
-        row.addWidget(self._close)
-        for button in (self._play, self._close):
-            button.setAutoDefault(False)
+        self._time = named("preview_time", ValueLabel(""))
+        self._close = push_button("preview_close", on_enter=False)
+        parts = (self._label, self._play, (self._slider, 1), self._time, self._close)
+        in_row(*parts, on=self, spacing=10, margins=(12, 8, 12, 8))
         self._clock = QElapsedTimer()
         self._timer = QTimer(self)
         self._timer.setInterval(_FRAME_MS)
@@ -66,7 +56,7 @@ class PreviewBar(Translated, QFrame):
     @property
     def time_s(self) -> float:
         """Where in time the ghost is."""
-        return self._slider.wish
+        return self._slider.requested
 
     @property
     def _at_end(self) -> bool:
@@ -85,7 +75,7 @@ class PreviewBar(Translated, QFrame):
     def go_to(self, time_s: float) -> None:
         """Bring the ghost to a time."""
         with QSignalBlocker(self._slider):
-            self._slider.show_wish(time_s)
+            self._slider.show_requested(time_s)
         self._on_moved()
 
     def shut(self) -> None:
@@ -115,17 +105,15 @@ class PreviewBar(Translated, QFrame):
 
     def _name_play(self) -> None:
         text = self.tr("Halt") if self._play.isChecked() else self.tr("Play")
-        self._play.setText(text)
-        self._play.setAccessibleName(text)
-        self._play.setToolTip(self.tr("Moves the ghost arm only; the real arm stays where it is."))
+        tip = self.tr("Moves the ghost arm only; the real arm stays where it is.")
+        caption(self._play, text, tip=tip)
 
     def retranslate_ui(self) -> None:
         """Put the words into the operator's language."""
         self._label.setText(self.tr("Preview"))
-        self._slider.setAccessibleName(self.tr("Time of the preview"))
-        self._slider.setToolTip(self.tr("Moves the ghost arm through the motion."))
-        self._close.setText(self.tr("Close preview"))
-        self._close.setAccessibleName(self._close.text())
+        tip = self.tr("Moves the ghost arm through the motion.")
+        describe(self._slider, self.tr("Time of the preview"), tip)
+        caption(self._close, self.tr("Close preview"))
         self._name_play()
 
 

@@ -8,7 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QTimer, Signal
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
+from PySide6.QtWidgets import QLabel, QLineEdit, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -25,7 +25,9 @@ from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.running.preflight import Checks, Preflight
 from armui.ui.trajectory.running.run_options import RunOptions
 from armui.ui.trajectory.text import duration
+from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
 
@@ -90,50 +92,32 @@ class RecordingWindow(ArmDialog):
         self._record.setFocus()
 
     def _make_widgets(self) -> None:
-        self._record, self._preview = QPushButton(), QPushButton()
-        self._as_samples, self._as_points = QPushButton(), QPushButton()
-        for name, button in (
-            ("record", self._record),
-            ("record_preview", self._preview),
-            ("save_recording", self._as_samples),
-            ("save_points", self._as_points),
-        ):
-            button.setObjectName(name)
-            button.setAutoDefault(False)
-        self._state = QLabel()
-        self._state.setObjectName("record_state")
-        self._name = QLineEdit()
-        self._name.setObjectName("record_name")
+        self._record = push_button("record", on_enter=False)
+        self._preview = push_button("record_preview", on_enter=False)
+        self._as_samples = push_button("save_recording", on_enter=False)
+        self._as_points = push_button("save_points", on_enter=False)
+        self._state = text_label("record_state")
+        self._name = named("record_name", QLineEdit())
         self._from = _field("record_from", 3, "s")
         self._to = _field("record_to", 3, "s")
         self._tolerance = _field("record_tolerance", 3, "°")
         self._tolerance.step = 0.1
         self._kept = text_label("record_kept", rank="muted")
         self._labels = [QLabel() for _ in range(4)]
-        self._message = MessageLine()
-        self._message.setObjectName("record_message")
+        self._message = named("record_message", MessageLine())
 
     def _lay_out(self) -> None:
-        head = QHBoxLayout()
-        head.addWidget(self._record)
-        head.addWidget(self._state, 1)
-        grid = QGridLayout()
-        grid.setHorizontalSpacing(10)
-        for row, (label, field) in enumerate(
-            zip(self._labels, (self._name, self._from, self._to, self._tolerance), strict=True)
-        ):
+        head = in_row(self._record, (self._state, 1))
+        grid = empty_grid(gaps=(10, None))
+        fields = (self._name, self._from, self._to, self._tolerance)
+        for row, (label, field) in enumerate(zip(self._labels, fields, strict=True)):
             grid.addWidget(label, row, 0)
             grid.addWidget(field, row, 1, 1, 2 if field is self._name else 1)
             label.setBuddy(field)
         grid.addWidget(self._kept, 3, 2)
         grid.setColumnStretch(2, 1)
-        self.body.addLayout(head)
-        self.body.addLayout(grid)
-        self.body.addWidget(self._message)
-        self.footer.addWidget(self._preview)
-        self.footer.addStretch(1)
-        self.footer.addWidget(self._as_points)
-        self.footer.addWidget(self._as_samples)
+        fill(self.body, head, grid, self._message)
+        fill(self.footer, self._preview, STRETCH, self._as_points, self._as_samples)
 
     def _connect(self) -> None:
         self._record.clicked.connect(self._on_record)
@@ -182,7 +166,7 @@ class RecordingWindow(ArmDialog):
         self._show_joined(recording)
 
     def _on_not_joined(self, recorded: Recorded, text: str) -> None:
-        """The library cannot be read: the recording is kept under the name that was wished."""
+        """The library cannot be read: the recording is kept under the name that was asked for."""
         self._say(text, Level.FAULT)
         self._work.do(recorded.joined, self._show_joined)
 
@@ -230,9 +214,7 @@ class RecordingWindow(ArmDialog):
             self._job = None
 
     def _take_result(
-        self,
-        then: Callable[[Recording], object] | None,
-        result: Recording | Refusal | None,
+        self, then: Callable[[Recording], object] | None, result: Recording | Refusal | None
     ) -> None:
         self._job = None
         if isinstance(result, Refusal):
@@ -252,13 +234,10 @@ class RecordingWindow(ArmDialog):
         elif result is None:
             self._kept.setText(self.tr("Nothing is left: correct the marked fields."))
         else:
-            self._kept.setText(
-                self.tr("{kept} of {count} samples, {time}").format(
-                    kept=len(result.samples),
-                    count=len(whole.samples),
-                    time=duration(result.duration_s),
-                )
-            )
+            text = self.tr("{kept} of {count} samples, {time}")
+            kept, count = len(result.samples), len(whole.samples)
+            text = text.format(kept=kept, count=count, time=duration(result.duration_s))
+            self._kept.setText(text)
         for button in (self._preview, self._as_samples, self._as_points):
             button.setEnabled(result is not None or self._job is not None)
 
@@ -294,11 +273,11 @@ class RecordingWindow(ArmDialog):
         self._keep(recording, lambda: recording)
 
     def _keep(self, recording: Recording, make: Callable[[], Content]) -> None:
-        wish = self._name.text().strip() or recording.name
+        wanted = self._name.text().strip() or recording.name
         whole = self._recording
 
         def save() -> str:
-            name = self._library.free_name(wish)
+            name = self._library.free_name(wanted)
             self._library.save(replace(make(), name=name))
             return name
 
@@ -393,7 +372,6 @@ class RecordingWindow(ArmDialog):
 
 
 def _field(name: str, decimals: int, unit: str) -> FigureField:
-    field = FigureField(decimals, unit)
-    field.setObjectName(name)
+    field = named(name, FigureField(decimals, unit))
     field.setFixedWidth(_FIELD_PX)
     return field

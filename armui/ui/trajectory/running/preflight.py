@@ -111,10 +111,7 @@ class Checks:
         self._background.warm_up(warm_up)
 
     def prepare(
-        self,
-        content: Content,
-        options: RunOptions,
-        then: Callable[[Preflight | Refusal], object],
+        self, content: Content, options: RunOptions, then: Callable[[Preflight | Refusal], object]
     ) -> CheckJob:
         """A check of something that shall be run from where the arm is now.
 

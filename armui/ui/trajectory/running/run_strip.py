@@ -5,25 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QComboBox,
-    QHBoxLayout,
-    QLabel,
-    QProgressBar,
-    QPushButton,
-    QSpinBox,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QProgressBar, QSpinBox, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.control.operating_state import StopState
+from armui.control.arm_controller import ArmController
+from armui.control.operating_state import OperatingState, StopState
 from armui.control.run.progress import ENDLESS, Progress, RunPhase
 from armui.trajectory.files import Content
 from armui.ui import words
@@ -31,15 +22,14 @@ from armui.ui.trajectory.running.preflight import CheckJob, Checks, Preflight
 from armui.ui.trajectory.running.run_options import RunOptions
 from armui.ui.trajectory.running.runner import Runner, can_go_on, can_pause, ended_early
 from armui.ui.trajectory.text import duration
+from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.hold_button import HoldButton
+from armui.ui.widgets.layouts import STRETCH, in_column, in_row
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
-    from armui.control.operating_state import OperatingState
-
 _ONCE, _TIMES, _LOOP = range(3)
-_MOST_LAPS: Final = 9999
+_MOST_CYCLES: Final = 9999
 _FASTEST_PERCENT: Final = 200
 _SPIN_PX: Final = 34
 _STEPS: Final = 1000
@@ -73,9 +63,8 @@ class RunStrip(Translated, QWidget):
         controller: ArmController,
         checks: Checks,
         content: Callable[[Callable[[Content | None], object]], object],
-        parent: QWidget | None = None,
     ) -> None:
-        super().__init__(parent)
+        super().__init__()
         self._controller = controller
         self._checks = checks
         self._content = content
@@ -92,63 +81,41 @@ class RunStrip(Translated, QWidget):
         self._continue.held.connect(self._on_pause)
         self._stop.clicked.connect(self._on_stop)
         self._resume.clicked.connect(self._on_resume)
-        self._laps.currentIndexChanged.connect(self._show_usable)
+        self._cycles.currentIndexChanged.connect(self._show_usable)
         self._runner.progressed.connect(self._on_progress)
         controller.operating_state_changed.connect(self._on_operating_state)
         self.retranslate_ui()
 
     def _make_widgets(self) -> None:
-        self._send, self._pause, self._stop, self._resume = (QPushButton() for _ in range(4))
+        self._send = push_button("run_send", primary=True, on_enter=False)
+        self._pause = push_button("run_pause", on_enter=False)
         # a motion that was held back is never set going by a slip
-        self._continue = HoldButton()
+        self._continue = named("run_continue", HoldButton())
         self._continue.hide()
-        for name, button in (
-            ("run_send", self._send),
-            ("run_pause", self._pause),
-            ("run_continue", self._continue),
-            ("run_stop", self._stop),
-            ("run_resume", self._resume),
-        ):
-            button.setObjectName(name)
-            button.setAutoDefault(False)
-        self._send.setProperty("primary", True)
-        self._laps = QComboBox()
-        self._laps.setObjectName("run_laps")
-        self._laps.addItems(["", "", ""])
-        self._times = _spin("run_times", 1, _MOST_LAPS, 3)
+        self._stop = push_button("run_stop", on_enter=False)
+        self._resume = push_button("run_resume", on_enter=False)
+        self._cycles = named("run_cycles", QComboBox())
+        self._cycles.addItems(["", "", ""])
+        self._times = _spin("run_times", 1, _MOST_CYCLES, 3)
         self._speed = _spin("run_speed", 1, _FASTEST_PERCENT, 100)
         self._speed.setSuffix(" %")
         self._first = _spin("run_first", 1, 1, 1)
         self._speed_label, self._first_label = QLabel(), QLabel()
-        self._steps = QCheckBox()
-        self._steps.setObjectName("run_steps")
-        self._bar = QProgressBar()
-        self._bar.setObjectName("run_bar")
+        self._steps = named("run_steps", QCheckBox())
+        self._bar = named("run_bar", QProgressBar())
         self._bar.setRange(0, _STEPS)
         self._bar.setTextVisible(False)
-        self._text = QLabel()
-        self._text.setObjectName("run_text")
+        self._text = text_label("run_text")
 
     def _lay_out(self) -> None:
-        options = QHBoxLayout()
-        options.setSpacing(8)
-        for widget in (
-            *(self._laps, self._times, self._speed_label, self._speed),
-            *(self._first_label, self._first, self._steps),
-        ):
-            options.addWidget(widget)
-        options.addStretch(1)
-        for button in (self._resume, self._send, self._pause, self._continue, self._stop):
-            options.addWidget(button)
-        state = QHBoxLayout()
-        state.setSpacing(12)
-        state.addWidget(self._bar, 1)
-        state.addWidget(self._text)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(8)
-        layout.addLayout(options)
-        layout.addLayout(state)
+        options = in_row(
+            *(self._cycles, self._times, self._speed_label, self._speed),
+            *(self._first_label, self._first, self._steps, STRETCH),
+            *(self._resume, self._send, self._pause, self._continue, self._stop),
+            spacing=8,
+        )
+        state = in_row((self._bar, 1), self._text, spacing=12)
+        in_column(options, state, on=self, spacing=8, margins=0)
 
     # What the operator wants ------------------------------------------------------------------
 
@@ -223,7 +190,7 @@ class RunStrip(Translated, QWidget):
         recording = self._recording
         cycles = {_ONCE: 1, _TIMES: self._times.value(), _LOOP: ENDLESS}
         return RunOptions(
-            cycles[self._laps.currentIndex()],
+            cycles[self._cycles.currentIndex()],
             self._speed.value() / 100.0,
             0 if recording else self._first.value() - 1,
             not recording and self._steps.isChecked(),
@@ -329,10 +296,10 @@ class RunStrip(Translated, QWidget):
     def _show_usable(self, *_: object) -> None:
         progress, running = self._runner.progress, self._runner.running
         reason = self._controller.operating_state.cannot_run
-        self._times.setVisible(self._laps.currentIndex() == _TIMES)
+        self._times.setVisible(self._cycles.currentIndex() == _TIMES)
         checking = self._checking
         self._send.setEnabled(not running and not checking and reason is None)
-        self._send.setToolTip("" if reason is None else words.refusal(reason))
+        self._send.setToolTip(words.why_not(reason))
         paused = progress.phase is RunPhase.PAUSED
         self._pause.setVisible(not paused)
         self._pause.setEnabled(can_pause(progress) or can_go_on(progress))
@@ -342,12 +309,10 @@ class RunStrip(Translated, QWidget):
         again = not (running or checking) and self._again is not None and ended_early(progress)
         self._resume.setVisible(again)
         self._resume.setEnabled(again and reason is None)
-        self._resume.setToolTip("" if reason is None else words.refusal(reason))
+        self._resume.setToolTip(words.why_not(reason))
         self._resume.setText(self.tr("Go on from row {row}").format(row=progress.index + 1))
-        if progress.phase is RunPhase.WAITING:
-            self._pause.setText(self.tr("Next step"))
-        else:
-            self._pause.setText(self.tr("Pause"))
+        waiting = progress.phase is RunPhase.WAITING
+        self._pause.setText(self.tr("Next step") if waiting else self.tr("Pause"))
 
     # Words ------------------------------------------------------------------------------------
 
@@ -356,8 +321,8 @@ class RunStrip(Translated, QWidget):
         self._send.setText(self.tr("Send"))
         self._stop.setText(self.tr("End run"))
         for place, text in enumerate((self.tr("Once"), self.tr("Times"), self.tr("In a loop"))):
-            self._laps.setItemText(place, text)
-        self._laps.setAccessibleName(self.tr("How often"))
+            self._cycles.setItemText(place, text)
+        self._cycles.setAccessibleName(self.tr("How often"))
         self._times.setAccessibleName(self.tr("How often"))
         self._speed_label.setText(self.tr("Speed"))
         self._speed.setToolTip(self.tr("Of each point's own speed"))
@@ -377,8 +342,7 @@ class RunStrip(Translated, QWidget):
 
 
 def _spin(name: str, least: int, most: int, value: int) -> QSpinBox:
-    spin = QSpinBox()
-    spin.setObjectName(name)
+    spin = named(name, QSpinBox())
     spin.setRange(least, most)
     spin.setValue(value)
     spin.setAlignment(Qt.AlignmentFlag.AlignCenter)

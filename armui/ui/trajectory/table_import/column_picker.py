@@ -6,11 +6,13 @@ from typing import Final
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QWheelEvent
-from PySide6.QtWidgets import QComboBox, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QWidget
 
 from armui.trajectory.columns import UNITS, ColumnQuantity, Guess, TableColumn
 from armui.ui import words
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.elided_label import ElidedLabel
+from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.translated import Translated
 
 _MARGIN_PX: Final = 3
@@ -44,14 +46,10 @@ class ColumnPicker(Translated, QWidget):
         for quantity in (None, *ColumnQuantity):
             self._quantity.addItem("", quantity)
         self._unit = _Choice(f"column_unit_{number}")
-        self._origin = ElidedLabel()
-        self._origin.setObjectName(f"column_origin_{number}")
+        self._origin = named(f"column_origin_{number}", ElidedLabel())
         self._origin.setProperty("rank", "warning")
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(_MARGIN_PX, 0, _MARGIN_PX, 0)
-        layout.setSpacing(4)
-        for widget in (self._title, self._quantity, self._unit, self._origin):
-            layout.addWidget(widget)
+        parts = (self._title, self._quantity, self._unit, self._origin)
+        in_column(*parts, on=self, spacing=4, margins=(_MARGIN_PX, 0, _MARGIN_PX, 0))
         if guess.column is not None:
             self._quantity.setCurrentIndex(1 + list(ColumnQuantity).index(guess.column.quantity))
         self._fill_units()
@@ -115,10 +113,7 @@ class ColumnPicker(Translated, QWidget):
         column = self.tr("Column {number}").format(number=self._number)
         titled = f"{self._number}. {self._title_text}"
         self._title.show_text(titled if self._title_text else column)
-        short = {
-            ColumnQuantity.WAIT: self.tr("Wait"),
-            ColumnQuantity.GRIPPER: self.tr("Gripper"),
-        }
+        short = {ColumnQuantity.WAIT: self.tr("Wait"), ColumnQuantity.GRIPPER: self.tr("Gripper")}
         self._quantity.setItemText(0, self.tr("Ignored"))
         for place, quantity in enumerate(ColumnQuantity, start=1):
             full = words.point_figure(quantity.value)

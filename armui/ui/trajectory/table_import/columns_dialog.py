@@ -7,15 +7,7 @@ from pathlib import PurePath
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import (
-    QComboBox,
-    QHBoxLayout,
-    QLabel,
-    QLineEdit,
-    QPushButton,
-    QSpinBox,
-    QWidget,
-)
+from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QSpinBox, QWidget
 
 from armui.control.events import Level
 from armui.protocol.codes import MoveMode
@@ -27,8 +19,10 @@ from armui.trajectory.points.program import check_name
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.trajectory.table_import.columns_table import ColumnsTable
-from armui.ui.trajectory.table_import.dialect_bar import BuildBar
+from armui.ui.trajectory.table_import.dialect_bar import DialectBar
 from armui.ui.trajectory.table_import.table_import import TableImport
+from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
 
@@ -69,13 +63,13 @@ class ColumnsDialog(ArmDialog):
         self._library = library
         self._file = table
         self._table = ColumnsTable(table.sheet)
-        self._build = BuildBar()
+        self._dialect_bar = DialectBar()
         self._misread = ""
         self._move_said = False
         self._work: TableImport | None = None
         self._make_widgets()
         self._lay_out()
-        self._build.show_table(table)
+        self._dialect_bar.show_table(table)
         self._name.setText(PurePath(table.file_name).stem)
         self._moves.setCurrentIndex(_MOVES.index(self._likely_move()))
         self._connect()
@@ -85,52 +79,35 @@ class ColumnsDialog(ArmDialog):
 
     def _make_widgets(self) -> None:
         self._source = text_label("columns_source", rank="muted", wraps=True, plain=True)
-        self._moves = QComboBox()
-        self._moves.setObjectName("columns_move")
+        self._moves = named("columns_move", QComboBox())
         self._moves.addItems([""] * len(_MOVES))
-        self._speed = QSpinBox()
-        self._speed.setObjectName("columns_speed")
+        self._speed = named("columns_speed", QSpinBox())
         self._speed.setRange(1, 100)
         self._speed.setValue(_SPEED_PERCENT)
         self._speed.setSuffix(" %")
         self._speed.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._speed.setFixedHeight(_FIELD_PX)
-        self._name = QLineEdit()
-        self._name.setObjectName("columns_name")
+        self._name = named("columns_name", QLineEdit())
         self._move_label, self._speed_label, self._name_label = (QLabel() for _ in range(3))
-        self._message = MessageLine()
-        self._message.setObjectName("columns_message")
-        self.import_button, self._cancel = QPushButton(), QPushButton()
-        self.import_button.setObjectName("columns_import")
-        self.import_button.setProperty("primary", True)
-        self.import_button.setDefault(True)
-        self._cancel.setObjectName("columns_cancel")
-        self._cancel.setAutoDefault(False)
+        self._message = named("columns_message", MessageLine())
+        self.import_button = push_button("columns_import", primary=True, on_enter=True)
+        self._cancel = push_button("columns_cancel", on_enter=False)
 
     def _lay_out(self) -> None:
-        choices = QHBoxLayout()
-        choices.setSpacing(8)
+        choices = in_row(spacing=8)
         for label, field in (
             (self._name_label, self._name),
             (self._move_label, self._moves),
             (self._speed_label, self._speed),
         ):
             label.setBuddy(field)
-            choices.addWidget(label)
-            choices.addWidget(field, 1 if field is self._name else 0)
-            choices.addSpacing(8)
-        self.body.addWidget(self._source)
-        self.body.addWidget(self._build)
-        self.body.addLayout(choices)
-        self.body.addWidget(self._table, 1)
-        self.body.addWidget(self._message)
-        self.footer.addStretch(1)
-        self.footer.addWidget(self._cancel)
-        self.footer.addWidget(self.import_button)
+            fill(choices, label, (field, 1 if field is self._name else 0), 8)
+        fill(self.body, self._source, self._dialect_bar, choices, (self._table, 1), self._message)
+        fill(self.footer, STRETCH, self._cancel, self.import_button)
 
     def _connect(self) -> None:
         self._table.changed.connect(self._show_usable)
-        self._build.changed.connect(self._read_anew)
+        self._dialect_bar.changed.connect(self._read_anew)
         self._moves.currentIndexChanged.connect(self._show_usable)
         self._moves.activated.connect(self._on_move)
         self._name.textChanged.connect(self._show_usable)
@@ -160,9 +137,9 @@ class ColumnsDialog(ArmDialog):
 
     def _read_anew(self) -> None:
         """Read the file as the operator says; where that is not possible, say why."""
-        build = self._build
+        bar = self._dialect_bar
         try:
-            self._file = self._file.read_anew(build.encoding, build.build)
+            self._file = self._file.read_anew(bar.encoding, bar.dialect)
         except TrajectoryFileError as error:
             self._misread = words.file_error(error)
         else:
@@ -179,7 +156,7 @@ class ColumnsDialog(ArmDialog):
         self.body.replaceWidget(old, self._table)
         old.setParent(None)
         old.deleteLater()
-        self._build.show_table(self._file)
+        self._dialect_bar.show_table(self._file)
         if not self._move_said:
             self._moves.setCurrentIndex(_MOVES.index(self._likely_move()))
         self._source.setText(self._describe())
@@ -232,17 +209,16 @@ class ColumnsDialog(ArmDialog):
             self.reject()
 
     def _refuse(self, error: TrajectoryFileError | LibraryError) -> None:
-        reason = (
-            words.refusal(error.refusal)
-            if isinstance(error, LibraryError)
-            else words.file_error(error)
-        )
+        if isinstance(error, LibraryError):
+            reason = words.refusal(error.refusal)
+        else:
+            reason = words.file_error(error)
         said = self.tr("Not imported. {reason}").format(reason=reason)
         self._message.show_message(said, Level.FAULT)
 
     def _let_choose(self, can: bool) -> None:
         """While it is imported, nothing of it can be chosen; the emergency stop always works."""
-        for widget in (self._build, self._table, self._name, self._moves, self.import_button):
+        for widget in (self._dialect_bar, self._table, self._name, self._moves, self.import_button):
             widget.setEnabled(can)
         self._speed.setEnabled(can and self.mapping.move is not None)
 

@@ -5,18 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QPushButton, QWidget
 
+from armui.control.arm_controller import ArmController
 from armui.trajectory import columns
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.table_import.columns_dialog import ColumnsDialog
 from armui.ui.widgets.translated import Translated
-
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
 
 
 class ColumnsOffer(Translated, QPushButton):
@@ -54,7 +51,7 @@ class ColumnsOffer(Translated, QPushButton):
         """The files that are offered, the next one first."""
         return tuple(self._paths)
 
-    def enable_or_explain(self, paths: Sequence[Path]) -> None:
+    def show_for(self, paths: Sequence[Path]) -> None:
         """Offer some files and no others."""
         self._paths = list(paths)
         self.setVisible(bool(paths))
@@ -74,7 +71,7 @@ class ColumnsOffer(Translated, QPushButton):
         self._opening = False
         left = self._paths[1:]
         self.refused.emit(text)
-        self.enable_or_explain(left)
+        self.show_for(left)
 
     def _show(self, path: Path, table: columns.TableFile) -> None:
         self._opening = False

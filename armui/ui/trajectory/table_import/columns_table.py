@@ -10,11 +10,9 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QFrame,
-    QHBoxLayout,
     QHeaderView,
     QScrollArea,
     QTableView,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -22,6 +20,8 @@ from armui.trajectory.columns import ColumnQuantity, Sheet, TableColumn
 from armui.trajectory.columns.model import JOINTS, POSE
 from armui.ui.theme import colors_of
 from armui.ui.trajectory.table_import.column_picker import ColumnPicker
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 
 _Index = QModelIndex | QPersistentModelIndex
 
@@ -49,13 +49,8 @@ class ColumnsTable(QScrollArea):
 
     changed = Signal()
 
-    def __init__(
-        self,
-        sheet: Sheet,
-        said: Mapping[int, TableColumn | None] | None = None,
-        parent: QWidget | None = None,
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, sheet: Sheet, said: Mapping[int, TableColumn | None] | None = None) -> None:
+        super().__init__()
         self._width = sheet.width
         self._places = _shown(sheet)
         self._pickers: list[ColumnPicker] = []
@@ -73,18 +68,9 @@ class ColumnsTable(QScrollArea):
         self._lay_out()
 
     def _lay_out(self) -> None:
-        above = QHBoxLayout()
-        above.setSpacing(0)
-        above.setContentsMargins(0, 0, 0, 0)
-        for picker in self._pickers:
-            above.addWidget(picker)
-        above.addStretch(1)
+        above = in_row(*self._pickers, STRETCH, spacing=0, margins=0)
         inner = QWidget()
-        layout = QVBoxLayout(inner)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addLayout(above)
-        layout.addWidget(_rows_of(self._model))
-        layout.addStretch(1)
+        in_column(above, _rows_of(self._model), STRETCH, on=inner, margins=0)
         self.setWidget(inner)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
@@ -199,8 +185,7 @@ def _shown(sheet: Sheet) -> list[int]:
 
 def _rows_of(model: _Preview) -> QTableView:
     """A table as large as what it shows: it is moved together with the choices above it."""
-    table = QTableView()
-    table.setObjectName("columns_preview")
+    table = named("columns_preview", QTableView())
     model.setParent(table)
     table.setModel(model)
     table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)

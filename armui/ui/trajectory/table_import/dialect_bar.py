@@ -6,17 +6,19 @@ from typing import Any, Final
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSpinBox, QWidget
+from PySide6.QtWidgets import QComboBox, QLabel, QSpinBox, QWidget
 
 from armui.trajectory.columns import LABELS, Dialect, Encoding, TableFile
 from armui.trajectory.columns.model import DECIMALS, DELIMITERS, SPACES
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import fill, in_row
 from armui.ui.widgets.translated import Translated
 
 _FIELD_PX: Final = 34
 _MOST_LINES: Final = 9_999_999
 
 
-class BuildBar(Translated, QWidget):
+class DialectBar(Translated, QWidget):
     """Encoding, delimiter, decimal sign and the line of the first figures.
 
     Signals:
@@ -25,13 +27,12 @@ class BuildBar(Translated, QWidget):
 
     changed = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._encoding = _choice("build_encoding", tuple(Encoding))
-        self._delimiter = _choice("build_delimiter", DELIMITERS)
-        self._decimal = _choice("build_decimal", DECIMALS)
-        self._line = _Line()
-        self._line.setObjectName("build_line")
+    def __init__(self) -> None:
+        super().__init__()
+        self._encoding = _choice("dialect_encoding", tuple(Encoding))
+        self._delimiter = _choice("dialect_delimiter", DELIMITERS)
+        self._decimal = _choice("dialect_decimal", DECIMALS)
+        self._line = named("dialect_line", _Line())
         self._line.setKeyboardTracking(False)
         self._line.setFixedHeight(_FIELD_PX)
         self._line.setMinimumWidth(90)
@@ -39,14 +40,10 @@ class BuildBar(Translated, QWidget):
         self._fields = (self._encoding, self._delimiter, self._decimal, self._line)
         self._labels = tuple(QLabel() for _ in self._fields)
         self._said: set[QWidget] = set()
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(8)
+        layout = in_row(on=self, spacing=8, margins=0)
         for label, field in zip(self._labels, self._fields, strict=True):
             label.setBuddy(field)
-            layout.addWidget(label)
-            layout.addWidget(field)
-            layout.addSpacing(8)
+            fill(layout, label, field, 8)
         layout.addStretch(1)
         for box in (self._encoding, self._delimiter, self._decimal):
             box.activated.connect(lambda _place, box=box: self._on_said(box))
@@ -60,7 +57,7 @@ class BuildBar(Translated, QWidget):
         return said
 
     @property
-    def build(self) -> Dialect:
+    def dialect(self) -> Dialect:
         """The same of the rest."""
         line = self._line.value() if self._line in self._said else None
         return Dialect(self._value(self._delimiter), self._value(self._decimal), line)
@@ -122,8 +119,7 @@ class _Line(QSpinBox):
 
 
 def _choice(name: str, values: tuple[Any, ...]) -> QComboBox:
-    box = QComboBox()
-    box.setObjectName(name)
+    box = named(name, QComboBox())
     for value in values:
         box.addItem("", value)
     box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)

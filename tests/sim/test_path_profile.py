@@ -15,10 +15,10 @@ from tests.moments import now
 STEP_S = 0.001
 
 
-def duration_s(rail: PathProfile) -> float:
+def duration_s(profile: PathProfile) -> float:
     steps = 0
-    while not rail.at_end:
-        rail.advance(STEP_S)
+    while not profile.at_end:
+        profile.advance(STEP_S)
         steps += 1
         assert steps < 100_000
     return steps * STEP_S
@@ -32,29 +32,29 @@ def duration_s(rail: PathProfile) -> float:
     ],
 )
 def test_the_time_it_takes(end: float, top_speed: float, expected_s: float) -> None:
-    rail = PathProfile(end, 25.0)
-    rail.run(top_speed)
-    assert duration_s(rail) == pytest.approx(expected_s, abs=2 * STEP_S)
-    assert rail.position == end
-    assert rail.speed == rail.acceleration == 0.0
+    profile = PathProfile(end, 25.0)
+    profile.run(top_speed)
+    assert duration_s(profile) == pytest.approx(expected_s, abs=2 * STEP_S)
+    assert profile.position == end
+    assert profile.speed == profile.acceleration == 0.0
 
 
 def test_it_does_not_run_unasked_and_a_halted_one_stays() -> None:
-    rail = PathProfile(10.0, 25.0)
-    rail.advance(1.0)
-    assert rail.position == 0.0
-    assert not now(rail.moving)
-    rail.run(5.0)
-    assert now(rail.moving)
-    rail.advance(0.5)
-    halted_at = rail.position + rail.speed**2 / 50.0
-    rail.run(0.0)
-    rail.advance(5.0)
-    assert rail.position == pytest.approx(halted_at)
-    assert not rail.moving
-    rail.run(5.0)
-    rail.advance(5.0)
-    assert rail.at_end
+    profile = PathProfile(10.0, 25.0)
+    profile.advance(1.0)
+    assert profile.position == 0.0
+    assert not now(profile.moving)
+    profile.run(5.0)
+    assert now(profile.moving)
+    profile.advance(0.5)
+    halted_at = profile.position + profile.speed**2 / 50.0
+    profile.run(0.0)
+    profile.advance(5.0)
+    assert profile.position == pytest.approx(halted_at)
+    assert not profile.moving
+    profile.run(5.0)
+    profile.advance(5.0)
+    assert profile.at_end
 
 
 @settings(max_examples=examples(100), deadline=None)
@@ -68,19 +68,19 @@ def test_it_does_not_run_unasked_and_a_halted_one_stays() -> None:
 def test_limits_hold_and_the_end_is_exact_whatever_is_asked_on_the_way(
     end: float, acceleration: float, orders: list[tuple[float, int]]
 ) -> None:
-    rail = PathProfile(end, acceleration)
-    track = [rail.position]
+    profile = PathProfile(end, acceleration)
+    track = [profile.position]
     for top_speed, steps in orders:
-        rail.run(top_speed)
+        profile.run(top_speed)
         for _ in range(steps):
-            rail.advance(STEP_S)
-            track.append(rail.position)
+            profile.advance(STEP_S)
+            track.append(profile.position)
     speeds = [(b - a) / STEP_S for a, b in itertools.pairwise(track)]
     slack = 1e-9 * end / STEP_S**2
     assert all(speed >= 0.0 for speed in speeds)
     for a, b in itertools.pairwise([0.0, *speeds]):
         assert abs(b - a) / STEP_S <= acceleration * (1 + 1e-6) + slack
     assert max(track) <= end
-    rail.run(1000.0)
-    rail.advance(1e5)
-    assert rail.position == end
+    profile.run(1000.0)
+    profile.advance(1e5)
+    assert profile.position == end

@@ -18,7 +18,7 @@ from armui.ui.trajectory.library.import_report import ImportReport
 from armui.ui.trajectory.library.library_window import LibraryWindow
 from tests.app_driver import AppDriver
 from tests.gallery_scenes.trajectories import library
-from tests.sample_trajectories import SHELF
+from tests.sample_trajectories import SAMPLES
 
 _CHANGED_S = 1_768_478_400.0
 
@@ -43,15 +43,15 @@ def deleted(app_driver: AppDriver) -> LibraryWindow:
     """Two deletions that can be undone, and a trajectory that was never saved."""
     window = library(app_driver)
     window.findChild(QLineEdit, "library_search").clear()
-    shelf = Library(app_driver.library_folder)
-    trials = () if shelf.recently_deleted() else SHELF[:2]
+    stored = Library(app_driver.library_folder)
+    trials = () if stored.recently_deleted() else SAMPLES[:2]
     for number, content in enumerate(trials, start=1):
         name = f"Trial {number}"
-        shelf.save(replace(content, name=name))
+        stored.save(replace(content, name=name))
         window.refresh([name])
         app_driver.click(window.findChild(QWidget, "library_delete"))
-    if "Palletizing" not in shelf.drafts():
-        shelf.save_draft("Palletizing", SHELF[0])
+    if "Palletizing" not in stored.drafts():
+        stored.save_draft("Palletizing", SAMPLES[0])
         for path in app_driver.library_folder.rglob("*"):
             os.utime(path, (_CHANGED_S, _CHANGED_S))  # the list shows when a draft was changed
     window.refresh()
@@ -67,10 +67,10 @@ def bin_(app_driver: AppDriver) -> QDialog:
 def imported(app_driver: AppDriver) -> LibraryWindow:
     """Files of which some are broken, one is a table, and one has a name that is taken."""
     window = library(app_driver)
-    shelf = Library(app_driver.library_folder)
+    stored = Library(app_driver.library_folder)
     with tempfile.TemporaryDirectory() as folder:
         paths = [Path(folder) / f"{name}.log" for name in ("pick", "place", "weld", "seam 7")]
-        paths[0].write_bytes(files.to_bytes(SHELF[0], ".log"))
+        paths[0].write_bytes(files.to_bytes(SAMPLES[0], ".log"))
         for path in paths[1:]:
             path.write_text("armui trajectory 1\nname: x\n\nJ 0 10 -20 0 O 0\n")
         table = Path(folder) / "from the robot.txt"
@@ -79,8 +79,8 @@ def imported(app_driver: AppDriver) -> LibraryWindow:
         chooser = app_driver.dialog(FileDialog)
         chooser.filesSelected.emit([str(path) for path in (*paths, table)])
         chooser.close()
-    new = [entry.name for entry in shelf.entries() if entry.name.startswith(f"{SHELF[0].name} ")]
-    shelf.delete(new)
+    new = [entry.name for entry in stored.entries() if entry.name.startswith(f"{SAMPLES[0].name} ")]
+    stored.delete(new)
     return window
 
 

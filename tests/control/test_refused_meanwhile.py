@@ -35,10 +35,10 @@ DISABLE = 0x471
 
 
 @pytest.fixture
-def ready(any_bench):
-    any_bench.ready()
-    any_bench.ear = HardOfHearing(any_bench.firmware)
-    return any_bench
+def ready(any_rig):
+    any_rig.ready()
+    any_rig.ear = HardOfHearing(any_rig.firmware)
+    return any_rig
 
 
 def ids(rig):
@@ -74,24 +74,24 @@ def test_a_run_in_any_phase_is_all_that_the_arm_hears(ready, begin):
 
 
 @pytest.mark.parametrize("begin", [joint_jog, tool_jog])
-def test_what_a_held_jog_was_begun_with_stays(any_bench, begin):
-    begin(any_bench)
-    any_bench.ear = HardOfHearing(any_bench.firmware)
-    assert set(refused(any_bench, SETTINGS, PLANS).values()) == {"jog_under_way"}
-    any_bench.run(0.1)
-    assert any_bench.controller.jogging.active
-    assert ids(any_bench) <= STREAM | {0x151}
+def test_what_a_held_jog_was_begun_with_stays(any_rig, begin):
+    begin(any_rig)
+    any_rig.ear = HardOfHearing(any_rig.firmware)
+    assert set(refused(any_rig, SETTINGS, PLANS).values()) == {"jog_under_way"}
+    any_rig.run(0.1)
+    assert any_rig.controller.jogging.active
+    assert ids(any_rig) <= STREAM | {0x151}
 
 
-def test_the_speed_set_during_a_jog_reaches_the_arm_by_the_jog(any_bench):
-    joint_jog(any_bench)
-    any_bench.ear = HardOfHearing(any_bench.firmware)
-    assert any_bench.controller.motion.set_speed_percent(50) is None
-    any_bench.step()
-    assert 0x151 not in ids(any_bench)
-    any_bench.run(0.1)
-    assert any_bench.controller.jogging.active
-    assert any_bench.controller.motion.speed_percent == 50
+def test_the_speed_set_during_a_jog_reaches_the_arm_by_the_jog(any_rig):
+    joint_jog(any_rig)
+    any_rig.ear = HardOfHearing(any_rig.firmware)
+    assert any_rig.controller.motion.set_speed_percent(50) is None
+    any_rig.step()
+    assert 0x151 not in ids(any_rig)
+    any_rig.run(0.1)
+    assert any_rig.controller.jogging.active
+    assert any_rig.controller.motion.speed_percent == 50
 
 
 def test_a_paused_motion_is_not_met_by_anything_new(ready):

@@ -1,0 +1,77 @@
+"""Buttons as the program uses them, and any widget with its name."""
+
+from __future__ import annotations
+
+from typing import TypeVar
+
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import QAbstractButton, QPushButton, QToolButton, QWidget
+
+Named = TypeVar("Named", bound=QObject)
+
+
+def named(name: str, thing: Named) -> Named:
+    """Give a widget its object name."""
+    thing.setObjectName(name)
+    return thing
+
+
+def push_button(
+    name: str = "", text: str = "", *, primary: bool = False, on_enter: bool | None = None
+) -> QPushButton:
+    """A button with words.
+
+    Args:
+        name: Its object name.
+        text: Its words, if they are in no language.
+        primary: Whether it does what the window is for.
+        on_enter: Whether Enter presses it wherever in its dialog; None: as Qt decides.
+    """
+    button = named(name, QPushButton(text))
+    if primary:
+        button.setProperty("primary", True)
+    if on_enter is not None:
+        button.setAutoDefault(on_enter)
+        button.setDefault(on_enter)
+    return button
+
+
+def caption(
+    button: QAbstractButton, text: str, *, tip: str = "", whose: str = "", key: str = ""
+) -> None:
+    """Put words on a button, which are its name for a screen reader, too.
+
+    Args:
+        button: Any.
+        text: What stands on it.
+        tip: What it does; left as it is where this is empty.
+        whose: What the button belongs to, said before its words.
+        key: Its shortcut, which other words would take from it.
+    """
+    button.setText(text)
+    button.setAccessibleName(f"{whose}: {text}" if whose else text)
+    if tip:
+        button.setToolTip(tip)
+    if key:
+        button.setShortcut(QKeySequence(key))
+
+
+def describe(widget: QWidget, name: str, tip: str = "") -> None:
+    """Name a widget for a screen reader and in its tooltip, by other words if there are any."""
+    widget.setAccessibleName(name)
+    widget.setToolTip(tip or name)
+
+
+def choice_button(name: str, text: str = "") -> QToolButton:
+    """A button that stays down when it is chosen.
+
+    Args:
+        name: Its object name.
+        text: What stands on it.
+    """
+    button = named(name, QToolButton())
+    button.setText(text)
+    button.setCheckable(True)
+    button.setProperty("choice", True)
+    return button

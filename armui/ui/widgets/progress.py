@@ -1,0 +1,16 @@
+"""A bar that shows how far something is."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QProgressBar
+
+
+def quiet_progress() -> QProgressBar:
+    """A hidden bar without figures that keeps its place, so that nothing below it jumps."""
+    bar = QProgressBar()
+    bar.setTextVisible(False)
+    policy = bar.sizePolicy()
+    policy.setRetainSizeWhenHidden(True)
+    bar.setSizePolicy(policy)
+    bar.hide()
+    return bar
