@@ -10,7 +10,6 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QCloseEvent, QContextMenuEvent, QShowEvent
 from PySide6.QtWidgets import (
     QHBoxLayout,
-    QMainWindow,
     QSplitter,
     QVBoxLayout,
     QWidget,
@@ -63,7 +62,7 @@ _FIRST_SIZE: Final = QSize(1440, 900)
 _PANEL_WIDTH_PX: Final = 440
 
 
-class MainWindow(Translated, QMainWindow):
+class MainWindow(Translated, QWidget):
     """Shows the arm and takes the operator's wishes; knows nothing of the bus.
 
     Args:
@@ -143,8 +142,7 @@ class MainWindow(Translated, QMainWindow):
         work.addWidget(splitter, 1)
         middle.addLayout(work, 1)
 
-        central = QWidget()
-        whole = QVBoxLayout(central)
+        whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(0)
         whole.addWidget(TopBar(self._controller, self.open_connect_dialog))
@@ -152,8 +150,7 @@ class MainWindow(Translated, QMainWindow):
         self._failure_line = FailureLine()
         whole.addWidget(self._failure_line)
         whole.addWidget(self._status_bar)
-        self.setCentralWidget(central)
-        central.setFocus()  # no control has it before the operator takes one
+        self.setFocus()  # no control has it before the operator takes one
 
     def _connect(self) -> None:
         self._menu.chosen.connect(self._on_entry_chosen)
