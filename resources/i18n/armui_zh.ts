@@ -3052,6 +3052,10 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>已命令机械臂终止运动，但它仍在动。请急停，或切断其电源。</translation>
     </message>
     <message>
+        <source>The arm has not taken the last motion: it is heard, and does not move. It may listen under another control offset (Linkage control), or a frame was lost.</source>
+        <translation>机械臂未执行刚才的运动：有反馈，但没有动。它可能在另一个控制偏移下接收指令（见联动控制），或有帧丢失。</translation>
+    </message>
+    <message>
         <source>Motion ended: too fast. {reason}</source>
         <translation>运动已终止：速度过快。{reason}</translation>
     </message>
