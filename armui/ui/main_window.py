@@ -21,7 +21,6 @@ from armui.control.motion.motion_command import Mover
 from armui.control.operating_state import OperatingState, StopState
 from armui.system.helper_process import FileThread
 from armui.ui.background import Background
-from armui.ui.dialogs.close_question import CloseQuestion
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.motion_panel import MotionPanel
@@ -372,6 +371,8 @@ class MainWindow(Translated, QWidget):
 
     def _ask_how_to_close(self) -> None:
         """This program moves the arm: its motion is ended unless the operator lets it finish."""
+        from armui.ui.dialogs.close_question import CloseQuestion  # noqa: PLC0415 - faster start
+
         for older in self.findChildren(CloseQuestion):
             older.reject()
         question = CloseQuestion(self._controller, self)

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
-from armui.control.events import EventCode, Level
+from armui.control.events import EventCode
 from armui.control.requests.request import Request, RequestOutcome
 from armui.control.safety.recovery_rules import next_step
-from armui.control.safety.recovery_steps import Action, Step, StepKind
+from armui.control.safety.recovery_steps import NO_DEVICE, Action, Step, StepKind
 from armui.protocol import commands
 from armui.protocol.addressing import Addressing
 from armui.protocol.codes import (
@@ -125,7 +125,7 @@ class Recovery:
         self._to_clear: list[int] = []
         self._request: Request | None = None
         self._brief_since_s: float | None = None
-        self.step = Step(StepKind.NO_DEVICE, Level.INFO, action=Action.CONNECT)
+        self.step = NO_DEVICE
         self._deeds: Mapping[Action, _Deed] = {
             Action.LEAVE_TEACHING_INPUT: self._leave_teaching_input,
             Action.RESUME: lambda _step: self._motors.resume(),

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QPushButton, QWidget
 
-from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController

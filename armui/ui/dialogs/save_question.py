@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QCoreApplication, Signal
 from PySide6.QtWidgets import QPushButton, QWidget
 
-from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 
 if TYPE_CHECKING:

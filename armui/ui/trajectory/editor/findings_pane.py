@@ -17,10 +17,10 @@ from PySide6.QtWidgets import (
 )
 
 from armui.trajectory.planning.findings import Finding, Severity
-from armui.ui import words
 from armui.ui.theme import colors_of
 from armui.ui.trajectory.running.preflight import Preflight
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.findings import finding as finding_text
 
 _TALLEST_PX = 170
 _MOST = 100
@@ -113,7 +113,7 @@ class FindingsPane(Translated, QWidget):
 
     def _item(self, finding: Finding) -> QListWidgetItem:
         error = finding.severity is Severity.ERROR
-        text = words.finding(finding)
+        text = finding_text(finding)
         if finding.row is not None:
             text = self.tr("Row {row}: {text}").format(row=finding.row + 1, text=text)
         kind = self.tr("✕ Error") if error else self.tr("! Warning")
