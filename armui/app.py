@@ -93,7 +93,7 @@ class Program:
         self._translator = Translator(app)
         self._settings = settings = store.settings
         self._translator.set_language(settings.language)
-        apply_theme(app, Theme(settings.theme))
+        apply_theme(app, Theme(settings.theme), before_windows=True)
         self.controller = controller
         self.ended = False
         self._workers = workers
@@ -103,6 +103,7 @@ class Program:
         self.window = MainWindow(
             self.controller, self.view, store, workers, trajectories, files=files
         )
+        apply_theme(app, Theme(settings.theme))
         self._stop_shortcut = StopShortcut(app, self.controller)
         controller.stop_again_when_undone(settings.stop_again)
         self._unsubscribe = store.subscribe(self._on_settings_changed)

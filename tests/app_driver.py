@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication, QDialog, QTableView, QWidget
 from armui.app import Program
 from armui.protocol.generation import Generation
 from armui.settings import SettingsStore
-from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.widgets.hold_button import HoldButton
 from armui.viewport.client import PictureClient

@@ -7,7 +7,7 @@ from PySide6.QtTest import QTest
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.sim.mechanics.gripper import GripperError
-from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from tests.faulty_arm import FaultyDrivers, HardOfHearing
 from tests.generations import ONE_IS_ENOUGH
 

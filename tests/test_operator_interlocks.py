@@ -9,7 +9,7 @@ from armui.protocol.frame import Frame
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
 from armui.ui import words
-from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.trajectory.editor.editor_window import EditorWindow
 from armui.ui.trajectory.library.library_window import LibraryWindow

@@ -4,7 +4,7 @@ import pytest
 
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from tests.faulty_arm import HardOfHearing
 from tests.generations import ONE_IS_ENOUGH
 

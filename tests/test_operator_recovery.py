@@ -9,7 +9,7 @@ from armui.control.safety.recovery_steps import StepKind
 from armui.protocol.codes import ControlMode, TeachingState
 from armui.protocol.frame import Frame
 from armui.sim.faults.schedule import fault
-from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from tests.generations import ONE_IS_ENOUGH
 from tests.test_operator import ENABLE, RESUME, STOP

@@ -20,37 +20,18 @@ from armui.bus.link import BusReport
 from armui.control.assessment_inputs import Assessor
 from armui.control.authority import Authority
 from armui.control.authority_watch import AuthorityWatch
-from armui.control.context import Context, ControllerPart
-from armui.control.devices.end_reports import EndReports
-from armui.control.devices.gripper import GripperControl
-from armui.control.devices.joint_errors import JointErrors
-from armui.control.devices.lights import Lights
-from armui.control.devices.linkage import LinkageControl
-from armui.control.devices.motors import Motors
-from armui.control.devices.teaching import TeachingControl
-from armui.control.devices.zeroing import Zeroing
-from armui.control.event_log.collector import EventCollector
+from armui.control.context import Context
+from armui.control.controller_parts import ControllerParts
 from armui.control.events import LEVELS, Event, EventCode
 from armui.control.link.connection import Connection
 from armui.control.link.device_finder import DeviceFinder
-from armui.control.link.dropped_frames import DroppedFrames
 from armui.control.link.link_watch import LinkWatch
-from armui.control.motion.cartesian import Cartesian
-from armui.control.motion.jogging import Jogging
-from armui.control.motion.joint_motion import Motion
 from armui.control.motion.motion_command import End
-from armui.control.motion.planned_motion import PlannedMotion
 from armui.control.operating_state import Busy, OperatingState
-from armui.control.parameters.arm_settings import ArmSettings
 from armui.control.part_failure import end_motion_of
 from armui.control.parts import Parts
-from armui.control.requests.transactions import TransactionQueue
-from armui.control.run.player import Player
-from armui.control.run.recorder import Recorder
-from armui.control.run.replayer import Replayer
 from armui.control.run.run_end import cut_short
 from armui.control.safety.emergency_stop import is_stopped
-from armui.control.safety.recovery import Recovery
 from armui.control.safety.stopping import Stopping
 from armui.protocol.codes import TrajectoryCommand
 from armui.system.clock import steady_s, wall_clock
@@ -65,7 +46,7 @@ _END_S: Final = 1.0
 """The end of the program waits this long for the device, and for a search."""
 
 
-class ArmController(QObject):
+class ArmController(ControllerParts):
     """What the windows talk to.
 
     Every command answers at once: ``None``, it is under way, or a :class:`Refusal`, nothing was
@@ -78,41 +59,15 @@ class ArmController(QObject):
         clock: Monotonic time in seconds.
         wall: What the clock on the wall showed at such a time; by default of this computer.
 
-    Attributes:
-        motion: Moves the joints.
-        cartesian: Moves the tool.
-        jogging: Moves joints and tool while something is held.
-        motors: Switches the motors.
-        lights: The lamps of the joints.
-        player: Runs trajectories.
-        replayer: Replays recordings.
-        recorder: Records where the arm goes.
-        orders: Carries out the commands that are answered.
-        settings: Reads and sets the parameters the arm keeps.
-        joint_errors: Clears the errors of the joints' drivers.
-        teaching: Commands drag teaching.
-        planned_motion: Pauses, continues and clears motions.
-        recovery: The next step towards an arm that may be moved.
-        zeroing: Sets the zeros of the joints.
-        gripper: Moves the gripper.
-        end_reports: Sets the load, switches the feedback of the end's motion.
-        linkage: Sets the arm's role and its identifiers.
-        events: What has happened: commands, changes of status, faults.
-        happenings: Writes it.
-
     Signals:
         state_changed: An :class:`ArmState`, at most 30 times a second, when something was heard.
         operating_state_changed: A :class:`OperatingState`, when it differs.
-        step_changed: A :class:`Step`, when the next step of recovery differs.
-        noticed: A :class:`Event`.
         devices_found: A list of :class:`Device`, the answer to :meth:`search_devices`.
         searching_changed: Whether a search is under way.
     """
 
     state_changed = Signal(object)
     operating_state_changed = Signal(object)
-    step_changed = Signal(object)
-    noticed = Signal(object)
     devices_found = Signal(object)
     searching_changed = Signal(bool)
 
@@ -139,7 +94,7 @@ class ArmController(QObject):
         self._watch = AuthorityWatch(authority, self._connection, self._notice, self._end_too_fast)
         self._assessor = Assessor(self, self._connection, self._stop, self._watch, clock)
         self._refresh = self._assessor.refresh
-        context = self._context = Context(
+        self._context = Context(
             self._connection,
             self._notice,
             clock,
@@ -149,51 +104,7 @@ class ArmController(QObject):
             self._assessor.observe,
             authority,
         )
-        self.motion = Motion(context)
-        self.cartesian = Cartesian(context, self.motion)
-        self.jogging = Jogging(context, self.motion, self.cartesian)
-        self.motors = Motors(context, end_run=self._end_run_because)
-        self.lights = Lights(context)
-        self.player = Player(context, self)
-        self.replayer = Replayer(context, self)
-        self.recorder = Recorder(context, self)
-        self.orders = TransactionQueue(context)
-        self.settings = ArmSettings(context, self.orders, self)
-        self.joint_errors = JointErrors(context, self.orders)
-        self.teaching = TeachingControl(context)
-        self.planned_motion = PlannedMotion(
-            context, end_all=self._end_driven, tell_speed=self.motion.tell_speed
-        )
-        self.recovery = Recovery(
-            context,
-            motors=self.motors,
-            joint_errors=self.joint_errors,
-            teaching=self.teaching,
-            stop=self.emergency_stop,
-            withdraw_stop=self.withdraw_stop,
-            planned_motion=self.planned_motion,
-            take_over=self.take_over,
-            announce=self.step_changed.emit,
-        )
-        self.end_reports = EndReports(context, self.orders)
-        self.linkage = LinkageControl(context, self.orders)
-        self.gripper = GripperControl(context, self.settings, end_run=self._end_run_because)
-        self.zeroing = Zeroing(context, self.orders, before_zeroing=self._forget_places)
-        self.happenings = EventCollector(
-            context, self.noticed, self._wall, self.player, self.recovery
-        )
-        self.events = self.happenings.log
-        parts: tuple[ControllerPart, ...] = (
-            *(self.motors, self.motion, self.player, self.cartesian, self.gripper, self.linkage),
-            *(self.jogging, self.replayer, self.recorder, self.orders, self.settings),
-            *(self.teaching, self.planned_motion, DroppedFrames(context), self.happenings),
-        )
-        self._parts = Parts(
-            parts,
-            self._notice,
-            lambda module: end_motion_of(self, [module]),
-            last=self.recovery,
-        )
+        self._parts = Parts(self._notice, lambda module: end_motion_of(self, [module]))
         self._link_watch = LinkWatch(self._connection, self._notice)
         self._was_stopped = self._lets_finish = False
         self._state = ArmState()
@@ -233,6 +144,7 @@ class ArmController(QObject):
         self.disconnect_device()
         self._stop.on_connecting(device)
         self.cartesian.prepare()
+        self._parts.take(self._all_parts(), last=self.recovery)
         self._connection.open(device)
         self._timer.start()
         self._refresh()
@@ -296,6 +208,7 @@ class ArmController(QObject):
         self._stop.stop_again = on
 
     def _notice(self, code: EventCode, **params: object) -> None:
+        self.happenings  # noqa: B018 - it listens from the first event on
         self.noticed.emit(Event(self._wall(self._clock()), LEVELS[code], code, params))
 
     def tick(self) -> None:
@@ -375,21 +288,7 @@ class ArmController(QObject):
             self.planned_motion.command(TrajectoryCommand.ABORT)
         self._refresh()
 
-    def _end_driven(self) -> None:
-        self.player.stop()
-        self.replayer.stop()
-        self.jogging.stop()
-
     def _end_all_motion(self) -> None:
         """No part goes on with what a halt has ended, and no target comes back."""
         self._end_driven()
         self._authority.cancelled(self._clock())
-
-    def _end_run_because(self, reason: Refusal) -> None:
-        self.player.end(reason)
-        self.replayer.end(reason)
-
-    def _forget_places(self) -> None:
-        """The angles are counted anew: no place that was asked for before means the same."""
-        self._authority.end(End.ZERO_CHANGED)
-        self.player.drop()

@@ -261,6 +261,12 @@ LEVELS: Final[Mapping[EventCode, Level]] = {
 """How much each matters."""
 
 
+ZEROING_ENDED: Final = frozenset(
+    {EventCode.ZERO_SET, EventCode.ZERO_SET_JOINT, EventCode.ZERO_FAILED}
+)
+"""After these the angles may be counted anew: places entered before are other places."""
+
+
 @dataclass(frozen=True, slots=True)
 class Event:
     """Something that happened, as data; the user interface has the sentence for it.

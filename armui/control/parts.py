@@ -18,27 +18,31 @@ class Parts:
     Its first failure is told to the operator, every one is logged.
 
     Args:
-        parts: In the order in which they act.
         tell: Takes the notices.
         end_motion: Called with the module of a part that fails after it has worked: the motion it
             is in charge of must not go on unwatched.
-        last: Looks at what the others are doing: it acts after them, once the operating state has
-            been assessed anew.
     """
 
     def __init__(
-        self,
-        parts: Sequence[ControllerPart],
-        tell: Tell,
-        end_motion: Callable[[str], None] = lambda _module: None,
-        last: ControllerPart | None = None,
+        self, tell: Tell, end_motion: Callable[[str], None] = lambda _module: None
     ) -> None:
-        self._parts = parts
-        self._last = () if last is None else (last,)
+        self._parts: Sequence[ControllerPart] = ()
+        self._last: Sequence[ControllerPart] = ()
         self._tell = tell
         self._end_motion = end_motion
         self._failed: set[str] = set()
         self._out_of_order: set[str] = set()
+
+    def take(self, parts: Sequence[ControllerPart], last: ControllerPart | None = None) -> None:
+        """Call these from now on.
+
+        Args:
+            parts: In the order in which they act.
+            last: Looks at what the others are doing: it acts after them, once the operating state
+                has been assessed anew.
+        """
+        self._parts = parts
+        self._last = () if last is None else (last,)
 
     def advance(self) -> None:
         """Have each look at what was heard; see :meth:`ControllerPart.advance`."""

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import contextlib
 import os
-import secrets
 import time
 from pathlib import Path
 from typing import Final
@@ -31,7 +30,7 @@ def write_whole(path: Path, data: bytes, *, to_disk: bool = True) -> None:
     Raises:
         OSError: It was not written; the old file is as it was.
     """
-    fresh = path.with_name(f".{secrets.token_hex(8)}{UNFINISHED}")
+    fresh = path.with_name(f".{os.urandom(8).hex()}{UNFINISHED}")
     try:
         handle = os.open(fresh, os.O_WRONLY | os.O_CREAT | os.O_EXCL | _BINARY, 0o666)
         with os.fdopen(handle, "wb") as file:

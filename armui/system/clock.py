@@ -6,17 +6,17 @@ promise that, and on Linux and macOS it stands still (``CLOCK_MONOTONIC``, ``mac
 
 from __future__ import annotations
 
-import platform
+import sys
 import time
 from collections.abc import Callable
 from datetime import datetime, timedelta
 
 
 def _steady_clock() -> Callable[[], float]:
-    system = platform.system()
-    if system == "Linux":
+    system: str = sys.platform
+    if system == "linux":
         return lambda: time.clock_gettime(time.CLOCK_BOOTTIME)
-    if system == "Darwin":
+    if system == "darwin":
         # unlike CLOCK_UPTIME_RAW, this one "will continue to increment while the system is asleep"
         return lambda: time.clock_gettime(time.CLOCK_MONOTONIC)
     # QueryPerformanceCounter counts "the time when the machine was in a sleep state" as well

@@ -23,11 +23,11 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
-from armui.system.transfer import Packed, call_packed, pack, unpack
-
 if TYPE_CHECKING:
     from concurrent.futures import ProcessPoolExecutor
     from multiprocessing.process import BaseProcess
+
+    from armui.system.transfer import Packed
 
 _LOG: Final = logging.getLogger(__name__)
 
@@ -68,6 +68,8 @@ class HelperProcess(Executor):
 
     def _send(self, answer: Future[Any], call: tuple[object, ...]) -> None:
         """Hand a piece of work to the process; its answer comes by a thread of the pool."""
+        from armui.system.transfer import pack  # noqa: PLC0415 - pickle, for those who use it
+
         try:
             if self._folder is None:
                 self._folder = Path(tempfile.mkdtemp(prefix="armui-"))
@@ -85,6 +87,8 @@ class HelperProcess(Executor):
     def _submit(self, packed: Packed, folder: Path) -> Future[Packed]:
         import multiprocessing  # noqa: PLC0415 - 50 ms of the start, for those who never use it
         from concurrent.futures import ProcessPoolExecutor  # noqa: PLC0415 - as above
+
+        from armui.system.transfer import call_packed  # noqa: PLC0415 - as above
 
         before = set(multiprocessing.active_children())
         if self._pool is None:
@@ -156,6 +160,8 @@ def _answer(answer: Future[Any], sent: Future[Packed]) -> None:
     if error is not None:
         _settle(answer, error=error)
         return
+    from armui.system.transfer import unpack  # noqa: PLC0415 - as above
+
     try:
         _settle(answer, unpack(sent.result()))
     except Exception as problem:  # noqa: BLE001 - whatever it is, it is in the answer

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import getpass
 import os
 import tempfile
 from pathlib import Path
@@ -32,6 +31,8 @@ def runtime() -> Path:
     folder = Path(os.environ.get("XDG_RUNTIME_DIR") or "")
     if folder.is_absolute() and os.access(folder, os.W_OK):
         return folder / "armui"
+    import getpass  # noqa: PLC0415 - faster start
+
     return Path(tempfile.gettempdir()) / f"armui-{getpass.getuser()}"
 
 

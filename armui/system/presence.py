@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import contextlib
 import os
-import secrets
 import threading
 from collections.abc import Callable
 from pathlib import Path
@@ -29,7 +28,7 @@ class Presence:
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
-        self._path = folder / f"{os.getpid()}-{secrets.token_hex(4)}{_SUFFIX}"
+        self._path = folder / f"{os.getpid()}-{os.urandom(4).hex()}{_SUFFIX}"
         self._lock = FileLock(self._path, thread_local=False)
 
     def enter(self) -> None:

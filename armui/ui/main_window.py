@@ -10,7 +10,6 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QCloseEvent, QContextMenuEvent, QShowEvent
 from PySide6.QtWidgets import (
     QHBoxLayout,
-    QMainWindow,
     QSplitter,
     QVBoxLayout,
     QWidget,
@@ -22,7 +21,6 @@ from armui.control.motion.motion_command import Mover
 from armui.control.operating_state import OperatingState, StopState
 from armui.system.helper_process import FileThread
 from armui.ui.background import Background
-from armui.ui.dialogs.close_question import CloseQuestion
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.motion_panel import MotionPanel
@@ -63,7 +61,7 @@ _FIRST_SIZE: Final = QSize(1440, 900)
 _PANEL_WIDTH_PX: Final = 440
 
 
-class MainWindow(Translated, QMainWindow):
+class MainWindow(Translated, QWidget):
     """Shows the arm and takes the operator's wishes; knows nothing of the bus.
 
     Args:
@@ -143,8 +141,7 @@ class MainWindow(Translated, QMainWindow):
         work.addWidget(splitter, 1)
         middle.addLayout(work, 1)
 
-        central = QWidget()
-        whole = QVBoxLayout(central)
+        whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(0)
         whole.addWidget(TopBar(self._controller, self.open_connect_dialog))
@@ -152,8 +149,7 @@ class MainWindow(Translated, QMainWindow):
         self._failure_line = FailureLine()
         whole.addWidget(self._failure_line)
         whole.addWidget(self._status_bar)
-        self.setCentralWidget(central)
-        central.setFocus()  # no control has it before the operator takes one
+        self.setFocus()  # no control has it before the operator takes one
 
     def _connect(self) -> None:
         self._menu.chosen.connect(self._on_entry_chosen)
@@ -376,6 +372,8 @@ class MainWindow(Translated, QMainWindow):
 
     def _ask_how_to_close(self) -> None:
         """This program moves the arm: its motion is ended unless the operator lets it finish."""
+        from armui.ui.dialogs.close_question import CloseQuestion  # noqa: PLC0415 - faster start
+
         for older in self.findChildren(CloseQuestion):
             older.reject()
         question = CloseQuestion(self._controller, self)

@@ -138,19 +138,21 @@ def scaled_font(widget: QWidget, scale: float, *, bold: bool = False) -> QFont:
     return font
 
 
-def apply_theme(app: QApplication, theme: Theme) -> None:
+def apply_theme(app: QApplication, theme: Theme, *, before_windows: bool = False) -> None:
     """Show the whole program in a theme, now.
 
     Args:
         app: The application; open windows change at once.
         theme: ``SYSTEM`` goes with the system's colour scheme, and goes on following it.
+        before_windows: Leave the style sheet for the next call, once the windows are built: Qt asks
+            it anew for all that a widget holds each time the widget gets a parent.
     """
     follower = app.findChild(_SchemeFollower)
     if follower is None:
         app.setStyle("Fusion")
         app.setFont(ui_font())
         follower = _SchemeFollower(app)
-    follower.show(theme)
+    follower.show(theme, with_sheet=not before_windows)
 
 
 class _SchemeFollower(QObject):
@@ -161,11 +163,14 @@ class _SchemeFollower(QObject):
         self._app = app
         self._theme = Theme.SYSTEM
         self._shown: Colors | None = None
+        self._sheet: Colors | None = None
+        self._with_sheet = False
         app.styleHints().colorSchemeChanged.connect(self._on_scheme_changed)
 
-    def show(self, theme: Theme) -> None:
+    def show(self, theme: Theme, *, with_sheet: bool) -> None:
         """Choose the theme; the system is told, so that window frames and its dialogs match."""
         self._theme = theme
+        self._with_sheet = self._with_sheet or with_sheet
         scheme = {
             Theme.LIGHT: Qt.ColorScheme.Light,
             Theme.DARK: Qt.ColorScheme.Dark,
@@ -184,11 +189,12 @@ class _SchemeFollower(QObject):
             and self._app.styleHints().colorScheme() is Qt.ColorScheme.Dark
         )
         colors = DARK if dark else LIGHT
-        if colors is self._shown:
-            return
-        self._shown = colors
-        self._app.setPalette(palette(colors))
-        self._app.setStyleSheet(style_sheet(colors))
+        if colors is not self._shown:
+            self._shown = colors
+            self._app.setPalette(palette(colors))
+        if self._with_sheet and colors is not self._sheet:
+            self._sheet = colors
+            self._app.setStyleSheet(style_sheet(colors))
 
 
 def palette(colors: Colors) -> QPalette:

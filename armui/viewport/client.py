@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QImage
 
-from armui.viewport.news import Lost, PictureFrame, UpToDate, Wanted
 from armui.viewport.picture_age import LONGEST_S, PictureAge
 
 if TYPE_CHECKING:
+    from armui.viewport.news import PictureFrame
     from armui.viewport.process_link import ProcessLink
     from armui.viewport.view_state import ViewState
 
@@ -70,7 +70,8 @@ class PictureClient(QObject):
         super().__init__(parent)
         self._entry = entry
         self._link: ProcessLink | None = None
-        self._latest: Wanted | None = None
+        self._sequence = 0
+        self._state: ViewState | None = None
         self._age = PictureAge()
         self._looks_old = False
         self._is_rough = True
@@ -104,21 +105,25 @@ class PictureClient(QObject):
 
         self.stop()
         self._link = ProcessLink(self._tell, self._entry or ENTRY)
-        if self._latest is not None:
-            self._link.show(self._latest)
+        self._show_latest()
         self._link.start()
 
     def show(self, state: ViewState) -> None:
         """Ask for a picture; replaces a state that was not drawn yet."""
-        latest = self._latest
-        if latest is not None and latest.state == state:
+        if state == self._state:
             return
-        self._latest = Wanted(1 if latest is None else latest.sequence + 1, state)
-        self._age.wanted(self._latest.sequence, time.monotonic())
+        self._state = state
+        self._sequence += 1
+        self._age.wanted(self._sequence, time.monotonic())
         if not self._clock.isActive():
             self._clock.start(math.ceil(LONGEST_S * 1000.0))
-        if self._link is not None:
-            self._link.show(self._latest)
+        self._show_latest()
+
+    def _show_latest(self) -> None:
+        if self._link is not None and self._state is not None:
+            from armui.viewport.news import Wanted  # noqa: PLC0415 - see above
+
+            self._link.show(Wanted(self._sequence, self._state))
 
     def frame_used(self, picture: Picture) -> None:
         """This picture is on the screen: there is room for another."""
@@ -139,6 +144,7 @@ class PictureClient(QObject):
 
     def _on_told(self, told: tuple[ProcessLink | None, object]) -> None:
         from armui.viewport.messages import JointPicked, LoadFailed, MarkPicked  # noqa: PLC0415 - see above
+        from armui.viewport.news import Lost, PictureFrame, UpToDate  # noqa: PLC0415 - see above
 
         link, news = told
         if link is not self._link or link is None:

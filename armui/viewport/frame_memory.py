@@ -10,7 +10,6 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
-import secrets
 from multiprocessing.shared_memory import SharedMemory
 from pathlib import Path
 from typing import Final
@@ -47,7 +46,7 @@ class FrameMemory:
         """
         slot_bytes = -(-max(image_bytes, 1) // _ROUND_UP_BYTES) * _ROUND_UP_BYTES
         _check_room(SLOTS * slot_bytes)
-        name = f"armui-{os.getpid()}-{secrets.token_hex(4)}"
+        name = f"armui-{os.getpid()}-{os.urandom(4).hex()}"
         return cls(SharedMemory(name, create=True, size=SLOTS * slot_bytes), slot_bytes)
 
     @classmethod

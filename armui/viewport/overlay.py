@@ -92,7 +92,8 @@ def paint_image(
     """
     covered = None if image is None else image.deviceIndependentSize().boundedTo(size)
     if faded or covered != size:
-        painter.fillRect(QRect(QPoint(0, 0), size), QColor(palette.background))
+        painter.setBackground(QColor(palette.background))
+        painter.eraseRect(QRect(QPoint(0, 0), size))
     if image is not None:
         whole = image.deviceIndependentSize()
         left, top = (size.width() - whole.width()) / 2.0, (size.height() - whole.height()) / 2.0

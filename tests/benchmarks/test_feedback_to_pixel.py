@@ -62,7 +62,7 @@ class Stamps:
         if five is None or six is None:
             return
         key = round(1000 * five.value), round(1000 * six.value)
-        sequence = self._program.view._client._latest.sequence
+        sequence = self._program.view._client._sequence
         if key in self._sent_s and sequence not in self._key_of_sequence:
             self._key_of_sequence[sequence] = key
             self._heard_s[sequence] = six.at_s

@@ -22,7 +22,7 @@ from armui.doctor.facts import (
 )
 from armui.doctor.judge import judge
 from armui.ui.dialogs.about_arm import AboutArmDialog
-from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.dialogs.doctor import DoctorDialog
 from armui.ui.dialogs.files import FileDialog

@@ -3,7 +3,7 @@
 from PySide6.QtWidgets import QWidget
 
 from armui.trajectory.points.program import Trajectory
-from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.trajectory.editor.editor_window import EditorWindow
 from tests.operator_library.actions import POINT, LibraryDriver
 

@@ -3,7 +3,7 @@
 from PySide6.QtWidgets import QApplication
 
 from armui.protocol.frame import Frame
-from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from tests.faulty_arm import HardOfHearing
 
 SETTINGS_IDS = {0x474, 0x475, 0x477, 0x479, 0x47A}

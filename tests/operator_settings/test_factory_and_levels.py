@@ -1,7 +1,7 @@
 """初始化 and 碰撞等级."""
 
 from armui.protocol.generation import Generation
-from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from tests.operator_settings.panels import frame, generation, note, sent, settled
 
 # 初始化 -------------------------------------------------------------------------------------------

@@ -11,7 +11,7 @@ from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState, OperatingState
-from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.translation import Translator
 from tests.ui.arm_states import operating_state

@@ -21,7 +21,7 @@ from armui.session.exports.request import (
     ExportProgress,
     ExportRequest,
 )
-from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.watch.export_dialog import ExportDialog
 from tests.ui.dialog_reading import message, shown
 from tests.ui.fake_controller import FakeController

@@ -7,7 +7,6 @@ from PySide6.QtWidgets import QApplication
 
 from armui.trajectory.planning.collision import PARTS
 from armui.trajectory.planning.findings import SEVERITIES, Finding, FindingCode
-from armui.ui import words
 from armui.ui.words import findings
 
 
@@ -21,7 +20,7 @@ def test_there_is_a_word_for_every_part_of_the_arm() -> None:
 
 @pytest.mark.parametrize("code", sorted(SEVERITIES))
 def test_a_finding_reads_as_sentences(qapp: QApplication, code: FindingCode) -> None:
-    text = words.finding(Finding(code))
+    text = findings.finding(Finding(code))
 
     assert text.endswith(".")
     assert "{" not in text
@@ -30,12 +29,12 @@ def test_a_finding_reads_as_sentences(qapp: QApplication, code: FindingCode) -> 
 def test_figures_are_as_short_as_they_can_be(qapp: QApplication) -> None:
     limits = {"joint": 2, "value": 181.25, "minimum": 0.0, "maximum": 180.0}
 
-    assert words.finding(Finding(FindingCode.TARGET_BEYOND_LIMIT, limits)) == (
+    assert findings.finding(Finding(FindingCode.TARGET_BEYOND_LIMIT, limits)) == (
         "Joint 2 would be at 181.25°, beyond its limits 0° to 180°. Change the point."
     )
 
 
 def test_parts_are_named_in_words(qapp: QApplication) -> None:
-    assert "the gripper against the upper arm" in words.finding(
+    assert "the gripper against the upper arm" in findings.finding(
         Finding(FindingCode.LINKS_COLLIDE, {"one": "upper arm", "other": "gripper"})
     )

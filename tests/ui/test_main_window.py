@@ -19,7 +19,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState
 from armui.settings import SettingsStore
-from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.main_window import MainWindow
 from armui.ui.panels.jogging.motion_panel import MotionPanel

@@ -8,7 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QLineEdit, QVBoxLayout, QWidget
 
 from armui.control.operating_state import OperatingState, StopState
-from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.shell.top_bar import TopBar
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.stop_shortcut import StopShortcut

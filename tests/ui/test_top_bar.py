@@ -9,7 +9,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import Busy, LinkState, OperatingState
 from armui.protocol.codes import ALL_JOINTS
 from armui.protocol.generation import Generation
-from armui.ui.dialogs.confirm import ConfirmDialog
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.shell.communication_button import CommunicationButton
 from armui.ui.shell.enable_button import EnableButton
 from armui.ui.shell.top_bar import TopBar

@@ -196,7 +196,7 @@ def test_another_robot_is_shown_a_broken_one_told_and_ours_comes_back(view, qtbo
 def test_a_hidden_view_draws_nothing_and_catches_up_when_shown(view, qtbot):
     view.hide()
     view.set_joints((0.0,) * 6, 0.0)
-    assert view._client._latest.state.angles_deg == RAISED
+    assert view._client._state.angles_deg == RAISED
     with next_frame(view, qtbot):
         view.show()
 
@@ -210,12 +210,12 @@ def test_a_new_size_gets_a_picture_of_that_size(view, qtbot):
 
 
 def test_an_arm_that_reports_the_last_digit_anew_is_not_drawn_anew(view, qtbot):
-    before = view._client._latest
+    before = view._client._sequence
     view.set_joints(tuple(angle + 0.001 for angle in RAISED), 35.0)
-    assert view._client._latest is before
+    assert view._client._sequence == before
     assert view._hud.angles_deg[0] == 30.001
     view.set_joints(tuple(angle + 0.006 for angle in RAISED), 35.0)
-    assert view._client._latest.sequence == before.sequence + 1
+    assert view._client._sequence == before + 1
     settle(view, qtbot)
 
 
@@ -246,7 +246,7 @@ def test_a_covered_view_has_no_more_drawn_than_it_can_hold(view, qtbot):
     view.setUpdatesEnabled(True)
     settle(view, qtbot)
     view._client.frame_ready.disconnect(frames.append)
-    assert frames[-1].frame.sequence == view._client._latest.sequence
+    assert frames[-1].frame.sequence == view._client._sequence
 
 
 def test_a_view_never_shown_starts_no_process(qtbot):

@@ -28,9 +28,6 @@ if TYPE_CHECKING:
     from armui.control.context import Context
     from armui.protocol.codec import Message
 
-ENDED: Final = frozenset({EventCode.ZERO_SET, EventCode.ZERO_SET_JOINT, EventCode.ZERO_FAILED})
-"""Events after which the angles may be counted anew: places entered before are other places."""
-
 _AT_ZERO_DEG: Final = 0.5
 _SAME_PLACE_DEG: Final = 0.5
 """A joint that has moved less since the press stands where the operator put it."""

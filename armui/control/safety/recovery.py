@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
-from armui.control.events import EventCode, Level
+from armui.control.events import EventCode
 from armui.control.requests.request import Request, RequestOutcome
 from armui.control.safety.recovery_rules import next_step
-from armui.control.safety.recovery_steps import Action, Step, StepKind
+from armui.control.safety.recovery_steps import NO_DEVICE, Action, Step, StepKind
 from armui.protocol import commands
 from armui.protocol.addressing import Addressing
 from armui.protocol.codes import (
@@ -122,7 +122,7 @@ class Recovery:
         self._request: Request | None = None
         self._brief_since_s: float | None = None
         self.acts = False
-        self.step = Step(StepKind.NO_DEVICE, Level.INFO, action=Action.CONNECT)
+        self.step = NO_DEVICE
         self._handlers: Mapping[Action, _Handler] = {
             Action.LEAVE_TEACHING_INPUT: self._leave_teaching_input,
             Action.RESUME: lambda _step: self._motors.resume(),

@@ -148,3 +148,7 @@ class Step:
     def dangerous(self) -> bool:
         """Whether the operator is to be asked before the action is taken."""
         return self.action in DANGEROUS
+
+
+NO_DEVICE: Final = Step(StepKind.NO_DEVICE, Level.INFO, action=Action.CONNECT)
+"""The step before all others."""

@@ -10,8 +10,8 @@ from PySide6.QtGui import QMouseEvent, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
 from armui.control.events import Level
-from armui.control.operating_state import OperatingState
-from armui.control.safety.recovery_steps import Action, Step, StepKind
+from armui.control.operating_state import LinkState, OperatingState
+from armui.control.safety.recovery_steps import NO_DEVICE, Action, Step, StepKind
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.theme import Colors, colors_of
@@ -64,7 +64,8 @@ class RecoveryLine(Translated, QWidget):
         self.setObjectName("recovery_line")
         self._controller = controller
         self._open_connection = open_connection
-        self._step = controller.recovery.step
+        begun = controller.operating_state.link is not LinkState.NO_DEVICE
+        self._step = controller.recovery.step if begun else NO_DEVICE
         self._pressed = self._step
         self._icon = QLabel()
         self._icon.setFixedWidth(_ICON_PX)
@@ -150,7 +151,7 @@ class RecoveryLine(Translated, QWidget):
     def _show_button(self) -> None:
         step = self._step
         action = None if step.kind in _CALM else step.action
-        blocked = self._controller.recovery.why_not(step)
+        blocked = None if action is None else self._controller.recovery.why_not(step)
         button = self._hold_button if step.held else self._button
         policy = self._button.sizePolicy()
         policy.setRetainSizeWhenHidden(not step.held)  # nothing moves when a button goes

@@ -97,6 +97,7 @@ class SideMenu(Translated, QWidget):
 
     def _scrolled(self, column: QWidget) -> QScrollArea:
         area = QScrollArea()
+        area.setViewport(QWidget())
         area.setObjectName("side_menu_entries")
         area.setWidgetResizable(True)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)

@@ -7,12 +7,13 @@ from pathlib import Path
 from typing import Final
 
 from PySide6.QtCore import QByteArray, QRectF, QSize, Qt
-from PySide6.QtGui import QIcon, QPainter, QPixmap, QPixmapCache
+from PySide6.QtGui import QGuiApplication, QIcon, QPainter, QPixmap, QPixmapCache
 from PySide6.QtSvg import QSvgRenderer
 
 _FOLDER: Final = Path(__file__).parent.parent / "icons"
 _DRAWN_IN: Final = "#000000"
-_PIXEL_RATIOS: Final = (1.0, 1.5, 2.0, 3.0)
+_FOR_OTHERS: Final = 2.0
+"""The pixel ratio of which an icon is scaled for a screen that came after it was drawn."""
 
 
 def pixmap(name: str, color: str, size: int, pixel_ratio: float) -> QPixmap:
@@ -55,8 +56,9 @@ def load_all() -> None:
 
 
 def icon(name: str, color: str, size: int = 20) -> QIcon:
-    """One icon, sharp on every usual screen; made anew when the theme changes."""
+    """One icon, sharp on every screen there is; made anew when the theme changes."""
     result = QIcon()
-    for ratio in _PIXEL_RATIOS:
+    screens = QGuiApplication.screens()
+    for ratio in sorted({_FOR_OTHERS, *(screen.devicePixelRatio() for screen in screens)}):
         result.addPixmap(pixmap(name, color, size, ratio))
     return result

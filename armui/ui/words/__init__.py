@@ -7,7 +7,6 @@ The words are looked up at every call, so a caller that asks again after the lan
 from armui.ui.words.devices import device_name
 from armui.ui.words.events import event
 from armui.ui.words.file_errors import file_error
-from armui.ui.words.findings import finding
 from armui.ui.words.gripper import end_load, gripper_act, gripper_fault, gripper_figure
 from armui.ui.words.joints import joint_item, joint_verdict, joint_word
 from armui.ui.words.refusals import light_figure, refusal, why_not
@@ -31,7 +30,6 @@ __all__ = [
     "end_load",
     "event",
     "file_error",
-    "finding",
     "gripper_act",
     "gripper_fault",
     "gripper_figure",

@@ -7,9 +7,7 @@ from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-from armui.arm.parameters import KINDS, Parameter
 from armui.arm.refusal_codes import RefusalCode
-from armui.ui.words.parameters import full_name, value_text
 
 SETTING_REFUSALS: Final[Mapping[RefusalCode, object]] = {
     RefusalCode.GENERATION_UNKNOWN: QT_TRANSLATE_NOOP(
@@ -75,6 +73,11 @@ SETTING_REFUSALS: Final[Mapping[RefusalCode, object]] = {
 def with_units(params: dict[str, object]) -> dict[str, object]:
     """Figures of a sentence about a parameter, as the operator reads them."""
     name = params.get("parameter")
+    if name is None:
+        return params
+    from armui.arm.parameters import KINDS, Parameter  # noqa: PLC0415 - faster start
+    from armui.ui.words.parameters import full_name, value_text  # noqa: PLC0415 - as above
+
     if not isinstance(name, str) or name not in KINDS:
         return params
     joint = params.get("joint")

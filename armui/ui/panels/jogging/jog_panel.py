@@ -12,8 +12,7 @@ from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.arm_controller import ArmController
-from armui.control.devices.zeroing import ENDED
-from armui.control.events import Event, EventCode
+from armui.control.events import ZEROING_ENDED, Event, EventCode
 from armui.control.operating_state import OperatingState
 from armui.ui import words
 from armui.ui.panels.jogging.jog_signals import JogSignals
@@ -167,7 +166,7 @@ class JogPanel(Panel):
         reason = event.params.get("reason")
         if event.code == EventCode.JOG_ENDED and isinstance(reason, Refusal) and self.isVisible():
             self._accepted(reason)
-        elif event.code in ENDED:
+        elif event.code in ZEROING_ENDED:
             # the same figures are another place by the new zero
             self._forget_targets()
             self._show_message()

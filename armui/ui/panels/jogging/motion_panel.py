@@ -13,7 +13,6 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.events import Event, EventCode
-from armui.control.motion.jog_path import JointJog
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.freshness import is_stale
@@ -117,6 +116,8 @@ class MotionPanel(JogPanel):
 
     def _on_held(self, joint: int, direction: int) -> None:
         self._jogged = joint
+        from armui.control.motion.jog_path import JointJog  # noqa: PLC0415 - faster start
+
         self._accepted(self._controller.jogging.start(JointJog(joint, direction)))
 
     def _on_let_go(self) -> None:

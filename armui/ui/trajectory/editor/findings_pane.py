@@ -9,13 +9,13 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QListWidget, QListWidgetItem, QWidget
 
 from armui.trajectory.planning.findings import Finding, Severity
-from armui.ui import words
 from armui.ui.theme import colors_of
 from armui.ui.trajectory.running.preflight import Preflight
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.findings import finding as finding_text
 
 _TALLEST_PX = 170
 _MOST = 100
@@ -95,7 +95,7 @@ class FindingsPane(Translated, QWidget):
 
     def _item(self, finding: Finding) -> QListWidgetItem:
         error = finding.severity is Severity.ERROR
-        text = words.finding(finding)
+        text = finding_text(finding)
         if finding.row is not None:
             text = self.tr("Row {row}: {text}").format(row=finding.row + 1, text=text)
         kind = self.tr("✕ Error") if error else self.tr("! Warning")

@@ -1,0 +1,264 @@
+"""The parts of the controller, each loaded and made when it is first asked for.
+
+The window that a start shows needs two of them; a device needs them all, and gets them before it
+is opened.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from armui.control.motion.joint_motion import Motion
+from armui.control.motion.motion_command import End
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from datetime import datetime
+
+    from armui.arm.refusal import Refusal
+    from armui.control.context import Context, ControllerPart
+    from armui.control.devices.end_reports import EndReports
+    from armui.control.devices.gripper import GripperControl
+    from armui.control.devices.joint_errors import JointErrors
+    from armui.control.devices.lights import Lights
+    from armui.control.devices.linkage import LinkageControl
+    from armui.control.devices.motors import Motors
+    from armui.control.devices.teaching import TeachingControl
+    from armui.control.devices.zeroing import Zeroing
+    from armui.control.event_log.collector import EventCollector
+    from armui.control.link.dropped_frames import DroppedFrames
+    from armui.control.motion.cartesian import Cartesian
+    from armui.control.motion.jogging import Jogging
+    from armui.control.motion.planned_motion import PlannedMotion
+    from armui.control.parameters.arm_settings import ArmSettings
+    from armui.control.requests.transactions import TransactionQueue
+    from armui.control.run.player import Player
+    from armui.control.run.recorder import Recorder
+    from armui.control.run.replayer import Replayer
+    from armui.control.safety.recovery import Recovery
+    from armui.telemetry.events import EventLog
+
+# ruff: noqa: PLC0415 - imported late for a faster start, all of them
+
+
+class ControllerParts(QObject):
+    """What the controller consists of.
+
+    Signals:
+        step_changed: A :class:`Step`, when the next step of recovery differs.
+        noticed: A :class:`Event`.
+    """
+
+    step_changed = Signal(object)
+    noticed = Signal(object)
+
+    _context: Context
+    """What the parts share; set by the controller before it asks for any."""
+    _wall: Callable[[float], datetime]
+    """What the clock on the wall showed at a monotonic time; set likewise."""
+
+    @cached_property
+    def motion(self) -> Motion:
+        """Moves the joints."""
+        return Motion(self._context)
+
+    @cached_property
+    def cartesian(self) -> Cartesian:
+        """Moves the tool."""
+        from armui.control.motion.cartesian import Cartesian
+
+        return Cartesian(self._context, self.motion)
+
+    @cached_property
+    def jogging(self) -> Jogging:
+        """Moves joints and tool while something is held."""
+        from armui.control.motion.jogging import Jogging
+
+        return Jogging(self._context, self.motion, self.cartesian)
+
+    @cached_property
+    def motors(self) -> Motors:
+        """Switches the motors."""
+        from armui.control.devices.motors import Motors
+
+        return Motors(self._context, end_run=self._end_run_because)
+
+    @cached_property
+    def lights(self) -> Lights:
+        """The lamps of the joints."""
+        from armui.control.devices.lights import Lights
+
+        return Lights(self._context)
+
+    @cached_property
+    def player(self) -> Player:
+        """Runs trajectories."""
+        from armui.control.run.player import Player
+
+        return Player(self._context, self)
+
+    @cached_property
+    def replayer(self) -> Replayer:
+        """Replays recordings."""
+        from armui.control.run.replayer import Replayer
+
+        return Replayer(self._context, self)
+
+    @cached_property
+    def recorder(self) -> Recorder:
+        """Records where the arm goes."""
+        from armui.control.run.recorder import Recorder
+
+        return Recorder(self._context, self)
+
+    @cached_property
+    def orders(self) -> TransactionQueue:
+        """Carries out the commands that are answered."""
+        from armui.control.requests.transactions import TransactionQueue
+
+        return TransactionQueue(self._context)
+
+    @cached_property
+    def settings(self) -> ArmSettings:
+        """Reads and sets the parameters the arm keeps."""
+        from armui.control.parameters.arm_settings import ArmSettings
+
+        return ArmSettings(self._context, self.orders, self)
+
+    @cached_property
+    def joint_errors(self) -> JointErrors:
+        """Clears the errors of the joints' drivers."""
+        from armui.control.devices.joint_errors import JointErrors
+
+        return JointErrors(self._context, self.orders)
+
+    @cached_property
+    def teaching(self) -> TeachingControl:
+        """Commands drag teaching."""
+        from armui.control.devices.teaching import TeachingControl
+
+        return TeachingControl(self._context)
+
+    @cached_property
+    def planned_motion(self) -> PlannedMotion:
+        """Pauses, continues and clears motions."""
+        from armui.control.motion.planned_motion import PlannedMotion
+
+        tell_speed = self.motion.tell_speed
+        return PlannedMotion(self._context, end_all=self._end_driven, tell_speed=tell_speed)
+
+    @cached_property
+    def recovery(self) -> Recovery:
+        """The next step towards an arm that may be moved."""
+        from armui.control.safety.recovery import Recovery
+
+        return Recovery(
+            self._context,
+            motors=self.motors,
+            joint_errors=self.joint_errors,
+            teaching=self.teaching,
+            stop=self.emergency_stop,
+            withdraw_stop=self.withdraw_stop,
+            planned_motion=self.planned_motion,
+            take_over=self.take_over,
+            announce=self.step_changed.emit,
+        )
+
+    @cached_property
+    def end_reports(self) -> EndReports:
+        """Sets the load, switches the feedback of the end's motion."""
+        from armui.control.devices.end_reports import EndReports
+
+        return EndReports(self._context, self.orders)
+
+    @cached_property
+    def linkage(self) -> LinkageControl:
+        """Sets the arm's role and its identifiers."""
+        from armui.control.devices.linkage import LinkageControl
+
+        return LinkageControl(self._context, self.orders)
+
+    @cached_property
+    def gripper(self) -> GripperControl:
+        """Moves the gripper."""
+        from armui.control.devices.gripper import GripperControl
+
+        return GripperControl(self._context, self.settings, end_run=self._end_run_because)
+
+    @cached_property
+    def zeroing(self) -> Zeroing:
+        """Sets the zeros of the joints."""
+        from armui.control.devices.zeroing import Zeroing
+
+        return Zeroing(self._context, self.orders, before_zeroing=self._forget_places)
+
+    @cached_property
+    def happenings(self) -> EventCollector:
+        """Writes down what happens; made with the first thing that does."""
+        from armui.control.event_log.collector import EventCollector
+
+        return EventCollector(self._context, self.noticed, self._wall, self.player, self.recovery)
+
+    @property
+    def events(self) -> EventLog:
+        """What has happened: commands, changes of status, faults."""
+        return self.happenings.log
+
+    @cached_property
+    def _dropped_frames(self) -> DroppedFrames:
+        from armui.control.link.dropped_frames import DroppedFrames
+
+        return DroppedFrames(self._context)
+
+    def _all_parts(self) -> tuple[ControllerPart, ...]:
+        """Those that follow an arm, in the order in which they act; but recovery, which is last."""
+        return (
+            self.motors,
+            self.motion,
+            self.player,
+            self.cartesian,
+            self.gripper,
+            self.linkage,
+            self.jogging,
+            self.replayer,
+            self.recorder,
+            self.orders,
+            self.settings,
+            self.teaching,
+            self.planned_motion,
+            self._dropped_frames,
+            self.happenings,
+        )
+
+    # What more than one part ends -------------------------------------------------------------
+
+    def _end_driven(self) -> None:
+        self.player.stop()
+        self.replayer.stop()
+        self.jogging.stop()
+
+    def _end_run_because(self, reason: Refusal) -> None:
+        self.player.end(reason)
+        self.replayer.end(reason)
+
+    def _forget_places(self) -> None:
+        """The angles are counted anew: no place that was asked for before means the same."""
+        self._context.authority.end(End.ZERO_CHANGED)
+        self.player.drop()
+
+    # What the controller itself does ----------------------------------------------------------
+
+    def emergency_stop(self) -> None:
+        """See :meth:`ArmController.emergency_stop`."""
+        raise NotImplementedError
+
+    def withdraw_stop(self) -> None:
+        """See :meth:`ArmController.withdraw_stop`."""
+        raise NotImplementedError
+
+    def take_over(self) -> Refusal | None:
+        """See :meth:`ArmController.take_over`."""
+        raise NotImplementedError
