@@ -30,6 +30,7 @@ from armui.control.devices.motors import Motors
 from armui.control.devices.teaching import TeachingControl
 from armui.control.devices.zeroing import Zeroing
 from armui.control.events import LEVELS, Event, EventCode
+from armui.control.link.bus_access import BusAccess
 from armui.control.link.connection import Connection
 from armui.control.link.device_finder import DeviceFinder
 from armui.control.link.dropped_frames import DroppedFrames
@@ -77,6 +78,7 @@ class ArmController(QObject):
         clock: Monotonic time in seconds.
 
     Attributes:
+        bus: What the bus monitor needs of the bus.
         motion: Moves the joints.
         cartesian: Moves the tool.
         jogging: Moves joints and tool while something is held.
@@ -143,6 +145,7 @@ class ArmController(QObject):
             self._assessor.observe,
             authority,
         )
+        self.bus = BusAccess(context)
         self.motion = Motion(context)
         self.cartesian = Cartesian(context, self.motion)
         self.jogging = Jogging(context, self.motion, self.cartesian)

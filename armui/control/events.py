@@ -45,6 +45,7 @@ class EventCode(StrEnum):
     CANCEL_UNHEEDED = "cancel_unheeded"
     MOTION_TOO_FAST = "motion_too_fast"  # reason
     FRAMES_DROPPED = "frames_dropped"  # count, total
+    FRAME_SENT_BY_HAND = "frame_sent_by_hand"  # frame
     SENT_LAMP = "sent_lamp"  # joint, lamp, color
     SENT_LAMPS = "sent_lamps"  # joint, color
     STOP_SENT = "stop_sent"
@@ -163,6 +164,7 @@ LEVELS: Final[Mapping[EventCode, Level]] = {
     EventCode.CANCEL_UNHEEDED: Level.FAULT,
     EventCode.MOTION_TOO_FAST: Level.FAULT,
     EventCode.FRAMES_DROPPED: Level.WARNING,
+    EventCode.FRAME_SENT_BY_HAND: Level.WARNING,
     EventCode.SENT_LAMP: Level.INFO,
     EventCode.SENT_LAMPS: Level.INFO,
     EventCode.STOP_SENT: Level.WARNING,
