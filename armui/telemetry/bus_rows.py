@@ -55,6 +55,7 @@ class FrameRow:
         max_gap_s: The longest cycle; ``None`` before there was one.
         invalid: The last one that does not follow the protocol.
         invalid_count: How many do not.
+        invalid_length: How many bytes that one has.
         invalid_s: When that one came.
     """
 
@@ -70,6 +71,7 @@ class FrameRow:
     max_gap_s: float | None
     invalid: InvalidFrame | None
     invalid_count: int
+    invalid_length: int
     invalid_s: float
 
     def order(self) -> tuple[bool, int, int, str]:

@@ -47,6 +47,7 @@ class _Series:
         "flags",
         "invalid",
         "invalid_count",
+        "invalid_length",
         "invalid_s",
         "last_s",
         "max_gap_s",
@@ -70,7 +71,7 @@ class _Series:
         self.difference = 0
         self.changed_s = [-math.inf] * _BYTES
         self.invalid: InvalidFrame | None = None
-        self.invalid_count = 0
+        self.invalid_count = self.invalid_length = 0
         self.invalid_s = -math.inf
         self.row: FrameRow | None = None
 
@@ -104,6 +105,7 @@ class _Series:
             max_gap_s=self.max_gap_s if self.max_gap_s >= 0.0 else None,
             invalid=self.invalid,
             invalid_count=self.invalid_count,
+            invalid_length=self.invalid_length,
             invalid_s=self.invalid_s,
         )
         return self.row
@@ -216,9 +218,7 @@ class BusStatistics:
     def snapshot(self) -> BusSnapshot:
         """What was counted, to be kept as it is."""
         now_s = self._clock()
-        rows = sorted(
-            (each.shown(now_s) for each in self._series.values()), key=FrameRow.order
-        )
+        rows = sorted((each.shown(now_s) for each in self._series.values()), key=FrameRow.order)
         return BusSnapshot(
             at_s=now_s,
             since_s=self._since_s,
@@ -255,13 +255,13 @@ class BusStatistics:
             times_s = series.times_s
             if times_s:
                 gap_s = at_s - series.last_s
-                if gap_s > series.max_gap_s:
-                    series.max_gap_s = gap_s
+                series.max_gap_s = max(series.max_gap_s, gap_s)
             series.last_s = at_s
             times_s.append(at_s)
             if heard.__class__ is not Message:
                 series.invalid = heard  # type: ignore[assignment]  # it is the other of the two
                 series.invalid_count += 1
+                series.invalid_length = len(data)
                 series.invalid_s = at_s
             numbers.append(series.number)
             differences.append(difference)

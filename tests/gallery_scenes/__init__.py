@@ -3,6 +3,7 @@
 from tests.gallery_scenes import (
     arm,
     arm_settings,
+    bus,
     company,
     dialogs,
     panels,
@@ -75,6 +76,10 @@ DIALOG_SCENES = (
     DialogScene("library-report", "online", shelves.report),
     DialogScene("columns-offered", "online", trajectories.columns_offered),
     DialogScene("columns", "online", trajectories.columns),
+    DialogScene("bus", "moving", bus.by_identifier),
+    DialogScene("bus-in-order", "moving", bus.in_order),
+    DialogScene("bus-by-hand", "online", bus.by_hand),
+    DialogScene("bus-blocked", "online", bus.blocked),
     DialogScene("plots-follow", "moving", plots.follow),
     DialogScene("plots-why-stopped", "collision", plots.why_stopped),
     DialogScene("plots-cursors", "stopped", plots.cursors),

@@ -114,7 +114,7 @@ class BusAccess:
         return context.authority.why_silent() or self._why_others(frame)
 
     def _why_others(self, frame: Frame) -> Refusal | None:
-        """Somebody else moves the arm, or has put it in a mode in which a mode word lets it fall."""
+        """Another host moves the arm, or has left it in a mode in which a mode word drops it."""
         connection = self._context.connection
         mode = self._context.authority.other.mode
         if mode is not None and sets_mode(frame):

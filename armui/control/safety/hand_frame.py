@@ -83,7 +83,13 @@ _ENDING: Final = frozenset(
 _ENDING_TEACHING: Final = frozenset(
     {TeachingState.STOP_RECORDING, TeachingState.PAUSE, TeachingState.ABORT}
 )
-_SETTINGS: Final = frozenset({0x474, 0x475, 0x479, 0x47A, 0x47D})
+_EFFECTS: Final = {
+    **dict.fromkeys((0x121, 0x472, VERSION_ID), FrameEffect.HARMLESS),
+    **dict.fromkeys((0x474, 0x475, 0x479, 0x47A, 0x47D), FrameEffect.SETTING),
+    **dict.fromkeys(range(0x181, 0x188), FrameEffect.DIRECT),
+    0x470: FrameEffect.ROLE,
+}
+"""Of the identifiers that 0x470 moves not, whatever the bytes are."""
 _HEX: Final = re.compile(r"(?:0[xX])?([0-9a-fA-F]+)")
 _BETWEEN: Final = re.compile(r"[\s,.:_-]+")
 
@@ -152,19 +158,10 @@ def effect_of(frame: Frame) -> FrameEffect:
         off = _byte(frame, 1) == MotorAction.DISABLE
         return FrameEffect.DROPS if off else FrameEffect.POWER
     if arbitration_id == 0x477:
-        sets = any(frame.data[1:4])
-        return FrameEffect.SETTING if sets else FrameEffect.HARMLESS
+        return FrameEffect.SETTING if any(frame.data[1:4]) else FrameEffect.HARMLESS
     if arbitration_id == 0x422:
         return FrameEffect.SILENCE if _byte(frame, 0) else FrameEffect.HARMLESS
-    if arbitration_id in {0x121, 0x472, VERSION_ID}:
-        return FrameEffect.HARMLESS
-    if arbitration_id == 0x470:
-        return FrameEffect.ROLE
-    if arbitration_id in _SETTINGS:
-        return FrameEffect.SETTING
-    if 0x181 <= arbitration_id <= 0x187:
-        return FrameEffect.DIRECT
-    return FrameEffect.UNKNOWN
+    return _EFFECTS.get(arbitration_id, FrameEffect.UNKNOWN)
 
 
 def _command_effect(frame: Frame, base: int) -> FrameEffect:

@@ -25,6 +25,10 @@ _BUTTONS: Final = (
          "WatchMenu",
          "What was heard and commanded in the last half hour. The right button on any figure "
          "shows it here.")),
+    ("bus", QT_TRANSLATE_NOOP("WatchMenu", "Bus"),
+     QT_TRANSLATE_NOOP(
+         "WatchMenu",
+         "Every frame on the CAN bus: what it says, how often it comes, who sends it.")),
 )
 # fmt: on
 """Icon, name and purpose of each window, row by row."""
@@ -59,6 +63,7 @@ class WatchWindows:
         """The buttons below the menu."""
         openers: dict[str, Callable[[], object]] = {
             "plots": lambda: self.show_as_curves(()),
+            "bus": self.open_bus_monitor,
         }
         return tuple(
             WatchEntry(key, str(title), str(tip), openers[key]) for key, title, tip in _BUTTONS
@@ -74,3 +79,13 @@ class WatchWindows:
         window = self._open("plots", make)
         if isinstance(window, PlotWindow):
             window.add_curves(keys)
+
+    def open_bus_monitor(self) -> None:
+        """Show the window 总线."""
+
+        def make() -> QDialog:
+            from armui.ui.watch.bus.bus_window import BusWindow  # noqa: PLC0415 - numpy, cantools
+
+            return BusWindow(self._controller, self._window)
+
+        self._open("bus", make)

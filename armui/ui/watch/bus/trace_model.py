@@ -1,0 +1,147 @@
+"""The last frames in order of time, as a table."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any, Final
+
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, Qt
+from PySide6.QtCore import QCoreApplication as App
+
+from armui.protocol.frame import FrameFlag
+from armui.telemetry.bus_senders import Sender
+from armui.telemetry.bus_trace import TracedFrame, TraceSnapshot
+from armui.ui.watch.bus.cells import BYTES_ROLE, TONE_ROLE, Index, Payload, Tone
+from armui.ui.watch.bus.frame_texts import FrameTexts
+from armui.ui.words import frames
+
+TIME, ID, NAME, SENDER, DATA, SAYS = range(6)
+COLUMNS: Final = 6
+_ERROR_BIT: Final = 0x20000000
+_OTHERS: Final = frozenset({Sender.OTHER, Sender.OTHER_ARM})
+
+
+class TraceModel(QAbstractTableModel):
+    """Decodes what is looked at, and nothing else.
+
+    Args:
+        texts: Puts frames into words.
+        clock_text: A monotonic time as the clock on the wall had it.
+    """
+
+    def __init__(
+        self,
+        texts: FrameTexts,
+        clock_text: Callable[[float], str],
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._texts = texts
+        self._clock_text = clock_text
+        self._trace: TraceSnapshot | None = None
+        self._read: tuple[int, TracedFrame] | None = None
+
+    def show_trace(self, trace: TraceSnapshot | None) -> None:
+        """Show other frames."""
+        before, now = self.rowCount(), 0 if trace is None else len(trace)
+        if now > before:
+            self.beginInsertRows(QModelIndex(), before, now - 1)
+            self._take(trace)
+            self.endInsertRows()
+        elif now < before:
+            self.beginRemoveRows(QModelIndex(), now, before - 1)
+            self._take(trace)
+            self.endRemoveRows()
+        else:
+            self._take(trace)
+        if now:
+            self.dataChanged.emit(self.index(0, 0), self.index(now - 1, COLUMNS - 1))
+
+    def _take(self, trace: TraceSnapshot | None) -> None:
+        self._trace, self._read = trace, None
+
+    def retranslate(self) -> None:
+        """The words, or what the frames mean, are other ones."""
+        self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, COLUMNS - 1)
+        self.layoutChanged.emit()
+
+    def lines(self, places: Sequence[int], channel: str) -> list[str]:
+        """Frames as candump writes them, with the seconds of the program's clock."""
+        trace = self._trace
+        if trace is None:
+            return []
+        picked = [trace.frame(place) for place in places]
+        return [f"({each.at_s:.6f}) {channel} {candump(each)}" for each in picked]
+
+    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: N802, B008 - Qt
+        """One a frame."""
+        return 0 if parent.isValid() or self._trace is None else len(self._trace)
+
+    def columnCount(self, _parent: Index = QModelIndex()) -> int:  # noqa: N802, B008 - Qt
+        """Time, frame, what it says."""
+        return COLUMNS
+
+    def headerData(  # noqa: N802 - the name Qt calls
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        """What each column is."""
+        if orientation is not Qt.Orientation.Horizontal:
+            return None
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+        if role != Qt.ItemDataRole.DisplayRole:
+            return None
+        return (
+            App.translate("BusMonitor", "Time"),
+            App.translate("BusMonitor", "ID"),
+            App.translate("BusMonitor", "Message"),
+            App.translate("BusMonitor", "Sender"),
+            App.translate("BusMonitor", "Data"),
+            App.translate("BusMonitor", "Says"),
+        )[section]
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """A cell."""
+        if not index.isValid() or self._trace is None:
+            return None
+        frame, column = self._frame(index.row()), index.column()
+        if role == Qt.ItemDataRole.DisplayRole:
+            return self._text(frame, column)
+        if role == BYTES_ROLE and column == DATA:
+            return Payload(frame.data, frame.changed)
+        if role == TONE_ROLE:
+            return Tone.NOTE if column == SENDER and frame.sender in _OTHERS else Tone.PLAIN
+        if role == Qt.ItemDataRole.ToolTipRole and column == SAYS:
+            return self._says(frame)
+        return None
+
+    def _frame(self, place: int) -> TracedFrame:
+        if self._read is None or self._read[0] != place:
+            assert self._trace is not None, "no frame is shown"  # noqa: S101
+            self._read = place, self._trace.frame(place)
+        return self._read[1]
+
+    def _text(self, frame: TracedFrame, column: int) -> str:
+        if column == TIME:
+            return self._clock_text(frame.at_s)
+        if column == ID:
+            return frames.frame_id(frame.arbitration_id, frame.flags)
+        if column == NAME:
+            return self._texts.name(frame.arbitration_id, frame.flags)
+        if column == SENDER:
+            return self._texts.sender(frame.sender)
+        return self._says(frame) if column == SAYS else ""
+
+    def _says(self, frame: TracedFrame) -> str:
+        signals = self._texts.signals(frame.arbitration_id, frame.flags, frame.data, frame.sender)
+        return "   ".join(f"{each.name} {each.value}" for each in signals)
+
+
+def candump(frame: TracedFrame) -> str:
+    """A frame as candump writes it: ID#DATA, #R for a remote frame, the class of an error frame."""
+    arbitration_id, flags = frame.arbitration_id, frame.flags
+    if flags & FrameFlag.ERROR:
+        return f"{_ERROR_BIT | arbitration_id:08X}#{frame.data.hex().upper()}"
+    identifier = frames.frame_id(arbitration_id, flags)[2:]
+    data = "R" if flags & FrameFlag.REMOTE else frame.data.hex().upper()
+    return f"{identifier}#{data}"
