@@ -1,4 +1,4 @@
-"""What an error frame says, where the adapter tells it in Linux's way: pure.
+"""What an error frame says, where the adapter tells it in Linux's way.
 
 Source: Linux, ``linux/can/error.h``: classes in the identifier, more of the controller in byte 1.
 """

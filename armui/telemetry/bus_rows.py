@@ -1,4 +1,4 @@
-"""What was counted of each identifier, frozen, and the figures of its cycle: pure."""
+"""What was counted of each identifier, frozen, and the figures of its cycle."""
 
 from __future__ import annotations
 

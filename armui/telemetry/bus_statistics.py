@@ -1,4 +1,4 @@
-"""What goes over the bus, counted by identifier and sender, and the last frames in order: pure.
+"""What goes over the bus, counted by identifier and sender, and the last frames in order.
 
 The bus thread only hands batches over: it neither counts nor waits. Who looks does the counting, a
 limited number of frames at a time.

@@ -43,6 +43,7 @@ class BusSummary(Translated, QWidget):
         for key, value in zip(_KEYS, self._values, strict=False):
             tell_quantities(value, key)
         self.counted = text_label("bus_counted", rank="muted")
+        self.paused = text_label("bus_paused", rank="warning")
         row = QHBoxLayout()
         row.setSpacing(6)
         for name, value in zip(self._names, self._values, strict=True):
@@ -50,6 +51,8 @@ class BusSummary(Translated, QWidget):
             row.addWidget(value)
             row.addSpacing(18)
         row.addStretch(1)
+        row.addWidget(self.paused)
+        row.addSpacing(10)
         row.addWidget(self.counted)
         self.message = MessageLine()
         self.message.setObjectName("bus_message")
@@ -65,13 +68,14 @@ class BusSummary(Translated, QWidget):
         """Losses are counted from now on."""
         self._lost_before = self._controller.bus.frames_dropped
 
-    def show_bus(self, snapshot: BusSnapshot, now_s: float, counted: str) -> None:
+    def show_bus(self, snapshot: BusSnapshot, now_s: float, counted: str, paused: str) -> None:
         """Show how the bus is.
 
         Args:
             snapshot: What was counted.
             now_s: Monotonic time.
             counted: Since when, in words.
+            paused: That the figures below stand, in words; "": they do not.
         """
         load = self._latest("bus.bus_load", now_s)
         _put(self.load, f"{fmt.number(load, 0)} %" if load is not None else fmt.NOTHING)
@@ -82,6 +86,7 @@ class BusSummary(Translated, QWidget):
         _put(self.errors, f"{snapshot.error_frames}{often}")
         _put(self.lost, str(self._lost))
         _put(self.counted, counted)
+        _put(self.paused, paused)
         self._show_trouble(snapshot, load)
 
     @property

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QPoint, QSize, Qt, QTimer
 from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut
-from PySide6.QtWidgets import QFrame, QMenu, QStackedWidget, QWidget
+from PySide6.QtWidgets import QMenu, QStackedWidget, QWidget
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.telemetry.bus_senders import Sender
@@ -86,9 +86,6 @@ class BusWindow(ArmDialog):
         self.body.addWidget(self.summary)
         self.body.addWidget(self.filter_bar)
         self.body.addWidget(self._views, 1)
-        line = QFrame()
-        line.setFrameShape(QFrame.Shape.HLine)
-        self.body.addWidget(line)
         self.body.addWidget(self.send_box)
 
     def _connect(self) -> None:
@@ -137,8 +134,10 @@ class BusWindow(ArmDialog):
             self._soon.start()
 
     def _is_leader(self) -> bool:
-        other = self._controller.operating_state.other_host
-        return other is not None and other.reason.code == RefusalCode.LEADER_ARM
+        operating_state = self._controller.operating_state
+        other = operating_state.other_host
+        leads = other is not None and other.reason.code == RefusalCode.LEADER_ARM
+        return leads or operating_state.teaching_input
 
     def _reread(self) -> None:
         self._texts.retranslate()
@@ -178,16 +177,18 @@ class BusWindow(ArmDialog):
         snapshot = self._snapshot
         if snapshot is None:
             return
-        text = self.tr("Counted since {time}, when this began: {count} frames")
+        text = self.tr("Counted since {time}, when opened or cleared: {count} frames")
         counted = text.format(
             time=self._clock_text(snapshot.since_s).partition(".")[0], count=snapshot.frames
         )
+        paused = ""
         if self.filter_bar.pause.isChecked():
-            stands = self.tr("PAUSED at {time}")
-            counted = f"{stands.format(time=self._clock_text(snapshot.at_s))} · {counted}"
+            stands = self.tr("Paused: the figures are those of {time}")
+            paused = stands.format(time=self._clock_text(snapshot.at_s))
         if self.statistics.codec is not None and not self.statistics.generation_known:
-            counted = f"{self.tr('Generation not known yet: read as generation 2')} · {counted}"
-        self.summary.show_bus(snapshot, self._now_s(), counted)
+            unknown = self.tr("Generation not known yet: read as generation 2")
+            counted = f"{unknown} · {counted}"
+        self.summary.show_bus(snapshot, self._now_s(), counted, paused)
 
     def _clock_text(self, at_s: float) -> str:
         at = self._clock_zero + timedelta(seconds=at_s)

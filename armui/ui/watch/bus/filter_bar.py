@@ -25,6 +25,7 @@ from armui.ui.words import frames
 
 _IDS_PX: Final = 190
 _TEXT_PX: Final = 160
+_BOLDER: Final = 1.15
 
 
 class FilterBar(Translated, QWidget):
@@ -160,6 +161,8 @@ class FilterBar(Translated, QWidget):
         """Put every word into the operator's language."""
         self.by_id.setText(self.tr("By identifier"))
         self.in_order.setText(self.tr("In order of time"))
+        for button in (self.by_id, self.in_order):  # the chosen one is written bolder
+            button.setMinimumWidth(round(_BOLDER * button.sizeHint().width()))
         self.pause.setToolTip(
             self.tr("The figures stand as they are; what comes meanwhile is counted (Ctrl+P)")
         )

@@ -242,7 +242,7 @@ class FrameModel(QAbstractItemModel):
         if column == NAME:
             return texts.name(row.arbitration_id, row.flags)
         if column == SENDER:
-            return texts.sender(row.sender)
+            return texts.sender(row.sender, row.arbitration_id)
         if column == DATA:
             return row.data.hex(" ").upper() if with_bytes else ""
         if column == COUNT:

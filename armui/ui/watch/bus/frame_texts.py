@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
+from armui.control.safety.hand_frame import command_id
 from armui.protocol.codec import Codec, Message
 from armui.protocol.frame import Frame, FrameFlag
 from armui.telemetry.bus_errors import errors_of
@@ -17,6 +18,8 @@ if TYPE_CHECKING:
     from armui.telemetry.bus_rows import FrameRow
     from armui.telemetry.bus_senders import Sender
 
+_LEADER: Final = frozenset({0x151, 0x155, 0x156, 0x157, 0x159})
+"""What a leader arm sends (0x470)."""
 _NOT_OF_THE_ARM: Final = FrameFlag.EXTENDED | FrameFlag.REMOTE | FrameFlag.ERROR | FrameFlag.FD
 
 
@@ -89,9 +92,10 @@ class FrameTexts:
             self._words[key] = found
         return found
 
-    def sender(self, sender: Sender) -> str:
+    def sender(self, sender: Sender, arbitration_id: int) -> str:
         """Who sends it."""
-        return frames.frame_sender(sender, leader=self.leader)
+        leads = self.leader and command_id(arbitration_id) in _LEADER
+        return frames.frame_sender(sender, leader=leads)
 
     def signals(
         self, arbitration_id: int, flags: int, data: bytes, sender: Sender

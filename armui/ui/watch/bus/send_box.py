@@ -195,7 +195,8 @@ class SendBox(Translated, QWidget):
         effect = effect_of(frame)
         text = frame_effect(effect)
         if self._sent:
-            text = f"{self.tr('Sent:')} {self._sent}. {text}"
+            sent = self.tr("Sent: {frame}.").format(frame=self._sent)
+            text = f"{sent} {text}"
         if effect is FrameEffect.HARMLESS:
             return text, Level.INFO
         return text, Level.FAULT if effect in _GRAVE else Level.WARNING

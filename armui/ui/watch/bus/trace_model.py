@@ -129,7 +129,7 @@ class TraceModel(QAbstractTableModel):
         if column == NAME:
             return self._texts.name(frame.arbitration_id, frame.flags)
         if column == SENDER:
-            return self._texts.sender(frame.sender)
+            return self._texts.sender(frame.sender, frame.arbitration_id)
         return self._says(frame) if column == SAYS else ""
 
     def _says(self, frame: TracedFrame) -> str:
