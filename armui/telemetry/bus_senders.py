@@ -1,4 +1,4 @@
-"""Who has sent a frame, as far as its identifier tells: pure."""
+"""Who has sent a frame, as far as its identifier tells."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The last frames on the bus in order of time, in arrays: pure."""
+"""The last frames on the bus in order of time, in arrays."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which curve a signal on the bus is drawn as: pure."""
+"""Which curve a signal on the bus is drawn as."""
 
 from __future__ import annotations
 

@@ -13,7 +13,6 @@ from tests.company import OtherHost
 
 SIZE_PX = (1180, 760)
 _TEMPERATURES = 609
-_STATUS = 0x2A1
 
 
 def _window(app_driver: AppDriver) -> BusWindow:
@@ -54,7 +53,8 @@ def by_identifier(app_driver: AppDriver) -> QDialog:
     window = _window(app_driver)
     _company(app_driver)
     window.look()
-    _expand(window, 0x121, _STATUS)
+    window.filter_bar.ids.setText("0-253, 2A1-2A8, 3C1-7FFFFFFF")
+    _expand(window, 0x121, 0x2A8)
     window.tree.scrollToTop()
     window.filter_bar.pause.setChecked(True)
     return window

@@ -73,7 +73,8 @@ def frame_sender(sender: Sender, *, leader: bool = False) -> str:
 
 def frame_id(arbitration_id: int, flags: int) -> str:
     """An identifier as it is written: three figures, eight for one of 29 bits."""
-    return f"0x{arbitration_id:0{8 if flags & FrameFlag.EXTENDED else 3}X}"
+    kind = flags & (FrameFlag.EXTENDED | FrameFlag.ERROR)
+    return f"0x{arbitration_id:0{8 if kind == FrameFlag.EXTENDED else 3}X}"
 
 
 def frame_kind(arbitration_id: int, flags: int, codec: Codec | None) -> str:

@@ -119,10 +119,15 @@ class FilterBar(Translated, QWidget):
         return FrameFilter(
             text=self.text.text().strip(),
             ids=self._ids,
-            sender=self.senders.currentData(),
+            sender=self._sender,
             only_unknown=self.only_unknown.isChecked(),
             changed_since_s=self._changed_since_s,
         )
+
+    @property
+    def _sender(self) -> Sender | None:
+        place = self.senders.currentIndex()
+        return tuple(Sender)[place - 1] if place > 0 else None
 
     def _on_ids(self, text: str) -> None:
         found = parse_ids(text)
@@ -156,6 +161,7 @@ class FilterBar(Translated, QWidget):
     def _name_pause(self) -> None:
         going = not self.pause.isChecked()
         self.pause.setText(self.tr("Pause") if going else self.tr("Go on"))
+        self.pause.setShortcut(QKeySequence("Ctrl+P"))  # other text takes it away
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
@@ -166,7 +172,6 @@ class FilterBar(Translated, QWidget):
         self.pause.setToolTip(
             self.tr("The figures stand as they are; what comes meanwhile is counted (Ctrl+P)")
         )
-        self.pause.setShortcut(QKeySequence("Ctrl+P"))
         self._name_pause()
         self.clear.setText(self.tr("Clear"))
         self.clear.setToolTip(self.tr("Counting begins anew, from nothing"))
@@ -180,11 +185,10 @@ class FilterBar(Translated, QWidget):
             self.tr("Frames of which a byte has changed since this was ticked")
         )
         self.only_unknown.setText(self.tr("Only unknown or malformed"))
-        chosen = self.senders.currentData()
+        chosen = max(0, self.senders.currentIndex())
         with QSignalBlocker(self.senders):
             self.senders.clear()
-            self.senders.addItem(self.tr("From anybody"), None)
-            for sender in Sender:
-                self.senders.addItem(frames.frame_sender(sender), sender)
-            self.senders.setCurrentIndex(max(0, self.senders.findData(chosen)))
+            self.senders.addItem(self.tr("From anybody"))
+            self.senders.addItems([frames.frame_sender(sender) for sender in Sender])
+            self.senders.setCurrentIndex(chosen)
         self.senders.setAccessibleName(self.tr("Sender"))
