@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from armui.telemetry.bus_senders import Sender
     from armui.telemetry.store import Taken
 
-TRACE_FRAMES: Final = 20_000
-"""Some seven seconds of an arm; half a megabyte."""
+TRACE_FRAMES: Final = 10_000
+"""Some three seconds of an arm; a view takes in more of them too slowly."""
 _BYTES: Final = 8
 
 
@@ -63,6 +63,31 @@ class TraceSnapshot:
 
     def __len__(self) -> int:
         return len(self.times_s)
+
+    def selected(
+        self, allowed: Collection[int], *, only_changed: bool = False, most: int = TRACE_FRAMES
+    ) -> TraceSnapshot:
+        """Some of them.
+
+        Args:
+            allowed: The rows whose frames are wanted, by number.
+            only_changed: Frames alone that differ from the one before.
+            most: So many of the last ones.
+        """
+        wanted = np.zeros(max(len(self.names), 1), np.bool_)
+        wanted[[each for each in allowed if each < len(self.names)]] = True
+        kept = wanted[self.numbers]
+        if only_changed:
+            kept &= self.differences != 0
+        places = np.flatnonzero(kept)[-most:]
+        return TraceSnapshot(
+            self.times_s[places],
+            self.numbers[places],
+            self.words[places],
+            self.differences[places],
+            self.lengths[places],
+            self.names,
+        )
 
     def frame(self, place: int) -> TracedFrame:
         """One of them."""
@@ -122,23 +147,9 @@ class BusTrace:
         self._lengths[places] = [min(len(frame[1]), 255) for _heard, _at_s, frame, _ in batch]
         self._count += count
 
-    def snapshot(
-        self, allowed: Collection[int] | None = None, *, only_changed: bool = False
-    ) -> TraceSnapshot:
-        """A copy of the trace.
-
-        Args:
-            allowed: The rows whose frames are wanted, by number; ``None``: all.
-            only_changed: Frames alone that differ from the one before.
-        """
-        first = max(0, self._count - self._most)
-        places = np.arange(first, self._count) % self._most
-        if allowed is not None:
-            wanted = np.zeros(max(len(self._names), 1), np.bool_)
-            wanted[[each for each in allowed if each < len(self._names)]] = True
-            places = places[wanted[self._numbers[places]]]
-        if only_changed:
-            places = places[self._differences[places] != 0]
+    def snapshot(self) -> TraceSnapshot:
+        """A copy of the trace."""
+        places = np.arange(max(0, self._count - self._most), self._count) % self._most
         # frames that were sent are told a little later than those that were heard
         places = places[np.argsort(self._times_s[places], kind="stable")]
         return TraceSnapshot(

@@ -182,7 +182,9 @@ def test_only_what_has_changed_since(monitor, company):
 
 
 def test_pause_lets_the_figures_stand_and_says_so(monitor):
+    monitor.driver.wait(monitor.window.isActiveWindow)
     QTest.keyClick(monitor.window, Qt.Key.Key_P, Qt.KeyboardModifier.ControlModifier)
+    monitor.driver.wait(monitor.find("bus_pause").isChecked)
     before = [monitor.cell(i, frame_model.COUNT) for i in monitor.indexes()]
     monitor.run(1.0)
     assert [monitor.cell(i, frame_model.COUNT) for i in monitor.indexes()] == before

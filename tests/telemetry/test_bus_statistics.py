@@ -378,11 +378,12 @@ def test_the_trace_takes_rows_and_changed_frames_alone(rig):
     for value in (1, 1, 2):
         rig.hear(f"3C1#{value:02X}", "2A5#0000000000000000")
     rows = {row.arbitration_id: row.number for row in rig.look().rows}
-    trace = rig.statistics.trace
+    trace = rig.statistics.trace.snapshot()
 
-    assert len(trace.snapshot([rows[0x3C1]])) == 3
-    assert len(trace.snapshot([rows[0x3C1]], only_changed=True)) == 1
-    assert len(trace.snapshot([])) == 0
+    assert len(trace.selected([rows[0x3C1]])) == 3
+    assert len(trace.selected([rows[0x3C1]], only_changed=True)) == 1
+    assert trace.selected([rows[0x3C1]], most=1).frame(0).data == b"\x02"
+    assert len(trace.selected([])) == 0
 
 
 def test_the_oldest_frames_give_way():

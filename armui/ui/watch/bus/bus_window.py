@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QMenu, QStackedWidget, QWidget
 from armui.arm.refusal_codes import RefusalCode
 from armui.telemetry.bus_senders import Sender
 from armui.telemetry.bus_statistics import BusStatistics
+from armui.telemetry.bus_trace import TRACE_FRAMES, TraceSnapshot
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.watch.bus.bus_summary import BusSummary
 from armui.ui.watch.bus.cells import Index
@@ -25,16 +26,19 @@ from armui.ui.watch.bus.trace_model import TraceModel
 from armui.ui.widgets.curve_menu import show_curves
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from PySide6.QtGui import QContextMenuEvent, QHideEvent, QShowEvent
 
     from armui.control.arm_controller import ArmController
     from armui.telemetry.bus_rows import BusSnapshot, FrameRow
-    from armui.telemetry.bus_trace import TraceSnapshot
 
 LOOK_MS: Final = 100
 """The figures are shown anew so often."""
 _SOON_MS: Final = 5
 """Frames that are left are counted so soon, after whatever else the thread has to do."""
+_RUNNING_FRAMES: Final = 300
+"""So many are shown in order of time while they run by; all that are kept once they stand."""
 _SIZE: Final = QSize(1180, 760)
 
 
@@ -63,6 +67,7 @@ class BusWindow(ArmDialog):
         self._texts = FrameTexts()
         self._clock_zero = datetime.now().astimezone()
         self._snapshot: BusSnapshot | None = None
+        self._standing: TraceSnapshot | None = None
         self._device = controller.operating_state.device
         self.summary = BusSummary(controller)
         self.filter_bar = FilterBar(self._now_s)
@@ -103,7 +108,8 @@ class BusWindow(ArmDialog):
     # Counting ---------------------------------------------------------------------------------
 
     def begin(self) -> None:
-        """Count from now on."""
+        """Count from now on, and show what comes."""
+        self.filter_bar.pause.setChecked(False)
         self._clock_zero = datetime.now().astimezone() - timedelta(seconds=self._now_s())
         self.statistics.clear()
         self.summary.begin()
@@ -125,9 +131,11 @@ class BusWindow(ArmDialog):
         if reread or leader is not self._texts.leader:
             self._texts.leader = leader
             self._reread()
-        if not self.filter_bar.pause.isChecked():
+        if self._standing is None:
             self._snapshot = self.statistics.snapshot()
             self._show()
+        else:
+            self._show_counted()
 
     def _count(self) -> None:
         if not self.statistics.take():
@@ -145,10 +153,10 @@ class BusWindow(ArmDialog):
         self.trace_model.retranslate()
 
     def _on_pause(self, paused: bool) -> None:
-        if paused:
-            self.trace_model.show_trace(self._wanted_trace())
-        self.look()
-        self._show_counted()
+        self._count()
+        self._snapshot = self.statistics.snapshot()
+        self._standing = self.statistics.trace.snapshot() if paused else None
+        self._show()
 
     # What is shown ----------------------------------------------------------------------------
 
@@ -159,19 +167,24 @@ class BusWindow(ArmDialog):
         wanted = self.filter_bar.wanted
         rows = [each for each in snapshot.rows if wanted.accepts(each, self._texts.words)]
         self.model.show_rows(rows, snapshot.at_s)
-        paused = self.filter_bar.pause.isChecked()
-        if self._views.currentWidget() is self.trace and not paused:
-            self.trace_model.show_trace(self._wanted_trace())
-            self.trace.scrollToBottom()
+        if self._views.currentWidget() is self.trace:
+            self._show_trace(rows)
         self._show_counted()
 
-    def _wanted_trace(self) -> TraceSnapshot:
-        snapshot, wanted = self._snapshot, self.filter_bar.wanted
-        only = wanted.for_trace
-        rows = () if snapshot is None else snapshot.rows
-        allowed = [each.number for each in rows if only.accepts(each, self._texts.words)]
-        changed = wanted.changed_since_s is not None
-        return self.statistics.trace.snapshot(allowed, only_changed=changed)
+    def _show_trace(self, rows: Sequence[FrameRow]) -> None:
+        """The frames of these rows; the newest in sight while they run by."""
+        changed = self.filter_bar.wanted.changed_since_s is not None
+        if changed and self._snapshot is not None:
+            # there it is each single frame that must have changed
+            wanted = self.filter_bar.wanted.for_trace
+            rows = [row for row in self._snapshot.rows if wanted.accepts(row, self._texts.words)]
+        running = self._standing is None
+        trace = self.statistics.trace.snapshot() if self._standing is None else self._standing
+        most = _RUNNING_FRAMES if running else TRACE_FRAMES
+        numbers = [row.number for row in rows]
+        self.trace_model.show_trace(trace.selected(numbers, only_changed=changed, most=most))
+        if running:
+            self.trace.scrollToBottom()
 
     def _show_counted(self) -> None:
         snapshot = self._snapshot
@@ -182,7 +195,7 @@ class BusWindow(ArmDialog):
             time=self._clock_text(snapshot.since_s).partition(".")[0], count=snapshot.frames
         )
         paused = ""
-        if self.filter_bar.pause.isChecked():
+        if self._standing is not None:
             stands = self.tr("Paused: the figures are those of {time}")
             paused = stands.format(time=self._clock_text(snapshot.at_s))
         if self.statistics.codec is not None and not self.statistics.generation_known:
@@ -196,9 +209,9 @@ class BusWindow(ArmDialog):
 
     def _on_trace_wanted(self, wanted: bool) -> None:
         self._views.setCurrentWidget(self.trace if wanted else self.tree)
-        if self.filter_bar.pause.isChecked():
-            return
         self._show()
+        if wanted:
+            self.trace.scrollToBottom()
 
     # One frame --------------------------------------------------------------------------------
 
@@ -261,7 +274,6 @@ class BusWindow(ArmDialog):
         super().showEvent(event)
         self.statistics.forget_waiting()
         self._device = self._controller.operating_state.device
-        self.filter_bar.pause.setChecked(False)
         self.begin()
         self._controller.bus.add_tap(self.statistics)
         self._timer.start()

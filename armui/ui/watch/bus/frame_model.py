@@ -9,10 +9,10 @@ from typing import Any, Final
 from PySide6.QtCore import QAbstractItemModel, QModelIndex, QObject, Qt
 from PySide6.QtCore import QCoreApplication as App
 
-from armui.telemetry.bus_rows import FrameRow
+from armui.telemetry.bus_rows import Cycle, FrameRow
 from armui.telemetry.bus_senders import Sender
 from armui.ui import format as fmt
-from armui.ui.watch.bus.cells import BYTES_ROLE, KEY_ROLE, TONE_ROLE, Index, Payload, Tone
+from armui.ui.watch.bus.cells import BYTES_ROLE, KEY_ROLE, TONE_ROLE, Cell, Index, Payload, Tone
 from armui.ui.watch.bus.frame_texts import FrameTexts, SignalText
 from armui.ui.words import frames
 
@@ -76,6 +76,7 @@ class FrameModel(QAbstractItemModel):
         self._clock_text = clock_text
         self._nodes: list[_Node] = []
         self._by_number: dict[int, _Node] = {}
+        self._cycles: dict[int, tuple[FrameRow, Cycle | None]] = {}
         self._now_s = 0.0
 
     # What is shown ----------------------------------------------------------------------------
@@ -113,6 +114,7 @@ class FrameModel(QAbstractItemModel):
         self.beginResetModel()
         self._nodes.clear()
         self._by_number.clear()
+        self._cycles.clear()
         self.endResetModel()
 
     def retranslate(self) -> None:
@@ -214,28 +216,49 @@ class FrameModel(QAbstractItemModel):
             return self._detail(node, index, role)
         return self._cell(node.row, index.column(), role)
 
+    def cells(self, index: Index) -> list[Cell]:
+        """A whole row, as it is painted."""
+        node = self._node(index)
+        if index.internalId():
+            return self._detail_cells(node, index.row())
+        row = node.row
+        tones = self._tones(row)
+        cells = [
+            Cell(self._text(row, column), tones[column], column in _RIGHT)
+            for column in range(COLUMNS)
+        ]
+        cells[DATA] = Cell("", tones[DATA], payload=self._payload(row))
+        return cells
+
+    def _payload(self, row: FrameRow) -> Payload:
+        since_s = self._now_s - LIT_S
+        return Payload(row.data, tuple(each > since_s for each in row.changed_s))
+
     def _cell(self, row: FrameRow, column: int, role: int) -> Any:
-        if role in {Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole}:
-            plain = role == Qt.ItemDataRole.AccessibleTextRole
-            return self._text(row, column, with_bytes=plain)
+        if role == Qt.ItemDataRole.DisplayRole:
+            return self._text(row, column)
+        if role == Qt.ItemDataRole.AccessibleTextRole:
+            return self._payload(row).text if column == DATA else self._text(row, column)
         if role == BYTES_ROLE and column == DATA:
-            lit = tuple(self._now_s - each < LIT_S for each in row.changed_s)
-            return Payload(row.data, lit)
+            return self._payload(row)
         if role == TONE_ROLE:
-            return self._tone(row, column)
+            return self._tones(row)[column]
         if role == Qt.ItemDataRole.ToolTipRole:
-            trouble = self._texts.trouble(row)
-            return trouble or self._texts.words(row)
+            return self._texts.trouble(row) or self._texts.words(row)
         return None
 
-    def _tone(self, row: FrameRow, column: int) -> Tone:
+    def _tones(self, row: FrameRow) -> dict[int, Tone]:
+        """By column."""
         if row.is_silent(self._now_s):
-            return Tone.MUTED
-        if column in {ID, NAME} and row.invalid_count:
-            return Tone.TROUBLE
-        return Tone.NOTE if column == SENDER and row.sender in _OTHERS else Tone.PLAIN
+            return dict.fromkeys(range(COLUMNS), Tone.MUTED)
+        tones = dict.fromkeys(range(COLUMNS), Tone.PLAIN)
+        if row.invalid_count:
+            tones[ID] = tones[NAME] = Tone.TROUBLE
+        if row.sender in _OTHERS:
+            tones[SENDER] = Tone.NOTE
+        return tones
 
-    def _text(self, row: FrameRow, column: int, *, with_bytes: bool) -> str:
+    def _text(self, row: FrameRow, column: int) -> str:
         texts = self._texts
         if column == ID:
             return frames.frame_id(row.arbitration_id, row.flags)
@@ -244,15 +267,22 @@ class FrameModel(QAbstractItemModel):
         if column == SENDER:
             return texts.sender(row.sender, row.arbitration_id)
         if column == DATA:
-            return row.data.hex(" ").upper() if with_bytes else ""
+            return ""
         if column == COUNT:
             return str(row.count)
         if column == LAST:
             return self._clock_text(row.last_s)
         return self._timing(row, column)
 
+    def _cycle(self, row: FrameRow) -> Cycle | None:
+        """Reckoned once for each row that came."""
+        known = self._cycles.get(row.number)
+        if known is None or known[0] is not row:
+            known = self._cycles[row.number] = row, row.cycle()
+        return known[1]
+
     def _timing(self, row: FrameRow, column: int) -> str:
-        cycle = row.cycle()
+        cycle = self._cycle(row)
         if cycle is None:
             return fmt.NOTHING
         if column == RATE:
@@ -262,25 +292,34 @@ class FrameModel(QAbstractItemModel):
         longest_s = math.nan if row.max_gap_s is None else row.max_gap_s
         return f"±{_ms(cycle.deviation_s)} / {_ms(longest_s)}"
 
+    def _detail_cells(self, node: _Node, place: int) -> list[Cell]:
+        """A signal; below the signals what is wrong with the frame."""
+        cells = [Cell()] * COLUMNS
+        signals = node.signals(self._texts)
+        if place < len(signals):
+            cells[NAME] = Cell(signals[place].name)
+            cells[DATA] = Cell(signals[place].value)
+            return cells
+        cells[NAME] = Cell(self._texts.trouble(node.row), Tone.TROUBLE)
+        if node.row.invalid_count:
+            cells[COUNT] = Cell(str(node.row.invalid_count), Tone.TROUBLE, right=True)
+            cells[LAST] = Cell(self._clock_text(node.row.invalid_s), Tone.TROUBLE)
+        return cells
+
     def _detail(self, node: _Node, index: Index, role: int) -> Any:
         signals = node.signals(self._texts)
-        place, column = index.row(), index.column()
-        if place < len(signals):
-            signal = signals[place]
-            if role == Qt.ItemDataRole.DisplayRole:
-                return {NAME: signal.name, DATA: signal.value}.get(column)
-            if role == KEY_ROLE:
-                return signal.key
-            if role == Qt.ItemDataRole.ToolTipRole and signal.key and column == ID:
-                return App.translate("BusMonitor", "Show as curve")
-            return Tone.PLAIN if role == TONE_ROLE else None
-        if role in {Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.ToolTipRole} and column == NAME:
-            return self._texts.trouble(node.row)
-        if role == Qt.ItemDataRole.DisplayRole and column == COUNT and node.row.invalid_count:
-            return str(node.row.invalid_count)
-        if role == Qt.ItemDataRole.DisplayRole and column == LAST and node.row.invalid_count:
-            return self._clock_text(node.row.invalid_s)
-        return Tone.TROUBLE if role == TONE_ROLE else None
+        cell = self._detail_cells(node, index.row())[index.column()]
+        key = signals[index.row()].key if index.row() < len(signals) else None
+        if role == Qt.ItemDataRole.DisplayRole:
+            return cell.text or None
+        if role == TONE_ROLE:
+            return cell.tone
+        if role == KEY_ROLE:
+            return key
+        if role != Qt.ItemDataRole.ToolTipRole:
+            return None
+        sign = index.column() == ID and key is not None
+        return App.translate("BusMonitor", "Show as curve") if sign else cell.text
 
 
 def _ms(seconds: float) -> str:

@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QRect, Qt, Signal
-from PySide6.QtWidgets import QHeaderView, QTreeView, QWidget
+from PySide6.QtWidgets import QHeaderView, QWidget
 
 from armui.ui.theme import colors_of
 from armui.ui.watch.bus import frame_model, trace_model
-from armui.ui.watch.bus.cells import KEY_ROLE, bytes_width, prepare_view
+from armui.ui.watch.bus.cells import KEY_ROLE, RowView, bytes_width
 from armui.ui.widgets import icons
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ _PAD_PX: Final = 24
 _INDENT_PX: Final = 22
 
 
-class FrameTree(QTreeView):
+class FrameTree(RowView):
     """Frames by identifier; a sign before a signal shows it as a curve.
 
     Signals:
@@ -35,9 +35,8 @@ class FrameTree(QTreeView):
     curves_wanted = Signal(object)
 
     def __init__(self, model: FrameModel, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__(model, parent)
         self.setObjectName("bus_tree")
-        prepare_view(self)
         self.setModel(model)
         self.setIndentation(_INDENT_PX)
         self.setExpandsOnDoubleClick(True)
@@ -104,13 +103,12 @@ class FrameTree(QTreeView):
             self.curves_wanted.emit([key])
 
 
-class TraceList(QTreeView):
+class TraceList(RowView):
     """Frames in order of time."""
 
     def __init__(self, model: TraceModel, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__(model, parent)
         self.setObjectName("bus_trace")
-        prepare_view(self)
         self.setRootIsDecorated(False)
         self.setItemsExpandable(False)
         self.setModel(model)

@@ -11,7 +11,7 @@ from PySide6.QtCore import QCoreApplication as App
 from armui.protocol.frame import FrameFlag
 from armui.telemetry.bus_senders import Sender
 from armui.telemetry.bus_trace import TracedFrame, TraceSnapshot
-from armui.ui.watch.bus.cells import BYTES_ROLE, TONE_ROLE, Index, Payload, Tone
+from armui.ui.watch.bus.cells import BYTES_ROLE, TONE_ROLE, Cell, Index, Payload, Tone
 from armui.ui.watch.bus.frame_texts import FrameTexts
 from armui.ui.words import frames
 
@@ -104,37 +104,40 @@ class TraceModel(QAbstractTableModel):
         """A cell."""
         if not index.isValid() or self._trace is None:
             return None
-        frame, column = self._frame(index.row()), index.column()
+        cell = self.cells(index)[index.column()]
         if role == Qt.ItemDataRole.DisplayRole:
-            return self._text(frame, column)
-        if role == BYTES_ROLE and column == DATA:
-            return Payload(frame.data, frame.changed)
+            return cell.text
+        if role == BYTES_ROLE:
+            return cell.payload
         if role == TONE_ROLE:
-            return Tone.NOTE if column == SENDER and frame.sender in _OTHERS else Tone.PLAIN
-        if role == Qt.ItemDataRole.ToolTipRole and column == SAYS:
-            return self._says(frame)
-        return None
+            return cell.tone
+        if role == Qt.ItemDataRole.AccessibleTextRole:
+            return cell.text if cell.payload is None else cell.payload.text
+        return cell.text if role == Qt.ItemDataRole.ToolTipRole else None
+
+    def cells(self, index: Index) -> list[Cell]:
+        """A whole row, as it is painted."""
+        frame = self._frame(index.row())
+        texts = self._texts
+        arbitration_id, flags, sender = frame.arbitration_id, frame.flags, frame.sender
+        signals = texts.signals(arbitration_id, flags, frame.data, sender)
+        return [
+            Cell(self._clock_text(frame.at_s)),
+            Cell(frames.frame_id(arbitration_id, flags)),
+            Cell(texts.name(arbitration_id, flags)),
+            Cell(
+                texts.sender(sender, arbitration_id),
+                Tone.NOTE if sender in _OTHERS else Tone.PLAIN,
+            ),
+            Cell(payload=Payload(frame.data, frame.changed)),
+            Cell("   ".join(f"{each.name} {each.value}" for each in signals)),
+        ]
 
     def _frame(self, place: int) -> TracedFrame:
         if self._read is None or self._read[0] != place:
             assert self._trace is not None, "no frame is shown"  # noqa: S101
             self._read = place, self._trace.frame(place)
         return self._read[1]
-
-    def _text(self, frame: TracedFrame, column: int) -> str:
-        if column == TIME:
-            return self._clock_text(frame.at_s)
-        if column == ID:
-            return frames.frame_id(frame.arbitration_id, frame.flags)
-        if column == NAME:
-            return self._texts.name(frame.arbitration_id, frame.flags)
-        if column == SENDER:
-            return self._texts.sender(frame.sender, frame.arbitration_id)
-        return self._says(frame) if column == SAYS else ""
-
-    def _says(self, frame: TracedFrame) -> str:
-        signals = self._texts.signals(frame.arbitration_id, frame.flags, frame.data, frame.sender)
-        return "   ".join(f"{each.name} {each.value}" for each in signals)
 
 
 def candump(frame: TracedFrame) -> str:
