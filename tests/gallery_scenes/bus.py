@@ -53,8 +53,8 @@ def by_identifier(app_driver: AppDriver) -> QDialog:
     window = _window(app_driver)
     _company(app_driver)
     window.look()
-    window.filter_bar.ids.setText("0-253, 2A1-2A8, 3C1-7FFFFFFF")
-    _expand(window, 0x121, 0x2A8)
+    window.filter_bar.ids.setText("40, 121, 2A5-2A8, 3C1-7FFFFFFF")
+    _expand(window, 0x2A5, 0x3C1, 0x472)
     window.tree.scrollToTop()
     window.filter_bar.pause.setChecked(True)
     return window

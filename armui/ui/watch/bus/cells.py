@@ -6,8 +6,16 @@ import enum
 from collections.abc import Sequence
 from typing import Final, NamedTuple, Protocol
 
-from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, Qt
-from PySide6.QtGui import QColor, QFont, QFontDatabase, QFontMetrics, QPainter, QPaintEvent, QPen
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QRectF, Qt
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontDatabase,
+    QFontMetricsF,
+    QPainter,
+    QPaintEvent,
+    QPen,
+)
 from PySide6.QtWidgets import QStyleOptionViewItem, QTreeView, QWidget
 
 from armui.ui.theme import Colors, colors_of
@@ -88,8 +96,8 @@ def byte_font(widget: QWidget) -> QFont:
 
 def bytes_width(widget: QWidget) -> int:
     """Room for eight bytes, in pixels."""
-    figure_px = QFontMetrics(byte_font(widget)).horizontalAdvance("0")
-    return _BYTES * _BYTE_CHARACTERS * figure_px + 2 * _SIDE_PX
+    figure_px = QFontMetricsF(byte_font(widget)).horizontalAdvance("0")
+    return round(_BYTES * _BYTE_CHARACTERS * figure_px) + 2 * _SIDE_PX
 
 
 class RowView(QTreeView):
@@ -117,7 +125,7 @@ class RowView(QTreeView):
         self._lit_font = QFont(self._byte_font)
         self._lit_font.setBold(True)
         self._metrics = self.fontMetrics()
-        self._figure_px = QFontMetrics(self._byte_font).horizontalAdvance("0")
+        self._figure_px = QFontMetricsF(self._byte_font).horizontalAdvance("0")
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Colours and fonts are looked up once for all rows."""
@@ -185,7 +193,7 @@ class RowView(QTreeView):
         for place, byte in enumerate(data):
             if figures[place] == "  ":
                 left = box.left() + place * _BYTE_CHARACTERS * self._figure_px
-                ground = QRect(left, box.top() + 3, 2 * self._figure_px, box.height() - 6)
+                ground = QRectF(left, box.top() + 3, 2 * self._figure_px, box.height() - 6)
                 painter.fillRect(ground.adjusted(-2, 0, 2, 0), QColor(self._colors.warn_pale))
                 painter.drawText(ground, Qt.AlignmentFlag.AlignCenter, f"{byte:02X}")
 
