@@ -78,21 +78,22 @@ def test_cost_of_a_look(qapp, tmp_path, capsys, benchmark):
             window.tree.setExpanded(index, index.data() in SIGNALS_OF)
         for view in (window.filter_bar.by_id, window.filter_bar.in_order):
             view.click()
+            rows = window.tree if view is window.filter_bar.by_id else window.trace
             looks, pictures = [], []
             for _ in range(LOOKS):
                 driver.run(0.1)
-                began_s = time.perf_counter()
+                began_s = time.thread_time()
                 window.look()
-                looked_s = time.perf_counter()
-                window.grab()
+                looked_s = time.thread_time()
+                rows.viewport().repaint()
                 looks.append(1e3 * (looked_s - began_s))
-                pictures.append(1e3 * (time.perf_counter() - looked_s))
+                pictures.append(1e3 * (time.thread_time() - looked_s))
             looks.sort()
             pictures.sort()
             with capsys.disabled():
-                print(f"\n{view.objectName()}, {LOOKS} looks at 0.1 s of an arm each:")
+                print(f"\n{view.objectName()}, {LOOKS} looks at 0.1 s of an arm each, processor:")
                 print(f"  counting and showing  {looks[LOOKS // 2]:5.2f} ms, most {looks[-1]:5.2f}")
-                print(f"  painting it all       {pictures[LOOKS // 2]:5.2f} ms")
+                print(f"  painting all rows     {pictures[LOOKS // 2]:5.2f} ms")
         benchmark.pedantic(lambda: None, rounds=1)
     finally:
         driver.close()

@@ -162,7 +162,8 @@ class RowView(QTreeView):
             self._draw_focus(painter, option.rect, index)
 
     def _draw_focus(self, painter: QPainter, box: QRect, index: Index) -> None:
-        if index.siblingAtColumn(0) == self.currentIndex().siblingAtColumn(0):
+        current = self.currentIndex()
+        if index.sibling(index.row(), 0) == current.sibling(current.row(), 0):
             painter.setPen(QPen(QColor(self._colors.accent)))
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.drawRect(box.adjusted(0, 0, -1, -1))

@@ -72,7 +72,7 @@ class FrameTree(RowView):
             )
 
     def _sign(self, index: Index) -> QRect | None:
-        first = index.siblingAtColumn(frame_model.ID)
+        first = index.sibling(index.row(), frame_model.ID)
         if not first.data(KEY_ROLE):
             return None
         cell = self.visualRect(first)
@@ -98,7 +98,7 @@ class FrameTree(RowView):
         super().keyPressEvent(event)
 
     def _show_curve(self, index: Index) -> None:
-        key = index.siblingAtColumn(frame_model.ID).data(KEY_ROLE) if index.isValid() else None
+        key = index.sibling(index.row(), frame_model.ID).data(KEY_ROLE) if index.isValid() else None
         if key:
             self.curves_wanted.emit([key])
 
