@@ -1956,8 +1956,8 @@
         <translation>改变机械臂的主从角色或其 ID。断电后仍保留，本程序可能再也收不到该机械臂。</translation>
     </message>
     <message>
-        <source>Changes something the arm keeps, also when it is switched off: zeros, limits, levels or the load.</source>
-        <translation>改变机械臂断电后仍保留的内容：零点、限位、等级或负载。</translation>
+        <source>Changes something the arm keeps, also when it is switched off: zeros, limits, levels or the load. Read it anew in its panel afterwards.</source>
+        <translation>改变机械臂断电后仍保留的内容：零点、限位、等级或负载。之后请在相应面板中重新读取。</translation>
     </message>
     <message>
         <source>The arm is told to say nothing: nobody sees what it does until it is told to speak again or is switched off and on.</source>

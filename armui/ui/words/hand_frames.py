@@ -97,7 +97,7 @@ _EFFECTS: Final[Mapping[FrameEffect, object]] = {
     FrameEffect.SETTING: QT_TRANSLATE_NOOP(
         "FrameEffect",
         "Changes something the arm keeps, also when it is switched off: zeros, limits, levels or "
-        "the load.",
+        "the load. Read it anew in its panel afterwards.",
     ),
     FrameEffect.SILENCE: QT_TRANSLATE_NOOP(
         "FrameEffect",

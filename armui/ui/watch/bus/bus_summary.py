@@ -11,6 +11,7 @@ from armui.control.events import Level
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.widgets.curve_menu import tell_quantities
+from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
@@ -42,7 +43,9 @@ class BusSummary(Translated, QWidget):
         ]
         for key, value in zip(_KEYS, self._values, strict=False):
             tell_quantities(value, key)
-        self.counted = text_label("bus_counted", rank="muted")
+        self.counted = ElidedLabel()
+        self.counted.setObjectName("bus_counted")
+        self.counted.setProperty("rank", "muted")
         self.paused = text_label("bus_paused", rank="warning")
         row = QHBoxLayout()
         row.setSpacing(6)
@@ -85,7 +88,8 @@ class BusSummary(Translated, QWidget):
         often = f" ({fmt.number(errors, 0)} /s)" if errors else ""
         _put(self.errors, f"{snapshot.error_frames}{often}")
         _put(self.lost, str(self._lost))
-        _put(self.counted, counted)
+        if self.counted.text() != counted:
+            self.counted.show_text(counted)
         _put(self.paused, paused)
         self._show_trouble(snapshot, load)
 

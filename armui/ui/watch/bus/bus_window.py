@@ -131,6 +131,7 @@ class BusWindow(ArmDialog):
         if reread or leader is not self._texts.leader:
             self._texts.leader = leader
             self._reread()
+        self.send_box.refresh()
         if self._standing is None:
             self._snapshot = self.statistics.snapshot()
             self._show()
@@ -263,7 +264,8 @@ class BusWindow(ArmDialog):
     def _on_copy(self) -> None:
         chosen = sorted({each.row() for each in self.trace.selectedIndexes()})
         channel = "can0" if self._device is None else str(self._device.channel)
-        lines = self.trace_model.lines(chosen, channel.replace(" ", "_"))
+        zero_s = self._clock_zero.timestamp()
+        lines = self.trace_model.lines(chosen, channel.replace(" ", "_"), zero_s)
         if lines:
             QGuiApplication.clipboard().setText("\n".join(lines) + "\n")
 

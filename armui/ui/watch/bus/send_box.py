@@ -13,9 +13,9 @@ from armui.control.safety.hand_frame import FrameEffect, effect_of, parse_frame
 from armui.protocol.frame import Frame
 from armui.ui import words
 from armui.ui.watch.bus.cells import byte_font
+from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.message_line import MessageLine
-from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.hand_frames import frame_effect
 
@@ -69,7 +69,9 @@ class SendBox(Translated, QWidget):
         self.send.setAutoDefault(False)
         self.hold = HoldButton()
         self.hold.setObjectName("bus_hold_to_send")
-        self._hint = text_label("bus_send_hint", rank="muted", plain=True)
+        self._hint = ElidedLabel()
+        self._hint.setObjectName("bus_send_hint")
+        self._hint.setProperty("rank", "muted")
         self.message = MessageLine()
         self.message.setObjectName("bus_send_message")
         self._timer = QTimer(self, singleShot=True, interval=UNLOCKED_MS)
@@ -161,6 +163,11 @@ class SendBox(Translated, QWidget):
             self._sent = str(frame)
         self._show()
 
+    def refresh(self) -> None:
+        """What stands against the frame may have changed."""
+        if self.is_open:
+            self._show()
+
     # What is shown ----------------------------------------------------------------------------
 
     def _show(self) -> None:
@@ -172,7 +179,7 @@ class SendBox(Translated, QWidget):
         why_not = self._controller.bus.why_not_send()
         self.unlock.setEnabled(why_not is None)
         self.unlock.setToolTip(words.why_not(why_not))
-        self._hint.setText(self._use if why_not is None else words.refusal(why_not))
+        self._hint.show_text(self._use if why_not is None else words.refusal(why_not))
         frame = self._typed()
         harmless = isinstance(frame, Frame) and effect_of(frame) is FrameEffect.HARMLESS
         if isinstance(frame, Frame):
@@ -184,7 +191,9 @@ class SendBox(Translated, QWidget):
         self.hold.setEnabled(may)
         self.message.setVisible(is_open)
         if is_open:
-            self.message.show_message(*self._says(frame, why_not))
+            text, level = self._says(frame, why_not)
+            if text != self.message.text():
+                self.message.show_message(text, level)
 
     def _says(self, frame: Frame | Refusal, why_not: Refusal | None) -> tuple[str, Level]:
         if isinstance(frame, Refusal):

@@ -65,13 +65,19 @@ class TraceModel(QAbstractTableModel):
         self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, COLUMNS - 1)
         self.layoutChanged.emit()
 
-    def lines(self, places: Sequence[int], channel: str) -> list[str]:
-        """Frames as candump writes them, with the seconds of the program's clock."""
+    def lines(self, places: Sequence[int], channel: str, zero_s: float) -> list[str]:
+        """Frames as candump writes them.
+
+        Args:
+            places: Which rows.
+            channel: The name of the bus.
+            zero_s: The time of day, in seconds since 1970, at the zero of the frames' clock.
+        """
         trace = self._trace
         if trace is None:
             return []
         picked = [trace.frame(place) for place in places]
-        return [f"({each.at_s:.6f}) {channel} {candump(each)}" for each in picked]
+        return [f"({zero_s + each.at_s:.6f}) {channel} {candump(each)}" for each in picked]
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: N802, B008 - Qt
         """One a frame."""
