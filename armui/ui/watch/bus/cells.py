@@ -204,5 +204,5 @@ def _ink(tone: Tone, colors: Colors) -> str:
         Tone.PLAIN: colors.text,
         Tone.MUTED: colors.muted,
         Tone.NOTE: colors.accent,
-        Tone.TROUBLE: colors.stop,
+        Tone.TROUBLE: colors.warn,
     }[tone]

@@ -130,7 +130,10 @@ class FrameModel(QAbstractItemModel):
             self._nodes[place].place = place
 
     def _wanted_details(self, node: _Node) -> int:
-        return len(node.signals(self._texts)) + bool(self._texts.trouble(node.row))
+        row = node.row
+        trouble = self._texts.trouble(row)
+        said = trouble == self._texts.name(row.arbitration_id, row.flags)
+        return len(node.signals(self._texts)) + bool(trouble and not said)
 
     def _fit_details(self, node: _Node) -> None:
         """As many rows below it as there is to be said."""
