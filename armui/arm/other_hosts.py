@@ -63,6 +63,15 @@ class FrameSeries:
         span_s = self.last_s - self.since_s
         return (self.count - 1) / span_s if span_s > 0.0 else 0.0
 
+    def joined(self, more: FrameSeries) -> FrameSeries:
+        """Frames of one identifier that two have sent."""
+        newer, older = (more, self) if more.last_s >= self.last_s else (self, more)
+        if newer.since_s - older.last_s > _FORGOTTEN_S:
+            return newer
+        since_s = min(self.since_s, more.since_s)
+        count = self.count + more.count
+        return FrameSeries(self.arbitration_id, count, since_s, newer.last_s, newer.data)
+
 
 @dataclass(frozen=True, slots=True)
 class OtherTraffic:
@@ -107,6 +116,16 @@ class OtherTraffic:
             if even and min(each.rate_hz for each in series) >= _LEADER_RATE_HZ:
                 return True
         return False
+
+    def joined(self, more: OtherTraffic) -> OtherTraffic:
+        """This and what somebody else was heard to send, as though it were one host's."""
+        if not more.series:
+            return self
+        series = dict(self.series)
+        for arbitration_id, each in more.series.items():
+            known = series.get(arbitration_id)
+            series[arbitration_id] = each if known is None else known.joined(each)
+        return OtherTraffic(MappingProxyType(series))
 
     def _newest(self, identifiers: Iterable[int]) -> FrameSeries | None:
         known = [self.series[each] for each in identifiers if each in self.series]

@@ -68,6 +68,14 @@ class RefusalCode(StrEnum):
     FILE_UNREADABLE = "file_unreadable"
     FILE_VERSION = "file_version"
     FINDINGS_AGAINST = "findings_against"  # count
+    FRAME_DATA_BAD = "frame_data_bad"  # value
+    FRAME_DATA_LONG = "frame_data_long"  # count
+    FRAME_ID_BAD = "frame_id_bad"  # value
+    FRAME_ID_TOO_HIGH = "frame_id_too_high"  # value
+    FRAME_IS_THE_ARMS = "frame_is_the_arms"  # frame
+    FRAME_NOT_HELD = "frame_not_held"
+    FRAME_OF_UPGRADE = "frame_of_upgrade"  # frame
+    FRAME_RESUMES = "frame_resumes"
     GENERATION_UNKNOWN = "generation_unknown"
     GRIPPER_NO_ZERO = "gripper_no_zero"
     GRIPPER_NOT_A_NUMBER = "gripper_not_a_number"  # gripper, value, minimum, maximum, unit

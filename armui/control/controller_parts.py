@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from armui.control.devices.teaching import TeachingControl
     from armui.control.devices.zeroing import Zeroing
     from armui.control.event_log.collector import EventCollector
+    from armui.control.link.bus_access import BusAccess
     from armui.control.link.dropped_frames import DroppedFrames
     from armui.control.motion.cartesian import Cartesian
     from armui.control.motion.jogging import Jogging
@@ -194,6 +195,13 @@ class ControllerParts(QObject):
         from armui.control.devices.zeroing import Zeroing
 
         return Zeroing(self._context, self.orders, before_zeroing=self._forget_places)
+
+    @cached_property
+    def bus(self) -> BusAccess:
+        """What the bus monitor needs of the bus."""
+        from armui.control.link.bus_access import BusAccess
+
+        return BusAccess(self._context)
 
     @cached_property
     def happenings(self) -> EventCollector:

@@ -40,6 +40,7 @@ class EventCode(StrEnum):
     MOTION_UNHEEDED = "motion_unheeded"
     MOTION_TOO_FAST = "motion_too_fast"  # reason
     FRAMES_DROPPED = "frames_dropped"  # count, total
+    FRAME_SENT_BY_HAND = "frame_sent_by_hand"  # frame
     SENT_LAMP = "sent_lamp"  # joint, lamp, color
     SENT_LAMPS = "sent_lamps"  # joint, color
     STOP_SENT = "stop_sent"
@@ -160,6 +161,7 @@ LEVELS: Final[Mapping[EventCode, Level]] = {
     EventCode.MOTION_UNHEEDED: Level.FAULT,
     EventCode.MOTION_TOO_FAST: Level.FAULT,
     EventCode.FRAMES_DROPPED: Level.WARNING,
+    EventCode.FRAME_SENT_BY_HAND: Level.WARNING,
     EventCode.SENT_LAMP: Level.INFO,
     EventCode.SENT_LAMPS: Level.INFO,
     EventCode.STOP_SENT: Level.WARNING,

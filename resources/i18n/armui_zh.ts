@@ -586,6 +586,242 @@
     </message>
 </context>
 <context>
+    <name>BusError</name>
+    <message>
+        <source>a frame could not be sent in time</source>
+        <translation>有一帧未能及时发出</translation>
+    </message>
+    <message>
+        <source>arbitration lost: a frame of higher rank came first, which is normal</source>
+        <translation>仲裁失败：优先级更高的帧先发出，属正常现象</translation>
+    </message>
+    <message>
+        <source>the adapter&apos;s CAN controller reports</source>
+        <translation>适配器的 CAN 控制器有报告</translation>
+    </message>
+    <message>
+        <source>the adapter has lost frames: too slow for this bus, or its USB port is</source>
+        <translation>适配器丢失了帧：适配器或其 USB 接口跟不上这条总线</translation>
+    </message>
+    <message>
+        <source>the adapter has lost frames to be sent</source>
+        <translation>适配器丢失了待发送的帧</translation>
+    </message>
+    <message>
+        <source>many errors: check the cable and both terminating resistors (120 Ω)</source>
+        <translation>错误较多：请检查线缆和两端 120 Ω 终端电阻</translation>
+    </message>
+    <message>
+        <source>error passive: check CAN_H and CAN_L, both terminating resistors and the bit rate</source>
+        <translation>错误被动：请检查 CAN_H、CAN_L、两端终端电阻和波特率</translation>
+    </message>
+    <message>
+        <source>the errors have become few again</source>
+        <translation>错误已减少</translation>
+    </message>
+    <message>
+        <source>disturbed frame: check the cable, its shield, and the bit rate</source>
+        <translation>帧受到干扰：请检查线缆、屏蔽层和波特率</translation>
+    </message>
+    <message>
+        <source>transceiver: check CAN_H and CAN_L for a short or an open line</source>
+        <translation>收发器：请检查 CAN_H、CAN_L 是否短路或断路</translation>
+    </message>
+    <message>
+        <source>nobody acknowledges: check the arm&apos;s power, the cable and the bit rate</source>
+        <translation>无人应答：请检查机械臂电源、线缆和波特率</translation>
+    </message>
+    <message>
+        <source>bus off: too many errors, the adapter takes no part. Check the cable, both terminating resistors (120 Ω) and the bit rate, then connect again</source>
+        <translation>总线关闭（bus off）：错误过多，适配器已退出总线。请检查线缆、两端 120 Ω 终端电阻和波特率，然后重新连接</translation>
+    </message>
+    <message>
+        <source>error on the bus: check the cable</source>
+        <translation>总线错误：请检查线缆</translation>
+    </message>
+    <message>
+        <source>the adapter takes part again</source>
+        <translation>适配器已重新加入总线</translation>
+    </message>
+    <message>
+        <source>the adapter tells no more</source>
+        <translation>适配器未给出更多信息</translation>
+    </message>
+</context>
+<context>
+    <name>BusMonitor</name>
+    <message>
+        <source>silent</source>
+        <translation>已静默</translation>
+    </message>
+    <message>
+        <source>Show as curve</source>
+        <translation>显示为曲线</translation>
+    </message>
+    <message>
+        <source>ID</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>报文</translation>
+    </message>
+    <message>
+        <source>Sender</source>
+        <translation>发送方</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>Rate, Hz</source>
+        <translation>频率 Hz</translation>
+    </message>
+    <message>
+        <source>Jitter, ms</source>
+        <translation>抖动 ms</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>帧数</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>最近一帧</translation>
+    </message>
+    <message>
+        <source>The identifier on the bus, offsets of 0x470 included</source>
+        <translation>总线上的 ID，包含 0x470 设置的偏移</translation>
+    </message>
+    <message>
+        <source>What the frame is; its signals are below it</source>
+        <translation>该帧的含义；下方是其中的信号</translation>
+    </message>
+    <message>
+        <source>By the identifier: what is not this program&apos;s and no arm sends is another host&apos;s</source>
+        <translation>按 ID 判断：既不是本程序发送、也不是机械臂会发送的帧，属于其他上位机</translation>
+    </message>
+    <message>
+        <source>Bytes that have changed within the last second are lit</source>
+        <translation>最近 1 秒内变化过的字节会点亮</translation>
+    </message>
+    <message>
+        <source>Over the last 3 s, and at least 8 cycles</source>
+        <translation>按最近 3 秒计算，至少 8 个周期</translation>
+    </message>
+    <message>
+        <source>How far the cycles of the last 3 s are from their mean on average / the longest cycle since the counting began</source>
+        <translation>最近 3 秒内周期与其平均值的平均偏差 / 开始统计以来最长的周期</translation>
+    </message>
+    <message>
+        <source>Since the counting began</source>
+        <translation>开始统计以来</translation>
+    </message>
+    <message>
+        <source>When the last one came</source>
+        <translation>最近一帧到达的时间</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Says</source>
+        <translation>内容</translation>
+    </message>
+</context>
+<context>
+    <name>BusSummary</name>
+    <message>
+        <source>{count} frames were lost before the program could read them: the computer is too busy, or the adapter too slow. What is shown is not all that was on the bus.</source>
+        <translation>有 {count} 帧在程序读取前丢失：电脑过于繁忙，或适配器太慢。这里显示的不是总线上的全部帧。</translation>
+    </message>
+    <message>
+        <source>The bus is nearly full: frames of low rank come late. Have less sent.</source>
+        <translation>总线接近满载：优先级低的帧会延迟。请减少发送量。</translation>
+    </message>
+    <message>
+        <source>Not counted here: {late} frames that came while the window was held up, {more} of identifiers beyond the first {rows}.</source>
+        <translation>未计入：窗口受阻期间到达的 {late} 帧，以及超出前 {rows} 个 ID 的 {more} 帧。</translation>
+    </message>
+    <message>
+        <source>Bus load</source>
+        <translation>总线负载</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>Error frames</source>
+        <translation>错误帧</translation>
+    </message>
+    <message>
+        <source>Lost frames</source>
+        <translation>丢失帧</translation>
+    </message>
+    <message>
+        <source>Of the bit rate, stuff bits not counted; right button: show as curve</source>
+        <translation>占波特率的比例，不计填充位；右键可显示为曲线</translation>
+    </message>
+    <message>
+        <source>A second, those of this program included</source>
+        <translation>每秒帧数，包括本程序发送的帧</translation>
+    </message>
+    <message>
+        <source>Errors on the bus that the adapter has reported since the counting began</source>
+        <translation>开始统计以来适配器报告的总线错误</translation>
+    </message>
+    <message>
+        <source>Lost by the system&apos;s queue or by the adapter since the counting began</source>
+        <translation>开始统计以来被系统队列或适配器丢失的帧</translation>
+    </message>
+</context>
+<context>
+    <name>BusWindow</name>
+    <message>
+        <source>Counted since {time}, when opened or cleared: {count} frames</source>
+        <translation>自 {time}（打开或清空）起统计：{count} 帧</translation>
+    </message>
+    <message>
+        <source>Paused: the figures are those of {time}</source>
+        <translation>已暂停：显示的是 {time} 的数值</translation>
+    </message>
+    <message>
+        <source>Generation not known yet: read as generation 2</source>
+        <translation>协议代次未知：暂按第 2 代解读</translation>
+    </message>
+    <message>
+        <source>Show as curve</source>
+        <translation>显示为曲线</translation>
+    </message>
+    <message>
+        <source>Show this identifier alone</source>
+        <translation>只显示该 ID</translation>
+    </message>
+    <message>
+        <source>Copy {frame}</source>
+        <translation>复制 {frame}</translation>
+    </message>
+    <message>
+        <source>Into the fields for sending</source>
+        <translation>填入发送栏</translation>
+    </message>
+    <message>
+        <source>Bus monitor</source>
+        <translation>总线监视</translation>
+    </message>
+    <message>
+        <source>Frames by identifier</source>
+        <translation>按 ID 排列的帧</translation>
+    </message>
+    <message>
+        <source>Frames in order of time</source>
+        <translation>按时间排列的帧</translation>
+    </message>
+</context>
+<context>
     <name>CartesianPanel</name>
     <message>
         <source>Fills the fields with the measured pose; nothing moves.</source>
@@ -1904,6 +2140,73 @@
     </message>
 </context>
 <context>
+    <name>FilterBar</name>
+    <message>
+        <source>Identifiers in hexadecimal: 2A1, 2A1-2A8, or value/mask as in 150/7F0</source>
+        <translation>十六进制 ID：2A1、2A1-2A8，或 值/掩码，例如 150/7F0</translation>
+    </message>
+    <message>
+        <source>“{value}” is no identifier; the filter stays as it was.</source>
+        <translation>“{value}”不是 ID；筛选保持不变。</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>By identifier</source>
+        <translation>按 ID</translation>
+    </message>
+    <message>
+        <source>In order of time</source>
+        <translation>按时间</translation>
+    </message>
+    <message>
+        <source>The figures stand as they are; what comes meanwhile is counted (Ctrl+P)</source>
+        <translation>数值停在当前；期间到达的帧仍会统计（Ctrl+P）</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清空</translation>
+    </message>
+    <message>
+        <source>Counting begins anew, from nothing</source>
+        <translation>从零重新统计</translation>
+    </message>
+    <message>
+        <source>Name or identifier</source>
+        <translation>名称或 ID</translation>
+    </message>
+    <message>
+        <source>Identifiers</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>Only changed</source>
+        <translation>仅变化的</translation>
+    </message>
+    <message>
+        <source>Frames of which a byte has changed since this was ticked</source>
+        <translation>勾选以后有字节变化的帧</translation>
+    </message>
+    <message>
+        <source>Only unknown or malformed</source>
+        <translation>仅未知或异常的</translation>
+    </message>
+    <message>
+        <source>From anybody</source>
+        <translation>所有发送方</translation>
+    </message>
+    <message>
+        <source>Sender</source>
+        <translation>发送方</translation>
+    </message>
+</context>
+<context>
     <name>FindBar</name>
     <message>
         <source>Note</source>
@@ -2083,6 +2386,65 @@
     </message>
 </context>
 <context>
+    <name>FrameEffect</name>
+    <message>
+        <source>A question or a lamp: nothing moves. A press sends it.</source>
+        <translation>查询或灯光：不会产生运动。按一下即发送。</translation>
+    </message>
+    <message>
+        <source>The motion under way ends or pauses; the joints keep their power.</source>
+        <translation>正在进行的运动会终止或暂停；关节保持上电。</translation>
+    </message>
+    <message>
+        <source>An emergency stop: the motors go limp and the arm sinks. Hold the arm. The stop button above is faster, reaches every identifier and is repeated until the arm confirms.</source>
+        <translation>急停：电机失力，机械臂会下沉。请扶住机械臂。上方的急停按钮更快，会发往每个 ID，并重复发送直到机械臂确认。</translation>
+    </message>
+    <message>
+        <source>Motors lose their power and there are no brakes: the ARM DROPS. Hold the arm.</source>
+        <translation>电机断电且没有抱闸：机械臂会坠落。请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>The joints go limp until their next setpoint: the ARM FALLS unless setpoints follow at once. Support the arm. Only a reset leads back from there.</source>
+        <translation>在下一个设定值到来之前关节失力：若没有设定值立即跟上，机械臂会坠落。请托住机械臂。之后只能通过复位恢复。</translation>
+    </message>
+    <message>
+        <source>Drives one motor past the arm&apos;s own planning and limits. With gains of 0 its joint has no strength and falls. Support the arm, keep away from it.</source>
+        <translation>绕过机械臂自身的规划和限位直接驱动一个电机。增益为 0 时该关节无力并坠落。请托住机械臂，并与其保持距离。</translation>
+    </message>
+    <message>
+        <source>The arm may set out at once, without any check. Keep away from it.</source>
+        <translation>机械臂可能立即运动，不经任何检查。请远离机械臂。</translation>
+    </message>
+    <message>
+        <source>The gripper may close, open or lose its power and let go, without any check. Keep your fingers away.</source>
+        <translation>夹爪可能闭合、张开，或断电松开，不经任何检查。请勿将手指放入。</translation>
+    </message>
+    <message>
+        <source>The joints give way to a hand, and sink if the load is not set. Hold the arm.</source>
+        <translation>关节可被手拖动；若未设置负载会下沉。请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>Motors get their power: joints may jerk. Keep away from the arm.</source>
+        <translation>电机上电：关节可能抖动。请远离机械臂。</translation>
+    </message>
+    <message>
+        <source>Changes whether the arm leads or follows, or its identifiers. It is kept when the arm is switched off, and the arm may fall silent to this program.</source>
+        <translation>改变机械臂的主从角色或其 ID。断电后仍保留，本程序可能再也收不到该机械臂。</translation>
+    </message>
+    <message>
+        <source>Changes something the arm keeps, also when it is switched off: zeros, limits, levels or the load. Read it anew in its panel afterwards.</source>
+        <translation>改变机械臂断电后仍保留的内容：零点、限位、等级或负载。之后请在相应面板中重新读取。</translation>
+    </message>
+    <message>
+        <source>The arm is told to say nothing: nobody sees what it does until it is told to speak again or is switched off and on.</source>
+        <translation>令机械臂静默：在解除静默或重新上电之前，无人能看到它在做什么。</translation>
+    </message>
+    <message>
+        <source>No public text says what this frame does. Expect anything: support the arm, keep away from it.</source>
+        <translation>没有公开资料说明该帧的作用，什么都可能发生：请托住机械臂，并与其保持距离。</translation>
+    </message>
+</context>
+<context>
     <name>FrameKind</name>
     <message>
         <source>unknown identifier</source>
@@ -2095,6 +2457,197 @@
     <message>
         <source>value outside its table</source>
         <translation>数值不在表中</translation>
+    </message>
+    <message>
+        <source>Error frame of the adapter</source>
+        <translation>适配器的错误帧</translation>
+    </message>
+    <message>
+        <source>Remote frame: a question without data</source>
+        <translation>远程帧：不带数据的请求</translation>
+    </message>
+    <message>
+        <source>CAN FD frame: the arm speaks classic CAN</source>
+        <translation>CAN FD 帧：机械臂使用经典 CAN</translation>
+    </message>
+    <message>
+        <source>29-bit identifier: the arm knows none</source>
+        <translation>29 位 ID：机械臂不使用</translation>
+    </message>
+    <message>
+        <source>Firmware upgrade: not documented</source>
+        <translation>固件升级：无公开资料</translation>
+    </message>
+    <message>
+        <source>Of an arm with other identifiers (0x470)</source>
+        <translation>属于 ID 偏移不同的机械臂（0x470）</translation>
+    </message>
+    <message>
+        <source>Unknown: not in the tables of this arm</source>
+        <translation>未知：不在该机械臂的协议表中</translation>
+    </message>
+</context>
+<context>
+    <name>FrameName</name>
+    <message>
+        <source>Lamp of a joint</source>
+        <translation>关节灯光</translation>
+    </message>
+    <message>
+        <source>Stop, trajectory and teaching command</source>
+        <translation>急停、轨迹与示教指令</translation>
+    </message>
+    <message>
+        <source>Control mode, kind of motion, speed</source>
+        <translation>控制模式、运动模式、速度</translation>
+    </message>
+    <message>
+        <source>Target X, Y</source>
+        <translation>目标 X、Y</translation>
+    </message>
+    <message>
+        <source>Target Z, RX</source>
+        <translation>目标 Z、RX</translation>
+    </message>
+    <message>
+        <source>Target RY, RZ</source>
+        <translation>目标 RY、RZ</translation>
+    </message>
+    <message>
+        <source>Target angles J1, J2</source>
+        <translation>目标角度 J1、J2</translation>
+    </message>
+    <message>
+        <source>Target angles J3, J4</source>
+        <translation>目标角度 J3、J4</translation>
+    </message>
+    <message>
+        <source>Target angles J5, J6</source>
+        <translation>目标角度 J5、J6</translation>
+    </message>
+    <message>
+        <source>Point of the arc</source>
+        <translation>圆弧点序号</translation>
+    </message>
+    <message>
+        <source>Gripper command</source>
+        <translation>夹爪指令</translation>
+    </message>
+    <message>
+        <source>MIT setpoint of J{joint}</source>
+        <translation>J{joint} MIT 设定值</translation>
+    </message>
+    <message>
+        <source>Driver of J{joint}, fast values</source>
+        <translation>J{joint} 驱动器高速反馈</translation>
+    </message>
+    <message>
+        <source>Driver of J{joint}, slow values</source>
+        <translation>J{joint} 驱动器低速反馈</translation>
+    </message>
+    <message>
+        <source>Arm status</source>
+        <translation>机械臂状态</translation>
+    </message>
+    <message>
+        <source>End pose X, Y</source>
+        <translation>末端位姿 X、Y</translation>
+    </message>
+    <message>
+        <source>End pose Z, RX</source>
+        <translation>末端位姿 Z、RX</translation>
+    </message>
+    <message>
+        <source>End pose RY, RZ</source>
+        <translation>末端位姿 RY、RZ</translation>
+    </message>
+    <message>
+        <source>Angles of J1, J2</source>
+        <translation>J1、J2 角度</translation>
+    </message>
+    <message>
+        <source>Angles of J3, J4</source>
+        <translation>J3、J4 角度</translation>
+    </message>
+    <message>
+        <source>Angles of J5, J6</source>
+        <translation>J5、J6 角度</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>夹爪反馈</translation>
+    </message>
+    <message>
+        <source>Bus silence</source>
+        <translation>总线静默</translation>
+    </message>
+    <message>
+        <source>Linkage setting</source>
+        <translation>联动设置</translation>
+    </message>
+    <message>
+        <source>Motors on and off</source>
+        <translation>电机使能与失能</translation>
+    </message>
+    <message>
+        <source>Question: limits of a joint</source>
+        <translation>查询：关节限制</translation>
+    </message>
+    <message>
+        <source>Answer: angle and speed limits</source>
+        <translation>应答：角度与速度限制</translation>
+    </message>
+    <message>
+        <source>Setting: angle and speed limits</source>
+        <translation>设置：角度与速度限制</translation>
+    </message>
+    <message>
+        <source>Setting of a joint</source>
+        <translation>关节设置</translation>
+    </message>
+    <message>
+        <source>Answer to a setting</source>
+        <translation>设置应答</translation>
+    </message>
+    <message>
+        <source>Parameter question and command</source>
+        <translation>参数查询与设置</translation>
+    </message>
+    <message>
+        <source>Answer: limits of the end</source>
+        <translation>应答：末端限制</translation>
+    </message>
+    <message>
+        <source>Setting: limits of the end</source>
+        <translation>设置：末端限制</translation>
+    </message>
+    <message>
+        <source>Setting: collision levels</source>
+        <translation>设置：碰撞防护等级</translation>
+    </message>
+    <message>
+        <source>Answer: collision levels</source>
+        <translation>应答：碰撞防护等级</translation>
+    </message>
+    <message>
+        <source>Answer: acceleration limit</source>
+        <translation>应答：加速度限制</translation>
+    </message>
+    <message>
+        <source>Setting: teaching handle, gripper</source>
+        <translation>设置：示教手柄与夹爪</translation>
+    </message>
+    <message>
+        <source>Answer: teaching handle, gripper</source>
+        <translation>应答：示教手柄与夹爪</translation>
+    </message>
+    <message>
+        <source>End motion, part of J{joint}</source>
+        <translation>末端运动，J{joint} 分量</translation>
+    </message>
+    <message>
+        <source>Firmware version</source>
+        <translation>固件版本</translation>
     </message>
 </context>
 <context>
@@ -2469,6 +3022,17 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>✓ As “{name}”</source>
         <translation>✓ 已导入为“{name}”</translation>
+    </message>
+</context>
+<context>
+    <name>InvalidFrame</name>
+    <message>
+        <source>{count} bytes instead of {wanted}</source>
+        <translation>{count} 字节，应为 {wanted} 字节</translation>
+    </message>
+    <message>
+        <source>outside its table: {signals}</source>
+        <translation>超出取值表：{signals}</translation>
     </message>
 </context>
 <context>
@@ -4003,6 +4567,10 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>The arm has not confirmed that its factory values are back. {reason}</source>
         <translation>机械臂未确认恢复出厂值。{reason}</translation>
+    </message>
+    <message>
+        <source>Sent by hand: {frame}. It counts as another program&apos;s command.</source>
+        <translation>手动发送：{frame}。按其他程序的指令处理。</translation>
     </message>
 </context>
 <context>
@@ -6245,6 +6813,38 @@ Lead it near its rest pose, then stop recording.</source>
         <source>Jogging ended: held for {seconds} s without a movement of the mouse or another key. Let go and press again; move the mouse a little while you hold it for long.</source>
         <translation>点动已结束：按住 {seconds} 秒期间鼠标未移动，也没有按其他键。请松开后重新按下；需要长时间按住时，请稍微移动鼠标。</translation>
     </message>
+    <message>
+        <source>Identifier: “{value}” is no hexadecimal number. Enter 000 to 7FF, for example 151.</source>
+        <translation>ID：“{value}”不是十六进制数。请输入 000 至 7FF，例如 151。</translation>
+    </message>
+    <message>
+        <source>Identifier: {value} has more than 11 bits, and the arm knows none of those. Enter 000 to 7FF.</source>
+        <translation>ID：{value} 超过 11 位，机械臂不使用这样的 ID。请输入 000 至 7FF。</translation>
+    </message>
+    <message>
+        <source>Data: “{value}” are no whole bytes. Enter two hexadecimal figures for each byte, for example 01 0A FF.</source>
+        <translation>数据：“{value}”不是完整的字节。每个字节请输入两位十六进制数，例如 01 0A FF。</translation>
+    </message>
+    <message>
+        <source>Data: {count} bytes do not fit into a frame. Enter 8 at most.</source>
+        <translation>数据：{count} 字节超出一帧的容量。最多输入 8 字节。</translation>
+    </message>
+    <message>
+        <source>{frame} is what an arm itself says: two senders of one identifier disturb the bus, and others would take it for the arm&apos;s word. Choose an identifier that hosts send.</source>
+        <translation>{frame} 是机械臂自己发送的帧：同一 ID 有两个发送方会干扰总线，其他程序也会误以为是机械臂的反馈。请选择由上位机发送的 ID。</translation>
+    </message>
+    <message>
+        <source>{frame} is kept for firmware upgrades: what it does is not public, and it may leave the arm without firmware. Use the maker&apos;s upgrade program.</source>
+        <translation>{frame} 保留用于固件升级：其作用没有公开资料，可能使机械臂失去固件。请使用厂家的升级程序。</translation>
+    </message>
+    <message>
+        <source>This frame ends an emergency stop and lets the arm drop. Use Resume in the main window, once the arm is supported.</source>
+        <translation>该帧会解除急停并使机械臂坠落。请先托住机械臂，再使用主窗口中的恢复。</translation>
+    </message>
+    <message>
+        <source>This frame acts on the arm: hold the button for a second to send it.</source>
+        <translation>该帧会对机械臂起作用：请按住按钮 1 秒再发送。</translation>
+    </message>
 </context>
 <context>
     <name>ReportButton</name>
@@ -6373,6 +6973,84 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Save</source>
         <translation>保存</translation>
+    </message>
+</context>
+<context>
+    <name>SendBox</name>
+    <message>
+        <source>Sent: {frame}.</source>
+        <translation>已发送：{frame}。</translation>
+    </message>
+    <message>
+        <source>A frame sent by hand is checked for nothing but its form, and counts as another program&apos;s: what this program is doing ends.</source>
+        <translation>手动发送的帧只检查格式，并按其他程序的指令处理：本程序正在进行的运动会结束。</translation>
+    </message>
+    <message>
+        <source>Hold to send frames by hand</source>
+        <translation>按住以启用手动发送</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>锁定</translation>
+    </message>
+    <message>
+        <source>Send nothing more; it also locks by itself after a minute</source>
+        <translation>不再发送；一分钟后也会自动锁定</translation>
+    </message>
+    <message>
+        <source>ID, hex</source>
+        <translation>ID，十六进制</translation>
+    </message>
+    <message>
+        <source>Identifier of the frame, hexadecimal</source>
+        <translation>帧 ID，十六进制</translation>
+    </message>
+    <message>
+        <source>Data, hex: 01 00 00 00 …</source>
+        <translation>数据，十六进制：01 00 00 00 …</translation>
+    </message>
+    <message>
+        <source>Data of the frame, hexadecimal</source>
+        <translation>帧数据，十六进制</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>发送</translation>
+    </message>
+    <message>
+        <source>Hold to send</source>
+        <translation>按住发送</translation>
+    </message>
+</context>
+<context>
+    <name>Sender</name>
+    <message>
+        <source>arm</source>
+        <translation>机械臂</translation>
+    </message>
+    <message>
+        <source>this program</source>
+        <translation>本程序</translation>
+    </message>
+    <message>
+        <source>another host</source>
+        <translation>其他上位机</translation>
+    </message>
+    <message>
+        <source>another arm</source>
+        <translation>另一台机械臂</translation>
+    </message>
+    <message>
+        <source>adapter</source>
+        <translation>适配器</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>leader arm</source>
+        <translation>主臂</translation>
     </message>
 </context>
 <context>
@@ -6530,6 +7208,748 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Drag teaching</source>
         <translation>示教</translation>
+    </message>
+</context>
+<context>
+    <name>SignalName</name>
+    <message>
+        <source>Acceleration valid</source>
+        <translation>加速度有效</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>动作</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Angular acceleration</source>
+        <translation>角加速度</translation>
+    </message>
+    <message>
+        <source>Angular speed</source>
+        <translation>角速度</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>蓝</translation>
+    </message>
+    <message>
+        <source>Supply current</source>
+        <translation>母线电流</translation>
+    </message>
+    <message>
+        <source>Clear error</source>
+        <translation>清除错误</translation>
+    </message>
+    <message>
+        <source>Collision protection</source>
+        <translation>碰撞保护</translation>
+    </message>
+    <message>
+        <source>Control mode</source>
+        <translation>控制模式</translation>
+    </message>
+    <message>
+        <source>Offset of the commands</source>
+        <translation>控制指令偏移</translation>
+    </message>
+    <message>
+        <source>Counter</source>
+        <translation>计数</translation>
+    </message>
+    <message>
+        <source>Check sum (CRC16)</source>
+        <translation>校验（CRC16）</translation>
+    </message>
+    <message>
+        <source>Check sum (4 bits)</source>
+        <translation>校验（4 位）</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>电流</translation>
+    </message>
+    <message>
+        <source>Driver fault</source>
+        <translation>驱动器错误</translation>
+    </message>
+    <message>
+        <source>Driver too hot</source>
+        <translation>驱动器过温</translation>
+    </message>
+    <message>
+        <source>Driver temperature</source>
+        <translation>驱动器温度</translation>
+    </message>
+    <message>
+        <source>Dwell time</source>
+        <translation>停留时间</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>Enable</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>已使能</translation>
+    </message>
+    <message>
+        <source>Feedback of the end&apos;s motion</source>
+        <translation>末端运动反馈</translation>
+    </message>
+    <message>
+        <source>Offset of the feedback</source>
+        <translation>反馈指令偏移</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>摩擦系数</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>绿</translation>
+    </message>
+    <message>
+        <source>Zero found</source>
+        <translation>已回零</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>应答对象</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Kd</source>
+        <translation>Kd</translation>
+    </message>
+    <message>
+        <source>Kp</source>
+        <translation>Kp</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>灯珠</translation>
+    </message>
+    <message>
+        <source>Linear acceleration</source>
+        <translation>线加速度</translation>
+    </message>
+    <message>
+        <source>Linear speed</source>
+        <translation>线速度</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>负载</translation>
+    </message>
+    <message>
+        <source>Load valid</source>
+        <translation>负载有效</translation>
+    </message>
+    <message>
+        <source>Highest acceleration</source>
+        <translation>最大加速度</translation>
+    </message>
+    <message>
+        <source>Largest angle</source>
+        <translation>最大角度</translation>
+    </message>
+    <message>
+        <source>Highest angular acceleration</source>
+        <translation>最大角加速度</translation>
+    </message>
+    <message>
+        <source>Highest angular speed</source>
+        <translation>最大角速度</translation>
+    </message>
+    <message>
+        <source>Highest linear acceleration</source>
+        <translation>最大线加速度</translation>
+    </message>
+    <message>
+        <source>Highest linear speed</source>
+        <translation>最大线速度</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>最大速度</translation>
+    </message>
+    <message>
+        <source>Smallest angle</source>
+        <translation>最小角度</translation>
+    </message>
+    <message>
+        <source>Follow mode</source>
+        <translation>跟随模式</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>模式</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Motor too hot</source>
+        <translation>电机过温</translation>
+    </message>
+    <message>
+        <source>Motor temperature</source>
+        <translation>电机温度</translation>
+    </message>
+    <message>
+        <source>Mounting</source>
+        <translation>安装方式</translation>
+    </message>
+    <message>
+        <source>Move mode</source>
+        <translation>运动模式</translation>
+    </message>
+    <message>
+        <source>Index of the name</source>
+        <translation>名称索引</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>开度</translation>
+    </message>
+    <message>
+        <source>Overcurrent</source>
+        <translation>过流</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>查询</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>红</translation>
+    </message>
+    <message>
+        <source>Factory reset</source>
+        <translation>恢复出厂</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>角色</translation>
+    </message>
+    <message>
+        <source>Sensor fault</source>
+        <translation>传感器异常</translation>
+    </message>
+    <message>
+        <source>Set zero</source>
+        <translation>设置零点</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Speed percentage</source>
+        <translation>速度百分比</translation>
+    </message>
+    <message>
+        <source>Stall protection</source>
+        <translation>堵转保护</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>行程</translation>
+    </message>
+    <message>
+        <source>Offset of what a leader sends</source>
+        <translation>主臂发送的指令偏移</translation>
+    </message>
+    <message>
+        <source>Teaching command</source>
+        <translation>示教指令</translation>
+    </message>
+    <message>
+        <source>Range of the handle</source>
+        <translation>手柄行程系数</translation>
+    </message>
+    <message>
+        <source>Teaching state</source>
+        <translation>示教状态</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>力矩</translation>
+    </message>
+    <message>
+        <source>Trajectory command</source>
+        <translation>轨迹指令</translation>
+    </message>
+    <message>
+        <source>Trajectory point</source>
+        <translation>轨迹点</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>传输</translation>
+    </message>
+    <message>
+        <source>Voltage too low</source>
+        <translation>电压过低</translation>
+    </message>
+    <message>
+        <source>Voltage</source>
+        <translation>电压</translation>
+    </message>
+    <message>
+        <source>Zero</source>
+        <translation>零点</translation>
+    </message>
+    <message>
+        <source>J{joint} limit</source>
+        <translation>J{joint} 限位</translation>
+    </message>
+    <message>
+        <source>J{joint} communication</source>
+        <translation>J{joint} 通信</translation>
+    </message>
+    <message>
+        <source>Byte {place}</source>
+        <translation>字节 {place}</translation>
+    </message>
+</context>
+<context>
+    <name>SignalWord</name>
+    <message>
+        <source>Abort</source>
+        <translation>终止</translation>
+    </message>
+    <message>
+        <source>Acceleration limit</source>
+        <translation>加速度限制</translation>
+    </message>
+    <message>
+        <source>All joints</source>
+        <translation>所有关节</translation>
+    </message>
+    <message>
+        <source>All lamps</source>
+        <translation>所有灯珠</translation>
+    </message>
+    <message>
+        <source>Angle and speed limits</source>
+        <translation>角度与速度限制</translation>
+    </message>
+    <message>
+        <source>Beyond limit</source>
+        <translation>超限</translation>
+    </message>
+    <message>
+        <source>Brake resistor too hot</source>
+        <translation>制动电阻过温</translation>
+    </message>
+    <message>
+        <source>CAN control</source>
+        <translation>CAN 指令控制</translation>
+    </message>
+    <message>
+        <source>Clear all</source>
+        <translation>清除所有轨迹</translation>
+    </message>
+    <message>
+        <source>Clear current</source>
+        <translation>清除当前轨迹</translation>
+    </message>
+    <message>
+        <source>Clear error</source>
+        <translation>清除错误</translation>
+    </message>
+    <message>
+        <source>Collision</source>
+        <translation>碰撞</translation>
+    </message>
+    <message>
+        <source>Collision levels</source>
+        <translation>碰撞防护等级</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation>失能</translation>
+    </message>
+    <message>
+        <source>Disabled</source>
+        <translation>已失能</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>Empty</source>
+        <translation>空载</translation>
+    </message>
+    <message>
+        <source>Enable</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>已使能</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>终点</translation>
+    </message>
+    <message>
+        <source>End limits</source>
+        <translation>末端限制</translation>
+    </message>
+    <message>
+        <source>End limits to factory</source>
+        <translation>末端限制恢复出厂</translation>
+    </message>
+    <message>
+        <source>End of trajectory</source>
+        <translation>轨迹结束</translation>
+    </message>
+    <message>
+        <source>Ethernet control</source>
+        <translation>以太网控制</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>异常</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>满载</translation>
+    </message>
+    <message>
+        <source>Get current</source>
+        <translation>获取当前轨迹</translation>
+    </message>
+    <message>
+        <source>Half</source>
+        <translation>半载</translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation>忽略</translation>
+    </message>
+    <message>
+        <source>Joint brake closed</source>
+        <translation>关节抱闸未打开</translation>
+    </message>
+    <message>
+        <source>Joint communication fault</source>
+        <translation>关节通信异常</translation>
+    </message>
+    <message>
+        <source>Joint limits to factory</source>
+        <translation>关节限制恢复出厂</translation>
+    </message>
+    <message>
+        <source>Joint status abnormal</source>
+        <translation>关节状态异常</translation>
+    </message>
+    <message>
+        <source>Large gripper</source>
+        <translation>大夹爪</translation>
+    </message>
+    <message>
+        <source>Leave silence</source>
+        <translation>解除静默</translation>
+    </message>
+    <message>
+        <source>Leave unchanged</source>
+        <translation>保持不变</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>Linked teaching input</source>
+        <translation>联动示教输入</translation>
+    </message>
+    <message>
+        <source>MIT</source>
+        <translation>MIT</translation>
+    </message>
+    <message>
+        <source>MOVE C</source>
+        <translation>MOVE C</translation>
+    </message>
+    <message>
+        <source>MOVE CPV</source>
+        <translation>MOVE CPV</translation>
+    </message>
+    <message>
+        <source>MOVE J</source>
+        <translation>MOVE J</translation>
+    </message>
+    <message>
+        <source>MOVE L</source>
+        <translation>MOVE L</translation>
+    </message>
+    <message>
+        <source>MOVE M</source>
+        <translation>MOVE M</translation>
+    </message>
+    <message>
+        <source>MOVE P</source>
+        <translation>MOVE P</translation>
+    </message>
+    <message>
+        <source>Main controller too hot</source>
+        <translation>主控过温</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>中间点</translation>
+    </message>
+    <message>
+        <source>Motion output</source>
+        <translation>运动输出臂</translation>
+    </message>
+    <message>
+        <source>Move to start</source>
+        <translation>运动到起点</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>No action</source>
+        <translation>无动作</translation>
+    </message>
+    <message>
+        <source>No change</source>
+        <translation>不变</translation>
+    </message>
+    <message>
+        <source>No offset</source>
+        <translation>无偏移</translation>
+    </message>
+    <message>
+        <source>No solution</source>
+        <translation>无解</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>Not given</source>
+        <translation>未指定</translation>
+    </message>
+    <message>
+        <source>Not reached</source>
+        <translation>未到达</translation>
+    </message>
+    <message>
+        <source>Not set</source>
+        <translation>未设置</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Offline trajectory</source>
+        <translation>离线轨迹</translation>
+    </message>
+    <message>
+        <source>Offset 0x10</source>
+        <translation>偏移 0x10</translation>
+    </message>
+    <message>
+        <source>Offset 0x20</source>
+        <translation>偏移 0x20</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>开启</translation>
+    </message>
+    <message>
+        <source>On the left side</source>
+        <translation>侧装（左）</translation>
+    </message>
+    <message>
+        <source>On the right side</source>
+        <translation>侧装（右）</translation>
+    </message>
+    <message>
+        <source>Other fault</source>
+        <translation>其他异常</translation>
+    </message>
+    <message>
+        <source>Overspeed while teaching</source>
+        <translation>拖动示教超速</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Position-velocity</source>
+        <translation>位置速度模式</translation>
+    </message>
+    <message>
+        <source>Reached</source>
+        <translation>已到达</translation>
+    </message>
+    <message>
+        <source>Received</source>
+        <translation>已接收</translation>
+    </message>
+    <message>
+        <source>Remote control</source>
+        <translation>遥控器控制</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Run recording</source>
+        <translation>执行示教轨迹</translation>
+    </message>
+    <message>
+        <source>Send again</source>
+        <translation>请重发</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>已设置</translation>
+    </message>
+    <message>
+        <source>Set zero</source>
+        <translation>设置零点</translation>
+    </message>
+    <message>
+        <source>Silence for controller upgrade</source>
+        <translation>主控升级静默</translation>
+    </message>
+    <message>
+        <source>Silence for driver upgrade</source>
+        <translation>驱动器升级静默</translation>
+    </message>
+    <message>
+        <source>Singularity</source>
+        <translation>奇异点</translation>
+    </message>
+    <message>
+        <source>Small gripper</source>
+        <translation>小夹爪</translation>
+    </message>
+    <message>
+        <source>Standby</source>
+        <translation>待机</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>起点</translation>
+    </message>
+    <message>
+        <source>Start recording</source>
+        <translation>开始示教记录</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>结束示教记录</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>采用</translation>
+    </message>
+    <message>
+        <source>Target beyond limit</source>
+        <translation>目标超限</translation>
+    </message>
+    <message>
+        <source>Teaching</source>
+        <translation>示教</translation>
+    </message>
+    <message>
+        <source>Teaching input</source>
+        <translation>示教输入臂</translation>
+    </message>
+    <message>
+        <source>Teaching paused</source>
+        <translation>示教暂停</translation>
+    </message>
+    <message>
+        <source>Teaching recording</source>
+        <translation>示教记录</translation>
+    </message>
+    <message>
+        <source>Teaching running</source>
+        <translation>示教执行</translation>
+    </message>
+    <message>
+        <source>Teaching setting</source>
+        <translation>示教设置</translation>
+    </message>
+    <message>
+        <source>Trajectory index</source>
+        <translation>轨迹索引</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>传输</translation>
+    </message>
+    <message>
+        <source>Transfer ends</source>
+        <translation>传输结束</translation>
+    </message>
+    <message>
+        <source>Unchanged</source>
+        <translation>不变</translation>
+    </message>
+    <message>
+        <source>Valid</source>
+        <translation>有效</translation>
+    </message>
+    <message>
+        <source>WiFi control</source>
+        <translation>Wi-Fi 控制</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>未超限</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>是</translation>
     </message>
 </context>
 <context>
@@ -6971,6 +8391,14 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>What happened: every command and what became of it, every change of the arm&apos;s status, every fault with its beginning and its end.</source>
         <translation>发生过的一切：每条指令及其结果、机械臂的每次状态变化、每个故障的开始与结束。</translation>
+    </message>
+    <message>
+        <source>Bus</source>
+        <translation>总线</translation>
+    </message>
+    <message>
+        <source>Every frame on the CAN bus: what it says, how often it comes, who sends it.</source>
+        <translation>CAN 总线上的每一帧：含义、频率以及由谁发送。</translation>
     </message>
 </context>
 </TS>

@@ -3,6 +3,7 @@
 from tests.gallery_scenes import (
     arm,
     arm_settings,
+    bus,
     company,
     dialogs,
     events,
@@ -80,6 +81,10 @@ DIALOG_SCENES = (
     DialogScene("columns", "online", trajectories.columns),
     DialogScene("events", "eventful", events.events),
     DialogScene("events-searched", "eventful", events.searched),
+    DialogScene("bus", "moving", bus.by_identifier),
+    DialogScene("bus-in-order", "moving", bus.in_order),
+    DialogScene("bus-by-hand", "online", bus.by_hand),
+    DialogScene("bus-blocked", "online", bus.blocked),
     DialogScene("plots-follow", "moving", plots.follow),
     DialogScene("plots-why-stopped", "collision", plots.why_stopped),
     DialogScene("plots-cursors", "stopped", plots.cursors),

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QMenu, QToolTi
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.files import choose_file
 from armui.ui.dialogs.settings import SettingsDialog
+from armui.ui.watch.bus.bus_window import BusWindow
 from armui.ui.watch.plot_window import PlotWindow
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.stop_button import StopButton
@@ -141,6 +142,15 @@ def list_of_the_curves(app_driver, button):
     assert QApplication.activePopupWidget() is not None
 
 
+def list_of_the_bus_monitor(app_driver, button):
+    app_driver.click("bus_button")
+    window = app_driver.dialog(BusWindow)
+    window.move(button.mapToGlobal(QPoint(-900, 300)))
+    app_driver.hold_button(window.send_box.unlock)
+    window.filter_bar.senders.showPopup()
+    assert QApplication.activePopupWidget() is not None
+
+
 def menu_of_a_figure(app_driver, _button):
     figure = app_driver.find("measured_2")
     middle = figure.rect().center()
@@ -152,6 +162,7 @@ def menu_of_a_figure(app_driver, _button):
 
 
 OPEN = [
+    list_of_the_bus_monitor,
     list_of_the_curves,
     menu_of_a_figure,
     combo_box,

@@ -20,6 +20,7 @@ from armui.ui.trajectory.editor.editor_window import EditorWindow
 from armui.ui.trajectory.library.bin_dialog import BinDialog
 from armui.ui.trajectory.library.library_window import LibraryWindow
 from armui.ui.trajectory.recording.recording_window import RecordingWindow
+from armui.ui.watch.bus.bus_window import BusWindow
 from armui.ui.watch.events.event_window import EventWindow
 from armui.ui.watch.plot_layout import SETS
 from armui.ui.watch.plot_window import PlotWindow
@@ -286,4 +287,24 @@ def test_the_panels_and_commands(app_driver, monkeypatch):
         app_driver.run(0.5)
         app_driver.controller.emergency_stop()
         app_driver.run(0.5)
+    assert forbidden(seen) == []
+
+
+def test_the_bus_monitor(app_driver, monkeypatch):
+    preload()
+    app_driver.ready()
+    with watched(monkeypatch) as seen:
+        app_driver.click("bus_button")
+        window = app_driver.dialog(BusWindow)
+        app_driver.run(0.3)
+        window.look()
+        window.tree.expandAll()
+        window.filter_bar.in_order.click()
+        app_driver.hold_button(window.send_box.unlock)
+        window.send_box.take(0x155, bytes(8))
+        app_driver.hold_button(window.send_box.hold)
+        app_driver.run(0.3)
+        window.look()
+        window.grab()
+        window.close()
     assert forbidden(seen) == []

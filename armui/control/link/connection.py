@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Signal
 
 from armui.arm.device import Device
 from armui.arm.generations import common_to_generations
-from armui.arm.other_hosts import OtherTraffic
+from armui.arm.other_hosts import OtherHosts, OtherTraffic
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, is_fresh
 from armui.bus.link import BusReport, BusState
@@ -70,6 +70,7 @@ class Connection(QObject):
         self._worker_numbers = count(1)
         self._worker_number = 0
         self._arms = 0
+        self._by_hand = OtherHosts()
         self.device: Device | None = None
         self.problem: Refusal | None = None
         self.handshake: Handshake | None = None
@@ -158,6 +159,7 @@ class Connection(QObject):
         self.device = device
         self.problem = None
         self._codec = Codec(Generation.TWO)
+        self._by_hand = OtherHosts()
         self.offsets = OffsetFollower()
         self._bus_state = BusState.OPENING
         self._worker_number = next(self._worker_numbers)
@@ -223,9 +225,18 @@ class Connection(QObject):
         return ArmState() if self._worker is None else self._understood(self._worker.state)
 
     @property
-    def traffic(self) -> OtherTraffic:
+    def heard_traffic(self) -> OtherTraffic:
         """What other hosts were heard to send until this very moment."""
         return OtherTraffic() if self._worker is None else self._worker.traffic
+
+    @property
+    def traffic(self) -> OtherTraffic:
+        """The same, and what was sent from here by hand, which counts as another host's."""
+        return self.heard_traffic.joined(self._by_hand.traffic())
+
+    def note_by_hand(self, frame: Frame) -> None:
+        """A frame that the operator wrote is about to be sent to this device."""
+        self._by_hand.note(frame.arbitration_id, frame.data, self._clock())
 
     def send(
         self, frames: Sequence[Frame], keep_s: float | None = None, command: int | None = None

@@ -37,6 +37,10 @@ _BUTTONS: Final = (
          "WatchMenu",
          "What happened: every command and what became of it, every change of the arm's status, "
          "every fault with its beginning and its end.")),
+    ("bus", QT_TRANSLATE_NOOP("WatchMenu", "Bus"),
+     QT_TRANSLATE_NOOP(
+         "WatchMenu",
+         "Every frame on the CAN bus: what it says, how often it comes, who sends it.")),
 )
 # fmt: on
 """Icon, name and purpose of each window, row by row."""
@@ -72,6 +76,7 @@ class WatchWindows:
         openers: dict[str, Callable[[], object]] = {
             "plots": lambda: self.show_as_curves(()),
             "events": self.show_events,
+            "bus": self.open_bus_monitor,
         }
         return tuple(
             WatchEntry(key, str(title), str(tip), openers[key]) for key, title, tip in _BUTTONS
@@ -120,3 +125,13 @@ class WatchWindows:
         for plots in self._window.findChildren(QDialog, "plot_window"):
             if isinstance(plots, _ShowsMoment) and plots.isVisible():
                 plots.show_moment(at_s)
+
+    def open_bus_monitor(self) -> None:
+        """Show the window 总线."""
+
+        def make() -> QDialog:
+            from armui.ui.watch.bus.bus_window import BusWindow  # noqa: PLC0415 - numpy, cantools
+
+            return BusWindow(self._controller, self._window)
+
+        self._open("bus", make)

@@ -71,3 +71,10 @@ def _shower(window: QObject | None) -> ShowsCurves | None:
     while window is not None and not isinstance(window, ShowsCurves):
         window = window.parent()
     return window
+
+
+def show_curves(widget: QWidget, keys: Sequence[str]) -> None:
+    """Show quantities as curves, if the program around a widget can."""
+    shower = _shower(widget.window())
+    if shower is not None and keys:
+        shower.show_as_curves(keys)

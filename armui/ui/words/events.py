@@ -63,6 +63,9 @@ _NOTICES: Final[Mapping[EventCode, object]] = {
         "{count} frames were lost before the program could read them ({total} since connecting): "
         "the computer is too busy, or the adapter too slow.",
     ),
+    EventCode.FRAME_SENT_BY_HAND: QT_TRANSLATE_NOOP(
+        "Notice", "Sent by hand: {frame}. It counts as another program's command."
+    ),
     EventCode.SENT_LAMP: QT_TRANSLATE_NOOP(
         "Notice", "Sent to lamp {lamp} of joint {joint}: {color}"
     ),

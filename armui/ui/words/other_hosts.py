@@ -8,8 +8,10 @@ from typing import Final
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
 from armui.arm.refusal_codes import RefusalCode
+from armui.ui.words.hand_frames import HAND_FRAME_REFUSALS
 
 OTHER_HOST_REFUSALS: Final[Mapping[RefusalCode, object]] = {
+    **HAND_FRAME_REFUSALS,
     RefusalCode.FEEDBACK_SILENT: QT_TRANSLATE_NOOP(
         "Refusal",
         "{frames} of the arm has not been heard for {seconds} s: nobody knows where it is. Check "

@@ -1,0 +1,131 @@
+"""The bus as the bus monitor needs it: who listens, what was lost, and frames sent by hand."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.events import EventCode
+from armui.control.operating_state import LinkState, StopState
+from armui.control.safety.hand_frame import (
+    MOVING,
+    NEVER_REFUSED,
+    FrameEffect,
+    effect_of,
+    sets_mode,
+    why_never,
+)
+from armui.protocol.addressing import OFFSETS
+
+if TYPE_CHECKING:
+    from armui.bus.tap import Tap
+    from armui.control.context import Context
+    from armui.protocol.frame import Frame
+
+_KEEP_S: Final = 0.2
+"""A frame that could not be sent within this time is dropped: what was meant may be over."""
+_PAUSE_S: Final = 2.0
+"""So long after its last motion frame another host is not interfered with."""
+
+
+class BusAccess:
+    """What the bus monitor asks of the connection.
+
+    A frame sent by hand is none of this program's own commands: it counts as another host's, so
+    that whatever was under way here ends, and nothing of ours follows before the arm rests.
+
+    Args:
+        context: What the parts of the controller share.
+    """
+
+    def __init__(self, context: Context) -> None:
+        self._context = context
+
+    @property
+    def frames_dropped(self) -> int:
+        """Frames lost by the system or the adapter before they could be read."""
+        return self._context.connection.frames_dropped
+
+    def add_tap(self, tap: Tap) -> None:
+        """Have every frame told to somebody."""
+        self._context.connection.add_tap(tap)
+
+    def remove_tap(self, tap: Tap) -> None:
+        """Tell it no more."""
+        self._context.connection.remove_tap(tap)
+
+    def why_not_send(self, frame: Frame | None = None) -> Refusal | None:
+        """The reason against sending a frame by hand now, or ``None``.
+
+        Args:
+            frame: Which one; ``None``: any at all.
+        """
+        link = self._context.connection.link
+        device = self._context.connection.device
+        if device is None or link in {LinkState.NO_DEVICE, LinkState.OPENING}:
+            return Refusal(RefusalCode.NOT_CONNECTED)
+        if device.listen_only:
+            return Refusal(RefusalCode.LISTEN_ONLY)
+        if link is LinkState.LOST:
+            return Refusal(RefusalCode.LINK_LOST)
+        operating_state = self._context.operating_state()
+        if operating_state.stop is StopState.REQUESTED:
+            return Refusal(RefusalCode.STOP_REQUESTED)
+        return None if frame is None else why_never(frame) or self._why_not_now(frame)
+
+    def send(self, frame: Frame, *, held: bool) -> Refusal | None:
+        """Send a frame by hand, in its turn: ``None``, or why not.
+
+        Args:
+            frame: Which one.
+            held: The operator has held the button for it. All but harmless ones need it.
+        """
+        context, connection = self._context, self._context.connection
+        context.refresh()
+        refusal = self.why_not_send(frame)
+        if refusal is None and effect_of(frame) is not FrameEffect.HARMLESS and not held:
+            refusal = Refusal(RefusalCode.FRAME_NOT_HELD)
+        if refusal is not None:
+            return context.refuse(refusal)
+        connection.note_by_hand(frame)
+        context.observe()  # ours ends first, and what waits of it is dropped
+        if not connection.send([frame], _KEEP_S):
+            return context.refuse(Refusal(RefusalCode.LINK_LOST))
+        context.tell(EventCode.FRAME_SENT_BY_HAND, frame=str(frame))
+        context.refresh()
+        return None
+
+    def _why_not_now(self, frame: Frame) -> Refusal | None:
+        effect = effect_of(frame)
+        if effect is FrameEffect.HARMLESS or effect in NEVER_REFUSED:
+            return None
+        context = self._context
+        operating_state = context.operating_state()
+        refusal = operating_state.unreachable
+        if refusal is None and operating_state.busy is not None:
+            refusal = Refusal(RefusalCode.BUSY, {"what": operating_state.busy.value})
+        if refusal is not None:
+            return refusal
+        if effect not in MOVING:
+            return operating_state.occupied
+        if operating_state.stop is not StopState.RUNNING:
+            return Refusal(RefusalCode.STOPPED)
+        return context.authority.why_silent() or self._why_others(frame)
+
+    def _why_others(self, frame: Frame) -> Refusal | None:
+        """Another host moves the arm, or has left it in a mode in which a mode word drops it."""
+        connection = self._context.connection
+        mode = self._context.authority.other.mode
+        if mode is not None and sets_mode(frame):
+            return Refusal(RefusalCode.OTHER_MODE, {"other_mode": mode.value})
+        offsets = connection.offsets
+        concerned = (offsets.addressing.control_offset,) if offsets.certain else OFFSETS
+        since_s = self._context.clock() - _PAUSE_S
+        others = [
+            each for each in connection.heard_traffic.motion(concerned) if each.last_s > since_s
+        ]
+        if not others:
+            return None
+        names = ", ".join(f"0x{each.arbitration_id:03X}" for each in others)
+        return Refusal(RefusalCode.OTHER_HOST, {"frames": names})

@@ -1,0 +1,192 @@
+"""A frame typed by the operator: whether it is one, and what it does to the arm: pure."""
+
+from __future__ import annotations
+
+import enum
+import re
+from typing import Final
+
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.protocol.addressing import OFFSETS
+from armui.protocol.codes import (
+    ControlMode,
+    MitMode,
+    MotorAction,
+    StopCommand,
+    TeachingState,
+    TrajectoryCommand,
+)
+from armui.protocol.frame import Frame
+from armui.telemetry.bus_senders import VERSION_ID, speaks_for_arm
+
+
+class FrameEffect(enum.StrEnum):
+    """What a frame does to the arm when it gets there."""
+
+    HARMLESS = "harmless"
+    """A question, or a lamp."""
+    ENDS = "ends"
+    """The motion under way ends or pauses."""
+    SINKS = "sinks"
+    """An emergency stop: the joints go limp under damping."""
+    DROPS = "drops"
+    """Motors lose their power; there are no brakes."""
+    LIMP = "limp"
+    """A mode in which the joints are limp until their next setpoint."""
+    DIRECT = "direct"
+    """A setpoint of one motor, past the arm's own planning."""
+    MOVES = "moves"
+    GRIPPER = "gripper"
+    HAND = "hand"
+    """Drag teaching: the joints give way to a hand."""
+    POWER = "power"
+    """Motors get their power."""
+    ROLE = "role"
+    """Leader or follower, and identifiers (0x470)."""
+    SETTING = "setting"
+    """Something that the arm keeps."""
+    SILENCE = "silence"
+    """The arm is told to say nothing (0x422)."""
+    UNKNOWN = "unknown"
+    """No public text says what."""
+
+
+NEVER_REFUSED: Final = frozenset({FrameEffect.ENDS, FrameEffect.SINKS, FrameEffect.DROPS})
+"""For what the arm does, or somebody else: these end it."""
+MOVING: Final = frozenset(
+    {
+        FrameEffect.LIMP,
+        FrameEffect.DIRECT,
+        FrameEffect.MOVES,
+        FrameEffect.GRIPPER,
+        FrameEffect.HAND,
+        FrameEffect.POWER,
+    }
+)
+"""The arm moves, or may: by itself, by gravity or by a hand."""
+
+_MODE_ID: Final = 0x151
+_UPGRADE: Final = (range(0x0A0, 0x0C0), range(0x4A0, 0x4D0))
+_HIGHEST: Final = 0x7FF
+_BYTES: Final = 8
+_LIMP_MODES: Final = frozenset({0x04, 0x05, 0x06})
+"""MOVE M, MOVE CPV, and MOVE M from firmware S-V1.8-8 on."""
+_ENDING: Final = frozenset(
+    {
+        TrajectoryCommand.PAUSE,
+        TrajectoryCommand.CLEAR_CURRENT,
+        TrajectoryCommand.CLEAR_ALL,
+        TrajectoryCommand.ABORT,
+    }
+)
+_ENDING_TEACHING: Final = frozenset(
+    {TeachingState.STOP_RECORDING, TeachingState.PAUSE, TeachingState.ABORT}
+)
+_EFFECTS: Final = {
+    **dict.fromkeys((0x121, 0x472, VERSION_ID), FrameEffect.HARMLESS),
+    **dict.fromkeys((0x474, 0x475, 0x479, 0x47A, 0x47D), FrameEffect.SETTING),
+    **dict.fromkeys(range(0x181, 0x188), FrameEffect.DIRECT),
+    0x470: FrameEffect.ROLE,
+}
+"""Of the identifiers that 0x470 moves not, whatever the bytes are."""
+_HEX: Final = re.compile(r"(?:0[xX])?([0-9a-fA-F]+)")
+_BETWEEN: Final = re.compile(r"[\s,.:_-]+")
+
+
+def parse_frame(identifier: str, data: str) -> Frame | Refusal:
+    """The frame that two fields hold in hexadecimal figures, or what is wrong with them.
+
+    Args:
+        identifier: ``155``, ``0x155``.
+        data: ``00 00 27 10``, ``00002710``; empty for no byte.
+    """
+    found = _HEX.fullmatch(identifier.strip())
+    if found is None:
+        return Refusal(RefusalCode.FRAME_ID_BAD, {"value": identifier.strip()})
+    arbitration_id = int(found[1], 16) if len(found[1]) <= _BYTES else _HIGHEST + 1
+    if arbitration_id > _HIGHEST:
+        return Refusal(RefusalCode.FRAME_ID_TOO_HIGH, {"value": f"0x{found[1].upper()}"})
+    parts = [part.removeprefix("0x") for part in _BETWEEN.split(data.strip().lower()) if part]
+    for part in parts:
+        if not re.fullmatch(r"[0-9a-f]+", part) or len(part) % 2:
+            return Refusal(RefusalCode.FRAME_DATA_BAD, {"value": part})
+    payload = bytes.fromhex("".join(parts))
+    if len(payload) > _BYTES:
+        return Refusal(RefusalCode.FRAME_DATA_LONG, {"count": len(payload)})
+    return Frame(arbitration_id, payload)
+
+
+def why_never(frame: Frame) -> Refusal | None:
+    """The reason against ever sending a frame by hand, or ``None``."""
+    name = {"frame": f"0x{frame.arbitration_id:03X}"}
+    if speaks_for_arm(frame.arbitration_id):
+        return Refusal(RefusalCode.FRAME_IS_THE_ARMS, name)
+    if is_upgrade(frame.arbitration_id):
+        return Refusal(RefusalCode.FRAME_OF_UPGRADE, name)
+    resumes = _byte(frame, 0) == StopCommand.RESUME
+    if command_id(frame.arbitration_id) == 0x150 and resumes:
+        return Refusal(RefusalCode.FRAME_RESUMES)
+    return None
+
+
+def is_upgrade(arbitration_id: int) -> bool:
+    """Whether an identifier is kept for firmware upgrades."""
+    return arbitration_id != VERSION_ID and any(arbitration_id in each for each in _UPGRADE)
+
+
+def sets_mode(frame: Frame) -> bool:
+    """Whether it is a mode word (0x151) for any arm."""
+    return command_id(frame.arbitration_id) == _MODE_ID
+
+
+def command_id(arbitration_id: int) -> int | None:
+    """The identifier 0x150–0x15F without its offset (0x470); ``None`` for any other."""
+    for offset in OFFSETS:
+        if 0x150 <= arbitration_id - offset <= 0x15F:
+            return arbitration_id - offset
+    return None
+
+
+def effect_of(frame: Frame) -> FrameEffect:
+    """What a frame does, on any arm: whichever offset it listens to (0x470)."""
+    arbitration_id = frame.arbitration_id
+    base = command_id(arbitration_id)
+    if base is not None:
+        return _command_effect(frame, base)
+    if arbitration_id == 0x471:
+        off = _byte(frame, 1) == MotorAction.DISABLE
+        return FrameEffect.DROPS if off else FrameEffect.POWER
+    if arbitration_id == 0x477:
+        return FrameEffect.SETTING if any(frame.data[1:4]) else FrameEffect.HARMLESS
+    if arbitration_id == 0x422:
+        return FrameEffect.SILENCE if _byte(frame, 0) else FrameEffect.HARMLESS
+    return _EFFECTS.get(arbitration_id, FrameEffect.UNKNOWN)
+
+
+def _command_effect(frame: Frame, base: int) -> FrameEffect:
+    if base == 0x150:
+        return _motion_command_effect(frame)
+    if base == _MODE_ID:
+        if _byte(frame, 1) in _LIMP_MODES or _byte(frame, 3) == MitMode.MIT:
+            return FrameEffect.LIMP
+        teaches = _byte(frame, 0) == ControlMode.TEACHING
+        return FrameEffect.HAND if teaches else FrameEffect.MOVES
+    if base == 0x159:
+        return FrameEffect.GRIPPER
+    return FrameEffect.DIRECT if base >= 0x15A else FrameEffect.MOVES
+
+
+def _motion_command_effect(frame: Frame) -> FrameEffect:
+    if _byte(frame, 0):
+        return FrameEffect.SINKS
+    plan, teaching = _byte(frame, 1), _byte(frame, 2)
+    if teaching == TeachingState.START_RECORDING:
+        return FrameEffect.HAND
+    ends = plan in _ENDING or teaching in _ENDING_TEACHING
+    starts = (plan and plan not in _ENDING) or (teaching and teaching not in _ENDING_TEACHING)
+    return FrameEffect.ENDS if ends and not starts else FrameEffect.MOVES
+
+
+def _byte(frame: Frame, place: int) -> int:
+    return frame.data[place] if len(frame.data) > place else 0

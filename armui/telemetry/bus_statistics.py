@@ -1,0 +1,298 @@
+"""What goes over the bus, counted by identifier and sender, and the last frames in order.
+
+The bus thread only hands batches over: it neither counts nor waits. Who looks does the counting, a
+limited number of frames at a time.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Final
+
+from armui.protocol.codec import Message
+from armui.protocol.frame import FrameFlag
+from armui.system.clock import steady_s
+from armui.telemetry.bus_rows import BUS_CYCLES, BusSnapshot, FrameRow
+from armui.telemetry.bus_senders import VERSION_ID, Sender, sender_of
+from armui.telemetry.bus_trace import BusTrace
+
+if TYPE_CHECKING:
+    from armui.protocol.codec import Codec, InvalidFrame
+    from armui.protocol.frame import Frame
+    from armui.protocol.generation import Generation
+    from armui.telemetry.store import Taken
+
+MOST_ROWS: Final = 512
+"""A bus full of nonsense has more identifiers than anybody can look at."""
+MOST_WAITING: Final = 40_000
+"""Frames that wait to be counted: some five seconds of a bus as full as it can be."""
+MOST_AT_ONCE: Final = 4_000
+"""Counted in one go: some milliseconds."""
+_BYTES: Final = 8
+_SORT_SHIFT: Final = 32
+_KIND: Final = FrameFlag.EXTENDED | FrameFlag.REMOTE | FrameFlag.ERROR | FrameFlag.FD
+
+
+class _Series:
+    """Frames of one identifier and one sender."""
+
+    __slots__ = (
+        "arbitration_id",
+        "changed_s",
+        "count",
+        "data",
+        "difference",
+        "flags",
+        "invalid",
+        "invalid_count",
+        "invalid_length",
+        "invalid_s",
+        "last_s",
+        "max_gap_s",
+        "number",
+        "row",
+        "sender",
+        "times_s",
+        "word",
+    )
+
+    def __init__(self, number: int, frame: Frame, flags: int, sender: Sender, at_s: float) -> None:
+        self.number = number
+        self.arbitration_id, self.data = frame
+        self.word = _word(self.data)
+        self.flags = flags
+        self.sender = sender
+        self.count = 0
+        self.last_s = at_s
+        self.max_gap_s = -math.inf
+        self.times_s: deque[float] = deque(maxlen=BUS_CYCLES + 1)
+        self.difference = 0
+        self.changed_s = [-math.inf] * _BYTES
+        self.invalid: InvalidFrame | None = None
+        self.invalid_count = self.invalid_length = 0
+        self.invalid_s = -math.inf
+        self.row: FrameRow | None = None
+
+    def change(self, data: bytes) -> int:
+        """Take in another payload; which bits of the first eight bytes differ."""
+        word = _word(data)
+        difference = word ^ self.word if len(data) == len(self.data) else _ALL_BITS
+        self.data, self.word = data, word
+        self.difference |= difference
+        return difference
+
+    def shown(self, at_s: float) -> FrameRow:
+        """As a row that stays as it is; the same as before if nothing came."""
+        if self.row is not None and self.row.count == self.count:
+            return self.row
+        difference, self.difference = self.difference, 0
+        if difference:
+            for place in range(_BYTES):
+                if difference >> 8 * (_BYTES - 1 - place) & 0xFF:
+                    self.changed_s[place] = at_s
+        self.row = FrameRow(
+            number=self.number,
+            arbitration_id=self.arbitration_id,
+            flags=self.flags,
+            sender=self.sender,
+            count=self.count,
+            last_s=self.last_s,
+            data=self.data,
+            changed_s=tuple(self.changed_s),
+            times_s=tuple(self.times_s),
+            max_gap_s=self.max_gap_s if self.max_gap_s >= 0.0 else None,
+            invalid=self.invalid,
+            invalid_count=self.invalid_count,
+            invalid_length=self.invalid_length,
+            invalid_s=self.invalid_s,
+        )
+        return self.row
+
+
+_ALL_BITS: Final = (1 << 8 * _BYTES) - 1
+_OPENED: Final[list[Taken]] = []
+"""Stands in the queue where a device was opened: no cycle goes on over it."""
+
+
+class BusStatistics:
+    """A tap on the bus (`armui.bus.tap.Tap`), and what was counted since it began.
+
+    `on_…` are called by the bus thread, the others by one thread that looks.
+
+    Args:
+        clock: Monotonic time in seconds, the same as of the frames.
+
+    Attributes:
+        trace: The last frames, in order of time.
+    """
+
+    def __init__(self, clock: Callable[[], float] = steady_s) -> None:
+        self._clock = clock
+        self._waiting: deque[tuple[Sequence[Taken], bool]] = deque()
+        self._handed_over = self._taken = 0
+        self._left_out = self._left_out_before = 0
+        self._codec: Codec | None = None
+        self._generation: Generation | None = None
+        self._spoken: Codec | None = None
+        self.trace = BusTrace()
+        self.clear()
+
+    # The bus thread ---------------------------------------------------------------------------
+
+    def know_generation(self, generation: Generation | None) -> None:
+        """Which protocol the arm was found to speak."""
+        self._generation = generation
+
+    def on_open(self, _bitrate: int | None) -> None:
+        """A device was opened."""
+        self._waiting.append((_OPENED, False))
+
+    def on_codec(self, codec: Codec) -> None:
+        """How frames are decoded from now on."""
+        self._codec = codec
+
+    def on_heard(self, batch: Sequence[Taken]) -> None:
+        """Frames that others sent."""
+        self._hand_over(batch, own=False)
+
+    def on_sent(self, batch: Sequence[Taken]) -> None:
+        """Frames that this program sent."""
+        self._hand_over(batch, own=True)
+
+    def on_error_frame(self) -> None:
+        """An error frame is among those heard, too."""
+
+    def on_look(self, _now_s: float) -> None:
+        """Nothing is done in the meantime."""
+
+    def _hand_over(self, batch: Sequence[Taken], *, own: bool) -> None:
+        if self._handed_over - self._taken > MOST_WAITING:
+            self._left_out += len(batch)
+            return
+        self._handed_over += len(batch)
+        self._waiting.append((batch, own))
+
+    # Who looks --------------------------------------------------------------------------------
+
+    @property
+    def codec(self) -> Codec | None:
+        """How frames are decoded now; ``None`` before the first device."""
+        return self._codec
+
+    @property
+    def generation_known(self) -> bool:
+        """Whether the arm is known to speak the codec's generation."""
+        return self._codec is not None and self._codec.generation is self._generation
+
+    def clear(self) -> None:
+        """Begin to count anew."""
+        self._series: dict[tuple[int, Sender], _Series] = {}
+        self._heard: dict[int, _Series] = {}
+        self._own: dict[int, _Series] = {}
+        self._frames = self._error_frames = self._beyond = 0
+        self._left_out_before = self._left_out
+        self._since_s = self._clock()
+        self.trace.clear()
+
+    def forget_waiting(self) -> None:
+        """What was handed over and not counted yet is not wanted any more."""
+        while self._waiting:
+            self._taken += len(self._waiting.popleft()[0])
+
+    def take(self, most: int = MOST_AT_ONCE) -> bool:
+        """Count what was handed over, about so many frames at most; whether nothing is left."""
+        if self._spoken is not self._codec:
+            # an identifier may be another sender's now
+            self._spoken = self._codec
+            self._heard.clear()
+        taken = 0
+        while self._waiting and taken < most:
+            batch, own = self._waiting.popleft()
+            self._count(batch, own=own)
+            taken += len(batch)
+            self._taken += len(batch)
+        return not self._waiting
+
+    def snapshot(self) -> BusSnapshot:
+        """What was counted, to be kept as it is."""
+        now_s = self._clock()
+        rows = sorted((each.shown(now_s) for each in self._series.values()), key=FrameRow.order)
+        return BusSnapshot(
+            at_s=now_s,
+            since_s=self._since_s,
+            rows=tuple(rows),
+            frames=self._frames,
+            error_frames=self._error_frames,
+            left_out=self._left_out - self._left_out_before,
+            beyond=self._beyond,
+        )
+
+    def _count(self, batch: Sequence[Taken], *, own: bool) -> None:
+        if batch is _OPENED:
+            for each in self._series.values():
+                each.times_s.clear()
+            return
+        known = self._own if own else self._heard
+        find = known.get
+        numbers: list[int] = []
+        differences: list[int] = []
+        words: list[int] = []
+        kept: list[Taken] = []
+        self._frames += len(batch)
+        for taken in batch:
+            heard, at_s, frame, flags = taken
+            series = None if flags and not own else find(frame[0])
+            if series is None:
+                series = self._find(frame, 0 if own else flags & _KIND, at_s, own=own)
+                if series is None:
+                    self._beyond += 1
+                    continue
+            data = frame[1]
+            difference = 0 if data == series.data else series.change(data)
+            series.count += 1
+            times_s = series.times_s
+            if times_s:
+                gap_s = at_s - series.last_s
+                series.max_gap_s = max(series.max_gap_s, gap_s)
+            series.last_s = at_s
+            times_s.append(at_s)
+            if heard.__class__ is not Message:
+                series.invalid = heard  # type: ignore[assignment]  # it is the other of the two
+                series.invalid_count += 1
+                series.invalid_length = len(data)
+                series.invalid_s = at_s
+            numbers.append(series.number)
+            differences.append(difference)
+            words.append(series.word)
+            kept.append(taken)
+        self.trace.extend(kept, numbers, words, differences)
+
+    def _find(self, frame: Frame, flags: int, at_s: float, *, own: bool) -> _Series | None:
+        if flags & FrameFlag.ERROR:
+            self._error_frames += 1
+        sender = Sender.OWN if own else self._sender(frame, flags)
+        key = frame.arbitration_id | flags << _SORT_SHIFT
+        series = self._series.get((key, sender))
+        if series is None:
+            if len(self._series) >= MOST_ROWS:
+                return None
+            series = _Series(len(self._series), frame, flags, sender, at_s)
+            self._series[key, sender] = series
+            self.trace.name(series.number, frame.arbitration_id, flags, sender)
+        if own:
+            self._own[frame.arbitration_id] = series
+        elif not flags and frame.arbitration_id != VERSION_ID:
+            self._heard[frame.arbitration_id] = series
+        return series
+
+    def _sender(self, frame: Frame, flags: int) -> Sender:
+        if self._codec is None:
+            return Sender.UNKNOWN
+        return sender_of(frame, flags, self._codec.addressing)
+
+
+def _word(data: bytes) -> int:
+    """The first eight bytes as one number, zeros behind the end of shorter payloads."""
+    return int.from_bytes(data[:_BYTES].ljust(_BYTES, b"\0"), "big")

@@ -1,0 +1,208 @@
+"""What both views have in common: cells, their roles, and rows painted in one go."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Sequence
+from typing import Final, NamedTuple, Protocol
+
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QRectF, Qt
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontDatabase,
+    QFontMetricsF,
+    QPainter,
+    QPaintEvent,
+    QPen,
+)
+from PySide6.QtWidgets import QStyleOptionViewItem, QTreeView, QWidget
+
+from armui.ui.theme import Colors, colors_of
+
+Index = QModelIndex | QPersistentModelIndex
+
+BYTES_ROLE: Final = Qt.ItemDataRole.UserRole
+"""A `Payload`."""
+TONE_ROLE: Final = Qt.ItemDataRole.UserRole + 1
+"""A `Tone`."""
+KEY_ROLE: Final = Qt.ItemDataRole.UserRole + 2
+"""The key of the quantity that the row shows."""
+
+_SIDE_PX: Final = 6
+_MORE: Final = " …"
+_BYTES: Final = 8
+_BYTE_CHARACTERS: Final = 3
+"""Two figures and a blank."""
+
+
+class Tone(enum.Enum):
+    """How a cell is to be read."""
+
+    PLAIN = enum.auto()
+    MUTED = enum.auto()
+    """Stale, or of no weight."""
+    NOTE = enum.auto()
+    """Sent by somebody else."""
+    TROUBLE = enum.auto()
+
+
+class Payload(NamedTuple):
+    """Bytes of a frame.
+
+    Attributes:
+        data: The bytes.
+        lit: Which of the first eight are to be lit.
+    """
+
+    data: bytes
+    lit: tuple[bool, ...]
+
+    @property
+    def text(self) -> str:
+        """In hexadecimal."""
+        return self.data.hex(" ").upper()
+
+
+class Cell(NamedTuple):
+    """What stands in a cell.
+
+    Attributes:
+        text: To be read.
+        tone: In which colour.
+        right: It is a figure: it stands at the right.
+        payload: Bytes in place of the text.
+    """
+
+    text: str = ""
+    tone: Tone = Tone.PLAIN
+    right: bool = False
+    payload: Payload | None = None
+
+
+class HasCells(Protocol):
+    """A model that tells the cells of a row in one go: Qt would ask for each in ten questions."""
+
+    def cells(self, index: Index) -> Sequence[Cell]:
+        """From the first column to the last."""
+
+
+def byte_font(widget: QWidget) -> QFont:
+    """A font in which all figures are of one width."""
+    font = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
+    font.setPointSizeF(widget.font().pointSizeF())
+    return font
+
+
+def bytes_width(widget: QWidget) -> int:
+    """Room for eight bytes, in pixels."""
+    figure_px = QFontMetricsF(byte_font(widget)).horizontalAdvance("0")
+    return round(_BYTES * _BYTE_CHARACTERS * figure_px) + 2 * _SIDE_PX
+
+
+class RowView(QTreeView):
+    """Paints whole rows: text in the colour of its tone, bytes with the changed ones lit.
+
+    Args:
+        rows: The model, as it tells whole rows.
+    """
+
+    def __init__(self, rows: HasCells, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._rows = rows
+        self._colors = colors_of(self)
+        self._prepare_fonts()
+        self.setUniformRowHeights(True)
+        self.setEditTriggers(QTreeView.EditTrigger.NoEditTriggers)
+        self.setSelectionBehavior(QTreeView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QTreeView.SelectionMode.ExtendedSelection)
+        self.header().setStretchLastSection(False)
+        self.header().setHighlightSections(False)
+        self.header().setSectionsMovable(False)
+
+    def _prepare_fonts(self) -> None:
+        self._byte_font = byte_font(self)
+        self._lit_font = QFont(self._byte_font)
+        self._lit_font.setBold(True)
+        self._metrics = self.fontMetrics()
+        self._figure_px = QFontMetricsF(self._byte_font).horizontalAdvance("0")
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Colours and fonts are looked up once for all rows."""
+        self._colors = colors_of(self)
+        self._prepare_fonts()
+        super().paintEvent(event)
+
+    def drawRow(  # noqa: N802 - the name Qt calls
+        self, painter: QPainter, option: QStyleOptionViewItem, index: Index
+    ) -> None:
+        """One row, from the first column to the last."""
+        top, height = option.rect.top(), option.rect.height()
+        header = self.header()
+        if self.selectionModel().isSelected(index):
+            painter.fillRect(option.rect, QColor(self._colors.accent_pale))
+        depth = 1 + index.parent().isValid() if self.rootIsDecorated() else 0
+        indent_px = depth * self.indentation()
+        if indent_px:
+            left = self.columnViewportPosition(0)
+            self.drawBranches(painter, QRect(left, top, indent_px, height), index)
+        for column, cell in enumerate(self._rows.cells(index)):
+            if not (cell.text or cell.payload):
+                continue
+            left = self.columnViewportPosition(column) + _SIDE_PX
+            width = header.sectionSize(column) - 2 * _SIDE_PX
+            if column == 0:
+                left, width = left + indent_px, width - indent_px
+            box = QRect(left, top, width, height)
+            if cell.payload is not None:
+                self._draw_bytes(painter, box, cell.payload, cell.tone)
+            else:
+                self._draw_text(painter, box, cell)
+        if index.row() == self.currentIndex().row() and self.hasFocus():
+            self._draw_focus(painter, option.rect, index)
+
+    def _draw_focus(self, painter: QPainter, box: QRect, index: Index) -> None:
+        current = self.currentIndex()
+        if index.sibling(index.row(), 0) == current.sibling(current.row(), 0):
+            painter.setPen(QPen(QColor(self._colors.accent)))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.drawRect(box.adjusted(0, 0, -1, -1))
+
+    def _draw_text(self, painter: QPainter, box: QRect, cell: Cell) -> None:
+        text = cell.text
+        if self._metrics.horizontalAdvance(text) > box.width():
+            text = self._metrics.elidedText(text, Qt.TextElideMode.ElideRight, box.width())
+        side = Qt.AlignmentFlag.AlignRight if cell.right else Qt.AlignmentFlag.AlignLeft
+        painter.setFont(self.font())
+        painter.setPen(QColor(_ink(cell.tone, self._colors)))
+        painter.drawText(box, side | Qt.AlignmentFlag.AlignVCenter, text)
+
+    def _draw_bytes(self, painter: QPainter, box: QRect, payload: Payload, tone: Tone) -> None:
+        """The changed ones apart, over their ground; the others in one go."""
+        data, lit = payload.data[:_BYTES], payload.lit
+        figures = [
+            "  " if place < len(lit) and lit[place] else f"{byte:02X}"
+            for place, byte in enumerate(data)
+        ]
+        more = _MORE if len(payload.data) > _BYTES else ""
+        painter.setFont(self._byte_font)
+        painter.setPen(QColor(_ink(tone, self._colors)))
+        middle = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+        painter.drawText(box, middle, " ".join(figures) + more)
+        painter.setFont(self._lit_font)
+        painter.setPen(QColor(self._colors.warn))
+        for place, byte in enumerate(data):
+            if figures[place] == "  ":
+                left = box.left() + place * _BYTE_CHARACTERS * self._figure_px
+                ground = QRectF(left, box.top() + 3, 2 * self._figure_px, box.height() - 6)
+                painter.fillRect(ground.adjusted(-2, 0, 2, 0), QColor(self._colors.warn_pale))
+                painter.drawText(ground, Qt.AlignmentFlag.AlignCenter, f"{byte:02X}")
+
+
+def _ink(tone: Tone, colors: Colors) -> str:
+    return {
+        Tone.PLAIN: colors.text,
+        Tone.MUTED: colors.muted,
+        Tone.NOTE: colors.accent,
+        Tone.TROUBLE: colors.warn,
+    }[tone]

@@ -1,0 +1,194 @@
+"""Which frames are shown, and how: view, pause, clear, filter."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final
+
+from PySide6.QtCore import QSignalBlocker, Signal
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QCheckBox,
+    QComboBox,
+    QHBoxLayout,
+    QLineEdit,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from armui.telemetry.bus_senders import Sender
+from armui.ui.watch.bus.frame_filter import FrameFilter, IdFilter, parse_ids
+from armui.ui.widgets.translated import Translated
+from armui.ui.words import frames
+
+_IDS_PX: Final = 190
+_TEXT_PX: Final = 160
+_BOLDER: Final = 1.15
+
+
+class FilterBar(Translated, QWidget):
+    """Two rows of controls.
+
+    Args:
+        now_s: The present, by the clock of the frames.
+
+    Signals:
+        changed: Other frames are wanted.
+        trace_wanted: The view in order of time, or by identifier.
+        pause_wanted: The figures are to stand, or to go on.
+        clear_wanted: Counting begins anew.
+    """
+
+    changed = Signal()
+    trace_wanted = Signal(bool)
+    pause_wanted = Signal(bool)
+    clear_wanted = Signal()
+
+    def __init__(self, now_s: Callable[[], float], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._now_s = now_s
+        self._ids = IdFilter()
+        self._changed_since_s: float | None = None
+        self.by_id = self._button("bus_by_id", checkable=True)
+        self.in_order = self._button("bus_in_order", checkable=True)
+        self._views = QButtonGroup(self)
+        self._views.addButton(self.by_id, 0)
+        self._views.addButton(self.in_order, 1)
+        self.by_id.setChecked(True)
+        self.pause = self._button("bus_pause", checkable=True)
+        self.clear = self._button("bus_clear")
+        self.text = QLineEdit()
+        self.text.setObjectName("bus_text")
+        self.text.setClearButtonEnabled(True)
+        self.text.setMinimumWidth(_TEXT_PX)
+        self.ids = QLineEdit()
+        self.ids.setObjectName("bus_ids")
+        self.ids.setClearButtonEnabled(True)
+        self.ids.setFixedWidth(_IDS_PX)
+        self.senders = QComboBox()
+        self.senders.setObjectName("bus_senders")
+        self.only_changed = QCheckBox()
+        self.only_changed.setObjectName("bus_only_changed")
+        self.only_unknown = QCheckBox()
+        self.only_unknown.setObjectName("bus_only_unknown")
+        self._lay_out()
+        self._views.idClicked.connect(lambda place: self.trace_wanted.emit(place == 1))
+        self.pause.toggled.connect(self._on_pause)
+        self.clear.clicked.connect(self._on_clear)
+        self.text.textChanged.connect(self.changed)
+        self.ids.textChanged.connect(self._on_ids)
+        self.senders.currentIndexChanged.connect(self.changed)
+        self.only_changed.toggled.connect(self._on_only_changed)
+        self.only_unknown.toggled.connect(self.changed)
+        self.retranslate_ui()
+
+    def _lay_out(self) -> None:
+        above = QHBoxLayout()
+        above.setSpacing(6)
+        above.addWidget(self.by_id)
+        above.addWidget(self.in_order)
+        above.addStretch(1)
+        above.addWidget(self.pause)
+        above.addWidget(self.clear)
+        below = QHBoxLayout()
+        below.setSpacing(8)
+        below.addWidget(self.text, 1)
+        below.addWidget(self.ids)
+        below.addWidget(self.senders)
+        below.addWidget(self.only_changed)
+        below.addWidget(self.only_unknown)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(6)
+        whole.addLayout(above)
+        whole.addLayout(below)
+
+    def _button(self, name: str, *, checkable: bool = False) -> QPushButton:
+        button = QPushButton()
+        button.setObjectName(name)
+        button.setCheckable(checkable)
+        button.setProperty("toggle", checkable)
+        button.setAutoDefault(False)
+        return button
+
+    @property
+    def wanted(self) -> FrameFilter:
+        """The frames that are wanted."""
+        return FrameFilter(
+            text=self.text.text().strip(),
+            ids=self._ids,
+            sender=self._sender,
+            only_unknown=self.only_unknown.isChecked(),
+            changed_since_s=self._changed_since_s,
+        )
+
+    @property
+    def _sender(self) -> Sender | None:
+        place = self.senders.currentIndex()
+        return tuple(Sender)[place - 1] if place > 0 else None
+
+    def _on_ids(self, text: str) -> None:
+        found = parse_ids(text)
+        bad = found if isinstance(found, str) else ""
+        self.ids.setProperty("attention", bool(bad))
+        self.ids.style().unpolish(self.ids)
+        self.ids.style().polish(self.ids)
+        self._tip_ids(bad)
+        if isinstance(found, IdFilter):
+            self._ids = found
+            self.changed.emit()
+
+    def _tip_ids(self, bad: str) -> None:
+        use = self.tr("Identifiers in hexadecimal: 2A1, 2A1-2A8, or value/mask as in 150/7F0")
+        wrong = self.tr("“{value}” is no identifier; the filter stays as it was.")
+        self.ids.setToolTip(f"{wrong.format(value=bad)} {use}" if bad else use)
+
+    def _on_only_changed(self, wanted: bool) -> None:
+        self._changed_since_s = self._now_s() if wanted else None
+        self.changed.emit()
+
+    def _on_clear(self) -> None:
+        if self.only_changed.isChecked():
+            self._changed_since_s = self._now_s()
+        self.clear_wanted.emit()
+
+    def _on_pause(self, wanted: bool) -> None:
+        self.pause_wanted.emit(wanted)
+        self._name_pause()
+
+    def _name_pause(self) -> None:
+        going = not self.pause.isChecked()
+        self.pause.setText(self.tr("Pause") if going else self.tr("Go on"))
+        self.pause.setShortcut(QKeySequence("Ctrl+P"))  # other text takes it away
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.by_id.setText(self.tr("By identifier"))
+        self.in_order.setText(self.tr("In order of time"))
+        for button in (self.by_id, self.in_order):  # the chosen one is written bolder
+            button.setMinimumWidth(round(_BOLDER * button.sizeHint().width()))
+        self.pause.setToolTip(
+            self.tr("The figures stand as they are; what comes meanwhile is counted (Ctrl+P)")
+        )
+        self._name_pause()
+        self.clear.setText(self.tr("Clear"))
+        self.clear.setToolTip(self.tr("Counting begins anew, from nothing"))
+        self.text.setPlaceholderText(self.tr("Name or identifier"))
+        self.text.setAccessibleName(self.text.placeholderText())
+        self.ids.setPlaceholderText("2A1-2A8, 150/7F0")
+        self.ids.setAccessibleName(self.tr("Identifiers"))
+        self._tip_ids("")
+        self.only_changed.setText(self.tr("Only changed"))
+        self.only_changed.setToolTip(
+            self.tr("Frames of which a byte has changed since this was ticked")
+        )
+        self.only_unknown.setText(self.tr("Only unknown or malformed"))
+        chosen = max(0, self.senders.currentIndex())
+        with QSignalBlocker(self.senders):
+            self.senders.clear()
+            self.senders.addItem(self.tr("From anybody"))
+            self.senders.addItems([frames.frame_sender(sender) for sender in Sender])
+            self.senders.setCurrentIndex(chosen)
+        self.senders.setAccessibleName(self.tr("Sender"))

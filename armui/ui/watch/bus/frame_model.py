@@ -1,0 +1,365 @@
+"""Frames by identifier as a tree: a row each, its signals below it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import Any, Final
+
+from PySide6.QtCore import QAbstractItemModel, QModelIndex, QObject, Qt
+from PySide6.QtCore import QCoreApplication as App
+
+from armui.telemetry.bus_rows import Cycle, FrameRow
+from armui.telemetry.bus_senders import Sender
+from armui.ui import format as fmt
+from armui.ui.watch.bus.cells import BYTES_ROLE, KEY_ROLE, TONE_ROLE, Cell, Index, Payload, Tone
+from armui.ui.watch.bus.frame_texts import FrameTexts, SignalText
+from armui.ui.words import frames
+
+LIT_S: Final = 1.0
+"""So long a byte that has changed stays lit."""
+
+ID, NAME, SENDER, DATA, RATE, JITTER, COUNT, LAST = range(8)
+COLUMNS: Final = 8
+_RIGHT: Final = frozenset({RATE, JITTER, COUNT})
+_ALIGNED_RIGHT: Final = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_OTHERS: Final = frozenset({Sender.OTHER, Sender.OTHER_ARM})
+
+
+class _Node:
+    """A row that is shown.
+
+    Attributes:
+        row: As counted.
+        place: Among the rows shown.
+        details: How many rows are below it.
+    """
+
+    __slots__ = ("_read", "_signals", "details", "place", "row")
+
+    def __init__(self, row: FrameRow) -> None:
+        self.row = row
+        self.place = 0
+        self.details = 0
+        self._read: FrameRow | None = None
+        self._signals: list[SignalText] = []
+
+    def signals(self, texts: FrameTexts) -> list[SignalText]:
+        """Decoded once for each payload."""
+        row = self.row
+        if self._read is None or self._read is not row:
+            self._signals = texts.signals(row.arbitration_id, row.flags, row.data, row.sender)
+            self._read = row
+        return self._signals
+
+    def forget(self) -> None:
+        """It is read in other words."""
+        self._read = None
+
+
+class FrameModel(QAbstractItemModel):
+    """What was counted of each identifier and sender.
+
+    Args:
+        texts: Puts frames into words.
+        clock_text: A monotonic time as the clock on the wall had it.
+    """
+
+    def __init__(
+        self,
+        texts: FrameTexts,
+        clock_text: Callable[[float], str],
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._texts = texts
+        self._clock_text = clock_text
+        self._nodes: list[_Node] = []
+        self._by_number: dict[int, _Node] = {}
+        self._cycles: dict[int, tuple[FrameRow, Cycle | None]] = {}
+        self._now_s = 0.0
+
+    # What is shown ----------------------------------------------------------------------------
+
+    def show_rows(self, rows: Sequence[FrameRow], now_s: float) -> None:
+        """Show these rows, which are in order; those that are shown already stay expanded."""
+        self._now_s = now_s
+        wanted = {row.number for row in rows}
+        for place in range(len(self._nodes) - 1, -1, -1):
+            if self._nodes[place].row.number not in wanted:
+                self.beginRemoveRows(QModelIndex(), place, place)
+                node = self._nodes.pop(place)
+                del self._by_number[node.row.number]
+                self._number_places(place)
+                self.endRemoveRows()
+        for place, row in enumerate(rows):
+            if place < len(self._nodes) and self._nodes[place].row.number == row.number:
+                self._nodes[place].row = row
+            else:
+                self.beginInsertRows(QModelIndex(), place, place)
+                node = _Node(row)
+                node.details = self._wanted_details(node)
+                self._nodes.insert(place, node)
+                self._by_number[row.number] = node
+                self._number_places(place)
+                self.endInsertRows()
+        for node in self._nodes:
+            self._fit_details(node)
+        if self._nodes:
+            last = self.index(len(self._nodes) - 1, COLUMNS - 1)
+            self.dataChanged.emit(self.index(0, 0), last)
+
+    def clear(self) -> None:
+        """Show nothing: what is counted next is numbered anew."""
+        self.beginResetModel()
+        self._nodes.clear()
+        self._by_number.clear()
+        self._cycles.clear()
+        self.endResetModel()
+
+    def retranslate(self) -> None:
+        """The words, or what the frames mean, are other ones."""
+        for node in self._nodes:
+            node.forget()
+            self._fit_details(node)
+        self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, COLUMNS - 1)
+        self.layoutChanged.emit()
+
+    def _number_places(self, first: int) -> None:
+        for place in range(first, len(self._nodes)):
+            self._nodes[place].place = place
+
+    def _wanted_details(self, node: _Node) -> int:
+        row = node.row
+        trouble = self._texts.trouble(row)
+        said = trouble == self._texts.name(row.arbitration_id, row.flags)
+        return len(node.signals(self._texts)) + bool(trouble and not said)
+
+    def _fit_details(self, node: _Node) -> None:
+        """As many rows below it as there is to be said."""
+        before, wanted = node.details, self._wanted_details(node)
+        if wanted == before:
+            return
+        parent = self.index(node.place, 0)
+        if wanted > before:
+            self.beginInsertRows(parent, before, wanted - 1)
+            node.details = wanted
+            self.endInsertRows()
+        else:
+            self.beginRemoveRows(parent, wanted, before - 1)
+            node.details = wanted
+            self.endRemoveRows()
+
+    def row_of(self, index: Index) -> FrameRow:
+        """The frame that a cell belongs to."""
+        return self._node(index).row
+
+    def keys_of(self, index: Index) -> list[str]:
+        """The keys of what a row shows: of a frame, all of its signals."""
+        node = self._node(index)
+        if index.internalId():
+            key = self.data(index, KEY_ROLE)
+            return [key] if key else []
+        keys = [signal.key for signal in node.signals(self._texts) if signal.key]
+        return list(dict.fromkeys(keys))
+
+    # Qt's questions ---------------------------------------------------------------------------
+
+    def _node(self, index: Index) -> _Node:
+        number = index.internalId()
+        return self._by_number[number - 1] if number else self._nodes[index.row()]
+
+    def index(self, row: int, column: int, parent: Index = QModelIndex()) -> QModelIndex:  # noqa: B008 - Qt's own default
+        """A frame; below it, one of its signals."""
+        if not self.hasIndex(row, column, parent):
+            return QModelIndex()
+        number = self._nodes[parent.row()].row.number + 1 if parent.isValid() else 0
+        return self.createIndex(row, column, number)
+
+    def parent(self, index: Index = QModelIndex()) -> Any:  # noqa: B008
+        """Of a signal, its frame."""
+        if not index.isValid() or not index.internalId():
+            return QModelIndex()
+        node = self._by_number.get(index.internalId() - 1)
+        return QModelIndex() if node is None else self.createIndex(node.place, 0, 0)
+
+    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: N802, B008 - Qt
+        """Frames; of a frame, what there is to be said of it."""
+        if not parent.isValid():
+            return len(self._nodes)
+        if parent.internalId() or parent.column():
+            return 0
+        return self._nodes[parent.row()].details
+
+    def columnCount(self, _parent: Index = QModelIndex()) -> int:  # noqa: N802, B008 - Qt
+        """The same everywhere."""
+        return COLUMNS
+
+    def headerData(  # noqa: N802 - the name Qt calls
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        """What each column is."""
+        if orientation is not Qt.Orientation.Horizontal:
+            return None
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+            return _ALIGNED_RIGHT if section in _RIGHT else left
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return _header_tips()[section]
+        return _headers()[section] if role == Qt.ItemDataRole.DisplayRole else None
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """A cell."""
+        if not index.isValid():
+            return None
+        node = self._node(index)
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return _ALIGNED_RIGHT if index.column() in _RIGHT else None
+        if index.internalId():
+            return self._detail(node, index, role)
+        return self._cell(node.row, index.column(), role)
+
+    def cells(self, index: Index) -> list[Cell]:
+        """A whole row, as it is painted."""
+        node = self._node(index)
+        if index.internalId():
+            return self._detail_cells(node, index.row())
+        row = node.row
+        tones = self._tones(row)
+        cells = [
+            Cell(self._text(row, column), tones[column], column in _RIGHT)
+            for column in range(COLUMNS)
+        ]
+        cells[DATA] = Cell("", tones[DATA], payload=self._payload(row))
+        return cells
+
+    def _payload(self, row: FrameRow) -> Payload:
+        since_s = self._now_s - LIT_S
+        return Payload(row.data, tuple(each > since_s for each in row.changed_s))
+
+    def _cell(self, row: FrameRow, column: int, role: int) -> Any:
+        if role == Qt.ItemDataRole.DisplayRole:
+            return self._text(row, column)
+        if role == Qt.ItemDataRole.AccessibleTextRole:
+            return self._payload(row).text if column == DATA else self._text(row, column)
+        if role == BYTES_ROLE and column == DATA:
+            return self._payload(row)
+        if role == TONE_ROLE:
+            return self._tones(row)[column]
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return self._texts.trouble(row) or self._texts.words(row)
+        return None
+
+    def _tones(self, row: FrameRow) -> dict[int, Tone]:
+        """By column."""
+        if row.is_silent(self._now_s):
+            return dict.fromkeys(range(COLUMNS), Tone.MUTED)
+        tones = dict.fromkeys(range(COLUMNS), Tone.PLAIN)
+        if row.invalid_count:
+            tones[ID] = tones[NAME] = Tone.TROUBLE
+        if row.sender in _OTHERS:
+            tones[SENDER] = Tone.NOTE
+        return tones
+
+    def _text(self, row: FrameRow, column: int) -> str:
+        texts = self._texts
+        if column == ID:
+            return frames.frame_id(row.arbitration_id, row.flags)
+        if column == NAME:
+            return texts.name(row.arbitration_id, row.flags)
+        if column == SENDER:
+            return texts.sender(row.sender, row.arbitration_id)
+        if column == DATA:
+            return ""
+        if column == COUNT:
+            return str(row.count)
+        if column == LAST:
+            return self._clock_text(row.last_s)
+        return self._timing(row, column)
+
+    def _cycle(self, row: FrameRow) -> Cycle | None:
+        """Reckoned once for each row that came."""
+        known = self._cycles.get(row.number)
+        if known is None or known[0] is not row:
+            known = self._cycles[row.number] = row, row.cycle()
+        return known[1]
+
+    def _timing(self, row: FrameRow, column: int) -> str:
+        cycle = self._cycle(row)
+        if cycle is None:
+            return fmt.NOTHING
+        if column == RATE:
+            if row.is_silent(self._now_s):
+                return App.translate("BusMonitor", "silent")
+            return fmt.number(cycle.rate_hz, 1 if cycle.rate_hz < 100 else 0)
+        longest_s = math.nan if row.max_gap_s is None else row.max_gap_s
+        return f"±{_ms(cycle.deviation_s)} / {_ms(longest_s)}"
+
+    def _detail_cells(self, node: _Node, place: int) -> list[Cell]:
+        """A signal; below the signals what is wrong with the frame."""
+        cells = [Cell()] * COLUMNS
+        signals = node.signals(self._texts)
+        if place < len(signals):
+            cells[NAME] = Cell(signals[place].name)
+            cells[DATA] = Cell(signals[place].value)
+            return cells
+        cells[NAME] = Cell(self._texts.trouble(node.row), Tone.TROUBLE)
+        if node.row.invalid_count:
+            cells[COUNT] = Cell(str(node.row.invalid_count), Tone.TROUBLE, right=True)
+            cells[LAST] = Cell(self._clock_text(node.row.invalid_s), Tone.TROUBLE)
+        return cells
+
+    def _detail(self, node: _Node, index: Index, role: int) -> Any:
+        signals = node.signals(self._texts)
+        cell = self._detail_cells(node, index.row())[index.column()]
+        key = signals[index.row()].key if index.row() < len(signals) else None
+        if role == Qt.ItemDataRole.DisplayRole:
+            return cell.text or None
+        if role == TONE_ROLE:
+            return cell.tone
+        if role == KEY_ROLE:
+            return key
+        if role != Qt.ItemDataRole.ToolTipRole:
+            return None
+        sign = index.column() == ID and key is not None
+        return App.translate("BusMonitor", "Show as curve") if sign else cell.text
+
+
+def _ms(seconds: float) -> str:
+    ms = 1e3 * seconds
+    if not math.isfinite(ms):
+        return fmt.NOTHING
+    return fmt.number(ms, 2 if ms < 10 else 1 if ms < 100 else 0)
+
+
+def _headers() -> tuple[str, ...]:
+    return (
+        App.translate("BusMonitor", "ID"),
+        App.translate("BusMonitor", "Message"),
+        App.translate("BusMonitor", "Sender"),
+        App.translate("BusMonitor", "Data"),
+        App.translate("BusMonitor", "Rate, Hz"),
+        App.translate("BusMonitor", "Jitter, ms"),
+        App.translate("BusMonitor", "Count"),
+        App.translate("BusMonitor", "Last"),
+    )
+
+
+def _header_tips() -> tuple[str, ...]:
+    return (
+        App.translate("BusMonitor", "The identifier on the bus, offsets of 0x470 included"),
+        App.translate("BusMonitor", "What the frame is; its signals are below it"),
+        App.translate(
+            "BusMonitor",
+            "By the identifier: what is not this program's and no arm sends is another host's",
+        ),
+        App.translate("BusMonitor", "Bytes that have changed within the last second are lit"),
+        App.translate("BusMonitor", "Over the last 3 s, and at least 8 cycles"),
+        App.translate(
+            "BusMonitor",
+            "How far the cycles of the last 3 s are from their mean on average / the longest "
+            "cycle since the counting began",
+        ),
+        App.translate("BusMonitor", "Since the counting began"),
+        App.translate("BusMonitor", "When the last one came"),
+    )

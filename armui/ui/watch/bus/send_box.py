@@ -1,0 +1,231 @@
+"""Sending a frame by hand: locked until a button is held, and held again for whatever acts."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QPushButton, QVBoxLayout, QWidget
+
+from armui.arm.refusal import Refusal
+from armui.control.events import Level
+from armui.control.safety.hand_frame import FrameEffect, effect_of, parse_frame
+from armui.protocol.frame import Frame
+from armui.ui import words
+from armui.ui.watch.bus.cells import byte_font
+from armui.ui.widgets.elided_label import ElidedLabel
+from armui.ui.widgets.hold_button import HoldButton
+from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.translated import Translated
+from armui.ui.words.hand_frames import frame_effect
+
+if TYPE_CHECKING:
+    from PySide6.QtGui import QHideEvent
+
+    from armui.control.arm_controller import ArmController
+    from armui.control.operating_state import OperatingState
+
+UNLOCKED_MS: Final = 60_000
+"""So long after the last frame it locks by itself."""
+_ID_PX: Final = 90
+_DATA_PX: Final = 260
+_GRAVE: Final = frozenset(
+    {FrameEffect.DROPS, FrameEffect.LIMP, FrameEffect.SINKS, FrameEffect.UNKNOWN}
+)
+
+
+class SendBox(Translated, QWidget):
+    """A lock, a frame, what it does, and the button that sends it.
+
+    It locks when it is hidden, when the device is left, and after a minute.
+
+    Args:
+        controller: Sends.
+    """
+
+    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._controller = controller
+        self._pressed: Frame | None = None
+        self._sent = ""
+        self.unlock = HoldButton()
+        self.unlock.setObjectName("bus_unlock")
+        self.lock = QPushButton()
+        self.lock.setObjectName("bus_lock")
+        self.lock.setAutoDefault(False)
+        self.identifier = QLineEdit()
+        self.identifier.setObjectName("bus_send_id")
+        self.identifier.setMaxLength(10)
+        self.identifier.setFixedWidth(_ID_PX)
+        self.data = QLineEdit()
+        self.data.setObjectName("bus_send_data")
+        self.data.setMaxLength(60)
+        self.data.setMinimumWidth(_DATA_PX)
+        for field in (self.identifier, self.data):
+            field.setFont(byte_font(field))
+            field.textChanged.connect(self._on_typed)
+        self.send = QPushButton()
+        self.send.setObjectName("bus_send")
+        self.send.setAutoDefault(False)
+        self.hold = HoldButton()
+        self.hold.setObjectName("bus_hold_to_send")
+        self._hint = ElidedLabel()
+        self._hint.setObjectName("bus_send_hint")
+        self._hint.setProperty("rank", "muted")
+        self.message = MessageLine()
+        self.message.setObjectName("bus_send_message")
+        self._timer = QTimer(self, singleShot=True, interval=UNLOCKED_MS)
+        self._timer.timeout.connect(self.close_lock)
+        self._lay_out()
+        self.unlock.held.connect(self._on_unlocked)
+        self.lock.clicked.connect(self.close_lock)
+        for button in (self.send, self.hold):
+            button.pressed.connect(self._on_pressed)
+        self.send.clicked.connect(lambda: self._send(held=False))
+        self.hold.held.connect(lambda: self._send(held=True))
+        controller.operating_state_changed.connect(self._on_operating_state)
+        self.retranslate_ui()
+        self.close_lock()
+
+    def _lay_out(self) -> None:
+        row = QHBoxLayout()
+        row.setSpacing(8)
+        row.addWidget(self.unlock)
+        row.addWidget(self._hint, 1)
+        row.addWidget(self.identifier)
+        row.addWidget(self.data, 1)
+        row.addWidget(self.send)
+        row.addWidget(self.hold)
+        row.addWidget(self.lock)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(6)
+        whole.addLayout(row)
+        whole.addWidget(self.message)
+
+    # The lock ---------------------------------------------------------------------------------
+
+    @property
+    def is_open(self) -> bool:
+        """Whether a frame can be sent."""
+        return self._timer.isActive()
+
+    def close_lock(self) -> None:
+        """Send nothing until it is unlocked again."""
+        self._timer.stop()
+        self._sent = ""
+        self._show()
+
+    def _on_unlocked(self) -> None:
+        if self._controller.bus.why_not_send() is None:
+            self._timer.start()
+            self._show()
+            self.identifier.setFocus()
+
+    def _on_operating_state(self, _operating_state: OperatingState) -> None:
+        if not self.isVisible():
+            return
+        if self.is_open and self._controller.operating_state.device is None:
+            self.close_lock()
+        self._show()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """A window that is not seen sends nothing."""
+        self.close_lock()
+        super().hideEvent(event)
+
+    # The frame --------------------------------------------------------------------------------
+
+    def take(self, arbitration_id: int, data: bytes) -> None:
+        """Put a frame into the fields."""
+        self.identifier.setText(f"{arbitration_id:03X}")
+        self.data.setText(data.hex(" ").upper())
+
+    def _on_typed(self) -> None:
+        self._sent = ""
+        self._show()
+
+    def _typed(self) -> Frame | Refusal:
+        return parse_frame(self.identifier.text(), self.data.text())
+
+    def _on_pressed(self) -> None:
+        """The frame that stands there when the button goes down is the one that is meant."""
+        frame = self._typed()
+        self._pressed = frame if isinstance(frame, Frame) else None
+
+    def _send(self, *, held: bool) -> None:
+        frame, self._pressed = self._pressed, None
+        if frame is None or frame != self._typed() or not self.is_open:
+            return
+        refusal = self._controller.bus.send(frame, held=held)
+        if refusal is None:
+            self._timer.start()
+            self._sent = str(frame)
+        self._show()
+
+    def refresh(self) -> None:
+        """What stands against the frame may have changed."""
+        if self.is_open:
+            self._show()
+
+    # What is shown ----------------------------------------------------------------------------
+
+    def _show(self) -> None:
+        is_open = self.is_open
+        self.unlock.setVisible(not is_open)
+        self._hint.setVisible(not is_open)
+        for widget in (self.identifier, self.data, self.lock):
+            widget.setVisible(is_open)
+        why_not = self._controller.bus.why_not_send()
+        self.unlock.setEnabled(why_not is None)
+        self.unlock.setToolTip(words.why_not(why_not))
+        self._hint.show_text(self._use if why_not is None else words.refusal(why_not))
+        frame = self._typed()
+        harmless = isinstance(frame, Frame) and effect_of(frame) is FrameEffect.HARMLESS
+        if isinstance(frame, Frame):
+            why_not = self._controller.bus.why_not_send(frame)
+        self.send.setVisible(is_open and harmless)
+        self.hold.setVisible(is_open and not harmless)
+        may = isinstance(frame, Frame) and why_not is None
+        self.send.setEnabled(may)
+        self.hold.setEnabled(may)
+        self.message.setVisible(is_open)
+        if is_open:
+            text, level = self._says(frame, why_not)
+            if text != self.message.text():
+                self.message.show_message(text, level)
+
+    def _says(self, frame: Frame | Refusal, why_not: Refusal | None) -> tuple[str, Level]:
+        if isinstance(frame, Refusal):
+            empty = not self.identifier.text().strip()
+            return (self._use, Level.INFO) if empty else (words.refusal(frame), Level.WARNING)
+        if why_not is not None:
+            return words.refusal(why_not), Level.WARNING
+        effect = effect_of(frame)
+        text = frame_effect(effect)
+        if self._sent:
+            sent = self.tr("Sent: {frame}.").format(frame=self._sent)
+            text = f"{sent} {text}"
+        if effect is FrameEffect.HARMLESS:
+            return text, Level.INFO
+        return text, Level.FAULT if effect in _GRAVE else Level.WARNING
+
+    @property
+    def _use(self) -> str:
+        return self.tr(
+            "A frame sent by hand is checked for nothing but its form, and counts as another "
+            "program's: what this program is doing ends."
+        )
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.unlock.setText(self.tr("Hold to send frames by hand"))
+        self.lock.setText(self.tr("Lock"))
+        self.lock.setToolTip(self.tr("Send nothing more; it also locks by itself after a minute"))
+        self.identifier.setPlaceholderText(self.tr("ID, hex"))
+        self.identifier.setAccessibleName(self.tr("Identifier of the frame, hexadecimal"))
+        self.data.setPlaceholderText(self.tr("Data, hex: 01 00 00 00 …"))
+        self.data.setAccessibleName(self.tr("Data of the frame, hexadecimal"))
+        self.send.setText(self.tr("Send"))
+        self.hold.setText(self.tr("Hold to send"))
+        self._show()

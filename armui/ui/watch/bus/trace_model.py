@@ -1,0 +1,156 @@
+"""The last frames in order of time, as a table."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any, Final
+
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, Qt
+from PySide6.QtCore import QCoreApplication as App
+
+from armui.protocol.frame import FrameFlag
+from armui.telemetry.bus_senders import Sender
+from armui.telemetry.bus_trace import TracedFrame, TraceSnapshot
+from armui.ui.watch.bus.cells import BYTES_ROLE, TONE_ROLE, Cell, Index, Payload, Tone
+from armui.ui.watch.bus.frame_texts import FrameTexts
+from armui.ui.words import frames
+
+TIME, ID, NAME, SENDER, DATA, SAYS = range(6)
+COLUMNS: Final = 6
+_ERROR_BIT: Final = 0x20000000
+_OTHERS: Final = frozenset({Sender.OTHER, Sender.OTHER_ARM})
+
+
+class TraceModel(QAbstractTableModel):
+    """Decodes what is looked at, and nothing else.
+
+    Args:
+        texts: Puts frames into words.
+        clock_text: A monotonic time as the clock on the wall had it.
+    """
+
+    def __init__(
+        self,
+        texts: FrameTexts,
+        clock_text: Callable[[float], str],
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._texts = texts
+        self._clock_text = clock_text
+        self._trace: TraceSnapshot | None = None
+        self._read: tuple[int, TracedFrame] | None = None
+
+    def show_trace(self, trace: TraceSnapshot | None) -> None:
+        """Show other frames."""
+        before, now = self.rowCount(), 0 if trace is None else len(trace)
+        if now > before:
+            self.beginInsertRows(QModelIndex(), before, now - 1)
+            self._take(trace)
+            self.endInsertRows()
+        elif now < before:
+            self.beginRemoveRows(QModelIndex(), now, before - 1)
+            self._take(trace)
+            self.endRemoveRows()
+        else:
+            self._take(trace)
+        if now:
+            self.dataChanged.emit(self.index(0, 0), self.index(now - 1, COLUMNS - 1))
+
+    def _take(self, trace: TraceSnapshot | None) -> None:
+        self._trace, self._read = trace, None
+
+    def retranslate(self) -> None:
+        """The words, or what the frames mean, are other ones."""
+        self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, COLUMNS - 1)
+        self.layoutChanged.emit()
+
+    def lines(self, places: Sequence[int], channel: str, zero_s: float) -> list[str]:
+        """Frames as candump writes them.
+
+        Args:
+            places: Which rows.
+            channel: The name of the bus.
+            zero_s: The time of day, in seconds since 1970, at the zero of the frames' clock.
+        """
+        trace = self._trace
+        if trace is None:
+            return []
+        picked = [trace.frame(place) for place in places]
+        return [f"({zero_s + each.at_s:.6f}) {channel} {candump(each)}" for each in picked]
+
+    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: N802, B008 - Qt
+        """One a frame."""
+        return 0 if parent.isValid() or self._trace is None else len(self._trace)
+
+    def columnCount(self, _parent: Index = QModelIndex()) -> int:  # noqa: N802, B008 - Qt
+        """Time, frame, what it says."""
+        return COLUMNS
+
+    def headerData(  # noqa: N802 - the name Qt calls
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        """What each column is."""
+        if orientation is not Qt.Orientation.Horizontal:
+            return None
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+        if role != Qt.ItemDataRole.DisplayRole:
+            return None
+        return (
+            App.translate("BusMonitor", "Time"),
+            App.translate("BusMonitor", "ID"),
+            App.translate("BusMonitor", "Message"),
+            App.translate("BusMonitor", "Sender"),
+            App.translate("BusMonitor", "Data"),
+            App.translate("BusMonitor", "Says"),
+        )[section]
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """A cell."""
+        if not index.isValid() or self._trace is None:
+            return None
+        cell = self.cells(index)[index.column()]
+        if role == Qt.ItemDataRole.DisplayRole:
+            return cell.text
+        if role == BYTES_ROLE:
+            return cell.payload
+        if role == TONE_ROLE:
+            return cell.tone
+        if role == Qt.ItemDataRole.AccessibleTextRole:
+            return cell.text if cell.payload is None else cell.payload.text
+        return cell.text if role == Qt.ItemDataRole.ToolTipRole else None
+
+    def cells(self, index: Index) -> list[Cell]:
+        """A whole row, as it is painted."""
+        frame = self._frame(index.row())
+        texts = self._texts
+        arbitration_id, flags, sender = frame.arbitration_id, frame.flags, frame.sender
+        signals = texts.signals(arbitration_id, flags, frame.data, sender)
+        return [
+            Cell(self._clock_text(frame.at_s)),
+            Cell(frames.frame_id(arbitration_id, flags)),
+            Cell(texts.name(arbitration_id, flags)),
+            Cell(
+                texts.sender(sender, arbitration_id),
+                Tone.NOTE if sender in _OTHERS else Tone.PLAIN,
+            ),
+            Cell(payload=Payload(frame.data, frame.changed)),
+            Cell("   ".join(f"{each.name} {each.value}" for each in signals)),
+        ]
+
+    def _frame(self, place: int) -> TracedFrame:
+        if self._read is None or self._read[0] != place:
+            assert self._trace is not None, "no frame is shown"  # noqa: S101
+            self._read = place, self._trace.frame(place)
+        return self._read[1]
+
+
+def candump(frame: TracedFrame) -> str:
+    """A frame as candump writes it: ID#DATA, #R for a remote frame, the class of an error frame."""
+    arbitration_id, flags = frame.arbitration_id, frame.flags
+    if flags & FrameFlag.ERROR:
+        return f"{_ERROR_BIT | arbitration_id:08X}#{frame.data.hex().upper()}"
+    identifier = frames.frame_id(arbitration_id, flags)[2:]
+    data = "R" if flags & FrameFlag.REMOTE else frame.data.hex().upper()
+    return f"{identifier}#{data}"
