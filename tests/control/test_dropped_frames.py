@@ -35,4 +35,4 @@ def test_the_next_device_counts_anew(rig):
 
 
 def test_it_is_a_part_of_the_controller(rig):
-    assert any(isinstance(part, DroppedFrames) for part in rig.controller._parts._parts)
+    assert any(isinstance(part, DroppedFrames) for part in rig.controller._all_parts())
