@@ -82,6 +82,7 @@ class ArmController(ControllerParts):
         wall: Callable[[float], datetime] | None = None,
     ) -> None:
         super().__init__(parent)
+        self.noticed.connect(self._on_noticed)  # before anybody who asks for the entry
         self._clock, self._wall = clock, wall or wall_clock(clock)
         self._finder = DeviceFinder(simulated, find, self)
         self._finder.found.connect(self.devices_found)
@@ -208,8 +209,10 @@ class ArmController(ControllerParts):
         self._stop.stop_again = on
 
     def _notice(self, code: EventCode, **params: object) -> None:
-        self.happenings  # noqa: B018 - it listens from the first event on
         self.noticed.emit(Event(self._wall(self._clock()), LEVELS[code], code, params))
+
+    def _on_noticed(self, event: Event) -> None:
+        self.happenings.on_noticed(event)
 
     def tick(self) -> None:
         """Take in what was heard and move on what is under way; the controller's timer calls it."""

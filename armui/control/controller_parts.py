@@ -208,7 +208,7 @@ class ControllerParts(QObject):
         """Writes down what happens; made with the first thing that does."""
         from armui.control.event_log.collector import EventCollector
 
-        return EventCollector(self._context, self.noticed, self._wall, self.player, self.recovery)
+        return EventCollector(self._context, self._wall, self.player, self.recovery)
 
     @property
     def events(self) -> EventLog:

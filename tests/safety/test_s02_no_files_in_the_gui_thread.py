@@ -217,8 +217,8 @@ def test_the_curves(live_driver, monkeypatch, tmp_path):
     assert forbidden(seen) == []
 
 
-def test_the_events(live_desk, monkeypatch, tmp_path):
-    app_driver = live_desk
+def test_the_events(live_driver, monkeypatch, tmp_path):
+    app_driver = live_driver
     app_driver.ready()
     keeper = EventKeeper(
         app_driver.controller.happenings, tmp_path / "logs", app_driver.program._files

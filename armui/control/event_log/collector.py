@@ -32,8 +32,6 @@ from armui.telemetry.events import (
 )
 
 if TYPE_CHECKING:
-    from PySide6.QtCore import SignalInstance
-
     from armui.arm.refusal import Refusal
     from armui.control.context import Context
     from armui.control.run.player import Player
@@ -56,7 +54,6 @@ class EventCollector:
 
     Args:
         context: What the parts of the controller share.
-        noticed: The controller's signal of notices.
         wall: What the clock on the wall showed at a monotonic time.
         player: Knows which point of a run was sent last.
         recovery: Knows whether a command is its own.
@@ -68,7 +65,6 @@ class EventCollector:
     def __init__(
         self,
         context: Context,
-        noticed: SignalInstance,
         wall: Callable[[float], datetime],
         player: Player,
         recovery: Recovery,
@@ -87,7 +83,6 @@ class EventCollector:
         self._told: tuple[Event, int] | None = None
         context.connection.add_tap(self._tap)
         context.connection.answered.connect(self._on_answered)
-        noticed.connect(self._on_noticed)
 
     def number_of(self, event: Event) -> int | None:
         """The entry of the newest notice; ``None`` of any other."""
@@ -136,7 +131,8 @@ class EventCollector:
 
     # What is told -----------------------------------------------------------------------------
 
-    def _on_noticed(self, event: Event) -> None:
+    def on_noticed(self, event: Event) -> None:
+        """The operator is told an event."""
         self._take_in()  # what was heard before stands before
         code, params = event.code, dict(event.params)
         now_s = self._context.clock()

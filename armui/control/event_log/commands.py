@@ -95,6 +95,7 @@ COMMANDS: Final[Mapping[E, CommandRule]] = {
     E.STANDBY_SENT: _rule(E.STEP_IN_VAIN),
     E.MOTION_OUTPUT_SENT: _rule(E.STEP_IN_VAIN, E.ONLINE, answer=_LINKAGE),
     E.RECORDING_STARTED: _rule(E.RECORDING_ENDED),
+    E.FRAME_SENT_BY_HAND: _rule(),
     E.REFUSED: _rule(),
 }
 """Every command, by the notice that tells it."""

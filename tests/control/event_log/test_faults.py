@@ -122,8 +122,8 @@ def mend(rig, name):
 
 
 @pytest.mark.parametrize("name", SEEN)
-def test_it_begins_and_ends_in_the_events(any_bench, name):
-    rig = any_bench
+def test_it_begins_and_ends_in_the_events(any_rig, name):
+    rig = any_rig
     rig.ready()
     if name == "lost-frames":
         rig.run(4.1)  # how many come when none is lost
@@ -210,8 +210,8 @@ def test_a_fault_that_is_still_there_after_a_new_connection_is_told_again(rig):
     rig.run_until(lambda: log.all_go_on([overcurrent]))
 
 
-def test_an_arm_in_order_has_no_faults(any_bench):
-    rig = any_bench
+def test_an_arm_in_order_has_no_faults(any_rig):
+    rig = any_rig
     rig.ready()
     assert rig.controller.motion.send_joints((10.0, 20.0, -20.0, 0.0, 0.0, 0.0)) is None
     rig.run(6.0)

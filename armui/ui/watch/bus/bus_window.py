@@ -123,8 +123,9 @@ class BusWindow(ArmDialog):
         self._count()
         device = self._controller.operating_state.device
         if device is not None and device != self._device:
-            self._device = device
-            self.begin()
+            before, self._device = self._device, device
+            if before is not None:
+                self.begin()
         reread = self._texts.speak(self.statistics.codec)
         leader = self._is_leader()
         self._texts.interface = "" if self._device is None else self._device.interface
