@@ -33,13 +33,14 @@ from armui.ui.shell.leaving import end_motion_then, end_single_motion_then
 from armui.ui.shell.library_button import LibraryButton
 from armui.ui.shell.operation_area import OperationArea
 from armui.ui.shell.panel_menu import menu_entries
-from armui.ui.shell.plots_button import PlotsButton
 from armui.ui.shell.recovery_line import RecoveryLine
 from armui.ui.shell.side_menu import SideMenu
 from armui.ui.shell.status_bar import StatusBar
 from armui.ui.shell.top_bar import TopBar
 from armui.ui.shell.unsaved import KeepsWork, leave_then, unsaved
 from armui.ui.shell.view_region import ViewRegion
+from armui.ui.shell.watch_menu import WatchMenu
+from armui.ui.shell.watch_windows import WatchWindows
 from armui.ui.theme import DARK, colors_of
 from armui.ui.trajectory.preview.path_preview import PathPreview
 from armui.ui.trajectory.preview.preview_bar import PreviewBar
@@ -97,6 +98,8 @@ class MainWindow(Translated, QMainWindow):
         self._entries = menu_entries(controller, preferences, self.open_backup_dialog)
         self._joint_monitor = JointMonitor(controller, parent=self)
         self._diagnosis = DiagnosisDialogs(controller, files or workers, self)
+        background = Background(workers, files, self)
+        self._watch = WatchWindows(controller, preferences.path, background, self, self._open)
         self._joint_status_button = JointStatusButton(self._joint_monitor)
         self._preview_bar = PreviewBar()
         self._preview = PathPreview(view, self._preview_bar, self)
@@ -112,8 +115,11 @@ class MainWindow(Translated, QMainWindow):
 
     def _lay_out(self) -> None:
         self._library_button = LibraryButton()
-        self._plots_button = PlotsButton()
-        below = (self._library_button, self._plots_button, self._joint_status_button)
+        below = (
+            self._library_button,
+            WatchMenu(self._watch.entries()),
+            self._joint_status_button,
+        )
         self._menu = SideMenu(self._entries, below)
         self._panels = OperationArea(self._entries)
         self._panels.setMinimumWidth(_PANEL_WIDTH_PX - 40)
@@ -153,7 +159,6 @@ class MainWindow(Translated, QMainWindow):
         self._menu.chosen.connect(self._on_entry_chosen)
         self._joint_status_button.clicked.connect(self.open_joint_status_dialog)
         self._library_button.clicked.connect(self.open_library_window)
-        self._plots_button.clicked.connect(lambda: self.show_as_curves(()))
         self._view_region.help_wanted.connect(self.open_help_dialog)
         self._view_region.reset_wanted.connect(self._view.reset_view)
         self._view_region.settings_wanted.connect(self.open_settings_dialog)
@@ -274,15 +279,7 @@ class MainWindow(Translated, QMainWindow):
 
     def show_as_curves(self, keys: Sequence[str]) -> None:
         """Show quantities in the window 曲线, by their keys (`armui.telemetry.quantities`)."""
-        from armui.ui.watch.plot_window import PlotWindow  # noqa: PLC0415 - pyqtgraph, numpy
-
-        def make() -> QDialog:
-            background = Background(self._workers, self._files, self)
-            return PlotWindow(self._controller, background, self._preferences.path, self)
-
-        window = self._open("plots", make)
-        if isinstance(window, PlotWindow):
-            window.add_curves(keys)
+        self._watch.show_as_curves(keys)
 
     def open_help_dialog(self) -> None:
         """Show how the 3D view is used."""

@@ -3798,17 +3798,6 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
 </context>
 <context>
-    <name>PlotsButton</name>
-    <message>
-        <source>Curves</source>
-        <translation>曲线</translation>
-    </message>
-    <message>
-        <source>What was heard and commanded in the last half hour. The right button on any figure shows it here.</source>
-        <translation>最近半小时的反馈与指令。在任意数值上按右键即可在此显示。</translation>
-    </message>
-</context>
-<context>
     <name>PointEdits</name>
     <message>
         <source>Replace by current pose</source>
@@ -6303,6 +6292,17 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Language, theme, jog step, 3D model</source>
         <translation>语言、主题、点动步长、3D 模型</translation>
+    </message>
+</context>
+<context>
+    <name>WatchMenu</name>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>What was heard and commanded in the last half hour. The right button on any figure shows it here.</source>
+        <translation>最近半小时的反馈与指令。在任意数值上按右键即可在此显示。</translation>
     </message>
 </context>
 </TS>

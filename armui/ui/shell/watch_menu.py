@@ -1,0 +1,74 @@
+"""Below the menu: one button for each window that watches, remembers and replays."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from PySide6.QtCore import QCoreApplication, QSize, Qt
+from PySide6.QtWidgets import QGridLayout, QSizePolicy, QToolButton, QWidget
+
+from armui.ui.theme import colors_of
+from armui.ui.widgets import icons
+from armui.ui.widgets.translated import Translated
+
+_COLUMNS: Final = 2
+
+
+@dataclass(frozen=True, slots=True)
+class WatchEntry:
+    """One window.
+
+    Attributes:
+        key: Its icon's name; the button is called ``<key>_button``.
+        title: What the button says, marked for translation in the context ``WatchMenu``.
+        tip: What the window is for, marked likewise.
+        open_window: Shows it.
+    """
+
+    key: str
+    title: str
+    tip: str
+    open_window: Callable[[], object]
+
+
+class WatchMenu(Translated, QWidget):
+    """A button a window, two in a row; a single one is as wide as the menu.
+
+    Args:
+        entries: Row by row.
+    """
+
+    def __init__(self, entries: Sequence[WatchEntry], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("watch_menu")
+        self._buttons: list[tuple[WatchEntry, QToolButton]] = []
+        layout = QGridLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(4)
+        for place, entry in enumerate(entries):
+            button = QToolButton()
+            button.setObjectName(f"{entry.key}_button")
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+            button.setIconSize(QSize(20, 20))
+            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+            button.clicked.connect(entry.open_window)
+            row, column = divmod(place, _COLUMNS)
+            alone = column == 0 and place == len(entries) - 1
+            layout.addWidget(button, row, column, 1, _COLUMNS if alone else 1)
+            self._buttons.append((entry, button))
+        self._recolor()
+        self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Put the names into the operator's language."""
+        for entry, button in self._buttons:
+            title = QCoreApplication.translate("WatchMenu", entry.title)
+            button.setText(f" {title}")
+            button.setAccessibleName(title)
+            button.setToolTip(QCoreApplication.translate("WatchMenu", entry.tip))
+
+    def _recolor(self) -> None:
+        for entry, button in self._buttons:
+            button.setIcon(icons.icon(entry.key, colors_of(self).accent))
