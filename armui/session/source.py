@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gzip
+import io
 import zlib
 from typing import IO, TYPE_CHECKING, cast
 
@@ -34,7 +35,7 @@ class LogSource:
             NotALogError: It cannot be opened.
         """
         try:
-            self._raw = path.open("rb")
+            self._raw: IO[bytes] = path.open("rb")
             self.size = path.stat().st_size
         except OSError as error:
             raise NotALogError(error.strerror or str(error)) from error
@@ -45,6 +46,17 @@ class LogSource:
         self._is_pipe = not self._raw.seekable()
         self.taken = 0
         self.broken = ""
+
+    @classmethod
+    def of_bytes(cls, data: bytes) -> LogSource:
+        """Bytes as if they were a file."""
+        source = cls.__new__(cls)
+        source._raw = source._stream = io.BytesIO(data)
+        source.size = len(data)
+        source._is_pipe = False
+        source.taken = 0
+        source.broken = ""
+        return source
 
     @property
     def position(self) -> int:
