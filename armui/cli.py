@@ -1,4 +1,4 @@
-"""The commands: the program itself, ``armui sim``, ``armui decode`` and ``armui doctor``."""
+"""The commands: the program itself, and those of `_COMMANDS`, as ``armui decode``."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from armui import __version__
 _COMMANDS: Final = {
     "decode": ("armui.decode", "print a recorded CAN log frame by frame, in words and units"),
     "doctor": ("armui.doctor", "say what is wrong with this computer, the bus and the arm"),
+    "record": ("armui.record", "record what is on a bus to files, without a window"),
     "sim": ("armui.sim.command", "run the simulated arm on a CAN bus until Ctrl-C"),
 }
 """Command to its module, which has ``add_arguments(parser)`` and ``run(options)``, and its purpose.

@@ -29,7 +29,7 @@ from armui.session.recording.collector import Collector
 from armui.session.recording.kinds import RecordingFormat
 from armui.session.recording.lane import FrameLane
 from armui.session.recording.recorded_session import RecordedSession
-from armui.session.recording.recording import Recording
+from armui.session.recording.session_recording import SessionRecording
 from armui.session.recording.ring import FrameRing
 from armui.session.recording.writer import RecordingPlan, TimeBase
 from armui.system.clock import steady_s
@@ -62,7 +62,7 @@ def record(folder: Path, kind: RecordingFormat, shared: mmap.mmap) -> None:
     lane = FrameLane()
     collector = Collector(lane, FrameRing())
     base = TimeBase(steady_s(), time.time())
-    recording = Recording(RecordingPlan(folder, "killed", kind, base, 40_000, "can0"))
+    recording = SessionRecording(RecordingPlan(folder, "killed", kind, base, 40_000, "can0"))
     collector.add(recording.put)
     collector.start()
     number, worst_s, due_s = 0, 0.0, steady_s()

@@ -168,6 +168,16 @@ class RefusalCode(StrEnum):
     RUN_TOO_SLOW = "run_too_slow"  # seconds
     RUN_UNDER_WAY = "run_under_way"
     SAMPLE_BACK_IN_TIME = "sample_back_in_time"
+    SESSION_DISK_FULL = "session_disk_full"  # folder
+    SESSION_FAILED = "session_failed"  # folder, text
+    SESSION_FOLDER_GONE = "session_folder_gone"  # folder
+    SESSION_NAME_BAD = "session_name_bad"  # name
+    SESSION_NAME_TAKEN = "session_name_taken"  # name
+    SESSION_NONE = "session_none"
+    SESSION_READ_ONLY = "session_read_only"  # folder
+    SESSION_RECORDED = "session_recorded"
+    SESSION_RING_EMPTY = "session_ring_empty"
+    SESSION_SAVING = "session_saving"
     SETTING_BAD = "setting_bad"
     SETTING_CORRUPT = "setting_corrupt"  # parameter, joint
     SETTING_NO_CHOICE = "setting_no_choice"  # parameter, joint, value, choices

@@ -51,6 +51,8 @@ from armui.control.run.run_end import cut_short
 from armui.control.safety.emergency_stop import is_stopped
 from armui.control.safety.recovery import Recovery
 from armui.control.safety.stopping import Stopping
+from armui.control.sessions.event_feed import NoticeFeed
+from armui.control.sessions.session_recorder import SessionRecorder
 from armui.protocol.codes import TrajectoryCommand
 from armui.system.clock import steady_s
 
@@ -95,6 +97,7 @@ class ArmController(QObject):
         gripper: Moves the gripper.
         end_reports: Sets the load, switches the feedback of the end's motion.
         linkage: Sets the arm's role and its identifiers.
+        sessions: Records what is on the bus.
 
     Signals:
         state_changed: An :class:`ArmState`, at most 30 times a second, when something was heard.
@@ -173,6 +176,7 @@ class ArmController(QObject):
         self.linkage = LinkageControl(context, self.orders)
         self.gripper = GripperControl(context, self.settings, end_run=self._end_run_because)
         self.zeroing = Zeroing(context, self.orders, before_zeroing=self._forget_places)
+        self.sessions = SessionRecorder(context, NoticeFeed(self.noticed, clock), self)
         parts: tuple[ControllerPart, ...] = (
             self.motors,
             self.motion,
@@ -274,7 +278,7 @@ class ArmController(QObject):
             self._connection.wait_until_sent(_SENT_WITHIN_S)
         self.disconnect_device()
         closed = self._connection.end(_END_S)
-        return self._finder.end(_END_S) and closed
+        return all((self.sessions.end(), self._finder.end(_END_S), closed))
 
     def emergency_stop(self) -> None:
         """Stop the arm at once: past every other frame, whatever else is under way (0x150)."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import threading
+from collections import deque
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
@@ -83,8 +84,10 @@ class Collector:
         self._ring = ring
         self._sorter = Sorter()
         self._sinks: tuple[Sink, ...] = ()
+        self._leaving: deque[tuple[Sink, Callable[[], None]]] = deque()
         self._turn = threading.Lock()
-        self._ending = threading.Event()
+        self._wake = threading.Event()
+        self._ending = False
         self._thread: threading.Thread | None = None
 
     @property
@@ -95,27 +98,36 @@ class Collector:
     def start(self) -> None:
         """Begin, if it has not."""
         if self._thread is None:
-            self._ending.clear()
+            self._ending = False
             self._thread = threading.Thread(target=self._run, name="armui-ring", daemon=True)
             self._thread.start()
 
     def end(self) -> None:
         """End the thread; what waits is passed on."""
-        if self._thread is not None:
-            self._ending.set()
-            self._thread.join()
-            self._thread = None
+        thread, self._thread = self._thread, None
+        if thread is not None:
+            self._ending = True
+            self._wake.set()
+            thread.join()
 
     def add(self, sink: Sink) -> None:
         """Have frames passed on from now on."""
         with self._turn:
             self._sinks = (*self._sinks, sink)
 
-    def remove(self, sink: Sink) -> None:
-        """Pass on what has come by now, and no more."""
-        self.collect(everything=True)
-        with self._turn:
-            self._sinks = tuple(each for each in self._sinks if each != sink)
+    def remove(self, sink: Sink, then: Callable[[], None] = lambda: None) -> None:
+        """Pass on what has come by now, and no more.
+
+        Args:
+            sink: As it was added.
+            then: Called afterwards, by the collector's thread where it has one.
+        """
+        self._leaving.append((sink, then))
+        if self._thread is None:
+            self.collect(everything=True)
+            self._let_go()
+        else:
+            self._wake.set()
 
     def collect(self, *, everything: bool = False) -> None:
         """Pass on what has come; its thread does so ten times a second, any other may, too."""
@@ -127,13 +139,26 @@ class Collector:
             for sink in self._sinks:
                 sink(rows)
 
+    def _let_go(self) -> None:
+        while self._leaving:
+            sink, then = self._leaving.popleft()
+            with self._turn:
+                self._sinks = tuple(each for each in self._sinks if each != sink)
+            then()
+
     def _run(self) -> None:
-        while not self._ending.wait(LOOK_S):
-            self._collect_safely()
+        while not self._ending:
+            self._wake.wait(LOOK_S)
+            self._wake.clear()
+            leaving = bool(self._leaving)
+            self._collect_safely(everything=leaving)
+            if leaving:
+                self._let_go()
         self._collect_safely(everything=True)
+        self._let_go()
 
     def _collect_safely(self, *, everything: bool = False) -> None:
         try:
             self.collect(everything=everything)
-        except Exception:  # noqa: BLE001 - whatever it was: what comes next is kept
+        except Exception:  # whatever it was: what comes next is kept
             _LOG.exception("Frames were not kept")

@@ -83,7 +83,7 @@ def _entry(folder: Path, name: str) -> RecordingEntry:
     kind = RecordingFormat(first.get("format"))
     paths = _parts(folder, name, kind)
     last = next((line for line in reversed(lines) if line["kind"] == "end"), None)
-    marks = [line.get("mark") for line in lines if line["kind"] == "event"]
+    marks = [line.get("mark") for line in sidecar.events_of(lines)]
     return RecordingEntry(
         name=name,
         path=paths[0] if paths else None,

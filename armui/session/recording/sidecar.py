@@ -13,6 +13,7 @@ counts), ``lost`` (frames that are missing from here on), ``clock``
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping, Sequence
 from typing import Any, Final
 
@@ -65,16 +66,28 @@ def read_lines(data: bytes) -> list[dict[str, Any]]:
     return lines
 
 
+def events_of(lines: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+    """The lines with events; of one that was written again, as it ended, the last."""
+    found: dict[object, Mapping[str, Any]] = {}
+    for place, line in enumerate(lines):
+        entry = line.get("entry")
+        if line["kind"] == "event" and isinstance(entry, dict):
+            number = entry.get("number")
+            found[number if isinstance(number, int) else f"line {place}"] = line
+    return list(found.values())
+
+
 def marks_of(lines: Sequence[Mapping[str, Any]]) -> list[Mark]:
     """The moments worth going to, in the order of time."""
     marks = []
-    for line in lines:
-        at_s, entry = line.get("time_s"), line.get("entry")
-        if line["kind"] == "lost":
-            entry = {key: value for key, value in line.items() if key != "time_s"}
-        if not isinstance(at_s, int | float) or not isinstance(entry, dict):
-            continue
-        name = str(line.get("mark", "note")).upper()
+    for line in events_of(lines):
+        at_s, name = line.get("time_s"), str(line.get("mark", "note")).upper()
         kind = MarkKind[name] if name in MarkKind.__members__ else MarkKind.NOTE
-        marks.append(Mark(float(at_s), kind, entry))
+        if isinstance(at_s, int | float) and math.isfinite(at_s):
+            marks.append(Mark(float(at_s), kind, line["entry"]))
+    for line in lines:
+        at_s = line.get("time_s")
+        if line["kind"] == "lost" and isinstance(at_s, int | float) and math.isfinite(at_s):
+            entry = {key: value for key, value in line.items() if key != "time_s"}
+            marks.append(Mark(float(at_s), MarkKind.NOTE, entry))
     return sorted(marks, key=lambda mark: mark.at_s)

@@ -24,7 +24,7 @@ MOST_WAITING: Final = 400_000
 """Frames that may wait for a disk that is busy: over two minutes of a full bus, 9 MB."""
 
 
-class Recording:
+class SessionRecording:
     """Takes frames from any thread, and never holds one up.
 
     It begins at once; a folder that cannot be written shows as `failure`.
@@ -164,7 +164,6 @@ def write_at_once(
     lines: Sequence[Line],
     facts: Mapping[str, object],
     clock: Callable[[], float] = steady_s,
-    begun: Callable[[Path], None] = lambda _path: None,
 ) -> Path:
     """Write what is in memory as a recording of its own, block by block.
 
@@ -174,7 +173,6 @@ def write_at_once(
         lines: What happened meanwhile.
         facts: For the last line of the sidecar.
         clock: The program's, in seconds.
-        begun: Told the first file.
 
     Returns:
         The first file.
@@ -183,7 +181,6 @@ def write_at_once(
         OSError: It could not be written; what there is of it is whole.
     """
     writer = RecordingWriter(plan, clock)
-    begun(writer.path)
     failure: dict[str, object] = {}
     try:
         for rows in parts:
