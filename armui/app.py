@@ -19,6 +19,7 @@ from PySide6.QtWidgets import QApplication
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.control.arm_controller import ArmController
 from armui.control.part_failure import end_motion_of
+from armui.control.sessions.choices import choices_of
 from armui.protocol.generation import Generation
 from armui.settings import Choices, Settings, SettingsStore, default_path
 from armui.start import StartOptions
@@ -102,6 +103,7 @@ class Program:
         )
         self._stop_shortcut = StopShortcut(app, self.controller)
         controller.stop_again_when_undone(settings.stop_again)
+        controller.sessions.choose(choices_of(settings))
         self._unsubscribe = store.subscribe(self._on_settings_changed)
         self._relay = _FailureRelay()
         self._relay.failed.connect(self._on_failed)
@@ -148,6 +150,7 @@ class Program:
         if settings.language != self._settings.language:
             self._translator.set_language(settings.language)
         self.controller.stop_again_when_undone(settings.stop_again)
+        self.controller.sessions.choose(choices_of(settings))
         self._settings = settings
 
 

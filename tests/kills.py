@@ -29,8 +29,8 @@ from armui.session.recording.collector import Collector
 from armui.session.recording.kinds import RecordingFormat
 from armui.session.recording.lane import FrameLane
 from armui.session.recording.recorded_session import RecordedSession
-from armui.session.recording.session_recording import SessionRecording
 from armui.session.recording.ring import FrameRing
+from armui.session.recording.session_recording import SessionRecording
 from armui.session.recording.writer import RecordingPlan, TimeBase
 from armui.system.clock import steady_s
 
@@ -111,9 +111,11 @@ def look(folder: Path, kind: RecordingFormat, killed_s: float, stalled_s: float)
     problem = ""
     if numbers != list(range(len(numbers))):
         problem = "a gap among the frames"
-    elif not [bytes(each.data) for each in by_python_can][: len(by_us)] == [
-        each.frame.data for each in by_us
-    ] == [each.frame.data for each in indexed]:
+    elif (
+        not [bytes(each.data) for each in by_python_can][: len(by_us)]
+        == [each.frame.data for each in by_us]
+        == [each.frame.data for each in indexed]
+    ):
         counts = len(by_python_can), len(by_us), len(indexed)
         problem = f"python-can, reader, session read {counts} frames"
     lost_s = killed_s - session.end_s if numbers else 0.0

@@ -171,6 +171,8 @@ class RefusalCode(StrEnum):
     SESSION_DISK_FULL = "session_disk_full"  # folder
     SESSION_FAILED = "session_failed"  # folder, text
     SESSION_FOLDER_GONE = "session_folder_gone"  # folder
+    SESSION_GONE = "session_gone"  # name, text
+    SESSION_IN_USE = "session_in_use"  # name
     SESSION_NAME_BAD = "session_name_bad"  # name
     SESSION_NAME_TAKEN = "session_name_taken"  # name
     SESSION_NONE = "session_none"

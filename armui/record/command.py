@@ -92,7 +92,7 @@ def run(options: argparse.Namespace, clock: Callable[[], float] = steady_s) -> i
         return EXIT_CANNOT_BEGIN
     name = options.name or name_for(datetime.now().astimezone())
     if not is_name(name):
-        return _cannot_begin(f"{name!r} is no name for a file; leave out / \\ : * ? \" < > |")
+        return _cannot_begin(f'{name!r} is no name for a file; leave out / \\ : * ? " < > |')
     from armui.bus.adapters import explain  # noqa: PLC0415 - python-can
     from armui.record.listening import opened  # noqa: PLC0415 - as above
 
@@ -102,10 +102,11 @@ def run(options: argparse.Namespace, clock: Callable[[], float] = steady_s) -> i
             bus = context.__enter__()
         except Exception as error:  # noqa: BLE001 - drivers of others raise anything
             reason = explain(device, error)
-            return _cannot_begin(f"cannot open {device.name}: {error} ({reason.code}). "
-                                 "`armui doctor` tells more.")
+            return _cannot_begin(
+                f"cannot open {device.name}: {error} ({reason.code}). `armui doctor` tells more."
+            )
         try:
-            return _record(bus, device, name, options, ending, clock)
+            return _record(bus, device, options, ending, name=name, clock=clock)
         finally:
             context.__exit__(None, None, None)
 
@@ -113,9 +114,10 @@ def run(options: argparse.Namespace, clock: Callable[[], float] = steady_s) -> i
 def _record(
     bus: can.BusABC,
     device: Device,
-    name: str,
     options: argparse.Namespace,
     ending: list[int],
+    *,
+    name: str,
     clock: Callable[[], float],
 ) -> int:
     from armui.record.listening import BusListener  # noqa: PLC0415 - python-can

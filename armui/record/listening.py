@@ -99,9 +99,7 @@ class BusListener:
 
 def _taken(message: can.Message, at_s: float) -> TakenFrame:
     flags = FrameFlag(0)
-    if (
-        message.is_extended_id or message.is_remote_frame or message.is_error_frame or message.is_fd
-    ):
+    if message.is_extended_id or message.is_remote_frame or message.is_error_frame or message.is_fd:
         for name, flag in _MARKS:
             if getattr(message, name):
                 flags |= flag

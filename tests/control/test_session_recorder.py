@@ -6,6 +6,7 @@ import errno
 import json
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import can
 import pytest
@@ -15,7 +16,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.sessions.choices import SessionChoices
 from armui.protocol.frame import FrameFlag
 from armui.session.recording import disk_file
-from armui.session.recording.folder import list_recordings
+from armui.session.recording.folder import RecordingEntry, list_recordings
 from armui.session.recording.kinds import RecordingFormat
 from armui.session.recording.recorded_session import RecordedSession
 from armui.session.session import MarkKind
@@ -41,9 +42,14 @@ def wait_for(qtbot, rig):
     return wait
 
 
-def lines_of(folder: Path) -> list[dict]:
+def lines_of(folder: Path) -> list[dict[str, Any]]:
     (path,) = folder.glob("*.armui.jsonl")
     return [json.loads(line) for line in path.read_text("utf-8").splitlines()]
+
+
+def opened(entry: RecordingEntry) -> RecordedSession:
+    assert entry.path is not None
+    return RecordedSession(entry.path)
 
 
 def record(rig, sessions, wait_for, act=lambda: None) -> RecordedSession:
@@ -53,7 +59,7 @@ def record(rig, sessions, wait_for, act=lambda: None) -> RecordedSession:
     assert sessions.stop() is None
     wait_for(lambda: "session_ended" in rig.codes())
     (entry,) = list_recordings(sessions.choices.folder)
-    return RecordedSession(entry.path)
+    return opened(entry)
 
 
 def test_every_frame_of_the_bus_is_recorded_and_what_is_ours_is_marked(rig, sessions, wait_for):
@@ -111,7 +117,7 @@ def test_what_just_happened_is_saved_from_memory(rig, sessions, wait_for):
 
     (entry,) = list_recordings(sessions.choices.folder)
     assert (entry.ended, entry.reason) == (True, "ring")
-    session = RecordedSession(entry.path)
+    session = opened(entry)
     assert session.frames >= held.frames
     assert "connected" in [mark.entry["code"] for mark in session.marks]
 
@@ -199,7 +205,7 @@ def test_a_disk_that_fails_ends_it_with_a_clear_word(
     assert told.params["reason"].code is code
     assert not sessions.recording
     (entry,) = list_recordings(sessions.choices.folder)
-    assert RecordedSession(entry.path).frames > 0
+    assert opened(entry).frames > 0
 
 
 def test_a_folder_that_cannot_be_made_is_told(rig, sessions, wait_for, tmp_path):
@@ -223,4 +229,4 @@ def test_the_end_of_the_program_ends_the_recording_well(rig, sessions, tmp_path)
     (entry,) = list_recordings(sessions.choices.folder)
     assert (entry.ended, entry.failure) == (True, "")
     assert lines_of(sessions.choices.folder)[-1]["reason"] == "program ended"
-    assert RecordedSession(entry.path).frames > 100
+    assert opened(entry).frames > 100

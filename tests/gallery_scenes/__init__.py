@@ -7,6 +7,7 @@ from tests.gallery_scenes import (
     dialogs,
     panels,
     plots,
+    sessions,
     shelves,
     trajectories,
 )
@@ -79,6 +80,8 @@ DIALOG_SCENES = (
     DialogScene("plots-why-stopped", "collision", plots.why_stopped),
     DialogScene("plots-cursors", "stopped", plots.cursors),
     DialogScene("plots-hot", "run", plots.hot),
+    DialogScene("sessions", "moving", sessions.listed),
+    DialogScene("sessions-recording", "moving", sessions.recording),
     DialogScene("confirm-disable", "refused", dialogs.confirm_disable),
     DialogScene("linkage", "linkage", panels.linkage_question),
     DialogScene("hold-zero", "motors", panels.hold_zero),

@@ -178,7 +178,15 @@ class BlfFormat:
             marks |= blf.BRS if flags & FrameFlag.BITRATE_SWITCH else 0
             marks |= blf.ESI if flags & FrameFlag.ERROR_STATE else 0
             body = blf.CAN_FD_MSG_STRUCT.pack(
-                self._channel, sent, len2dlc(len(data)), arbitration_id, 0, 0, marks, len(data), data
+                self._channel,
+                sent,
+                len2dlc(len(data)),
+                arbitration_id,
+                0,
+                0,
+                marks,
+                len(data),
+                data,
             )
         base = blf.OBJ_HEADER_BASE_STRUCT.pack(
             b"LOBJ", _OBJECT_HEAD, 1, _OBJECT_HEAD + len(body), kind

@@ -54,9 +54,16 @@ def read_block(
         times_s = batch.times_s + start_s if kind is RecordingFormat.ASC else batch.times_s
         found.append(
             FrameBatch(
-                batch.first, times_s, batch.ids, batch.flags, batch.lengths, batch.payloads,
-                np.zeros(len(batch), np.uint8), names, batch.long_data,
-            )  # fmt: skip
+                batch.first,
+                times_s,
+                batch.ids,
+                batch.flags,
+                batch.lengths,
+                batch.payloads,
+                np.zeros(len(batch), np.uint8),
+                names,
+                batch.long_data,
+            )
         )
     return found
 
@@ -65,11 +72,11 @@ def _batches(
     data: bytes, kind: RecordingFormat, start_s: float, gatherer: Gatherer
 ) -> Iterator[FrameBatch]:
     if kind is RecordingFormat.BLF:
-        source = LogSource.of_bytes(BlfFormat(start_s).opening() + data)
+        source = LogSource(BlfFormat(start_s).opening() + data)
         return read_blf_log(source, gatherer)
     if kind is RecordingFormat.ASC:
-        return read_text_log(LogSource.of_bytes(_ASC_OPENING + data), ASC, gatherer)
-    return read_text_log(LogSource.of_bytes(data), CANDUMP, gatherer)
+        return read_text_log(LogSource(_ASC_OPENING + data), ASC, gatherer)
+    return read_text_log(LogSource(data), CANDUMP, gatherer)
 
 
 def _quick_batch(data: bytes, start_s: float, names: tuple[Channel, ...]) -> FrameBatch | None:

@@ -160,5 +160,5 @@ class Collector:
     def _collect_safely(self, *, everything: bool = False) -> None:
         try:
             self.collect(everything=everything)
-        except Exception:  # whatever it was: what comes next is kept
+        except Exception:  # noqa: BLE001 - whatever it was: what comes next is kept
             _LOG.exception("Frames were not kept")

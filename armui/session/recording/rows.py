@@ -61,9 +61,7 @@ class FrameRows:
 
     def part(self, begin: int, end: int) -> FrameRows:
         """Some of them, without copying."""
-        kept = {
-            row - begin: data for row, data in self.long_data.items() if begin <= row < end
-        }
+        kept = {row - begin: data for row, data in self.long_data.items() if begin <= row < end}
         return FrameRows(self.table[begin:end], kept)
 
     def shifted(self, by_s: float) -> FrameRows:

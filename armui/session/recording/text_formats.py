@@ -63,7 +63,9 @@ class CandumpFormat:
         if flags & FrameFlag.ERROR:
             place = f"{_ERROR_BIT | arbitration_id:08X}"
         else:
-            place = f"{arbitration_id:08X}" if flags & FrameFlag.EXTENDED else f"{arbitration_id:03X}"
+            place = (
+                f"{arbitration_id:08X}" if flags & FrameFlag.EXTENDED else f"{arbitration_id:03X}"
+            )
         if flags & FrameFlag.REMOTE:
             data = f"R{length}" if length else "R"
         elif flags & FrameFlag.FD:

@@ -165,9 +165,9 @@ class RecordingWriter:
         for number in count(1):
             name = plan.name if number == 1 else f"{plan.name}-{number}"
             taken = (plan.folder / file_name(name, 1, plan.kind.value)).exists()
+            if taken and number < _MOST_NAMES:
+                continue
             try:
-                if taken:
-                    raise FileExistsError
                 found = DiskFile(plan.folder / f"{name}{sidecar.SUFFIX}")
             except FileExistsError:
                 if number == _MOST_NAMES:

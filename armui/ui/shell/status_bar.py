@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
@@ -55,9 +56,20 @@ _QUANTITIES: Final = {
 
 
 class StatusBar(Translated, QWidget):
-    """The notice gives way when there is no room; what the arm says never does."""
+    """The notice gives way when there is no room; what the arm says never does.
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+    Args:
+        controller: Tells what happens and how the arm is.
+        marks: What else is shown in it, at the left.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        parent: QWidget | None = None,
+        *,
+        marks: Sequence[QWidget] = (),
+    ) -> None:
         super().__init__(parent)
         self.setObjectName("status_bar")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
@@ -75,6 +87,8 @@ class StatusBar(Translated, QWidget):
         layout = QHBoxLayout(self)
         layout.setContentsMargins(14, 6, 14, 6)
         layout.setSpacing(8)
+        for mark in marks:
+            layout.addWidget(mark)
         layout.addWidget(self._notice_icon)
         layout.addWidget(self._notice_label, 1)
         layout.addSpacing(16)
