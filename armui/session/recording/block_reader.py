@@ -49,6 +49,8 @@ def read_block(
     if quick is not None:
         return [quick]
     gatherer = Gatherer(damages)
+    if kind is not RecordingFormat.BLF:
+        data = _whole_lines(data, gatherer)
     found = []
     for batch in _batches(data, kind, start_s, gatherer):
         times_s = batch.times_s + start_s if kind is RecordingFormat.ASC else batch.times_s
@@ -66,6 +68,14 @@ def read_block(
             )
         )
     return found
+
+
+def _whole_lines(data: bytes, gatherer: Gatherer) -> bytes:
+    """Without a last line that was cut: what is left of it may look like a shorter frame."""
+    end = data.rfind(b"\n") + 1
+    if end < len(data):
+        gatherer.note(f"byte {end} of a block", "the file breaks off in a line", 0)
+    return data[:end]
 
 
 def _batches(

@@ -47,6 +47,7 @@ class DiskFile:
         except OSError:
             with contextlib.suppress(OSError):
                 os.ftruncate(self._handle, self.size)
+                os.lseek(self._handle, self.size, os.SEEK_SET)
             raise
         self.size += len(data)
 

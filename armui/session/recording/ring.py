@@ -21,6 +21,9 @@ _SLAB_ROWS: Final = 16_384
 _SLAB_BYTES: Final = _SLAB_ROWS * ROW.itemsize
 _LONG_BYTES: Final = 256
 """What the data of a CAN FD frame takes at most, with what Python keeps around it."""
+_MOST_LONG: Final = 2_048
+"""Such frames of a slab; those of a whole slab would be more than can be dropped at once."""
+_LONG_AT_ONCE: Final = 512
 
 
 @dataclass(slots=True)
@@ -53,7 +56,8 @@ class FrameRing:
 
     def __init__(self, keep_s: float = KEPT_S, most_bytes: int = MOST_BYTES) -> None:
         self.keep_s = keep_s
-        self.most_bytes = max(most_bytes, 2 * _SLAB_BYTES)
+        least = 2 * (_SLAB_BYTES + _LONG_BYTES * (_MOST_LONG + _LONG_AT_ONCE))
+        self.most_bytes = max(most_bytes, least)
         self._slabs: deque[_Slab] = deque()
         self._bytes = 0
         self._lock = threading.Lock()
@@ -63,7 +67,8 @@ class FrameRing:
         begin = 0
         while begin < len(rows):
             slab = self._open_slab()
-            taken = min(len(rows) - begin, _SLAB_ROWS - slab.count)
+            most = _LONG_AT_ONCE if rows.long_data else _SLAB_ROWS
+            taken = min(len(rows) - begin, _SLAB_ROWS - slab.count, most)
             part = rows.part(begin, begin + taken)
             with self._lock:
                 slab.table[slab.count : slab.count + taken] = part.table
@@ -75,7 +80,8 @@ class FrameRing:
             self._make_room(0)
 
     def _open_slab(self) -> _Slab:
-        if not self._slabs or self._slabs[-1].count == _SLAB_ROWS:
+        last = self._slabs[-1] if self._slabs else None
+        if last is None or last.count == _SLAB_ROWS or len(last.long_data) >= _MOST_LONG:
             self._make_room(_SLAB_BYTES)
             with self._lock:
                 self._slabs.append(_Slab(zeros((_SLAB_ROWS,), ROW)))
@@ -89,7 +95,7 @@ class FrameRing:
             newest_s = slabs[-1].last_s if slabs and slabs[-1].count else None
             while slabs and (len(slabs) > 1 or for_bytes):
                 oldest = slabs[0]
-                too_much = self._bytes + for_bytes > self.most_bytes
+                too_much = self._bytes + for_bytes > self.most_bytes - _LONG_BYTES * _LONG_AT_ONCE
                 too_old = newest_s is not None and oldest.last_s < newest_s - self.keep_s
                 if not too_much and not too_old:
                     break

@@ -51,8 +51,8 @@ _WIDTHS_PX: Final = {
     SessionColumn.SIZE: 90,
     SessionColumn.FAULTS: 70,
     SessionColumn.STOPS: 70,
-    SessionColumn.KIND: 140,
-    SessionColumn.STATE: 150,
+    SessionColumn.KIND: 165,
+    SessionColumn.STATE: 130,
 }
 _SAID_HERE: Final = frozenset(
     {
@@ -106,6 +106,7 @@ class SessionsWindow(ArmDialog):
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._message = MessageLine()
         self._message.setObjectName("sessions_message")
+        self._message.hide()
         self._make_buttons()
         self._lay_out()
         self._timer = QTimer(self, interval=_LOOK_MS)
@@ -219,6 +220,7 @@ class SessionsWindow(ArmDialog):
 
     def _say(self, text: str, level: Level) -> None:
         self._message.show_message(text, level)
+        self._message.setVisible(bool(text))
 
     def chosen(self) -> list[RecordingEntry]:
         """The chosen recordings, from top to bottom."""
