@@ -24,9 +24,7 @@ def _made(folder: Path, name: str, at_s: float, *, minutes: float, reason: str, 
     import numpy as np  # noqa: PLC0415 - only for these pictures
 
     base = TimeBase(at_s, at_s)
-    plan = RecordingPlan(
-        folder, name, RecordingFormat.BLF, base, 10**9, facts={"reason": reason}
-    )
+    plan = RecordingPlan(folder, name, RecordingFormat.BLF, base, 10**9, facts={"reason": reason})
     writer = RecordingWriter(plan, clock=lambda: at_s, time_of_day=lambda: at_s)
     table = np.zeros(1000, ROW)
     table["time_s"] = at_s + np.linspace(0.0, 60.0 * minutes, 1000)
@@ -41,7 +39,9 @@ def _made(folder: Path, name: str, at_s: float, *, minutes: float, reason: str, 
 def _recordings(app_driver: AppDriver) -> Sequence[str]:
     folder = app_driver.library_folder.parent / "sessions"
     if not folder.exists():
-        _made(folder, "pick and place, shift 2", _MORNING_S, minutes=31.4, reason="operator", marks="")
+        _made(
+            folder, "pick and place, shift 2", _MORNING_S, minutes=31.4, reason="operator", marks=""
+        )
         _made(folder, "session-20260528-220105-fault", _MORNING_S + 4200, minutes=5,
               reason="fault", marks="ffs")  # fmt: skip
         _made(folder, "session-20260529-091512-stop", _MORNING_S + 44_000, minutes=5,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from armui.protocol.frame import Frame, FrameFlag
@@ -30,8 +31,8 @@ EVERY_KIND = (
 
 def plan(folder: Path, kind: RecordingFormat = RecordingFormat.BLF, **more) -> RecordingPlan:
     """What to record; `more` are fields of the plan."""
-    fields = {"name": "made", "base": BASE, "rotate_bytes": 10**9, "channel": "can0"} | more
-    return RecordingPlan(folder=folder, kind=kind, **fields)
+    ordinary = RecordingPlan(folder, "made", kind, BASE, 10**9, "can0")
+    return replace(ordinary, **more)
 
 
 def still_clock() -> float:

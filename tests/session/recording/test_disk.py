@@ -1,4 +1,4 @@
-"""Full disks, vanished folders, slow disks, clocks that jump: said, and what is written is whole."""
+"""Full disks, vanished folders, slow disks, clocks that jump: said; what is written is whole."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class FullDisk:
     def __init__(self, monkeypatch, room):
         self.room = room
         self._write = os.write
-        monkeypatch.setattr(disk_file.os, "write", self.write)
+        monkeypatch.setattr(f"{disk_file.__name__}.os.write", self.write)
 
     def write(self, handle, data):
         if not self.room:
@@ -47,17 +47,24 @@ class FullDisk:
         return self._write(handle, part)
 
 
+def until_full(made):
+    """Write until the disk is full; returns how many frames were written before."""
+    for begin in range(0, len(FRAMES), 200):
+        try:
+            made.write(rows_of(FRAMES[begin : begin + 200]))
+        except OSError as error:
+            assert error.errno == errno.ENOSPC
+            return begin
+    raise AssertionError("the disk was never full")
+
+
 @pytest.mark.parametrize("kind", RecordingFormat)
 @pytest.mark.parametrize("room", [20_000, 33_333, 47_001])
 def test_on_a_full_disk_what_was_written_can_be_read(tmp_path, monkeypatch, kind, room):
     made = writer(tmp_path, kind)
     with monkeypatch.context() as patched:
         FullDisk(patched, room)
-        written = 0
-        with pytest.raises(OSError, match="No space"):
-            for begin in range(0, len(FRAMES), 200):
-                made.write(rows_of(FRAMES[begin : begin + 200]))
-                written += 200
+        written = until_full(made)
     made.finish({"failure": "No space left on device"})
 
     session = RecordedSession(made.path)
@@ -87,9 +94,10 @@ def test_a_folder_that_cannot_be_written_leaves_nothing_behind(tmp_path, monkeyp
     def refuse(*_args):
         raise OSError(number, os.strerror(number))
 
-    monkeypatch.setattr(disk_file.os, "open", refuse)
+    monkeypatch.setattr(f"{disk_file.__name__}.os.open", refuse)
     recording = SessionRecording(plan(tmp_path), still_clock)
     assert recording.wait(5.0)
+    assert recording.failure is not None
     assert why_not_written(recording.failure, tmp_path).code is RefusalCode.SESSION_READ_ONLY
     recording.put(rows_of(FRAMES[:10]))
     assert list(tmp_path.iterdir()) == []
