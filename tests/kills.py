@@ -99,7 +99,8 @@ def kill_once(folder: Path, kind: RecordingFormat, after_s: float) -> Killed:
 
 def look(folder: Path, kind: RecordingFormat, killed_s: float, stalled_s: float) -> Killed:
     """Read back what it has left."""
-    paths = sorted(folder.glob(f"*{kind.value}"), key=lambda path: (len(path.name), path.name))
+    found = sorted(folder.glob(f"*{kind.value}"), key=lambda path: (len(path.name), path.name))
+    paths = [path for path in found if path.stat().st_size]  # one may just have been made
     try:
         by_python_can = [message for path in paths for message in can.LogReader(path)]
         by_us = [each for path in paths for each in _frames(path)]

@@ -4394,6 +4394,10 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
 <context>
     <name>RecordingMark</name>
     <message>
+        <source>Recording of the session</source>
+        <translation>会话记录</translation>
+    </message>
+    <message>
         <source>The session is being recorded. Click for the recordings.</source>
         <translation>正在记录会话。单击查看会话记录。</translation>
     </message>
@@ -5724,8 +5728,8 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>文件夹中已有名为“{name}”的文件。请换一个名称。</translation>
     </message>
     <message>
-        <source>The recording “{name}” is not in the folder any more, or cannot be read: {text}</source>
-        <translation>记录“{name}”已不在文件夹中，或无法读取：{text}</translation>
+        <source>The recording “{name}” is not in the folder any more, or cannot be read: {text}.</source>
+        <translation>记录“{name}”已不在文件夹中，或无法读取：{text}。</translation>
     </message>
     <message>
         <source>“{name}” is still being written. Stop the recording first.</source>

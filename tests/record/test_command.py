@@ -96,7 +96,7 @@ def test_a_signal_ends_it_well(tmp_path, channel, asked):
 
 
 def test_a_full_disk_ends_it_with_a_word_and_a_code(tmp_path, channel, capsys, monkeypatch):
-    FullDisk(monkeypatch, 4000)
+    FullDisk(monkeypatch, 50_000)
     words = ["--interface", "virtual", "--channel", channel, "-o", str(tmp_path), "--name", "run"]
     assert run(*words, "--format", "log", "--duration", "30") == EXIT_CUT_SHORT
     monkeypatch.undo()

@@ -56,6 +56,7 @@ class FakeController(QObject):
         self.settings = FakeSettings(self)
         self.gripper = FakeGripper(self)
         self.linkage = FakeLinkage(self)
+        self.sessions = FakeSessions()
 
     @property
     def as_real(self) -> ArmController:
@@ -330,3 +331,13 @@ class FakeGripper:
 
     def move(self, travel: float, effort: float) -> Refusal | None:
         return self._controller._asked("move_gripper", travel, effort)
+
+
+class FakeSessions(QObject):
+    """Records nothing."""
+
+    changed = Signal()
+    recording = False
+
+    def progress(self) -> None:
+        return None

@@ -16,8 +16,8 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import EventCode
-from armui.control.sessions.arm_facts import ArmFacts
 from armui.control.sessions.choices import SessionChoices
+from armui.control.sessions.recorded_arm import RecordedArm
 from armui.control.sessions.ring_saving import SaveAtFaults
 from armui.session.recording.lane import FrameLane
 from armui.session.recording.names import is_name, name_for
@@ -102,7 +102,7 @@ class SessionRecorder(QObject):
         super().__init__(parent)
         self._context = context
         self._feed = feed
-        self._facts = ArmFacts(context)
+        self._facts = RecordedArm(context)
         self._recent: deque[FedEvent] = deque(maxlen=_MOST_RECENT)
         self._lane = FrameLane()
         self._ring: FrameRing | None = None

@@ -2,7 +2,7 @@
 
 The file begins with eight bytes, `MAGIC`. Behind them stands one record a block: `_HEAD`, then the
 last frame of each identifier up to the end of the block, one `ROW` each, at most once a second (of
-a CAN FD frame the first 8 bytes).
+a CAN FD frame the first 8 bytes); of `REMEMBERED_IDS` the last few.
 A record that was cut off, or whose sum is wrong, ends the index: what is behind it is looked for in
 the recording itself.
 """
@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import struct
 import zlib
+from collections import deque
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
@@ -19,6 +20,7 @@ import numpy as np
 
 from armui.protocol.frame import FrameFlag
 from armui.session.recording.rows import ROW, FrameRows
+from armui.session.session import REMEMBERED, REMEMBERED_IDS
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -69,11 +71,18 @@ class Block:
         return struct.pack("<4sL", _SIGN, zlib.crc32(body)) + body
 
 
+_REMEMBERED: Final = np.array(sorted(REMEMBERED_IDS), np.uint32)
+
+
 class StandingFrames:
-    """The last frame of each identifier, what was heard and what this program sent apart."""
+    """The last frame of each identifier, what was heard and what this program sent apart.
+
+    Of `REMEMBERED_IDS` the last `REMEMBERED`.
+    """
 
     def __init__(self) -> None:
         self._last: dict[int, Any] = {}
+        self._remembered: dict[int, deque[Any]] = {}
         self._told_s = -np.inf
 
     def take(self, rows: FrameRows) -> NDArray[np.void] | None:
@@ -91,11 +100,17 @@ class StandingFrames:
             last = table[::-1][places]
             for key, row in zip(found.tolist(), last, strict=True):
                 self._last[key] = row
+            for place in np.flatnonzero(np.isin(table["id"], _REMEMBERED)).tolist():
+                kept = self._remembered.setdefault(int(keys[place]), deque(maxlen=REMEMBERED))
+                kept.append(table[place])
         now_s = float(rows.times_s[-1]) if len(rows) else -np.inf
         if now_s - self._told_s < _EVERY_S:
             return None
         self._told_s = now_s
-        standing = np.array(list(self._last.values()), ROW)
+        rows_kept = [row for key, row in self._last.items() if key not in self._remembered]
+        for kept in self._remembered.values():
+            rows_kept += kept
+        standing = np.array(rows_kept, ROW)
         return standing[np.argsort(standing["time_s"], kind="stable")]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import bisect
 import threading
+from collections import deque
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -13,7 +14,6 @@ import numpy as np
 
 from armui.protocol.frame import FrameFlag
 from armui.session.frames import (
-    CLASSIC_BYTES,
     Channel,
     Damage,
     DamageList,
@@ -25,11 +25,12 @@ from armui.session.recording.block_reader import read_block
 from armui.session.recording.index_file import Block
 from armui.session.recording.kinds import RecordingFormat
 from armui.session.recording.names import file_name, names_of
-from armui.session.recording.rows import ROW, FrameRows
-from armui.session.session import Mark
+from armui.session.recording.rows import ROW
+from armui.session.session import REMEMBERED, REMEMBERED_IDS, Mark
 
 _LONGEST_TAIL: Final = 4_000_000
 """More bytes than a killed program leaves without index: the index is not this recording's."""
+_REMEMBERED: Final = np.array(sorted(REMEMBERED_IDS), np.uint32)
 _SLACK_S: Final = 2e-6
 """Formats round their times; blocks are chosen a little more widely."""
 
@@ -297,30 +298,46 @@ def _part(batch: FrameBatch, begin: int, end: int, first: int) -> FrameBatch:
 def _last_of_each(
     batches: Sequence[FrameBatch], t_s: float, names: tuple[Channel, ...]
 ) -> FrameBatch:
-    """Of batches in the order of time, the last frame of each identifier up to a moment."""
-    rows: dict[tuple[int, int], tuple[FrameBatch, int]] = {}
+    """Of batches in the order of time, the last frames of each identifier up to a moment."""
+    rows: dict[tuple[int, int], deque[tuple[FrameBatch, int]]] = {}
     key_flags = int(FrameFlag.EXTENDED | FrameFlag.TRANSMITTED)
     for batch in batches:
         end = int(batch.times_s.searchsorted(t_s, "right"))
         good = np.flatnonzero(batch.flags[:end] & (FrameFlag.ERROR | FrameFlag.IMPOSSIBLE) == 0)
-        keys = batch.ids[good].astype(np.uint64) << 8 | batch.flags[good] & key_flags
-        found, places = np.unique(keys[::-1], return_index=True)
-        for key, place in zip(found.tolist(), places.tolist(), strict=True):
-            rows[key >> 8, key & 0xFF] = batch, int(good[len(good) - 1 - place])
-    table = np.zeros(len(rows), ROW)
+        ids, marks = batch.ids[good], batch.flags[good] & key_flags
+        keys = ids.astype(np.uint64) << 8 | marks
+        _found, places = np.unique(keys[::-1], return_index=True)
+        wanted = np.isin(ids, _REMEMBERED)
+        wanted[len(good) - 1 - places] = True
+        for place in np.flatnonzero(wanted).tolist():
+            arbitration_id = int(ids[place])
+            most = REMEMBERED if arbitration_id in REMEMBERED_IDS else 1
+            kept = rows.setdefault((arbitration_id, int(marks[place])), deque(maxlen=most))
+            kept.append((batch, int(good[place])))
+    ordered = sorted(
+        (found for kept in rows.values() for found in kept),
+        key=lambda found: float(found[0].times_s[found[1]]),
+    )
+    return _picked(ordered, names)
+
+
+def _picked(found: Sequence[tuple[FrameBatch, int]], names: tuple[Channel, ...]) -> FrameBatch:
+    """Single frames of several batches as one."""
+    table = np.zeros(len(found), ROW)
     long_data = {}
-    ordered = sorted(rows.values(), key=lambda found: float(found[0].times_s[found[1]]))
-    for place, (batch, row) in enumerate(ordered):
+    for place, (batch, row) in enumerate(found):
         table[place] = (
-            batch.times_s[row], batch.ids[row], batch.flags[row], batch.lengths[row],
+            batch.times_s[row],
+            batch.ids[row],
+            batch.flags[row],
+            batch.lengths[row],
             batch.payloads[row],
-        )  # fmt: skip
-        if row in batch.long_data and batch.lengths[row] > CLASSIC_BYTES:
+        )
+        if row in batch.long_data:
             long_data[place] = batch.long_data[row]
-    picked = FrameRows(table, long_data)
     return FrameBatch(
         first=0,
-        times_s=picked.times_s,
+        times_s=table["time_s"],
         ids=table["id"],
         flags=table["flags"],
         lengths=table["length"],

@@ -91,9 +91,10 @@ class SessionRecording:
         return 0 if self._writer is None else self._writer.total_bytes
 
     def put(self, rows: FrameRows) -> None:
-        """Record frames, in the order of time."""
+        """Record frames, in the order of time; those from before it was begun are left out."""
         if self.failure is not None:
             return
+        rows = rows.part(int(rows.times_s.searchsorted(self.begun_s)), len(rows))
         with self._lock:
             if self._waiting + len(rows) > self._most_waiting:
                 self.lost += len(rows)

@@ -51,7 +51,8 @@ SESSION_REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "Refusal", "There is a file called “{name}” in the folder already. Choose another name."
     ),
     RefusalCode.SESSION_GONE: QT_TRANSLATE_NOOP(
-        "Refusal", "The recording “{name}” is not in the folder any more, or cannot be read: {text}"
+        "Refusal",
+        "The recording “{name}” is not in the folder any more, or cannot be read: {text}.",
     ),
     RefusalCode.SESSION_IN_USE: QT_TRANSLATE_NOOP(
         "Refusal", "“{name}” is still being written. Stop the recording first."

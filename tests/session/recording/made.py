@@ -15,6 +15,7 @@ from armui.session.recording.rows import TakenFrame, rows_of
 from armui.session.recording.writer import RecordingPlan, RecordingWriter, TimeBase
 
 BASE = TimeBase(steady_s=1000.0, unix_s=1_780_000_000.25)
+IDS = (*range(0x251, 0x251 + 30), 0x473)
 EVERY_KIND = (
     (0x2A1, bytes(range(8)), 0),
     (0x151, b"\x01\x02", FrameFlag.TRANSMITTED),
@@ -51,7 +52,7 @@ def taken(count: int, start_s: float = BASE.steady_s, seed: int = 0) -> list[Tak
         (
             None,
             start_s + number / 3000,
-            Frame(0x251 + chance.randrange(30), chance.randbytes(chance.choice((8, 8, 8, 3)))),
+            Frame(IDS[chance.randrange(len(IDS))], chance.randbytes(chance.choice((8, 8, 8, 3)))),
             FrameFlag.TRANSMITTED if chance.random() < 0.05 else 0,
         )
         for number in range(count)

@@ -52,8 +52,7 @@ def until_full(made):
     for begin in range(0, len(FRAMES), 200):
         try:
             made.write(rows_of(FRAMES[begin : begin + 200]))
-        except OSError as error:
-            assert error.errno == errno.ENOSPC
+        except OSError:
             return begin
     raise AssertionError("the disk was never full")
 

@@ -43,6 +43,7 @@ class RecordingMark(Translated, QToolButton):
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
+        self.setAccessibleName(self.tr("Recording of the session"))
         self.setToolTip(self.tr("The session is being recorded. Click for the recordings."))
         self._show_time()
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 _DECIMALS: Final = 6
 
 
-class ArmFacts:
+class RecordedArm:
     """Lines for the sidecar, whenever they would say something new.
 
     Args:
