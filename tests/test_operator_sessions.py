@@ -94,8 +94,9 @@ def test_what_just_happened_is_saved_with_one_button(sessions):
     assert "of 5 minutes" in window.ring.content_label.text()
     assert window.ring.memory_label.text().endswith("22.0 MB at most")
     driver.click(window.ring.save_button)
-    sessions.until(lambda: sessions.column(SessionColumn.KIND) == ["saved from memory"])
-    assert "What just happened is saved" in sessions.said()
+    sessions.until(lambda: sessions.column(SessionColumn.STATE) == ["whole"])
+    assert sessions.column(SessionColumn.KIND) == ["saved from memory"]
+    sessions.until(lambda: "What just happened is saved" in sessions.said())
 
 
 def test_a_recording_is_renamed_in_the_list(sessions):

@@ -14,10 +14,11 @@ from can.interfaces.virtual import VirtualBus
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.sessions.choices import SessionChoices
-from armui.protocol.frame import FrameFlag
+from armui.protocol.frame import Frame, FrameFlag
 from armui.session.recording import disk_file
 from armui.session.recording.folder import RecordingEntry, list_recordings
 from armui.session.recording.kinds import RecordingFormat
+from armui.session.recording.lane import MOST_WAITING
 from armui.session.recording.recorded_session import RecordedSession
 from armui.session.session import MarkKind
 
@@ -207,6 +208,20 @@ def test_a_disk_that_fails_ends_it_with_a_clear_word(
     assert not sessions.recording
     (entry,) = list_recordings(sessions.choices.folder)
     assert opened(entry).frames > 0
+
+
+def test_frames_that_are_missing_are_told_and_counted(rig, sessions, wait_for):
+    rig.connect()
+    assert sessions.start() is None
+    too_many = [(None, rig.time_s, Frame(0x2A1, bytes(8)), 0)] * (MOST_WAITING + 1)
+    sessions._lane.on_heard(too_many)
+    rig.run(0.2)
+    wait_for(lambda: "session_frames_lost" in rig.codes())
+    told = next(event for event in rig.events if event.code == "session_frames_lost")
+    assert told.params["count"] == sessions.progress().lost == MOST_WAITING + 1
+    sessions.stop()
+    wait_for(lambda: "session_ended" in rig.codes())
+    assert lines_of(sessions.choices.folder)[-1]["dropped"] == MOST_WAITING + 1
 
 
 def test_a_folder_that_cannot_be_made_is_told(rig, sessions, wait_for, tmp_path):

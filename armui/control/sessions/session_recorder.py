@@ -111,7 +111,7 @@ class SessionRecorder(QObject):
         self._ending: list[SessionRecording] = []
         self._saver: ThreadPoolExecutor | None = None
         self._saving: Future[Path] | None = None
-        self._save_frames = 0
+        self._saving_name = ""
         self._at_faults = SaveAtFaults(KEPT_S)
         self._lost_told = self._dropped_before = 0
         self._device: object = None
@@ -136,7 +136,8 @@ class SessionRecorder(QObject):
     def busy_names(self) -> frozenset[str]:
         """The recordings whose files are being written: they must not be moved."""
         writing = [*self._ending] + ([self._recording] if self._recording is not None else [])
-        return frozenset(each.name for each in writing if each.name is not None)
+        names = {each.name for each in writing if each.name is not None}
+        return frozenset(names | {self._saving_name} if self._saving is not None else names)
 
     def progress(self) -> RecordingProgress | None:
         """The recording under way, if any."""
@@ -227,6 +228,7 @@ class SessionRecorder(QObject):
         plan = self._plan(name, "ring" if reason == "operator" else reason)
         oldest_s = self._context.clock() - KEPT_S
         lines += [_line(each, plan.base.shift_s) for each in self._recent if each.at_s >= oldest_s]
+        self._saving_name = plan.name
         if self._saver is None:
             self._saver = ThreadPoolExecutor(1, "armui-ring-save")
         ring, collector = self._ring, self._collector
