@@ -16,6 +16,7 @@ from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.session.recording.collector import Collector
+from armui.session.recording.folder import files_of
 from armui.session.recording.kinds import RecordingFormat
 from armui.session.recording.lane import FrameLane
 from armui.session.recording.names import is_name, name_for
@@ -32,6 +33,7 @@ EXIT_OK: Final = 0
 EXIT_CUT_SHORT: Final = 1
 EXIT_CANNOT_BEGIN: Final = 2
 
+_MF4: Final = "mf4"
 _MEGABYTE: Final = 1_000_000
 _TOLD_S: Final = 0.5
 _END_S: Final = 10.0
@@ -70,7 +72,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--name", help="of the recording (session-DATE-TIME)")
     parser.add_argument(
-        "--format", choices=[each.value[1:] for each in RecordingFormat], default="blf"
+        "--format",
+        choices=[*(each.value[1:] for each in RecordingFormat), _MF4],
+        default="blf",
+        help="of the files (blf); mf4 is made of the .blf files at the end, where asammdf is "
+        "installed",
     )
     parser.add_argument(
         "--size",
@@ -93,6 +99,11 @@ def run(options: argparse.Namespace, clock: Callable[[], float] = steady_s) -> i
     name = options.name or name_for(datetime.now().astimezone())
     if not is_name(name):
         return _cannot_begin(f'{name!r} is no name for a file; leave out / \\ : * ? " < > |')
+    if options.format == _MF4:
+        from armui.record.mf4 import MISSING, can_write  # noqa: PLC0415 - python-can
+
+        if not can_write():
+            return _cannot_begin(MISSING)
     from armui.bus.adapters import explain  # noqa: PLC0415 - python-can
     from armui.record.listening import opened  # noqa: PLC0415 - as above
 
@@ -127,7 +138,9 @@ def _record(
     plan = RecordingPlan(
         folder=options.folder,
         name=name,
-        kind=RecordingFormat(f".{options.format}"),
+        kind=RecordingFormat.BLF
+        if options.format == _MF4
+        else RecordingFormat(f".{options.format}"),
         base=TimeBase(clock(), time.time()),
         rotate_bytes=options.size * _MEGABYTE,
         channel=str(device.channel),
@@ -154,7 +167,26 @@ def _record(
     collector.remove(recording.put, lambda: recording.end(facts))
     collector.end()
     ended = recording.wait(_END_S)
-    return _summary(recording, lane, problem, ended=ended, quiet=options.quiet)
+    code = _summary(recording, lane, problem, ended=ended, quiet=options.quiet)
+    if options.format == _MF4 and recording.frames and ended:
+        return max(code, _once_more_as_mf4(recording))
+    return code
+
+
+def _once_more_as_mf4(recording: SessionRecording) -> int:
+    """Make an .mf4 of what was recorded; returns the exit code."""
+    from armui.record.mf4 import write_mf4  # noqa: PLC0415 - asammdf takes a second
+
+    folder, name = recording.plan.folder, recording.name or ""
+    target = folder / f"{name}.mf4"
+    paths = [path for path in files_of(folder, name) if path.suffix == RecordingFormat.BLF.value]
+    try:
+        write_mf4(paths, target)
+    except Exception as error:  # noqa: BLE001 - a package of others may raise anything
+        sys.stderr.write(f"armui record: {target}: {error}. The .blf files are whole.\n")
+        return EXIT_CUT_SHORT
+    sys.stdout.write(f"{target}: the same\n")
+    return EXIT_OK
 
 
 def _summary(
@@ -175,8 +207,8 @@ def _summary(
     if problem:
         sys.stderr.write(f"armui record: {problem}\n")
     if recording.path is not None and recording.frames:
-        size = recording.total_bytes / _MEGABYTE
-        sys.stdout.write(f"{recording.path}: {recording.frames} frames, {size:.1f} MB\n")
+        size = _size(recording.total_bytes)
+        sys.stdout.write(f"{recording.path}: {recording.frames} frames, {size}\n")
     elif not problem:
         sys.stderr.write("armui record: not one frame was heard; `armui doctor` tells more\n")
     return EXIT_CUT_SHORT if problem or lost else EXIT_OK
@@ -195,13 +227,17 @@ def _tell(recording: SessionRecording, lane: FrameLane, now_s: float) -> None:
         return
     elapsed_s = now_s - recording.begun_s
     minutes, seconds = divmod(int(elapsed_s), 60)
-    size = recording.total_bytes / _MEGABYTE
+    size = _size(recording.total_bytes)
     lost = recording.lost + lane.dropped
-    text = f"{minutes:3d}:{seconds:02d}  {recording.frames} frames  {size:.1f} MB"
+    text = f"{minutes:3d}:{seconds:02d}  {recording.frames} frames  {size}"
     if lost:
         text += f"  {lost} lost"
     sys.stderr.write(f"\r{text:<60}")
     sys.stderr.flush()
+
+
+def _size(count: int) -> str:
+    return f"{count / _MEGABYTE:.1f} MB" if count >= _MEGABYTE else f"{count / 1000:.0f} kB"
 
 
 def _device(options: argparse.Namespace) -> Device | None:
