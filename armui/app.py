@@ -20,6 +20,7 @@ from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.control.arm_controller import ArmController
 from armui.control.event_log.keeper import EventKeeper
 from armui.control.part_failure import end_motion_of
+from armui.control.sessions.choices import choices_of
 from armui.protocol.generation import Generation
 from armui.settings import Choices, Settings, SettingsStore, default_path
 from armui.start import StartOptions
@@ -106,6 +107,7 @@ class Program:
         apply_theme(app, Theme(settings.theme))
         self._stop_shortcut = StopShortcut(app, self.controller)
         controller.stop_again_when_undone(settings.stop_again)
+        controller.sessions.choose(choices_of(settings))
         self._unsubscribe = store.subscribe(self._on_settings_changed)
         self._relay = _FailureRelay()
         self._relay.failed.connect(self._on_failed)
@@ -157,6 +159,7 @@ class Program:
         if settings.language != self._settings.language:
             self._translator.set_language(settings.language)
         self.controller.stop_again_when_undone(settings.stop_again)
+        self.controller.sessions.choose(choices_of(settings))
         self._settings = settings
 
 

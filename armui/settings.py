@@ -28,6 +28,7 @@ from armui.system.error_text import error_text
 
 Language = Literal["zh", "en"]
 ThemeName = Literal["light", "dark", "system"]
+SessionFormat = Literal[".blf", ".asc", ".log"]
 
 _MOST_BYTES: Final = 1_000_000
 """A thousand times what the settings need: a larger file is something else."""
@@ -40,6 +41,10 @@ _LOCK_S: Final = 0.05
 JOG_STEP_MIN_DEG: Final = 0.001
 """The resolution of an angle on the bus."""
 JOG_STEP_MAX_DEG: Final = 30.0
+
+ROTATE_MIN_MB: Final = 1
+ROTATE_MAX_MB: Final = 4000
+"""What every file system takes."""
 
 TOOL_LONGEST_MM: Final = 500.0
 _TOOL_LONGEST: Final = (TOOL_LONGEST_MM,) * 3 + (180.0,) * 3
@@ -54,6 +59,10 @@ class Choices(TypedDict, total=False):
     urdf_path: str | None
     tool: tuple[float, ...]
     stop_again: bool
+    session_folder: str | None
+    session_format: SessionFormat
+    session_rotate_mb: int
+    session_save_at_faults: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +76,10 @@ class Settings:
         urdf_path: The robot description in the 3D picture; ``None`` for the built-in one.
         tool: The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees.
         stop_again: An emergency stop that another host undoes is sent again by itself.
+        session_folder: Where sessions are recorded; ``None``: in the user's folder for data.
+        session_format: The suffix of their files.
+        session_rotate_mb: A file that is as large is followed by another.
+        session_save_at_faults: The last minutes are saved by themselves at a fault or a stop.
     """
 
     language: Language = "zh"
@@ -75,6 +88,10 @@ class Settings:
     urdf_path: str | None = None
     tool: tuple[float, ...] = (0.0,) * 6
     stop_again: bool = False
+    session_folder: str | None = None
+    session_format: SessionFormat = ".blf"
+    session_rotate_mb: int = 100
+    session_save_at_faults: bool = False
 
 
 Subscriber = Callable[[Settings], None]
@@ -96,6 +113,10 @@ def check(name: str, value: object) -> Refusal | None:
         "theme": value in get_args(ThemeName),
         "stop_again": isinstance(value, bool),
         "urdf_path": value is None or _is_path(value),
+        "session_folder": value is None or _is_path(value),
+        "session_format": value in get_args(SessionFormat),
+        "session_rotate_mb": _is_rotate_mb(value),
+        "session_save_at_faults": isinstance(value, bool),
     }
     if allowed.get(name, False):
         return None
@@ -120,6 +141,12 @@ def _is_path(value: object) -> bool:
     except UnicodeEncodeError:
         return False
     return True
+
+
+def _is_rotate_mb(value: object) -> bool:
+    if isinstance(value, bool) or not isinstance(value, int):
+        return False
+    return ROTATE_MIN_MB <= value <= ROTATE_MAX_MB
 
 
 def _check_jog_step(value: object) -> Refusal | None:

@@ -42,6 +42,10 @@ def test_a_change_is_there_in_the_next_run(path: Path) -> None:
         "urdf_path": None,
         "tool": [0.0] * 6,
         "stop_again": False,
+        "session_folder": None,
+        "session_format": ".blf",
+        "session_rotate_mb": 100,
+        "session_save_at_faults": False,
     }
 
 

@@ -186,7 +186,7 @@ class ArmController(ControllerParts):
             self._connection.wait_until_sent(_SENT_WITHIN_S)
         self.disconnect_device()
         closed = self._connection.end(_END_S)
-        return self._finder.end(_END_S) and closed
+        return all((self.sessions.end(), self._finder.end(_END_S), closed))
 
     def emergency_stop(self) -> None:
         """Stop the arm at once: past every other frame, whatever else is under way (0x150)."""

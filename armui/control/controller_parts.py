@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from armui.control.run.recorder import Recorder
     from armui.control.run.replayer import Replayer
     from armui.control.safety.recovery import Recovery
+    from armui.control.sessions.session_recorder import SessionRecorder
     from armui.telemetry.events import EventLog
 
 # ruff: noqa: PLC0415 - imported late for a faster start, all of them
@@ -202,6 +203,14 @@ class ControllerParts(QObject):
         from armui.control.link.bus_access import BusAccess
 
         return BusAccess(self._context)
+
+    @cached_property
+    def sessions(self) -> SessionRecorder:
+        """Records what is on the bus."""
+        from armui.control.sessions.event_feed import NoticeFeed
+        from armui.control.sessions.session_recorder import SessionRecorder
+
+        return SessionRecorder(self._context, NoticeFeed(self.noticed, self._context.clock), self)
 
     @cached_property
     def happenings(self) -> EventCollector:

@@ -121,6 +121,12 @@ class EventCode(StrEnum):
     REPLAY_FAILED = "replay_failed"  # reason
     RECORDING_STARTED = "recording_started"
     RECORDING_ENDED = "recording_ended"  # count, seconds
+    SESSION_STARTED = "session_started"  # name
+    SESSION_ENDED = "session_ended"  # name, frames, size
+    SESSION_FAILED = "session_failed"  # reason
+    SESSION_FRAMES_LOST = "session_frames_lost"  # count
+    RING_SAVED = "ring_saved"  # name, frames
+    RING_NOT_SAVED = "ring_not_saved"  # reason
     CONNECTED = "connected"  # device
     CONNECT_FAILED = "connect_failed"  # device, reason
     DISCONNECTED = "disconnected"  # device
@@ -242,6 +248,12 @@ LEVELS: Final[Mapping[EventCode, Level]] = {
     EventCode.REPLAY_FAILED: Level.FAULT,
     EventCode.RECORDING_STARTED: Level.INFO,
     EventCode.RECORDING_ENDED: Level.DONE,
+    EventCode.SESSION_STARTED: Level.INFO,
+    EventCode.SESSION_ENDED: Level.DONE,
+    EventCode.SESSION_FAILED: Level.WARNING,
+    EventCode.SESSION_FRAMES_LOST: Level.WARNING,
+    EventCode.RING_SAVED: Level.DONE,
+    EventCode.RING_NOT_SAVED: Level.WARNING,
     EventCode.CONNECTED: Level.INFO,
     EventCode.CONNECT_FAILED: Level.FAULT,
     EventCode.DISCONNECTED: Level.INFO,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gzip
+import io
 import zlib
 from typing import IO, TYPE_CHECKING, cast
 
@@ -27,18 +28,26 @@ class LogSource:
         broken: Why it could not be read to its end, "" if it could.
     """
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, log: Path | bytes) -> None:
         """Open a file.
+
+        Args:
+            log: The file, or bytes that stand for one.
 
         Raises:
             NotALogError: It cannot be opened.
         """
-        try:
-            self._raw = path.open("rb")
-            self.size = path.stat().st_size
-        except OSError as error:
-            raise NotALogError(error.strerror or str(error)) from error
-        is_packed = path.suffix.lower() == ".gz"
+        is_packed = False
+        self._raw: IO[bytes]
+        if isinstance(log, bytes):
+            self._raw, self.size = io.BytesIO(log), len(log)
+        else:
+            try:
+                self._raw = log.open("rb")
+                self.size = log.stat().st_size
+            except OSError as error:
+                raise NotALogError(error.strerror or str(error)) from error
+            is_packed = log.suffix.lower() == ".gz"
         self._stream: IO[bytes] = (
             cast("IO[bytes]", gzip.GzipFile(fileobj=self._raw)) if is_packed else self._raw
         )

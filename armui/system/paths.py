@@ -44,3 +44,8 @@ def logs() -> Path:
 def trajectories() -> Path:
     """Where the operator's trajectories are kept: the user's folder for data of programs."""
     return platformdirs.user_data_path("armui", appauthor=False) / "trajectories"
+
+
+def sessions() -> Path:
+    """Where recordings of sessions are kept, unless the operator chooses another folder."""
+    return platformdirs.user_data_path("armui", appauthor=False) / "sessions"

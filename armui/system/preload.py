@@ -15,6 +15,7 @@ _PACKAGES: Final = (
         "armui.arm",
         "armui.kinematics",
         "armui.protocol",
+        "armui.session.recording",
         "armui.telemetry",
         "armui.trajectory",
         "armui.bus",

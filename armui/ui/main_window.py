@@ -97,12 +97,14 @@ class MainWindow(Translated, QWidget):
         self._joint_monitor = JointMonitor(controller, parent=self)
         self._diagnosis = DiagnosisDialogs(controller, files or workers, self)
         background = Background(workers, files, self)
-        self._watch = WatchWindows(controller, preferences.path, background, self, self._open)
+        self._watch = WatchWindows(
+            controller, preferences.path, background, self, self._open, store=preferences
+        )
         self._joint_status_button = JointStatusButton(self._joint_monitor)
         self._preview_bar = PreviewBar()
         self._preview = PathPreview(view, self._preview_bar, self)
         self._view_region = ViewRegion(view, self._preview_bar)
-        self._status_bar = StatusBar(controller)
+        self._status_bar = StatusBar(controller, marks=self._watch.marks())
         self._lay_out()
         self._connect()
         self.resize(_FIRST_SIZE.boundedTo(self.screen().availableSize()))

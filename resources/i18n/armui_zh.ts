@@ -4572,6 +4572,30 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <source>Sent by hand: {frame}. It counts as another program&apos;s command.</source>
         <translation>手动发送：{frame}。按其他程序的指令处理。</translation>
     </message>
+    <message>
+        <source>Recording the session: {name}</source>
+        <translation>正在记录会话：{name}</translation>
+    </message>
+    <message>
+        <source>Session recorded: {name}, {frames} frames, {size} MB</source>
+        <translation>会话已记录：{name}，{frames} 帧，{size} MB</translation>
+    </message>
+    <message>
+        <source>Recording the session has ended: {reason}</source>
+        <translation>会话记录已中断：{reason}</translation>
+    </message>
+    <message>
+        <source>{count} frames are missing in the recording: the disk is too slow</source>
+        <translation>记录中缺少 {count} 帧：磁盘太慢</translation>
+    </message>
+    <message>
+        <source>What just happened is saved: {name}</source>
+        <translation>已保存刚才发生的事：{name}</translation>
+    </message>
+    <message>
+        <source>What just happened could not be saved: {reason}</source>
+        <translation>无法保存刚才发生的事：{reason}</translation>
+    </message>
 </context>
 <context>
     <name>Observed</name>
@@ -5530,6 +5554,80 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>Target not reached</source>
         <translation>未达指定点</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingCard</name>
+    <message>
+        <source>Record to the disk</source>
+        <translation>记录到磁盘</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>New file at</source>
+        <translation>分卷大小</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>A file that has grown to this size is followed by another.</source>
+        <translation>文件达到此大小后，另起一个新文件。</translation>
+    </message>
+    <message>
+        <source>Not recording</source>
+        <translation>未在记录</translation>
+    </message>
+    <message>
+        <source>The last minutes are kept in memory all the same.</source>
+        <translation>最近几分钟始终保留在内存中。</translation>
+    </message>
+    <message>
+        <source>Opening the file…</source>
+        <translation>正在打开文件…</translation>
+    </message>
+    <message>
+        <source>{length} · {frames} frames · {size} · {rate}/s</source>
+        <translation>{length} · {frames} 帧 · {size} · {rate}/秒</translation>
+    </message>
+    <message>
+        <source>{count} lost</source>
+        <translation>丢失 {count} 帧</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>停止记录</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>开始记录</translation>
+    </message>
+    <message>
+        <source>Folder of the session recordings</source>
+        <translation>会话记录的文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingMark</name>
+    <message>
+        <source>Recording of the session</source>
+        <translation>会话记录</translation>
+    </message>
+    <message>
+        <source>The session is being recorded. Click for the recordings.</source>
+        <translation>正在记录会话。单击查看会话记录。</translation>
+    </message>
+    <message>
+        <source>Recording, {length}</source>
+        <translation>正在记录，{length}</translation>
     </message>
 </context>
 <context>
@@ -6845,12 +6943,99 @@ Lead it near its rest pose, then stop recording.</source>
         <source>This frame acts on the arm: hold the button for a second to send it.</source>
         <translation>该帧会对机械臂起作用：请按住按钮 1 秒再发送。</translation>
     </message>
+    <message>
+        <source>The session is being recorded already. Stop that recording first.</source>
+        <translation>会话已在记录中。请先停止当前记录。</translation>
+    </message>
+    <message>
+        <source>The session is not being recorded: there is nothing to stop.</source>
+        <translation>当前没有在记录会话，无需停止。</translation>
+    </message>
+    <message>
+        <source>The last minutes are being saved already. Wait a moment.</source>
+        <translation>最近几分钟的内容正在保存，请稍候。</translation>
+    </message>
+    <message>
+        <source>Nothing has been heard on the bus yet: there is nothing to save.</source>
+        <translation>总线上还没有收到任何帧，没有可保存的内容。</translation>
+    </message>
+    <message>
+        <source>The disk of {folder} is full. What was written before can be read. Free some room or choose another folder, then record again.</source>
+        <translation>{folder} 所在的磁盘已满。此前写入的内容可以读取。请清理磁盘空间或选择其他文件夹，然后重新记录。</translation>
+    </message>
+    <message>
+        <source>The folder {folder} cannot be written. Choose another folder for the session recordings, or allow this one to be written.</source>
+        <translation>文件夹 {folder} 无法写入。请为会话记录选择其他文件夹，或允许写入此文件夹。</translation>
+    </message>
+    <message>
+        <source>The folder {folder}, or its disk, is gone. Plug it in again or choose another folder, then record again.</source>
+        <translation>文件夹 {folder} 或其所在磁盘已不存在。请重新插入磁盘或选择其他文件夹，然后重新记录。</translation>
+    </message>
+    <message>
+        <source>The session could not be recorded in {folder}: {text}. What was written before can be read. Choose another folder, or try again.</source>
+        <translation>无法在 {folder} 中记录会话：{text}。此前写入的内容可以读取。请选择其他文件夹，或重试。</translation>
+    </message>
+    <message>
+        <source>“{name}” cannot be the name of a recording. Leave out / \ : * ? &quot; &lt; &gt; | and a dot at the beginning or the end; 120 characters at most.</source>
+        <translation>“{name}”不能作为记录的名称。请勿使用 / \ : * ? &quot; &lt; &gt; |，首尾不能是句点，最多 120 个字符。</translation>
+    </message>
+    <message>
+        <source>There is a file called “{name}” in the folder already. Choose another name.</source>
+        <translation>文件夹中已有名为“{name}”的文件。请换一个名称。</translation>
+    </message>
+    <message>
+        <source>The recording “{name}” is not in the folder any more, or cannot be read: {text}.</source>
+        <translation>记录“{name}”已不在文件夹中，或无法读取：{text}。</translation>
+    </message>
+    <message>
+        <source>“{name}” is still being written. Stop the recording first.</source>
+        <translation>“{name}”仍在写入。请先停止记录。</translation>
+    </message>
 </context>
 <context>
     <name>ReportButton</name>
     <message>
         <source>Results…</source>
         <translation>导入结果…</translation>
+    </message>
+</context>
+<context>
+    <name>RingCard</name>
+    <message>
+        <source>The last minutes, in memory</source>
+        <translation>内存中的最近几分钟</translation>
+    </message>
+    <message>
+        <source>Save by itself at a fault or a stop</source>
+        <translation>发生故障或急停时自动保存</translation>
+    </message>
+    <message>
+        <source>A few seconds after a fault or a stop, the last minutes are saved as a recording. Faults that follow one another are saved together.</source>
+        <translation>发生故障或急停几秒后，最近几分钟的内容会自动保存为一条记录。接连发生的故障合并保存。</translation>
+    </message>
+    <message>
+        <source>Saving…</source>
+        <translation>正在保存…</translation>
+    </message>
+    <message>
+        <source>Save what just happened</source>
+        <translation>保存刚才发生的事</translation>
+    </message>
+    <message>
+        <source>Nothing heard yet</source>
+        <translation>尚未收到任何帧</translation>
+    </message>
+    <message>
+        <source>Everything on the bus, for {minutes} minutes.</source>
+        <translation>总线上的全部内容，保留 {minutes} 分钟。</translation>
+    </message>
+    <message>
+        <source>{length} of {minutes} minutes · {frames} frames</source>
+        <translation>{length}（最长 {minutes} 分钟）· {frames} 帧</translation>
+    </message>
+    <message>
+        <source>{now} of memory, {most} at most</source>
+        <translation>占用内存 {now}，最多 {most}</translation>
     </message>
 </context>
 <context>
@@ -7054,6 +7239,122 @@ Lead it near its rest pose, then stop recording.</source>
     </message>
 </context>
 <context>
+    <name>SessionKind</name>
+    <message>
+        <source>recorded</source>
+        <translation>手动记录</translation>
+    </message>
+    <message>
+        <source>by armui record</source>
+        <translation>由 armui record 记录</translation>
+    </message>
+    <message>
+        <source>saved from memory</source>
+        <translation>从内存保存</translation>
+    </message>
+    <message>
+        <source>saved at a fault</source>
+        <translation>故障时自动保存</translation>
+    </message>
+    <message>
+        <source>saved at a stop</source>
+        <translation>急停时自动保存</translation>
+    </message>
+</context>
+<context>
+    <name>SessionState</name>
+    <message>
+        <source>under way</source>
+        <translation>正在写入</translation>
+    </message>
+    <message>
+        <source>whole</source>
+        <translation>完整</translation>
+    </message>
+    <message>
+        <source>cut off: readable to its last second</source>
+        <translation>中断：可读取至最后一秒</translation>
+    </message>
+    <message>
+        <source>ended early: {text}</source>
+        <translation>提前结束：{text}</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>空</translation>
+    </message>
+</context>
+<context>
+    <name>SessionsModel</name>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Begun</source>
+        <translation>开始时间</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+</context>
+<context>
+    <name>SessionsWindow</name>
+    <message>
+        <source>Session recordings</source>
+        <translation>会话记录</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Moves the recording into the folder “deleted” beside the others.</source>
+        <translation>将记录移到同一位置的“deleted”文件夹中。</translation>
+    </message>
+    <message>
+        <source>Show in the file manager</source>
+        <translation>在文件管理器中显示</translation>
+    </message>
+    <message>
+        <source>No recordings yet. Record a session, or save what just happened: both can be replayed here and opened in other CAN tools.</source>
+        <translation>还没有会话记录。可以记录会话，或保存刚才发生的事：两者都能在此回放，也能用其他 CAN 工具打开。</translation>
+    </message>
+    <message>
+        <source>Moved to {folder}. It can be moved back from there.</source>
+        <translation>已移到 {folder}，可以从那里移回。</translation>
+    </message>
+</context>
+<context>
     <name>SettingName</name>
     <message>
         <source>language</source>
@@ -7074,6 +7375,22 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>tool centre point</source>
         <translation>工具中心点</translation>
+    </message>
+    <message>
+        <source>folder of the session recordings</source>
+        <translation>会话记录的文件夹</translation>
+    </message>
+    <message>
+        <source>format of the session recordings</source>
+        <translation>会话记录的格式</translation>
+    </message>
+    <message>
+        <source>size at which a new file is begun</source>
+        <translation>会话记录的分卷大小</translation>
+    </message>
+    <message>
+        <source>saving at faults and stops</source>
+        <translation>故障或急停时自动保存</translation>
     </message>
 </context>
 <context>
@@ -8399,6 +8716,14 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Every frame on the CAN bus: what it says, how often it comes, who sends it.</source>
         <translation>CAN 总线上的每一帧：含义、频率以及由谁发送。</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>会话</translation>
+    </message>
+    <message>
+        <source>Record everything on the bus, save what just happened, and open what was recorded.</source>
+        <translation>记录总线上的全部内容，保存刚才发生的事，打开已有记录。</translation>
     </message>
 </context>
 </TS>

@@ -11,6 +11,7 @@ from tests.gallery_scenes import (
     library,
     panels,
     plots,
+    sessions,
     trajectories,
 )
 from tests.gallery_scenes.scene import DialogScene, Scene
@@ -92,6 +93,8 @@ DIALOG_SCENES = (
     DialogScene("export", "online", exports.export),
     DialogScene("export-under-way", "no-device", exports.export_under_way),
     DialogScene("export-done", "no-device", exports.export_done),
+    DialogScene("sessions", "moving", sessions.listed),
+    DialogScene("sessions-recording", "moving", sessions.recording),
     DialogScene("confirm-disable", "refused", dialogs.confirm_disable),
     DialogScene("linkage", "linkage", panels.linkage_question),
     DialogScene("hold-zero", "motors", panels.hold_zero),

@@ -24,6 +24,7 @@ from armui.ui.watch.bus.bus_window import BusWindow
 from armui.ui.watch.events.event_window import EventWindow
 from armui.ui.watch.plot_layout import SETS
 from armui.ui.watch.plot_window import PlotWindow
+from armui.ui.watch.recordings.sessions_window import SessionsWindow
 from tests.app_driver import AppDriver
 from tests.operator_library.actions import POINT, LibraryDriver
 from tests.safety.file_watch import watched
@@ -257,6 +258,32 @@ def test_the_dialogs(app_driver, monkeypatch, name):
         dialog = app_driver.dialog(QDialog)
         dialog.close()
         app_driver.run(0.1)
+    assert forbidden(seen) == []
+
+
+def test_session_recordings(live_driver, monkeypatch, tmp_path):
+    app_driver = live_driver
+    sessions = app_driver.controller.sessions
+    app_driver.store.change(session_folder=str(tmp_path / "sessions"))
+    app_driver.ready()
+    with watched(monkeypatch) as seen:
+        app_driver.click("sessions_button")
+        window = app_driver.dialog(SessionsWindow)
+        window.recording.record_button.click()
+        app_driver.run(1.0)
+        app_driver.wait(lambda: (sessions.progress() or window) and sessions.progress().frames > 0)
+        window._look()
+        window.recording.record_button.click()
+        app_driver.wait(lambda: "session_ended" in app_driver.codes())
+        window.ring.save_button.click()
+        app_driver.wait(lambda: "ring_saved" in app_driver.codes())
+        app_driver.wait(lambda: window.table.model().rowCount() == 2)
+        window.table.selectRow(0)
+        window._rename(window.chosen()[0].name, "renamed")
+        app_driver.wait(lambda: window.table.model().index(0, 0).data() == "renamed")
+        window.delete_button.click()
+        app_driver.wait(lambda: window.table.model().rowCount() == 1)
+        idle(app_driver)
     assert forbidden(seen) == []
 
 

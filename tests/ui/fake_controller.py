@@ -60,6 +60,7 @@ class FakeController(QObject):
         self.linkage = FakeLinkage(self)
         self.events = EventLog()
         self.happenings = FakeHappenings(self.events)
+        self.sessions = FakeSessions()
 
     @property
     def as_real(self) -> ArmController:
@@ -355,3 +356,13 @@ class FakeGripper:
 
     def move(self, travel: float, effort: float) -> Refusal | None:
         return self._controller._asked("move_gripper", travel, effort)
+
+
+class FakeSessions(QObject):
+    """Records nothing."""
+
+    changed = Signal()
+    recording = False
+
+    def progress(self) -> None:
+        return None

@@ -110,3 +110,25 @@ def choose_file(
     dialog.fileSelected.connect(lambda name: on_chosen(Path(name)))
     dialog.show()
     return dialog
+
+
+def choose_folder(
+    controller: ArmController,
+    parent: QWidget,
+    *,
+    title: str,
+    on_chosen: Callable[[Path], object],
+    start: Path | None = None,
+) -> FileDialog:
+    """Let the operator choose a folder, in the same way.
+
+    Returns:
+        The open chooser; it deletes itself when closed.
+    """
+    dialog = FileDialog(controller, parent, title=title, name_filter="", start=start)
+    dialog.setFileMode(QFileDialog.FileMode.Directory)
+    dialog.setOption(QFileDialog.Option.ShowDirsOnly)
+    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    dialog.fileSelected.connect(lambda name: on_chosen(Path(name)))
+    dialog.show()
+    return dialog

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QColor, QMouseEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 
@@ -57,6 +58,10 @@ _QUANTITIES: Final = {
 class StatusBar(Translated, QWidget):
     """The notice gives way when there is no room; what the arm says never does.
 
+    Args:
+        controller: Tells what happens and how the arm is.
+        marks: What else is shown in it, at the left.
+
     Signals:
         event_wanted: The number of the notice's entry in the event log, or ``None``, when the
             notice was clicked.
@@ -64,7 +69,13 @@ class StatusBar(Translated, QWidget):
 
     event_wanted = Signal(object)
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        controller: ArmController,
+        parent: QWidget | None = None,
+        *,
+        marks: Sequence[QWidget] = (),
+    ) -> None:
         super().__init__(parent)
         self.setObjectName("status_bar")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
@@ -84,6 +95,8 @@ class StatusBar(Translated, QWidget):
         layout = QHBoxLayout(self)
         layout.setContentsMargins(14, 6, 14, 6)
         layout.setSpacing(8)
+        for mark in marks:
+            layout.addWidget(mark)
         layout.addWidget(self._notice_icon)
         layout.addWidget(self._notice_label, 1)
         layout.addSpacing(16)

@@ -13,6 +13,7 @@ from armui.ui.shell.watch_menu import WatchEntry
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
+    from armui.settings import SettingsStore
     from armui.ui.background import Background
 
 
@@ -41,6 +42,10 @@ _BUTTONS: Final = (
      QT_TRANSLATE_NOOP(
          "WatchMenu",
          "Every frame on the CAN bus: what it says, how often it comes, who sends it.")),
+    ("sessions", QT_TRANSLATE_NOOP("WatchMenu", "Sessions"),
+     QT_TRANSLATE_NOOP(
+         "WatchMenu",
+         "Record everything on the bus, save what just happened, and open what was recorded.")),
 )
 # fmt: on
 """Icon, name and purpose of each window, row by row."""
@@ -55,6 +60,7 @@ class WatchWindows:
         background: Where what takes long is done, and files are read and written.
         window: The main window.
         open_window: How it shows a dialog.
+        store: The operator's settings.
     """
 
     def __init__(
@@ -64,12 +70,15 @@ class WatchWindows:
         background: Background,
         window: QWidget,
         open_window: Opener,
+        *,
+        store: SettingsStore,
     ) -> None:
         self._controller = controller
         self._settings = settings
         self._background = background
         self._window = window
         self._open = open_window
+        self._store = store
 
     def entries(self) -> tuple[WatchEntry, ...]:
         """The buttons below the menu."""
@@ -77,6 +86,7 @@ class WatchWindows:
             "plots": lambda: self.show_as_curves(()),
             "events": self.show_events,
             "bus": self.open_bus_monitor,
+            "sessions": self.open_sessions,
         }
         return tuple(
             WatchEntry(key, str(title), str(tip), openers[key]) for key, title, tip in _BUTTONS
@@ -135,3 +145,20 @@ class WatchWindows:
             return BusWindow(self._controller, self._window)
 
         self._open("bus", make)
+
+    def open_sessions(self) -> None:
+        """Show the window 会话记录."""
+        from armui.ui.watch.recordings.sessions_window import SessionsWindow  # noqa: PLC0415 - faster start
+
+        def make() -> QDialog:
+            return SessionsWindow(self._controller, self._background, self._store, self._window)
+
+        self._open("sessions", make)
+
+    def marks(self) -> tuple[QWidget, ...]:
+        """What the status bar shows of them while it goes on."""
+        from armui.ui.watch.recordings.recording_mark import RecordingMark  # noqa: PLC0415 - as above
+
+        mark = RecordingMark(self._controller.sessions)
+        mark.clicked.connect(self.open_sessions)
+        return (mark,)

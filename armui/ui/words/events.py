@@ -275,6 +275,20 @@ _NOTICES: Final[Mapping[EventCode, object]] = {
     EventCode.RECORDING_ENDED: QT_TRANSLATE_NOOP(
         "Notice", "Recorded: {count} samples over {seconds} s"
     ),
+    EventCode.SESSION_STARTED: QT_TRANSLATE_NOOP("Notice", "Recording the session: {name}"),
+    EventCode.SESSION_ENDED: QT_TRANSLATE_NOOP(
+        "Notice", "Session recorded: {name}, {frames} frames, {size} MB"
+    ),
+    EventCode.SESSION_FAILED: QT_TRANSLATE_NOOP(
+        "Notice", "Recording the session has ended: {reason}"
+    ),
+    EventCode.SESSION_FRAMES_LOST: QT_TRANSLATE_NOOP(
+        "Notice", "{count} frames are missing in the recording: the disk is too slow"
+    ),
+    EventCode.RING_SAVED: QT_TRANSLATE_NOOP("Notice", "What just happened is saved: {name}"),
+    EventCode.RING_NOT_SAVED: QT_TRANSLATE_NOOP(
+        "Notice", "What just happened could not be saved: {reason}"
+    ),
     EventCode.CONNECTED: QT_TRANSLATE_NOOP("Notice", "Device open: {device}"),
     EventCode.CONNECT_FAILED: QT_TRANSLATE_NOOP("Notice", "Not connected. {reason}"),
     EventCode.DISCONNECTED: QT_TRANSLATE_NOOP("Notice", "Disconnected from {device}"),

@@ -16,6 +16,8 @@ from armui.ui.words.motor_refusals import MOTOR_REFUSALS
 from armui.ui.words.other_hosts import OTHER_HOST_REFUSALS, other_mode
 from armui.ui.words.robot_refusals import ROBOT_REFUSALS
 from armui.ui.words.run_refusals import RUN_REFUSALS
+from armui.ui.words.session_refusals import SESSION_REFUSALS
+from armui.ui.words.setting_names import SETTING_NAMES
 from armui.ui.words.setting_refusals import SETTING_REFUSALS, with_units
 from armui.ui.words.text import NOT_KNOWN, sentence
 from armui.ui.words.trajectory_refusals import TRAJECTORY_REFUSALS, with_figures
@@ -296,6 +298,7 @@ _ALL: Final[Mapping[RefusalCode, object]] = {
     **RUN_REFUSALS,
     **OTHER_HOST_REFUSALS,
     **MOTOR_REFUSALS,
+    **SESSION_REFUSALS,
     **TRAJECTORY_REFUSALS,
 }
 
@@ -311,14 +314,6 @@ _UNDER_WAY: Final[Mapping[str, object]] = {
     "clearing_error": QT_TRANSLATE_NOOP("UnderWay", "clearing a joint's error"),
     "teaching": QT_TRANSLATE_NOOP("UnderWay", "a teaching command"),
     "recovery": QT_TRANSLATE_NOOP("UnderWay", "the step before"),
-}
-
-_SETTINGS: Final[Mapping[str, object]] = {
-    "language": QT_TRANSLATE_NOOP("SettingName", "language"),
-    "theme": QT_TRANSLATE_NOOP("SettingName", "theme"),
-    "jog_step_deg": QT_TRANSLATE_NOOP("SettingName", "jog step"),
-    "urdf_path": QT_TRANSLATE_NOOP("SettingName", "robot description"),
-    "tool": QT_TRANSLATE_NOOP("SettingName", "tool centre point"),
 }
 
 _LIGHTS: Final[Mapping[str, object]] = {
@@ -345,7 +340,7 @@ def refusal(reason: Refusal) -> str:
     if isinstance(what := params.get("what"), str):
         params["what"] = under_way(what)
     if isinstance(field := params.get("field"), str):
-        params["field"] = sentence("SettingName", _SETTINGS.get(field, field), {})
+        params["field"] = sentence("SettingName", SETTING_NAMES.get(field, field), {})
     if isinstance(light := params.get("light"), str):
         params["light"] = light_figure(light)
     if isinstance(figure := params.get("gripper"), str):

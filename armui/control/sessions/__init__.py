@@ -1,0 +1,1 @@
+"""Sessions as they happen: what the operator has recorded and saved of them."""

@@ -1,0 +1,40 @@
+"""What the operator chose for the recordings of sessions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from armui.session.recording.kinds import RecordingFormat
+from armui.settings import Settings
+from armui.system import paths
+
+MEGABYTE: Final = 1_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class SessionChoices:
+    """How and where sessions are recorded.
+
+    Attributes:
+        folder: Where.
+        kind: The format of what is recorded next.
+        rotate_bytes: A file that is as large is followed by another.
+        save_at_faults: Whether the ring is saved by itself when a fault or a stop happens.
+    """
+
+    folder: Path
+    kind: RecordingFormat = RecordingFormat.BLF
+    rotate_bytes: int = 100 * MEGABYTE
+    save_at_faults: bool = False
+
+
+def choices_of(settings: Settings) -> SessionChoices:
+    """As they stand in the settings."""
+    return SessionChoices(
+        folder=Path(settings.session_folder) if settings.session_folder else paths.sessions(),
+        kind=RecordingFormat(settings.session_format),
+        rotate_bytes=settings.session_rotate_mb * MEGABYTE,
+        save_at_faults=settings.session_save_at_faults,
+    )

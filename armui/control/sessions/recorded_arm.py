@@ -1,0 +1,70 @@
+"""What a recording keeps of the arm beside its frames: who it is, and what was read from it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.parameters import all_batches, heard
+
+if TYPE_CHECKING:
+    from armui.arm.state import ArmState
+    from armui.control.context import Context
+    from armui.session.recording.sidecar import Line
+
+_DECIMALS: Final = 6
+
+
+class RecordedArm:
+    """Lines for the sidecar, whenever they would say something new.
+
+    Args:
+        context: What the parts of the controller share.
+    """
+
+    def __init__(self, context: Context) -> None:
+        self._context = context
+        self._told: dict[str, Line] = {}
+
+    def forget(self) -> None:
+        """A new recording begins: everything is new to it."""
+        self._told = {}
+
+    def news(self) -> list[Line]:
+        """What is known now and was not told."""
+        connection = self._context.connection
+        state = self._context.state()
+        lines: list[Line] = []
+        if connection.device is not None:
+            generation = connection.generation
+            lines.append(
+                {
+                    "kind": "arm",
+                    "device": connection.device.name,
+                    "interface": connection.device.interface,
+                    "serial": connection.device.serial,
+                    "bitrate": connection.device.bitrate,
+                    "listen_only": connection.device.listen_only,
+                    "generation": None if generation is None else int(generation),
+                    "firmware": state.firmware,
+                }
+            )
+        values = settings_read(state)
+        if values:
+            lines.append({"kind": "settings", "values": values})
+        new = [line for line in lines if self._told.get(str(line["kind"])) != line]
+        self._told.update({str(line["kind"]): line for line in new})
+        return new
+
+
+def settings_read(state: ArmState) -> list[dict[str, object]]:
+    """The parameters that were read from the arm, as the file of a backup names them."""
+    rows: list[dict[str, object]] = []
+    for batch in all_batches(teaching=True):
+        for parameter in batch.parameters():
+            known = heard(state, parameter)
+            if known is not None:
+                joint: dict[str, object] = {"joint": parameter.joint} if parameter.joint else {}
+                value = round(known.value, _DECIMALS)
+                unit = parameter.kind.unit
+                rows.append({"name": parameter.name, **joint, "value": value, "unit": unit})
+    return rows

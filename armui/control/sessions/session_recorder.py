@@ -1,0 +1,399 @@
+"""Records what is on the bus: the last minutes in memory always, files when the operator asks."""
+
+from __future__ import annotations
+
+import time
+from collections import deque
+from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.events import EventCode
+from armui.control.sessions.choices import SessionChoices
+from armui.control.sessions.recorded_arm import RecordedArm
+from armui.control.sessions.ring_saving import SaveAtFaults
+from armui.session.recording.lane import FrameLane
+from armui.session.recording.names import is_name, name_for
+from armui.session.recording.problems import why_not_written
+from armui.session.session import MarkKind
+from armui.system import paths
+
+if TYPE_CHECKING:
+    from armui.bus.link import BusReport
+    from armui.control.context import Context
+    from armui.control.sessions.event_feed import EventFeed, FedEvent
+    from armui.session.recording.collector import Collector
+    from armui.session.recording.ring import FrameRing
+    from armui.session.recording.session_recording import SessionRecording
+    from armui.session.recording.sidecar import Line
+    from armui.session.recording.writer import RecordingPlan
+
+_LOOK_MS: Final = 250
+KEPT_S: Final = 300.0
+"""So far back the ring reaches."""
+_MOST_RECENT: Final = 10_000
+_END_S: Final = 1.0
+_OPENED: Final = frozenset({EventCode.CONNECTED, EventCode.RECONNECTED})
+
+
+@dataclass(frozen=True, slots=True)
+class RecordingProgress:
+    """The recording under way.
+
+    Attributes:
+        name: As it is called; "" until its folder was found writable.
+        folder: Where it is.
+        elapsed_s: Since it was begun.
+        frames, total_bytes: On the disk by now.
+        lost: Frames that are missing in it.
+    """
+
+    name: str
+    folder: Path
+    elapsed_s: float
+    frames: int
+    total_bytes: int
+    lost: int
+
+
+@dataclass(frozen=True, slots=True)
+class RingContent:
+    """What the ring holds.
+
+    Attributes:
+        frames: How many.
+        span_s: From the first to the last.
+        bytes_kept, most_bytes: The memory it takes now, and at most.
+    """
+
+    frames: int = 0
+    span_s: float = 0.0
+    bytes_kept: int = 0
+    most_bytes: int = 0
+
+
+class SessionRecorder(QObject):
+    """Everything the operator can do about recordings of sessions.
+
+    It takes frames where the bus thread leaves them, and never holds that thread up. It goes on
+    when the arm is lost or another one is connected. Files are only touched by threads of its own.
+
+    Args:
+        context: What the parts of the controller share.
+        feed: Tells what happens.
+
+    Attributes:
+        choices: Where and how.
+
+    Signals:
+        changed: A recording has begun or ended, or the ring was saved.
+    """
+
+    changed = Signal()
+
+    def __init__(self, context: Context, feed: EventFeed, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._context = context
+        self._feed = feed
+        self._facts = RecordedArm(context)
+        self._recent: deque[FedEvent] = deque(maxlen=_MOST_RECENT)
+        self._lane = FrameLane()
+        self._ring: FrameRing | None = None
+        self._collector: Collector | None = None
+        self._recording: SessionRecording | None = None
+        self._ending: list[SessionRecording] = []
+        self._saver: ThreadPoolExecutor | None = None
+        self._saving: Future[Path] | None = None
+        self._saving_name = ""
+        self._at_faults = SaveAtFaults(KEPT_S)
+        self._lost_told = self._dropped_before = 0
+        self._device: object = None
+        self.choices = SessionChoices(paths.sessions())
+        self._timer = QTimer(self, interval=_LOOK_MS)
+        self._timer.timeout.connect(self.look)
+        context.connection.add_tap(self._lane)
+        context.connection.changed.connect(self._on_connection)
+
+    # What there is ----------------------------------------------------------------------------
+
+    @property
+    def recording(self) -> bool:
+        """Whether something is being recorded to the disk."""
+        return self._recording is not None
+
+    @property
+    def saving(self) -> bool:
+        """Whether the ring is being saved."""
+        return self._saving is not None
+
+    def busy_names(self) -> frozenset[str]:
+        """The recordings whose files are being written: they must not be moved."""
+        writing = [*self._ending] + ([self._recording] if self._recording is not None else [])
+        names = {each.name for each in writing if each.name is not None}
+        return frozenset(names | {self._saving_name} if self._saving is not None else names)
+
+    def progress(self) -> RecordingProgress | None:
+        """The recording under way, if any."""
+        recording = self._recording
+        if recording is None:
+            return None
+        return RecordingProgress(
+            recording.name or "",
+            recording.plan.folder,
+            self._context.clock() - recording.begun_s,
+            recording.frames,
+            recording.total_bytes,
+            self._lost(recording),
+        )
+
+    def ring(self) -> RingContent:
+        """What the ring holds now."""
+        if self._ring is None:
+            return RingContent()
+        frames, span_s = self._ring.span()
+        return RingContent(frames, span_s, self._ring.bytes_kept, self._ring.most_bytes)
+
+    def _lost(self, recording: SessionRecording) -> int:
+        return recording.lost + self._lane.dropped - self._dropped_before
+
+    # What the operator asks for ---------------------------------------------------------------
+
+    def choose(self, choices: SessionChoices) -> None:
+        """Where and how from now on; a recording under way goes on as it was begun."""
+        self.choices = choices
+        if not choices.save_at_faults:
+            self._at_faults.forget()
+
+    def start(self, name: str | None = None) -> Refusal | None:
+        """Record to the disk: ``None``, it is under way, or why not.
+
+        Args:
+            name: What it is to be called; by default after the time.
+        """
+        refusal = None
+        if self._recording is not None:
+            refusal = Refusal(RefusalCode.SESSION_RECORDED)
+        elif name is not None and not is_name(name):
+            refusal = Refusal(RefusalCode.SESSION_NAME_BAD, {"name": name})
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        from armui.session.recording.session_recording import SessionRecording  # noqa: PLC0415 - numpy
+
+        collector = self._begin_collecting()
+        self._facts.forget()
+        self._dropped_before, self._lost_told = self._lane.dropped, 0
+        plan = self._plan(name or name_for(datetime.now().astimezone()), "operator")
+        self._recording = SessionRecording(plan, self._context.clock)
+        collector.add(self._recording.put)
+        self._note_facts()
+        self._timer.start()
+        self._context.tell(EventCode.SESSION_STARTED, name=plan.name)
+        self.changed.emit()
+        return None
+
+    def stop(self) -> Refusal | None:
+        """End the recording: ``None``, or there is none. Its last frames are written behind."""
+        recording = self._recording
+        if recording is None:
+            return self._context.refuse(Refusal(RefusalCode.SESSION_NONE))
+        self.look()
+        if self._recording is not None:
+            self._end(recording, "operator")
+        return None
+
+    def save_ring(self, reason: str = "operator") -> Refusal | None:
+        """Keep what has just happened: ``None``, it is being written, or why not.
+
+        Args:
+            reason: Who or what asked: ``operator``, ``fault``, ``stop``.
+        """
+        refusal = None
+        if self._saving is not None:
+            refusal = Refusal(RefusalCode.SESSION_SAVING)
+        elif self._ring is None or not self._ring.span()[0]:
+            refusal = Refusal(RefusalCode.SESSION_RING_EMPTY)
+        if refusal is not None or self._ring is None or self._collector is None:
+            return None if refusal is None else self._context.refuse(refusal)
+        self.look()
+        self._facts.forget()
+        lines = self._facts.news()
+        name = f"{name_for(datetime.now().astimezone())}-{_WORDS.get(reason, reason)}"
+        plan = self._plan(name, "ring" if reason == "operator" else reason)
+        oldest_s = self._context.clock() - KEPT_S
+        lines += [_line(each, plan.base.shift_s) for each in self._recent if each.at_s >= oldest_s]
+        self._saving_name = plan.name
+        if self._saver is None:
+            self._saver = ThreadPoolExecutor(1, "armui-ring-save")
+        ring, collector = self._ring, self._collector
+        self._saving = self._saver.submit(_save, plan, ring, collector, lines, self._context.clock)
+        self._timer.start()
+        self.changed.emit()
+        return None
+
+    def end(self) -> bool:
+        """At the end of the program: end what is written, and every thread.
+
+        Returns:
+            Whether all have ended within a second: a disk may hang.
+        """
+        self._context.connection.remove_tap(self._lane)
+        if self._recording is not None:
+            self._end(self._recording, "program ended")
+        self._timer.stop()
+        if self._collector is not None:
+            self._collector.end()
+        until_s = time.monotonic() + _END_S
+        ended = True
+        for recording in self._ending:
+            ended = recording.wait(max(0.0, until_s - time.monotonic())) and ended
+        if self._saver is not None:
+            if self._saving is not None:
+                ended = _is_done(self._saving, max(0.0, until_s - time.monotonic())) and ended
+            self._saver.shutdown(wait=ended)
+        if self._ring is not None:
+            self._ring.forget()
+        return ended
+
+    # What happens -----------------------------------------------------------------------------
+
+    def look(self) -> None:
+        """Take in what has happened; called by its own timer, four times a second."""
+        for each in self._feed.take():
+            self._recent.append(each)
+            if self.choices.save_at_faults:
+                self._at_faults.happened(each.mark, each.at_s)
+            if self._recording is not None:
+                self._recording.note(_line(each, self._recording.plan.base.shift_s))
+        self._note_facts()
+        self._follow_recording()
+        self._follow_saving()
+        wanted = self._at_faults.take(self._context.clock())
+        if wanted is not None and self._saving is None:
+            self.save_ring("stop" if wanted is MarkKind.STOP else "fault")
+
+    def _on_connection(self, report: BusReport, code: EventCode) -> None:
+        if code not in _OPENED:
+            return
+        self._begin_collecting()
+        if self._device is not None and self._device != report.device and self._ring is not None:
+            self._ring.forget()  # another bus: its frames do not belong to those
+        self._device = report.device
+        self._timer.start()
+
+    def _begin_collecting(self) -> Collector:
+        """From the first device, or the first wish, on."""
+        # numpy comes with the first device: the window starts without it
+        from armui.session.recording.collector import Collector  # noqa: PLC0415
+        from armui.session.recording.ring import FrameRing  # noqa: PLC0415
+
+        if self._collector is None or self._ring is None:
+            self._ring = FrameRing(KEPT_S)
+            self._collector = Collector(self._lane, self._ring)
+            self._collector.start()
+        return self._collector
+
+    def _note_facts(self) -> None:
+        if self._recording is not None:
+            for line in self._facts.news():
+                self._recording.note(line)
+
+    def _follow_recording(self) -> None:
+        recording = self._recording
+        if recording is not None and not recording.running:
+            error = recording.failure
+            reason = why_not_written(error or OSError("unknown"), recording.plan.folder)
+            self._end(recording, "failure")
+            self._context.tell(EventCode.SESSION_FAILED, reason=reason)
+            self.changed.emit()
+        elif recording is not None and (lost := self._lost(recording)) > self._lost_told:
+            count, self._lost_told = lost - self._lost_told, lost
+            self._context.tell(EventCode.SESSION_FRAMES_LOST, count=count)
+        for each in [one for one in self._ending if not one.running]:
+            self._ending.remove(each)
+            if each.failure is None:
+                size = f"{each.total_bytes / 1e6:.1f}"
+                figures = {"name": each.name or "", "frames": each.frames, "size": size}
+                self._context.tell(EventCode.SESSION_ENDED, **figures)
+            else:
+                reason = why_not_written(each.failure, each.plan.folder)
+                self._context.tell(EventCode.SESSION_FAILED, reason=reason)
+            self.changed.emit()
+
+    def _follow_saving(self) -> None:
+        saving = self._saving
+        if saving is None or not saving.done():
+            return
+        self._saving = None
+        error = saving.exception()
+        if error is None:
+            self._context.tell(EventCode.RING_SAVED, name=saving.result().stem)
+        else:
+            reason = why_not_written(error, self.choices.folder)
+            self._context.tell(EventCode.RING_NOT_SAVED, reason=reason)
+        self.changed.emit()
+
+    def _end(self, recording: SessionRecording, reason: str) -> None:
+        """Let its last frames be written; what failed is over already."""
+        self._recording = None
+        facts = {"reason": reason, "dropped": self._lane.dropped - self._dropped_before}
+        if recording.running and reason != "failure":
+            self._ending.append(recording)
+        if self._collector is not None:
+            self._collector.remove(recording.put, lambda: recording.end(facts))
+        self.changed.emit()
+
+    def _plan(self, name: str, reason: str) -> RecordingPlan:
+        from armui.session.recording.writer import RecordingPlan, TimeBase  # noqa: PLC0415 - numpy
+
+        device = self._context.connection.device
+        channel = "can" if device is None else str(device.channel)
+        return RecordingPlan(
+            folder=self.choices.folder,
+            name=name,
+            kind=self.choices.kind,
+            base=TimeBase(self._context.clock(), time.time()),
+            rotate_bytes=self.choices.rotate_bytes,
+            channel=channel,
+            facts={"reason": reason, "device": None if device is None else device.name},
+        )
+
+
+_WORDS: Final = {"operator": "saved"}
+"""What the name of a saved ring ends with, by who asked for it."""
+
+
+def _line(each: FedEvent, shift_s: float) -> Line:
+    from armui.session.recording.sidecar import event_line  # noqa: PLC0415 - faster start
+
+    return event_line(each.at_s + shift_s, each.mark, each.entry)
+
+
+def _save(
+    plan: RecordingPlan,
+    ring: FrameRing,
+    collector: Collector,
+    lines: list[Line],
+    clock: Callable[[], float],
+) -> Path:
+    """Write the ring; in a thread of its own.
+
+    Raises:
+        OSError: It could not be written.
+    """
+    from armui.session.recording.session_recording import write_at_once  # noqa: PLC0415 - faster start
+
+    collector.collect(everything=True)
+    return write_at_once(plan, ring.snapshot(), lines, {"reason": plan.name}, clock)
+
+
+def _is_done(future: Future[Path], within_s: float) -> bool:
+    from concurrent.futures import wait  # noqa: PLC0415 - faster start
+
+    return bool(wait([future], within_s).done)

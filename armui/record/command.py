@@ -1,0 +1,298 @@
+"""The command line of `armui record`."""
+
+from __future__ import annotations
+
+import argparse
+import signal
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.session.recording.collector import Collector
+from armui.session.recording.folder import files_of
+from armui.session.recording.kinds import RecordingFormat
+from armui.session.recording.lane import FrameLane
+from armui.session.recording.names import is_name, name_for
+from armui.session.recording.problems import why_not_written
+from armui.session.recording.ring import FrameRing
+from armui.session.recording.session_recording import SessionRecording
+from armui.session.recording.writer import RecordingPlan, TimeBase
+from armui.system.clock import steady_s
+
+if TYPE_CHECKING:
+    import can
+
+EXIT_OK: Final = 0
+EXIT_CUT_SHORT: Final = 1
+EXIT_CANNOT_BEGIN: Final = 2
+
+_MF4: Final = "mf4"
+_MEGABYTE: Final = 1_000_000
+_TOLD_S: Final = 0.5
+_END_S: Final = 10.0
+_KEPT_S: Final = 1.0
+"""The ring holds next to nothing: nobody asks it."""
+_LARGEST_MB: Final = 4000
+_WORDS: Final = {
+    RefusalCode.SESSION_DISK_FULL: "the disk is full: free some room, or name another folder (-o)",
+    RefusalCode.SESSION_READ_ONLY: "the folder cannot be written: name another one (-o)",
+    RefusalCode.SESSION_FOLDER_GONE: "the folder or its disk is gone: plug it in, or name another "
+    "folder (-o)",
+}
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Says which options the command takes."""
+    parser.description = (
+        "Record every frame on a CAN bus until Ctrl-C. Nothing is sent. What is written can be "
+        "read at any moment; a kill loses the last second at most."
+    )
+    parser.epilog = (
+        "Exit code: 0 recorded as asked; 1 cut short: the disk or the device failed, what was "
+        "written is whole; 2 it could not begin."
+    )
+    parser.add_argument("--interface", help="python-can's name of the adapter, e.g. socketcan")
+    parser.add_argument("--channel", help="the adapter's channel, e.g. can0")
+    parser.add_argument("--bitrate", type=int, help="bit/s, where the program sets it (1000000)")
+    parser.add_argument(
+        "--sim", action="store_true", help="record a simulated arm that lives in this command"
+    )
+    parser.add_argument(
+        "--generation", type=int, choices=(1, 2), help="protocol of the simulated arm (2)"
+    )
+    parser.add_argument(
+        "-o", "--folder", type=Path, default=Path(), help="where to (the current folder)"
+    )
+    parser.add_argument("--name", help="of the recording (session-DATE-TIME)")
+    parser.add_argument(
+        "--format",
+        choices=[*(each.value[1:] for each in RecordingFormat), _MF4],
+        default="blf",
+        help="of the files (blf); mf4 is made of the .blf files at the end, where asammdf is "
+        "installed",
+    )
+    parser.add_argument(
+        "--size",
+        type=_megabytes,
+        default=100,
+        metavar="MB",
+        help="a file that is as large is followed by another (100)",
+    )
+    parser.add_argument(
+        "--duration", type=_seconds, metavar="SECONDS", help="end by itself after so long"
+    )
+    parser.add_argument("--quiet", action="store_true", help="no progress line")
+
+
+def run(options: argparse.Namespace, clock: Callable[[], float] = steady_s) -> int:
+    """Runs the command with options read by `add_arguments`; returns the exit code."""
+    device = _device(options)
+    if device is None:
+        return EXIT_CANNOT_BEGIN
+    name = options.name or name_for(datetime.now().astimezone())
+    if not is_name(name):
+        return _cannot_begin(f'{name!r} is no name for a file; leave out / \\ : * ? " < > |')
+    if options.format == _MF4:
+        from armui.record.mf4 import MISSING, can_write  # noqa: PLC0415 - python-can
+
+        if not can_write():
+            return _cannot_begin(MISSING)
+    from armui.bus.adapters import explain  # noqa: PLC0415 - python-can
+    from armui.record.listening import opened  # noqa: PLC0415 - as above
+
+    with _ended_by_signals() as ending:
+        try:
+            context = opened(device)
+            bus = context.__enter__()
+        except Exception as error:  # noqa: BLE001 - drivers of others raise anything
+            reason = explain(device, error)
+            return _cannot_begin(
+                f"cannot open {device.name}: {error} ({reason.code}). `armui doctor` tells more."
+            )
+        try:
+            return _record(bus, device, options, ending, name=name, clock=clock)
+        finally:
+            context.__exit__(None, None, None)
+
+
+def _record(
+    bus: can.BusABC,
+    device: Device,
+    options: argparse.Namespace,
+    ending: list[int],
+    *,
+    name: str,
+    clock: Callable[[], float],
+) -> int:
+    from armui.record.listening import BusListener  # noqa: PLC0415 - python-can
+
+    lane = FrameLane()
+    collector = Collector(lane, FrameRing(_KEPT_S))
+    plan = RecordingPlan(
+        folder=options.folder,
+        name=name,
+        kind=RecordingFormat.BLF
+        if options.format == _MF4
+        else RecordingFormat(f".{options.format}"),
+        base=TimeBase(clock(), time.time()),
+        rotate_bytes=options.size * _MEGABYTE,
+        channel=str(device.channel),
+        facts={"reason": "command", "device": device.name},
+    )
+    recording = SessionRecording(plan, clock)
+    collector.add(recording.put)
+    collector.start()
+    listener = BusListener(bus, device, lane, clock)
+    problem = ""
+    told_s = clock()
+    while not ending and recording.running:
+        if options.duration is not None and clock() - recording.begun_s >= options.duration:
+            break
+        try:
+            listener.listen()
+        except Exception as error:  # noqa: BLE001 - drivers of others raise anything
+            problem = f"{device.name} is gone: {error}"
+            break
+        if clock() - told_s >= _TOLD_S and not options.quiet:
+            told_s = clock()
+            _tell(recording, lane, clock())
+    facts = {"reason": problem or ("signal" if ending else "duration"), "dropped": lane.dropped}
+    collector.remove(recording.put, lambda: recording.end(facts))
+    collector.end()
+    ended = recording.wait(_END_S)
+    code = _summary(recording, lane, problem, ended=ended, quiet=options.quiet)
+    if options.format == _MF4 and recording.frames and ended:
+        return max(code, _once_more_as_mf4(recording))
+    return code
+
+
+def _once_more_as_mf4(recording: SessionRecording) -> int:
+    """Make an .mf4 of what was recorded; returns the exit code."""
+    from armui.record.mf4 import write_mf4  # noqa: PLC0415 - asammdf takes a second
+
+    folder, name = recording.plan.folder, recording.name or ""
+    target = folder / f"{name}.mf4"
+    paths = [path for path in files_of(folder, name) if path.suffix == RecordingFormat.BLF.value]
+    try:
+        write_mf4(paths, target)
+    except Exception as error:  # noqa: BLE001 - a package of others may raise anything
+        sys.stderr.write(f"armui record: {target}: {error}. The .blf files are whole.\n")
+        return EXIT_CUT_SHORT
+    sys.stdout.write(f"{target}: the same\n")
+    return EXIT_OK
+
+
+def _summary(
+    recording: SessionRecording, lane: FrameLane, problem: str, *, ended: bool, quiet: bool
+) -> int:
+    """Say what became of it; returns the exit code."""
+    if not quiet and sys.stderr.isatty():
+        sys.stderr.write("\n")
+    if recording.failure is not None:
+        problem = _explained(recording)
+    elif not ended:
+        problem = "the disk does not answer; its last frames may be missing"
+    if problem and recording.path is None:
+        return _cannot_begin(problem)
+    lost = recording.lost + lane.dropped
+    if lost:
+        sys.stderr.write(f"armui record: {lost} frames were lost: the disk was too slow\n")
+    if problem:
+        sys.stderr.write(f"armui record: {problem}\n")
+    if recording.path is not None and recording.frames:
+        size = _size(recording.total_bytes)
+        sys.stdout.write(f"{recording.path}: {recording.frames} frames, {size}\n")
+    elif not problem:
+        sys.stderr.write("armui record: not one frame was heard; `armui doctor` tells more\n")
+    return EXIT_CUT_SHORT if problem or lost else EXIT_OK
+
+
+def _explained(recording: SessionRecording) -> str:
+    folder = recording.plan.folder
+    reason: Refusal = why_not_written(recording.failure or OSError("unknown"), folder)
+    words = _WORDS.get(reason.code, str(recording.failure))
+    return f"{folder.absolute()}: {words}"
+
+
+def _tell(recording: SessionRecording, lane: FrameLane, now_s: float) -> None:
+    """One line that is written over, where a person may be looking."""
+    if not sys.stderr.isatty():
+        return
+    elapsed_s = now_s - recording.begun_s
+    minutes, seconds = divmod(int(elapsed_s), 60)
+    size = _size(recording.total_bytes)
+    lost = recording.lost + lane.dropped
+    text = f"{minutes:3d}:{seconds:02d}  {recording.frames} frames  {size}"
+    if lost:
+        text += f"  {lost} lost"
+    sys.stderr.write(f"\r{text:<60}")
+    sys.stderr.flush()
+
+
+def _size(count: int) -> str:
+    return f"{count / _MEGABYTE:.1f} MB" if count >= _MEGABYTE else f"{count / 1000:.0f} kB"
+
+
+def _device(options: argparse.Namespace) -> Device | None:
+    """What to listen to; None after saying why not."""
+    if options.sim:
+        if options.interface is not None:
+            _cannot_begin("--sim is a device of its own: leave out --interface")
+            return None
+        generation = options.generation or 2
+        from armui.record.listening import SIMULATED  # noqa: PLC0415 - python-can
+
+        channel = f"{SIMULATED}-{generation}"
+        return Device("virtual", channel, None, simulated=True, generation=generation)
+    if options.interface is None or options.channel is None:
+        _cannot_begin("name the bus: --interface and --channel, or --sim")
+        return None
+    channel_number = int(options.channel) if options.channel.isdigit() else options.channel
+    ours = bitrate_is_ours(options.interface)
+    bitrate = (options.bitrate or DEFAULT_BITRATE) if ours else None
+    return Device(options.interface, channel_number, bitrate, listen_only=True)
+
+
+def _cannot_begin(text: str) -> int:
+    sys.stderr.write(f"armui record: {text}\n")
+    return EXIT_CANNOT_BEGIN
+
+
+@contextmanager
+def _ended_by_signals() -> Iterator[list[int]]:
+    """A list that gets a number when the command is asked to end."""
+    asked: list[int] = []
+    names = ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK")
+    numbers = [getattr(signal, name) for name in names if hasattr(signal, name)]
+    before = {number: signal.getsignal(number) for number in numbers}
+    for number in numbers:
+        signal.signal(number, lambda got, _frame: asked.append(got))
+    try:
+        yield asked
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def _megabytes(text: str) -> int:
+    size = int(text) if text.isdigit() else 0
+    if not 1 <= size <= _LARGEST_MB:
+        raise argparse.ArgumentTypeError(f"{text!r} is not within 1 to {_LARGEST_MB} MB")
+    return size
+
+
+def _seconds(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = 0.0
+    if not 0.0 < seconds < float("inf"):
+        raise argparse.ArgumentTypeError(f"{text!r} is no number of seconds")
+    return seconds

@@ -1,0 +1,95 @@
+"""A file that only grows, by whole pieces: one that does not fit leaves no trace."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import os
+import time
+from pathlib import Path
+from typing import Final
+
+_FLAGS: Final = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
+_TO_DISK_S: Final = 5.0
+"""How often the system is asked to bring it to the disk: a power cut loses no more."""
+
+
+class DiskFile:
+    """Open for writing; nobody else's file is ever touched.
+
+    Args:
+        path: It must not exist.
+
+    Attributes:
+        path: As given.
+        size: Bytes in it.
+
+    Raises:
+        FileExistsError: There is one of this name.
+        OSError: It cannot be made.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self.size = 0
+        self._handle = os.open(path, _FLAGS, 0o666)
+        self._to_disk_s = time.monotonic()
+
+    def append(self, data: bytes) -> None:
+        """Write a piece behind the others.
+
+        Raises:
+            OSError: It was not written, or not wholly: then what there is of it is removed.
+        """
+        try:
+            self._check_there()
+            self._write(data)
+        except OSError:
+            with contextlib.suppress(OSError):
+                os.ftruncate(self._handle, self.size)
+                os.lseek(self._handle, self.size, os.SEEK_SET)
+            raise
+        self.size += len(data)
+
+    def rewrite(self, data: bytes) -> None:
+        """Write anew what stands at the beginning.
+
+        Raises:
+            OSError: It was not written.
+        """
+        os.lseek(self._handle, 0, os.SEEK_SET)
+        try:
+            self._write(data)
+        finally:
+            os.lseek(self._handle, self.size, os.SEEK_SET)
+
+    def to_disk(self, *, now: bool = False) -> None:
+        """Have the system bring it to the disk now and then, or now.
+
+        Raises:
+            OSError: The disk has failed.
+        """
+        if now or time.monotonic() - self._to_disk_s >= _TO_DISK_S:
+            os.fsync(self._handle)
+            self._to_disk_s = time.monotonic()
+
+    def close(self) -> None:
+        """Close it; a disk that is gone changes nothing."""
+        if self._handle >= 0:
+            with contextlib.suppress(OSError):
+                os.close(self._handle)
+            self._handle = -1
+
+    def _write(self, data: bytes) -> None:
+        left = memoryview(data)
+        while left:
+            left = left[os.write(self._handle, left) :]
+
+    def _check_there(self) -> None:
+        """A file that was deleted takes bytes without a word, where nobody can read them.
+
+        Raises:
+            OSError: It was deleted.
+        """
+        if os.fstat(self._handle).st_nlink == 0:
+            raise OSError(errno.ENOENT, os.strerror(errno.ENOENT), str(self.path))

@@ -1,0 +1,194 @@
+"""The recordings in a folder: found, renamed, thrown away."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import secrets
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final
+
+from armui.session.recording import index_file, sidecar
+from armui.session.recording.kinds import RecordingFormat
+from armui.session.recording.names import file_name, is_name
+
+BIN: Final = "deleted"
+"""The folder inside that of the recordings where deleted ones wait to be brought back by hand."""
+_HEAD_BYTES: Final = 65_536
+_MOST_PARTS: Final = 10_000
+
+
+@dataclass(frozen=True, slots=True)
+class RecordingEntry:
+    """One recording of a folder.
+
+    Attributes:
+        name: As it is called.
+        path: Its first file; None while there is no frame in it.
+        begun_unix_s: When it was begun, in seconds since 1970.
+        length_s: From its first frame to its last; None if its index does not tell.
+        total_bytes: Of all its files.
+        files: How many hold frames.
+        faults, stops: How many of each are marked in it.
+        ended: Whether it was ended in good order; one under way is not.
+        failure: What ended it before its time, "" if nothing did.
+        reason: Who or what asked for it: ``operator``, ``ring``, ``fault``, ``stop``, ``command``.
+    """
+
+    name: str
+    path: Path | None
+    begun_unix_s: float
+    length_s: float | None
+    total_bytes: int
+    files: int
+    faults: int
+    stops: int
+    ended: bool
+    failure: str = ""
+    reason: str = "operator"
+
+
+def list_recordings(folder: Path) -> list[RecordingEntry]:
+    """The recordings of a folder, the newest first; a folder that does not exist has none.
+
+    Raises:
+        OSError: It cannot be read.
+    """
+    try:
+        names = [entry.name for entry in os.scandir(folder) if entry.name.endswith(sidecar.SUFFIX)]
+    except FileNotFoundError:
+        return []
+    found = []
+    for each in names:
+        with contextlib.suppress(OSError, ValueError):
+            found.append(_entry(folder, each.removesuffix(sidecar.SUFFIX)))
+    return sorted(found, key=lambda entry: entry.begun_unix_s, reverse=True)
+
+
+def _entry(folder: Path, name: str) -> RecordingEntry:
+    """One of them.
+
+    Raises:
+        OSError: It cannot be read.
+        ValueError: Its sidecar is none.
+    """
+    with (folder / f"{name}{sidecar.SUFFIX}").open("rb") as stream:
+        lines = sidecar.read_lines(stream.read(sidecar.MOST_BYTES))
+    first: Mapping[str, Any] = lines[0] if lines else {}
+    if first.get("kind") != "session":
+        raise ValueError("no sidecar")
+    kind = RecordingFormat(first.get("format"))
+    paths = _parts(folder, name, kind)
+    last = next((line for line in reversed(lines) if line["kind"] == "end"), None)
+    marks = [line.get("mark") for line in sidecar.events_of(lines)]
+    return RecordingEntry(
+        name=name,
+        path=paths[0] if paths else None,
+        begun_unix_s=float(first.get("unix_s", 0.0)),
+        length_s=_length_s(folder / f"{name}{index_file.SUFFIX}"),
+        total_bytes=sum(path.stat().st_size for path in paths),
+        files=len(paths),
+        faults=marks.count("fault"),
+        stops=marks.count("stop"),
+        ended=last is not None,
+        failure="" if last is None else str(last.get("failure", "")),
+        reason=str(first.get("reason", "operator")),
+    )
+
+
+def _length_s(index: Path) -> float | None:
+    """From the first block to the last, without reading all that is between."""
+    try:
+        with index.open("rb") as stream:
+            beginning = stream.read(_HEAD_BYTES)
+            size = stream.seek(0, os.SEEK_END)
+            stream.seek(max(0, size - _HEAD_BYTES))
+            end = stream.read(_HEAD_BYTES)
+    except OSError:
+        return None
+    first = next(index_file.read_blocks(beginning), None)
+    last = index_file.last_block(end)
+    return None if first is None or last is None else max(0.0, last.last_s - first.first_s)
+
+
+def _parts(folder: Path, name: str, kind: RecordingFormat) -> list[Path]:
+    paths = []
+    for number in range(1, _MOST_PARTS):
+        path = folder / file_name(name, number, kind.value)
+        if not path.exists():
+            break
+        paths.append(path)
+    return paths
+
+
+def files_of(folder: Path, name: str) -> list[Path]:
+    """Every file of a recording, its sidecar last.
+
+    Raises:
+        OSError: The folder cannot be read.
+        ValueError: It is no recording.
+    """
+    side = folder / f"{name}{sidecar.SUFFIX}"
+    with side.open("rb") as stream:
+        lines = sidecar.read_lines(stream.readline(_HEAD_BYTES))
+    if not lines or lines[0]["kind"] != "session":
+        raise ValueError("no recording")
+    paths = _parts(folder, name, RecordingFormat(lines[0].get("format")))
+    index = folder / f"{name}{index_file.SUFFIX}"
+    return [*paths, *([index] if index.exists() else []), side]
+
+
+def rename(folder: Path, name: str, new_name: str) -> None:
+    """Call a recording otherwise.
+
+    Raises:
+        ValueError: No recording can be called so.
+        FileExistsError: Another one, or another file, is called so.
+        OSError: The files cannot be moved; those that were are back in their places.
+    """
+    if not is_name(new_name):
+        raise ValueError(new_name)
+    paths = files_of(folder, name)
+    targets = [folder / f"{new_name}{path.name.removeprefix(name)}" for path in paths]
+    for target, path in zip(targets, paths, strict=True):
+        if target.exists() and not (target.name.lower() == path.name.lower()):
+            raise FileExistsError(target.name)
+    _move(paths, targets)
+
+
+def throw_away(folder: Path, name: str) -> Path:
+    """Move a recording into the bin inside its folder.
+
+    Returns:
+        Where it is now.
+
+    Raises:
+        OSError: It cannot be moved; it is where it was.
+        ValueError: It is no recording.
+    """
+    paths = files_of(folder, name)
+    room = folder / BIN / f"{time.strftime('%Y%m%d-%H%M%S')}-{secrets.token_hex(3)}"
+    room.mkdir(parents=True)
+    _move(paths, [room / path.name for path in paths])
+    return room
+
+
+def _move(paths: Sequence[Path], targets: Sequence[Path]) -> None:
+    """Move files, all or none.
+
+    Raises:
+        OSError: One cannot be moved.
+    """
+    moved: list[tuple[Path, Path]] = []
+    try:
+        for path, target in zip(paths, targets, strict=True):
+            path.replace(target)
+            moved.append((path, target))
+    except OSError:
+        for path, target in moved:
+            with contextlib.suppress(OSError):
+                target.replace(path)
+        raise

@@ -1,0 +1,141 @@
+"""The index beside a recording: where each block of frames is, and how the bus stood before it.
+
+The file begins with eight bytes, `MAGIC`. Behind them stands one record a block: `_HEAD`, then the
+last frame of each identifier up to the end of the block, one `ROW` each, at most once a second (of
+a CAN FD frame the first 8 bytes); of `REMEMBERED_IDS` the last few.
+A record that was cut off, or whose sum is wrong, ends the index: what is behind it is looked for in
+the recording itself.
+"""
+
+from __future__ import annotations
+
+import struct
+import zlib
+from collections import deque
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from armui.protocol.frame import FrameFlag
+from armui.session.recording.rows import ROW, FrameRows
+from armui.session.session import REMEMBERED, REMEMBERED_IDS
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+SUFFIX: Final = ".armui.idx"
+MAGIC: Final = b"ARMUIIX1"
+_HEAD: Final = struct.Struct("<4sLLLQQLdddL")
+"""Sign, sum of what follows, number of the file from 1, rows; byte and first frame of the block,
+its frames; times of the first and last; time from which the file counts; bytes of the block."""
+_SIGN: Final = b"BLCK"
+_SUMMED_FROM: Final = 8
+_EVERY_S: Final = 1.0
+_NOT_KEPT: Final = FrameFlag.ERROR | FrameFlag.IMPOSSIBLE
+_KEY_FLAGS: Final = int(FrameFlag.EXTENDED | FrameFlag.TRANSMITTED)
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """Where some frames of a recording are.
+
+    Attributes:
+        file: Number of the file, from 1.
+        byte, size: Its place in the file.
+        first, frames: Number of its first frame in the recording, from 0, and how many it has.
+        first_s, last_s: Log times of its first and its last frame.
+        file_start_s: Log time from which the file counts.
+        standing: The last frame of each identifier up to its end, where the index has them.
+    """
+
+    file: int
+    byte: int
+    size: int
+    first: int
+    frames: int
+    first_s: float
+    last_s: float
+    file_start_s: float
+    standing: NDArray[Any] | None = None
+
+    def record(self) -> bytes:
+        """As it stands in the index."""
+        rows = np.zeros(0, ROW) if self.standing is None else self.standing
+        fields = (
+            self.file, len(rows), self.byte, self.first, self.frames,
+            self.first_s, self.last_s, self.file_start_s, self.size,
+        )  # fmt: skip
+        body = _HEAD.pack(_SIGN, 0, *fields)[_SUMMED_FROM:] + rows.tobytes()
+        return struct.pack("<4sL", _SIGN, zlib.crc32(body)) + body
+
+
+_REMEMBERED: Final = np.array(sorted(REMEMBERED_IDS), np.uint32)
+
+
+class StandingFrames:
+    """The last frame of each identifier, what was heard and what this program sent apart.
+
+    Of `REMEMBERED_IDS` the last `REMEMBERED`.
+    """
+
+    def __init__(self) -> None:
+        self._last: dict[int, Any] = {}
+        self._remembered: dict[int, deque[Any]] = {}
+        self._told_s = -np.inf
+
+    def take(self, rows: FrameRows) -> NDArray[np.void] | None:
+        """Follow some frames.
+
+        Returns:
+            The last of each in the order of time, about once a second.
+        """
+        table = rows.table
+        if (table["flags"] & _NOT_KEPT).any():
+            table = table[table["flags"] & _NOT_KEPT == 0]
+        if len(table):
+            keys = table["id"].astype(np.uint64) << 8 | table["flags"] & _KEY_FLAGS
+            found, places = np.unique(keys[::-1], return_index=True)
+            last = table[::-1][places]
+            for key, row in zip(found.tolist(), last, strict=True):
+                self._last[key] = row
+            for place in np.flatnonzero(np.isin(table["id"], _REMEMBERED)).tolist():
+                kept = self._remembered.setdefault(int(keys[place]), deque(maxlen=REMEMBERED))
+                kept.append(table[place])
+        now_s = float(rows.times_s[-1]) if len(rows) else -np.inf
+        if now_s - self._told_s < _EVERY_S:
+            return None
+        self._told_s = now_s
+        rows_kept = [row for key, row in self._last.items() if key not in self._remembered]
+        for kept in self._remembered.values():
+            rows_kept += kept
+        standing = np.array(rows_kept, ROW)
+        return standing[np.argsort(standing["time_s"], kind="stable")]
+
+
+def read_blocks(data: bytes) -> Iterator[Block]:
+    """The blocks of an index, as far as it is whole."""
+    if not data.startswith(MAGIC):
+        return
+    at = len(MAGIC)
+    while at + _HEAD.size <= len(data):
+        sign, total, file, rows, byte, first, frames, first_s, last_s, start_s, size = (
+            _HEAD.unpack_from(data, at)
+        )
+        end = at + _HEAD.size + rows * ROW.itemsize
+        if sign != _SIGN or end > len(data) or zlib.crc32(data[at + _SUMMED_FROM : end]) != total:
+            return
+        standing = np.frombuffer(data, ROW, rows, at + _HEAD.size) if rows else None
+        yield Block(file, byte, size, first, frames, first_s, last_s, start_s, standing)
+        at = end
+
+
+def last_block(end: bytes) -> Block | None:
+    """The last whole block in the last bytes of an index; None if there is none."""
+    at = len(end)
+    while (at := end.rfind(_SIGN, 0, at)) >= 0:
+        block = next(read_blocks(MAGIC + end[at:]), None)
+        if block is not None:
+            return block
+    return None

@@ -1,0 +1,79 @@
+"""The way of frames from the thread that owns the bus to the one that keeps them: pure.
+
+The bus thread hands over a whole batch by putting a list into a queue; it never waits, and whoever
+takes the batches out never holds it up.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+if TYPE_CHECKING:
+    from armui.protocol.codec import Codec
+    from armui.protocol.generation import Generation
+    from armui.session.recording.rows import TakenFrame
+
+MOST_WAITING: Final = 65_536
+"""Frames that may wait; a bus that is full has some 8,000 a second."""
+
+
+class FrameLane:
+    """Listens to the bus as a `Tap` does.
+
+    Args:
+        most: Frames that may wait; a batch beyond them is dropped whole, and counted.
+
+    Attributes:
+        dropped: Frames that nobody took out in time, since the beginning.
+    """
+
+    def __init__(self, most: int = MOST_WAITING) -> None:
+        self._most = most
+        self._batches: deque[Sequence[TakenFrame]] = deque()
+        self._put = self._taken = 0  # each is written by one thread only
+        self.dropped = 0
+
+    @property
+    def waiting(self) -> int:
+        """Frames that wait to be taken out."""
+        return self._put - self._taken
+
+    def take(self) -> list[TakenFrame]:
+        """All that wait, batch by batch."""
+        frames: list[TakenFrame] = []
+        batches = self._batches
+        while batches:
+            frames += batches.popleft()
+        self._taken += len(frames)
+        return frames
+
+    # The bus thread ---------------------------------------------------------------------------
+
+    def on_heard(self, batch: Sequence[TakenFrame]) -> None:
+        """Frames that others sent."""
+        if self._put - self._taken + len(batch) > self._most:
+            self.dropped += len(batch)
+            return
+        self._put += len(batch)
+        self._batches.append(batch)
+
+    def on_sent(self, batch: Sequence[TakenFrame]) -> None:
+        """Frames that this program sent; their flags say so."""
+        self.on_heard(batch)
+
+    def on_open(self, bitrate: int | None) -> None:
+        """A device was opened: nothing to do, its frames tell."""
+
+    def on_codec(self, codec: Codec) -> None:
+        """Frames are kept as they are, however they are decoded."""
+
+    def on_error_frame(self) -> None:
+        """An error frame is among those heard."""
+
+    def on_look(self, now_s: float) -> None:
+        """Nothing to do."""
+
+    def know_generation(self, generation: Generation | None) -> None:
+        """Frames are kept as they are, whichever arm they are from."""

@@ -1,0 +1,348 @@
+"""A recording of ours, opened at once by the index that lies beside it."""
+
+from __future__ import annotations
+
+import bisect
+import threading
+from collections import deque
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+
+from armui.protocol.frame import FrameFlag
+from armui.session.frames import (
+    Channel,
+    Damage,
+    DamageList,
+    FrameBatch,
+    NotALogError,
+)
+from armui.session.recording import index_file, sidecar
+from armui.session.recording.block_reader import read_block
+from armui.session.recording.index_file import Block
+from armui.session.recording.kinds import RecordingFormat
+from armui.session.recording.names import file_name, names_of
+from armui.session.recording.rows import ROW
+from armui.session.session import REMEMBERED, REMEMBERED_IDS, SessionMark
+
+_LONGEST_TAIL: Final = 4_000_000
+"""More bytes than a killed program leaves without index: the index is not this recording's."""
+_REMEMBERED: Final = np.array(sorted(REMEMBERED_IDS), np.uint32)
+_SLACK_S: Final = 2e-6
+"""Formats round their times; blocks are chosen a little more widely."""
+
+
+class RecordedSession:
+    """A `Session` of our own files.
+
+    Args:
+        path: Any file of the recording.
+
+    Attributes:
+        name: As it is called.
+        lines: Of its sidecar: what was recorded from what, and how it ended.
+        damages, damage_count: As of a `Session`.
+
+    Raises:
+        NotALogError: It has no index of ours beside it, or one that does not belong to it.
+    """
+
+    reversed_times: Final = 0
+
+    def __init__(self, path: Path) -> None:
+        self._folder = path.parent
+        self.name, self.lines = _sidecar_of(path)
+        first = self.lines[0]
+        self._kind = RecordingFormat(first["format"])
+        self._channel = str(first.get("channel", "can"))
+        self._damages = DamageList()
+        self._turn = threading.Lock()
+        self._cut_off: dict[int, list[FrameBatch]] = {}
+        try:
+            index = (self._folder / f"{self.name}{index_file.SUFFIX}").read_bytes()
+            self._blocks = self._present(list(index_file.read_blocks(index)))
+            self._read_tail()
+        except OSError as error:
+            raise NotALogError(error.strerror or str(error)) from error
+        self._starts_s = [block.first_s for block in self._blocks]
+        self.marks: Sequence[SessionMark] = sidecar.marks_of(self.lines)
+
+    @property
+    def start_s(self) -> float:
+        """Log time of the first frame, since 1970."""
+        return self._blocks[0].first_s if self._blocks else 0.0
+
+    @property
+    def end_s(self) -> float:
+        """Log time of the last frame."""
+        return self._blocks[-1].last_s if self._blocks else 0.0
+
+    @property
+    def frames(self) -> int:
+        """How many there are."""
+        return self._blocks[-1].first + self._blocks[-1].frames if self._blocks else 0
+
+    @property
+    def channels(self) -> tuple[Channel, ...]:
+        """The one channel it was recorded from."""
+        return (self._channel,) if self._blocks else ()
+
+    @property
+    def damages(self) -> Sequence[Damage]:
+        """Damaged places met so far."""
+        return self._damages.since(0)
+
+    @property
+    def damage_count(self) -> int:
+        """All of them."""
+        return self._damages.count
+
+    @property
+    def facts(self) -> Mapping[str, Any]:
+        """The first line of its sidecar."""
+        return self.lines[0]
+
+    def frames_between(self, t0_s: float, t1_s: float) -> Iterator[FrameBatch]:
+        """The frames with t0_s <= time < t1_s, in the order of time."""
+        place = max(bisect.bisect_right(self._starts_s, t0_s) - 1, 0)
+        while place > 0 and self._blocks[place - 1].last_s >= t0_s - _SLACK_S:
+            place -= 1
+        for block in self._blocks[place:]:
+            if block.first_s - _SLACK_S >= t1_s:
+                break
+            if block.last_s + _SLACK_S < t0_s:
+                continue
+            for batch in self._read(block):
+                begin = int(batch.times_s.searchsorted(t0_s))
+                end = int(batch.times_s.searchsorted(t1_s))
+                if begin < end:
+                    yield _part(batch, begin, end, block.first)
+
+    def snapshot_at(self, t_s: float) -> FrameBatch:
+        """The last frame of each identifier at or before a time, in the order of time."""
+        place = bisect.bisect_right(self._starts_s, t_s + _SLACK_S) - 1
+        parts: list[FrameBatch] = []
+        while place >= 0:
+            block = self._blocks[place]
+            if block.standing is not None and block.last_s + _SLACK_S < t_s:
+                parts.append(self._standing(block.standing))
+                break
+            parts += reversed(self._read(block))
+            place -= 1
+        return _last_of_each(parts[::-1], t_s, (self._channel,))
+
+    def close(self) -> None:
+        """Let go of what is in memory."""
+        self._blocks, self._starts_s, self._cut_off = [], [], {}
+
+    def _standing(self, rows: Any) -> FrameBatch:
+        return FrameBatch(
+            first=0,
+            times_s=rows["time_s"],
+            ids=rows["id"],
+            flags=rows["flags"],
+            lengths=rows["length"],
+            payloads=rows["data"],
+            channels=np.zeros(len(rows), np.uint8),
+            channel_names=(self._channel,),
+        )
+
+    def _path(self, number: int) -> Path:
+        return self._folder / file_name(self.name, number, self._kind.value)
+
+    def _read(self, block: Block) -> list[FrameBatch]:
+        tail = self._cut_off.get(block.byte) if block.size == 0 else None
+        if tail is not None:
+            return tail
+        try:
+            with self._path(block.file).open("rb") as stream:
+                stream.seek(block.byte)
+                data = stream.read(block.size)
+        except OSError as error:
+            self._damages.add(Damage(f"byte {block.byte}", error.strerror or "", block.first))
+            return []
+        with self._turn:
+            return read_block(data, self._kind, block.file_start_s, self._damages, self._channel)
+
+    def _present(self, blocks: list[Block]) -> list[Block]:
+        """The blocks whose bytes are there."""
+        sizes: dict[int, int] = {}
+        found = []
+        for block in blocks:
+            if block.file not in sizes:
+                path = self._path(block.file)
+                sizes[block.file] = path.stat().st_size if path.exists() else 0
+            if block.byte + block.size <= sizes[block.file]:
+                found.append(block)
+            else:
+                self._damages.add(
+                    Damage(f"byte {block.byte}", "the file breaks off before it", block.first)
+                )
+        return found
+
+    def _read_tail(self) -> None:
+        """What a killed program had written and not indexed yet.
+
+        Raises:
+            NotALogError: That is far more than it can be.
+        """
+        last = self._blocks[-1] if self._blocks else None
+        number = 1 if last is None else last.file
+        byte = 0 if last is None else last.byte + last.size
+        while (path := self._path(number)).exists():
+            with path.open("rb") as stream:
+                if byte == 0:
+                    byte = _opening_size(stream.read(_LONGEST_OPENING), self._kind)
+                stream.seek(byte)
+                data = stream.read(_LONGEST_TAIL + 1)
+            if len(data) > _LONGEST_TAIL:
+                raise NotALogError("the index beside it does not belong to it")
+            self._take_tail(data, number)
+            number, byte = number + 1, 0
+
+    def _start_of(self, number: int) -> float:
+        """The log time from which a file counts that the index does not know of."""
+        for line in self.lines:
+            start_s = line.get("start_s")
+            told = line["kind"] == "file" and line.get("number") == number
+            if told and isinstance(start_s, int | float):
+                return float(start_s)
+        return 0.0
+
+    def _take_tail(self, data: bytes, number: int) -> None:
+        if not data.strip(b"\0") or data.startswith(b"End TriggerBlock"):
+            return
+        last = self._blocks[-1] if self._blocks else None
+        known = last is not None and last.file == number
+        start_s = last.file_start_s if last is not None and known else self._start_of(number)
+        found = read_block(data, self._kind, start_s, self._damages, self._channel)
+        batches = [batch for batch in found if len(batch)]
+        if not batches:
+            return
+        first = 0 if last is None else last.first + last.frames
+        total = sum(map(len, batches))
+        first_s, last_s = float(batches[0].times_s[0]), float(batches[-1].times_s[-1])
+        block = Block(number, -number, 0, first, total, first_s, last_s, start_s)
+        self._cut_off[block.byte] = batches
+        self._blocks.append(block)
+
+
+_LONGEST_OPENING: Final = 4_096
+
+
+def _opening_size(beginning: bytes, kind: RecordingFormat) -> int:
+    """Bytes in front of the first block."""
+    if kind is RecordingFormat.BLF:
+        return int.from_bytes(beginning[4:8], "little") if beginning[:4] == b"LOGG" else 0
+    if kind is RecordingFormat.ASC:
+        mark = b"internal events logged\n"
+        return beginning.find(mark) + len(mark) if mark in beginning else 0
+    return 0
+
+
+def _sidecar_of(path: Path) -> tuple[str, list[dict[str, Any]]]:
+    """Name and lines of the recording that a file belongs to.
+
+    Raises:
+        NotALogError: It belongs to none.
+    """
+    name = path.name
+    for suffix in (sidecar.SUFFIX, index_file.SUFFIX):
+        if name.endswith(suffix):
+            names: tuple[str, ...] = (name.removesuffix(suffix),)
+            break
+    else:
+        names = names_of(path)
+    known = {each.value for each in RecordingFormat}
+    for each in names:
+        try:
+            data = (path.parent / f"{each}{sidecar.SUFFIX}").read_bytes()
+        except OSError:
+            continue
+        lines = sidecar.read_lines(data)
+        if lines and lines[0]["kind"] == "session" and lines[0].get("format") in known:
+            return each, lines
+    raise NotALogError("no recording of this program: there is no sidecar beside it")
+
+
+def is_recorded_here(path: Path) -> bool:
+    """Whether a file belongs to a recording of ours."""
+    try:
+        _sidecar_of(path)
+    except NotALogError:
+        return False
+    return True
+
+
+def _part(batch: FrameBatch, begin: int, end: int, first: int) -> FrameBatch:
+    if begin == 0 and end == len(batch):
+        return replace(batch, first=first + batch.first)
+    return FrameBatch(
+        first=first + batch.first + begin,
+        times_s=batch.times_s[begin:end],
+        ids=batch.ids[begin:end],
+        flags=batch.flags[begin:end],
+        lengths=batch.lengths[begin:end],
+        payloads=batch.payloads[begin:end],
+        channels=batch.channels[begin:end],
+        channel_names=batch.channel_names,
+        long_data={
+            row - begin: data for row, data in batch.long_data.items() if begin <= row < end
+        },
+    )
+
+
+def _last_of_each(
+    batches: Sequence[FrameBatch], t_s: float, names: tuple[Channel, ...]
+) -> FrameBatch:
+    """Of batches in the order of time, the last frames of each identifier up to a moment."""
+    rows: dict[tuple[int, int], deque[tuple[FrameBatch, int]]] = {}
+    key_flags = int(FrameFlag.EXTENDED | FrameFlag.TRANSMITTED)
+    for batch in batches:
+        end = int(batch.times_s.searchsorted(t_s, "right"))
+        good = np.flatnonzero(batch.flags[:end] & (FrameFlag.ERROR | FrameFlag.IMPOSSIBLE) == 0)
+        ids, marks = batch.ids[good], batch.flags[good] & key_flags
+        keys = ids.astype(np.uint64) << 8 | marks
+        _found, places = np.unique(keys[::-1], return_index=True)
+        wanted = np.isin(ids, _REMEMBERED)
+        wanted[len(good) - 1 - places] = True
+        for place in np.flatnonzero(wanted).tolist():
+            arbitration_id = int(ids[place])
+            most = REMEMBERED if arbitration_id in REMEMBERED_IDS else 1
+            kept = rows.setdefault((arbitration_id, int(marks[place])), deque(maxlen=most))
+            kept.append((batch, int(good[place])))
+    ordered = sorted(
+        (found for kept in rows.values() for found in kept),
+        key=lambda found: float(found[0].times_s[found[1]]),
+    )
+    return _picked(ordered, names)
+
+
+def _picked(found: Sequence[tuple[FrameBatch, int]], names: tuple[Channel, ...]) -> FrameBatch:
+    """Single frames of several batches as one."""
+    table = np.zeros(len(found), ROW)
+    long_data = {}
+    for place, (batch, row) in enumerate(found):
+        table[place] = (
+            batch.times_s[row],
+            batch.ids[row],
+            batch.flags[row],
+            batch.lengths[row],
+            batch.payloads[row],
+        )
+        if row in batch.long_data:
+            long_data[place] = batch.long_data[row]
+    return FrameBatch(
+        first=0,
+        times_s=table["time_s"],
+        ids=table["id"],
+        flags=table["flags"],
+        lengths=table["length"],
+        payloads=table["data"],
+        channels=np.zeros(len(table), np.uint8),
+        channel_names=names,
+        long_data=long_data,
+    )

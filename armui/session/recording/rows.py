@@ -1,0 +1,126 @@
+"""Frames as rows of one typed array: pure."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from armui.protocol.frame import Frame
+
+CLASSIC_BYTES: Final = 8
+ROW: Final = np.dtype(
+    [
+        ("time_s", "<f8"),
+        ("id", "<u4"),
+        ("flags", "u1"),
+        ("length", "u1"),
+        ("data", "u1", (CLASSIC_BYTES,)),
+    ]
+)
+"""A frame: time in seconds, identifier, `FrameFlag` bits, bytes of data, the first 8 of them."""
+
+TakenFrame = tuple[object, float, "Frame", int]
+"""A frame as the bus thread tells it: decoded, time in seconds, the frame, `FrameFlag` bits."""
+
+
+@dataclass(frozen=True, slots=True)
+class FrameRows:
+    """Some frames.
+
+    Attributes:
+        table: One `ROW` each.
+        long_data: The data of frames with more than 8 bytes, by row.
+    """
+
+    table: NDArray[Any]
+    long_data: Mapping[int, bytes] = field(default_factory=dict)
+
+    def __len__(self) -> int:
+        return len(self.table)
+
+    @property
+    def times_s(self) -> NDArray[np.float64]:
+        """When each was on the bus, in seconds."""
+        times: NDArray[np.float64] = self.table["time_s"]
+        return times
+
+    def data(self, row: int) -> bytes:
+        """The data of one frame."""
+        whole = self.long_data.get(row)
+        if whole is not None:
+            return whole
+        length = int(self.table["length"][row])
+        piece: bytes = self.table["data"][row, :length].tobytes()
+        return piece
+
+    def part(self, begin: int, end: int) -> FrameRows:
+        """Some of them, without copying."""
+        kept = {row - begin: data for row, data in self.long_data.items() if begin <= row < end}
+        return FrameRows(self.table[begin:end], kept)
+
+    def shifted(self, by_s: float) -> FrameRows:
+        """A copy with other times."""
+        table = self.table.copy()
+        table["time_s"] += by_s
+        return FrameRows(table, self.long_data)
+
+
+EMPTY: Final = FrameRows(np.zeros(0, ROW))
+
+
+def rows_of(taken: Sequence[TakenFrame]) -> FrameRows:
+    """Frames as they were told, in their order."""
+    count = len(taken)
+    if not count:
+        return EMPTY
+    table = np.zeros(count, ROW)
+    _decoded, times, frames, flags = zip(*taken, strict=True)
+    ids, data = zip(*frames, strict=True)
+    table["time_s"] = times
+    table["id"] = ids
+    table["flags"] = flags
+    lengths = list(map(len, data))
+    table["length"] = lengths
+    if min(lengths) == CLASSIC_BYTES == max(lengths):
+        joined = b"".join(data)
+    else:
+        joined = b"".join([each[:CLASSIC_BYTES].ljust(CLASSIC_BYTES, b"\0") for each in data])
+    table["data"] = np.frombuffer(joined, np.uint8).reshape(-1, CLASSIC_BYTES)
+    long_data = (
+        {row: bytes(each) for row, each in enumerate(data) if len(each) > CLASSIC_BYTES}
+        if max(lengths) > CLASSIC_BYTES
+        else {}
+    )
+    return FrameRows(table, long_data)
+
+
+def joined(parts: Sequence[FrameRows]) -> FrameRows:
+    """Several one behind the other."""
+    parts = [part for part in parts if len(part)]
+    if len(parts) < 2:
+        return parts[0] if parts else EMPTY
+    long_data: dict[int, bytes] = {}
+    begin = 0
+    for part in parts:
+        long_data.update({begin + row: data for row, data in part.long_data.items()})
+        begin += len(part)
+    return FrameRows(np.concatenate([part.table for part in parts]), long_data)
+
+
+def in_order(rows: FrameRows) -> FrameRows:
+    """The same in the order of time; frames of one moment stay in their order."""
+    times_s = rows.times_s
+    if len(rows) < 2 or bool((times_s[1:] >= times_s[:-1]).all()):
+        return rows
+    order = np.argsort(times_s, kind="stable")
+    if not rows.long_data:
+        return FrameRows(rows.table[order])
+    places = {int(row): place for place, row in enumerate(order)}
+    long_data = {places[row]: data for row, data in rows.long_data.items()}
+    return FrameRows(rows.table[order], long_data)

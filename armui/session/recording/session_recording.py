@@ -1,0 +1,197 @@
+"""A recording that is under way: what comes goes into a queue, a thread writes it to the disk."""
+
+from __future__ import annotations
+
+import logging
+import threading
+import time
+from collections import deque
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Final
+
+from armui.session.recording.rows import FrameRows, joined
+from armui.session.recording.sidecar import Line
+from armui.session.recording.writer import RecordingPlan, RecordingWriter
+from armui.system.clock import steady_s
+
+_LOG: Final = logging.getLogger(__name__)
+
+_ROWS_OF_A_BLOCK: Final = 3_000
+BLOCK_S: Final = 0.4
+"""How often frames are written: a program that is killed loses no more, and what was on its way."""
+MOST_WAITING: Final = 400_000
+"""Frames that may wait for a disk that is busy: over two minutes of a full bus, 9 MB."""
+
+
+class SessionRecording:
+    """Takes frames from any thread, and never holds one up.
+
+    It begins at once; a folder that cannot be written shows as `failure`.
+
+    Args:
+        plan: What is to be written.
+        clock: The program's, in seconds.
+        most_waiting: Frames that may wait; further ones are dropped and counted.
+
+    Attributes:
+        plan: As given.
+        begun_s: By the program's clock.
+        lost: Frames that the disk was too slow for.
+        failure: What ended it before its time, if anything did.
+    """
+
+    def __init__(
+        self,
+        plan: RecordingPlan,
+        clock: Callable[[], float] = steady_s,
+        most_waiting: int = MOST_WAITING,
+    ) -> None:
+        self.plan = plan
+        self.begun_s = plan.base.steady_s
+        self._clock = clock
+        self._most_waiting = most_waiting
+        self._rows: deque[FrameRows] = deque()
+        self._lines: deque[Line] = deque()
+        self._waiting = 0
+        self._lock = threading.Lock()
+        self._ending = threading.Event()
+        self._urgent = threading.Event()
+        self._end_facts: Mapping[str, object] = {}
+        self._lost_told = 0
+        self.lost = 0
+        self.failure: Exception | None = None
+        self._writer: RecordingWriter | None = None
+        self._thread = threading.Thread(target=self._run, name="armui-recording", daemon=True)
+        self._thread.start()
+
+    @property
+    def running(self) -> bool:
+        """Whether it is still being written."""
+        return self._thread.is_alive()
+
+    @property
+    def name(self) -> str | None:
+        """As it is called, once the folder was found writable."""
+        return None if self._writer is None else self._writer.name
+
+    @property
+    def path(self) -> Path | None:
+        """Its first file, likewise."""
+        return None if self._writer is None else self._writer.path
+
+    @property
+    def frames(self) -> int:
+        """On the disk by now."""
+        return 0 if self._writer is None else self._writer.frames
+
+    @property
+    def total_bytes(self) -> int:
+        """On the disk by now."""
+        return 0 if self._writer is None else self._writer.total_bytes
+
+    def put(self, rows: FrameRows) -> None:
+        """Record frames, in the order of time; those from before it was begun are left out."""
+        if self.failure is not None:
+            return
+        rows = rows.part(int(rows.times_s.searchsorted(self.begun_s)), len(rows))
+        with self._lock:
+            if self._waiting + len(rows) > self._most_waiting:
+                self.lost += len(rows)
+                return
+            self._waiting += len(rows)
+            self._rows.append(rows)
+
+    def note(self, line: Line) -> None:
+        """Add a line to the sidecar."""
+        self._lines.append(line)
+
+    def end(self, facts: Mapping[str, object]) -> None:
+        """End it in good order, in its own time; see `wait`.
+
+        Args:
+            facts: For the last line of the sidecar.
+        """
+        self._end_facts = facts
+        self._ending.set()
+        self._urgent.set()
+
+    def wait(self, within_s: float) -> bool:
+        """Whether it has ended, within a time."""
+        self._thread.join(within_s)
+        return not self._thread.is_alive()
+
+    def _run(self) -> None:
+        try:
+            writer = self._writer = RecordingWriter(self.plan, self._clock)
+        except OSError as error:
+            self.failure = error
+            return
+        try:
+            while not self._ending.is_set():
+                self._urgent.wait(BLOCK_S)
+                self._write(writer)
+            self._write(writer)
+        except Exception as error:  # noqa: BLE001 - a disk, a format: what is written stays readable
+            self.failure = error
+            if not isinstance(error, OSError):
+                _LOG.exception("A recording has failed")
+        facts: dict[str, object] = {"lost": self.lost, **self._end_facts}
+        if self.failure is not None:
+            facts["failure"] = str(self.failure)
+        writer.finish(facts)
+
+    def _write(self, writer: RecordingWriter) -> None:
+        with self._lock:
+            parts, waiting = list(self._rows), self._waiting
+            self._rows.clear()
+        lines: list[Line] = []
+        while self._lines:
+            lines.append(self._lines.popleft())
+        if self.lost > self._lost_told:
+            count, self._lost_told = self.lost - self._lost_told, self.lost
+            at_s = self._clock() + self.plan.base.shift_s
+            lines.append({"kind": "lost", "time_s": at_s, "count": count})
+        try:
+            writer.write(joined(parts), lines)
+        finally:
+            with self._lock:
+                self._waiting -= waiting
+
+
+def write_at_once(
+    plan: RecordingPlan,
+    parts: Sequence[FrameRows],
+    lines: Sequence[Line],
+    facts: Mapping[str, object],
+    clock: Callable[[], float] = steady_s,
+) -> Path:
+    """Write what is in memory as a recording of its own, block by block.
+
+    Args:
+        plan: What is to be written.
+        parts: Frames in the order of time.
+        lines: What happened meanwhile.
+        facts: For the last line of the sidecar.
+        clock: The program's, in seconds.
+
+    Returns:
+        The first file.
+
+    Raises:
+        OSError: It could not be written; what there is of it is whole.
+    """
+    writer = RecordingWriter(plan, clock)
+    failure: dict[str, object] = {}
+    try:
+        for rows in parts:
+            for begin in range(0, len(rows), _ROWS_OF_A_BLOCK):
+                writer.write(rows.part(begin, begin + _ROWS_OF_A_BLOCK))
+                time.sleep(0)  # whoever waits for Python goes first
+        writer.write(joined([]), lines)
+    except OSError as error:
+        failure = {"failure": str(error)}
+        raise
+    finally:
+        writer.finish({**facts, **failure})
+    return writer.path

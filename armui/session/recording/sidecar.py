@@ -1,0 +1,115 @@
+"""The lines beside a recording: what it is of, what happened, and how it ended.
+
+Each line is a JSON object with its ``kind``; the first one is the ``session``. Lines are only ever
+added, so that a killed program leaves all but the last one whole.
+
+Kinds: ``session`` (format, program, device, time base), ``arm`` and ``settings`` (as read while it
+was recorded), ``event`` (an entry of the program's events, its log time and the sort of mark it
+is), ``file`` (a file was begun; the log time from which it
+counts), ``lost`` (frames that are missing from here on), ``clock``
+(the time of day was set meanwhile), ``end``.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any, Final
+
+from armui.session.session import MarkKind, SessionMark
+
+SUFFIX: Final = ".armui.jsonl"
+VERSION: Final = 1
+Line = Mapping[str, object]
+MOST_BYTES: Final = 64_000_000
+"""A larger file is something else, or holds events that nobody can look through."""
+
+
+def as_bytes(lines: Sequence[Line]) -> bytes:
+    """Lines as they stand in the file; what is no JSON value is told as text."""
+    return "".join(
+        f"{json.dumps(line, ensure_ascii=False, default=str, allow_nan=False)}\n"
+        for line in map(_finite, lines)
+    ).encode("utf-8", "replace")
+
+
+def _finite(line: Line) -> Line:
+    try:
+        json.dumps(line, default=str, allow_nan=False)
+    except ValueError:
+        return {key: str(value) for key, value in line.items()}
+    return line
+
+
+def event_line(at_s: float, mark: MarkKind, entry: Mapping[str, object]) -> Line:
+    """A line for an event.
+
+    Args:
+        at_s: Log time.
+        mark: What sort of moment it is on a time line.
+        entry: The event as it is written, JSON values only.
+    """
+    return {"kind": "event", "time_s": at_s, "mark": mark.name.lower(), "entry": dict(entry)}
+
+
+def read_lines(data: bytes) -> list[dict[str, Any]]:
+    """The lines of a sidecar that are whole; the others are passed over."""
+    lines = []
+    for text in data[:MOST_BYTES].split(b"\n"):
+        try:
+            line = json.loads(text)
+        except (ValueError, RecursionError):
+            continue
+        if isinstance(line, dict) and isinstance(line.get("kind"), str):
+            lines.append(line)
+    return lines
+
+
+def events_of(lines: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+    """The lines with events; of one that was written again, as it ended, the last."""
+    found: dict[object, Mapping[str, Any]] = {}
+    for place, line in enumerate(lines):
+        entry = line.get("entry")
+        if line["kind"] == "event" and isinstance(entry, dict):
+            number = entry.get("number")
+            found[number if isinstance(number, int) else f"line {place}"] = line
+    return list(found.values())
+
+
+def marks_of(lines: Sequence[Mapping[str, Any]]) -> list[SessionMark]:
+    """The moments worth going to, in the order of time; the times of an event are log times."""
+    marks = []
+    shift_s = _shift_s(lines[0]) if lines else 0.0
+    for line in events_of(lines):
+        at_s, name = line.get("time_s"), str(line.get("mark", "note")).upper()
+        kind = MarkKind[name] if name in MarkKind.__members__ else MarkKind.NOTE
+        if isinstance(at_s, int | float) and math.isfinite(at_s):
+            marks.append(SessionMark(float(at_s), kind, _shifted(line["entry"], shift_s)))
+    for line in lines:
+        at_s = line.get("time_s")
+        if line["kind"] == "lost" and isinstance(at_s, int | float) and math.isfinite(at_s):
+            entry = {key: value for key, value in line.items() if key != "time_s"}
+            marks.append(SessionMark(float(at_s), MarkKind.NOTE, entry))
+    return sorted(marks, key=lambda mark: mark.at_s)
+
+
+_TIMES: Final = ("at_s", "ended_s", "last_s")
+"""Of an event, by the program's clock."""
+
+
+def _shift_s(first: Mapping[str, Any]) -> float:
+    """From the program's clock to log time."""
+    unix_s, steady_s = first.get("unix_s"), first.get("steady_s")
+    if isinstance(unix_s, int | float) and isinstance(steady_s, int | float):
+        return float(unix_s - steady_s)
+    return 0.0
+
+
+def _shifted(entry: Mapping[str, Any], by_s: float) -> dict[str, Any]:
+    times = {
+        name: round(entry[name] + by_s, 6)
+        for name in _TIMES
+        if isinstance(entry.get(name), int | float)
+    }
+    return {**entry, **times}

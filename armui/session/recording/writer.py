@@ -1,0 +1,261 @@
+"""Writes one recording: its files, its index, its sidecar; whole after every block."""
+
+from __future__ import annotations
+
+import contextlib
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import count
+from pathlib import Path
+from typing import Final
+
+from armui import __version__
+from armui.session.recording import index_file, sidecar
+from armui.session.recording.disk_file import DiskFile
+from armui.session.recording.index_file import Block, StandingFrames
+from armui.session.recording.kinds import BlockFormat, RecordingFormat, block_format
+from armui.session.recording.names import file_name
+from armui.session.recording.rows import FrameRows
+from armui.session.recording.sidecar import Line
+from armui.system.clock import steady_s
+
+LEAST_ROTATE_BYTES: Final = 1_000_000
+_MOST_NAMES: Final = 1_000
+_CLOCK_JUMP_S: Final = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class TimeBase:
+    """One moment by two clocks; log time is the time of day by it, whatever becomes of that later.
+
+    Attributes:
+        steady_s: The program's clock, as of the frames.
+        unix_s: Seconds since 1970.
+    """
+
+    steady_s: float
+    unix_s: float
+
+    @property
+    def shift_s(self) -> float:
+        """From the program's clock to log time."""
+        return self.unix_s - self.steady_s
+
+
+@dataclass(frozen=True, slots=True)
+class RecordingPlan:
+    """What is to be recorded, and how.
+
+    Attributes:
+        folder: Where; it is made if it does not exist.
+        name: What it is called, if that is free.
+        kind: The format.
+        base: Its time base.
+        rotate_bytes: A file that is as large is followed by another.
+        channel: The bus's name.
+        facts: Further facts for the first line: device, who asked.
+    """
+
+    folder: Path
+    name: str
+    kind: RecordingFormat
+    base: TimeBase
+    rotate_bytes: int
+    channel: str = "can0"
+    facts: Mapping[str, object] | None = None
+
+
+class RecordingWriter:
+    """Used by one thread.
+
+    Args:
+        plan: What is to be written. A name that is taken gets a number behind it.
+        clock: The program's, in seconds, as of the frames.
+        time_of_day: The system's, in seconds since 1970.
+
+    Attributes:
+        name: As it is called.
+        path: Its first file, once there is one.
+        frames: Written so far.
+        total_bytes: Of all its files.
+
+    Raises:
+        OSError: The folder cannot be written.
+    """
+
+    def __init__(
+        self,
+        plan: RecordingPlan,
+        clock: Callable[[], float] = steady_s,
+        time_of_day: Callable[[], float] = time.time,
+    ) -> None:
+        self._plan = plan
+        self._clock = clock
+        self._time_of_day = time_of_day
+        self._file: DiskFile | None = None
+        self._format: BlockFormat | None = None
+        self._number = 0
+        self._standing = StandingFrames()
+        self._clock_off_s = 0.0
+        self.frames = 0
+        self._closed_bytes = 0
+        plan.folder.mkdir(parents=True, exist_ok=True)
+        self.name, self._sidecar = self._begin()
+        try:
+            self._index = DiskFile(plan.folder / f"{self.name}{index_file.SUFFIX}")
+            self._index.append(index_file.MAGIC)
+        except OSError:
+            self._sidecar.close()
+            with contextlib.suppress(OSError):
+                self._sidecar.path.unlink()
+            raise
+
+    @property
+    def path(self) -> Path:
+        """The first file with frames; there is none before the first frame."""
+        return self._plan.folder / file_name(self.name, 1, self._plan.kind.value)
+
+    @property
+    def total_bytes(self) -> int:
+        """Of its files with frames."""
+        return self._closed_bytes + (0 if self._file is None else self._file.size)
+
+    def write(self, rows: FrameRows, lines: Sequence[Line] = ()) -> None:
+        """Write frames as one block, and what happened meanwhile.
+
+        Args:
+            rows: In the order of time, by the program's clock.
+            lines: For the sidecar.
+
+        Raises:
+            OSError: They were not written; everything before is whole, and can be read.
+        """
+        if len(rows):
+            self._write_rows(rows.shifted(self._plan.base.shift_s))
+        noted = [*lines, *self._clock_line()]
+        if noted:
+            self._sidecar.append(sidecar.as_bytes(noted))
+            self._sidecar.to_disk()
+
+    def finish(self, facts: Mapping[str, object]) -> None:
+        """End it in good order; harmless when the disk is full or gone.
+
+        Args:
+            facts: For the last line: why, and what is missing.
+        """
+        end: Line = {"kind": "end", "frames": self.frames, "bytes": self.total_bytes, **facts}
+        with contextlib.suppress(OSError):
+            self._close_file()
+        with contextlib.suppress(OSError):
+            self._sidecar.append(sidecar.as_bytes([end]))
+        for each in (self._file, self._index, self._sidecar):
+            if each is not None:
+                with contextlib.suppress(OSError):
+                    each.to_disk(now=True)
+                each.close()
+
+    def _begin(self) -> tuple[str, DiskFile]:
+        """A name that is free, taken by making its sidecar.
+
+        Raises:
+            OSError: The folder cannot be written.
+        """
+        plan = self._plan
+        for number in count(1):
+            name = plan.name if number == 1 else f"{plan.name}-{number}"
+            taken = (plan.folder / file_name(name, 1, plan.kind.value)).exists()
+            if taken and number < _MOST_NAMES:
+                continue
+            try:
+                found = DiskFile(plan.folder / f"{name}{sidecar.SUFFIX}")
+            except FileExistsError:
+                if number == _MOST_NAMES:
+                    raise
+                continue
+            try:
+                found.append(sidecar.as_bytes([self._first_line()]))
+            except OSError:
+                found.close()
+                with contextlib.suppress(OSError):
+                    found.path.unlink()
+                raise
+            return name, found
+        raise AssertionError("count() never ends")
+
+    def _first_line(self) -> Line:
+        plan = self._plan
+        return {
+            "kind": "session",
+            "version": sidecar.VERSION,
+            "program": f"armui {__version__}",
+            "format": plan.kind.value,
+            "channel": plan.channel,
+            "unix_s": plan.base.unix_s,
+            "steady_s": plan.base.steady_s,
+            **(plan.facts or {}),
+        }
+
+    def _write_rows(self, rows: FrameRows) -> None:
+        """Write frames with log times."""
+        if self._file is not None and self._file.size >= self._plan.rotate_bytes:
+            self._close_file()
+            self._closed_bytes += self._file.size
+            self._file.to_disk(now=True)
+            self._file.close()
+            self._file = None
+        if self._file is None or self._format is None:
+            self._file, self._format = self._next_file(float(rows.times_s[0]))
+        rows.table["time_s"] = self._format.rounded(rows.times_s)
+        byte = self._file.size
+        data = self._format.block(rows, byte)
+        self._file.append(data)
+        header = self._format.header(self._file.size)
+        if header:
+            self._file.rewrite(header)
+        block = Block(
+            self._number,
+            byte,
+            len(data),
+            self.frames,
+            len(rows),
+            float(rows.times_s[0]),
+            float(rows.times_s[-1]),
+            self._format.start_s,
+            self._standing.take(rows),
+        )
+        self._index.append(block.record())
+        self.frames += len(rows)
+        self._file.to_disk()
+        self._index.to_disk()
+
+    def _next_file(self, start_s: float) -> tuple[DiskFile, BlockFormat]:
+        plan = self._plan
+        number = self._number + 1
+        path = plan.folder / file_name(self.name, number, plan.kind.value)
+        new_format = block_format(plan.kind, start_s, plan.channel)
+        file = DiskFile(path)
+        try:
+            file.append(new_format.opening())
+            facts: Line = {"kind": "file", "number": number, "start_s": new_format.start_s}
+            self._sidecar.append(sidecar.as_bytes([facts]))
+        except OSError:
+            file.close()
+            with contextlib.suppress(OSError):
+                path.unlink()
+            raise
+        self._number = number
+        return file, new_format
+
+    def _close_file(self) -> None:
+        if self._file is not None and self._format is not None:
+            self._file.append(self._format.closing())
+
+    def _clock_line(self) -> list[Line]:
+        """Say it when the time of day is set while it is recorded."""
+        base = self._plan.base
+        off_s = self._time_of_day() - base.unix_s - (self._clock() - base.steady_s)
+        if abs(off_s - self._clock_off_s) < _CLOCK_JUMP_S:
+            return []
+        jump_s, self._clock_off_s = off_s - self._clock_off_s, off_s
+        return [{"kind": "clock", "jump_s": round(jump_s, 3), "off_s": round(off_s, 3)}]

@@ -1,0 +1,100 @@
+"""A recording that any place of can be reached at once: what replay and exports are given."""
+
+from __future__ import annotations
+
+import enum
+from typing import TYPE_CHECKING, Final, NamedTuple, Protocol
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping, Sequence
+
+    from armui.session.frames import Channel, Damage, FrameBatch
+
+
+REMEMBERED_IDS: Final = frozenset({0x473, 0x47C, 0x4AF})
+"""Limits and accelerations, whose payload says of which joint they are, and the version, whose text
+takes several frames: the last one alone says too little."""
+REMEMBERED: Final = 16
+"""So many of their last frames belong to a snapshot."""
+
+
+class MarkKind(enum.Enum):
+    """What sort of moment a mark names."""
+
+    FAULT = enum.auto()
+    STOP = enum.auto()
+    COMMAND = enum.auto()
+    NOTE = enum.auto()
+    """Any other event, or what the operator marked."""
+
+
+class SessionMark(NamedTuple):
+    """A moment worth going to.
+
+    Attributes:
+        at_s: Log time.
+        kind: What sort of moment it is.
+        entry: What happened, as a record of JSON values, as an event of the program's is written.
+    """
+
+    at_s: float
+    kind: MarkKind
+    entry: Mapping[str, object]
+
+
+class Session(Protocol):
+    """A recording, indexed.
+
+    Log time is in seconds as the recording has it, since 1970 or since its beginning. It never runs
+    backwards here: times that do in the file were put right, and `reversed_times` counts them.
+    Every method may be called from any thread, one at a time. `open_session` makes one.
+
+    Attributes:
+        start_s, end_s: Log time of the first and of the last frame; both 0 without any.
+        frames: How many there are.
+        channels: The channels that occur, in the order of their first frames.
+        marks: In the order of time; of a log without events what its frames tell.
+        damages: Damaged places, in the order of the file, bounded.
+        damage_count: All of them.
+        reversed_times: Frames whose time was before that of the frame in front of them.
+    """
+
+    @property
+    def start_s(self) -> float: ...  # noqa: D102 - said above
+
+    @property
+    def end_s(self) -> float: ...  # noqa: D102 - said above
+
+    @property
+    def frames(self) -> int: ...  # noqa: D102 - said above
+
+    @property
+    def channels(self) -> tuple[Channel, ...]: ...  # noqa: D102 - said above
+
+    @property
+    def marks(self) -> Sequence[SessionMark]: ...  # noqa: D102 - said above
+
+    @property
+    def damages(self) -> Sequence[Damage]: ...  # noqa: D102 - said above
+
+    @property
+    def damage_count(self) -> int: ...  # noqa: D102 - said above
+
+    @property
+    def reversed_times(self) -> int: ...  # noqa: D102 - said above
+
+    def frames_between(self, t0_s: float, t1_s: float) -> Iterator[FrameBatch]:
+        """The frames with t0_s <= time < t1_s, in the order of time.
+
+        A batch's `first` is the number of its first frame within the whole session.
+        """
+
+    def snapshot_at(self, t_s: float) -> FrameBatch:
+        """The last frame of each identifier and channel at or before a time, in the order of time.
+
+        Of those in `REMEMBERED_IDS` the last `REMEMBERED`. Its rows are no neighbours in the log:
+        `first` is 0 and means nothing.
+        """
+
+    def close(self) -> None:
+        """Let go of files and memory; nothing may be asked afterwards."""

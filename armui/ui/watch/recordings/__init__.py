@@ -1,0 +1,1 @@
+"""The window 会话记录: recording the session, and what was recorded."""

@@ -1,0 +1,207 @@
+"""Starts and stops the recording, and says how it goes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QSize
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSpinBox,
+    QVBoxLayout,
+    QWidget,
+)
+
+from armui.settings import ROTATE_MAX_MB, ROTATE_MIN_MB
+from armui.ui.dialogs.files import choose_folder
+from armui.ui.theme import colors_of
+from armui.ui.watch.recordings import figures
+from armui.ui.widgets import icons
+from armui.ui.widgets.elided_label import ElidedLabel
+from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.translated import Translated
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.control.sessions.session_recorder import RecordingProgress, SessionRecorder
+    from armui.settings import SessionFormat, SettingsStore
+
+_FORMATS: Final[tuple[tuple[SessionFormat, str], ...]] = (
+    (".blf", "BLF"),
+    (".asc", "ASC"),
+    (".log", "candump"),
+)
+_ICON_PX: Final = 18
+
+
+class RecordingCard(Translated, QFrame):
+    """Everything about the recording to the disk.
+
+    Args:
+        controller: For the file chooser's emergency stop.
+        store: Keeps format, folder and size.
+    """
+
+    def __init__(
+        self, controller: ArmController, store: SettingsStore, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._controller = controller
+        self._sessions: SessionRecorder = controller.sessions
+        self._store = store
+        self._before: tuple[float, int] | None = None
+        self._rate = 0.0
+        self.setProperty("card", True)
+        self._make_widgets()
+        self._lay_out()
+        self.record_button.clicked.connect(self._on_record)
+        self.format_box.activated.connect(self._on_format)
+        self.size_box.valueChanged.connect(self._on_size)
+        self.folder_button.clicked.connect(self._on_folder)
+        self.retranslate_ui()
+
+    def _make_widgets(self) -> None:
+        self._title = text_label(rank="heading")
+        self.record_button = QPushButton()
+        self.record_button.setObjectName("session_record")
+        self.record_button.setIconSize(QSize(_ICON_PX, _ICON_PX))
+        self.state_label = ElidedLabel()
+        self.state_label.setObjectName("session_state")
+        self.figures_label = text_label("session_figures", rank="muted")
+        self._format_label, self._size_label, self._folder_label = QLabel(), QLabel(), QLabel()
+        self.format_box = QComboBox()
+        self.format_box.setObjectName("session_format")
+        for suffix, name in _FORMATS:
+            self.format_box.addItem(f"{name} ({suffix})", suffix)
+        self.size_box = QSpinBox(minimum=ROTATE_MIN_MB, maximum=ROTATE_MAX_MB, suffix=" MB")
+        self.size_box.setObjectName("session_rotate_size")
+        self.size_box.setKeyboardTracking(False)
+        self.size_box.setSingleStep(50)
+        self.folder_name = ElidedLabel()
+        self.folder_name.setObjectName("session_folder")
+        self.folder_button = QPushButton()
+        self.folder_button.setObjectName("session_choose_folder")
+        for button in (self.record_button, self.folder_button):
+            button.setAutoDefault(False)
+
+    def _lay_out(self) -> None:
+        head = QHBoxLayout()
+        head.setSpacing(12)
+        head.addWidget(self.record_button)
+        words = QVBoxLayout()
+        words.setSpacing(2)
+        words.addWidget(self.state_label)
+        words.addWidget(self.figures_label)
+        head.addLayout(words, 1)
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(12)
+        grid.setVerticalSpacing(8)
+        grid.addWidget(self._format_label, 0, 0)
+        grid.addWidget(self.format_box, 0, 1)
+        grid.addWidget(self._size_label, 0, 3)
+        grid.addWidget(self.size_box, 0, 4)
+        grid.setColumnStretch(2, 1)
+        grid.addWidget(self._folder_label, 1, 0)
+        grid.addWidget(self.folder_name, 1, 1, 1, 3)
+        grid.addWidget(self.folder_button, 1, 4)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(16, 12, 16, 14)
+        layout.setSpacing(12)
+        layout.addWidget(self._title)
+        layout.addLayout(head)
+        layout.addLayout(grid)
+        layout.addStretch(1)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._title.setText(self.tr("Record to the disk"))
+        self._format_label.setText(self.tr("Format"))
+        self._size_label.setText(self.tr("New file at"))
+        self._folder_label.setText(self.tr("Folder"))
+        self.folder_button.setText(self.tr("Choose…"))
+        self.format_box.setAccessibleName(self._format_label.text())
+        self.size_box.setAccessibleName(self._size_label.text())
+        self.size_box.setToolTip(
+            self.tr("A file that has grown to this size is followed by another.")
+        )
+        self.refresh()
+
+    def _recolor(self) -> None:
+        self._show_button(recording=self._sessions.recording)
+
+    def refresh(self) -> None:
+        """Show how it goes now."""
+        progress = self._sessions.progress()
+        settings = self._store.settings
+        self.format_box.setCurrentIndex(self.format_box.findData(settings.session_format))
+        if not self.size_box.hasFocus():
+            before = self.size_box.blockSignals(True)
+            self.size_box.setValue(settings.session_rotate_mb)
+            self.size_box.blockSignals(before)
+        self.folder_name.show_text(str(self._sessions.choices.folder))
+        self._show_button(recording=progress is not None)
+        if progress is None:
+            self._before, self._rate = None, 0.0
+            self.state_label.show_text(self.tr("Not recording"))
+            self.figures_label.setText(self.tr("The last minutes are kept in memory all the same."))
+            return
+        self.state_label.show_text(progress.name or self.tr("Opening the file…"))
+        self.figures_label.setText(self._figures(progress))
+
+    def _figures(self, progress: RecordingProgress) -> str:
+        if self._before is not None and progress.elapsed_s - self._before[0] >= 1.0:
+            passed_s = progress.elapsed_s - self._before[0]
+            self._rate = (progress.total_bytes - self._before[1]) / passed_s
+        if self._before is None or progress.elapsed_s - self._before[0] >= 1.0:
+            self._before = progress.elapsed_s, progress.total_bytes
+        text = self.tr("{length} · {frames} frames · {size} · {rate}/s").format(
+            length=figures.length(progress.elapsed_s),
+            frames=figures.count(progress.frames),
+            size=figures.size(progress.total_bytes),
+            rate=figures.size(round(self._rate)),
+        )
+        if progress.lost:
+            text += " · " + self.tr("{count} lost").format(count=figures.count(progress.lost))
+        return text
+
+    def _show_button(self, *, recording: bool) -> None:
+        colors = colors_of(self)
+        text = self.tr("Stop recording") if recording else self.tr("Record")
+        self.record_button.setText(f" {text}")
+        name = "stop_recording" if recording else "record"
+        color = colors.text if recording else colors.stop
+        self.record_button.setIcon(icons.icon(name, color, _ICON_PX))
+
+    # What the operator does -------------------------------------------------------------------
+
+    def _on_record(self) -> None:
+        if self._sessions.recording:
+            self._sessions.stop()
+        else:
+            self._sessions.start()
+        self.refresh()
+
+    def _on_format(self) -> None:
+        self._store.change(session_format=self.format_box.currentData())
+
+    def _on_size(self, megabytes: int) -> None:
+        self._store.change(session_rotate_mb=megabytes)
+
+    def _on_folder(self) -> None:
+        choose_folder(
+            self._controller,
+            self.window(),
+            title=self.tr("Folder of the session recordings"),
+            start=self._sessions.choices.folder,
+            on_chosen=self._take_folder,
+        )
+
+    def _take_folder(self, folder: Path) -> None:
+        self._store.change(session_folder=str(folder))
+        self.refresh()

@@ -1,0 +1,52 @@
+"""What is done with the files of recordings, in the thread for that; failures are told as data."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.system.error_text import error_text
+
+if TYPE_CHECKING:
+    from armui.session.recording.folder import RecordingEntry
+
+
+def listing(folder: Path) -> list[RecordingEntry] | Refusal:
+    """The recordings of a folder, or why it cannot be read."""
+    from armui.session.recording.folder import list_recordings  # noqa: PLC0415 - numpy
+
+    try:
+        return list_recordings(folder)
+    except OSError as error:
+        params = {"folder": str(folder), "text": error_text(error)}
+        return Refusal(RefusalCode.SESSION_FAILED, params)
+
+
+def renamed(folder: Path, name: str, new_name: str) -> str | Refusal:
+    """The new name of a recording, or why it keeps its own."""
+    from armui.session.recording.folder import rename  # noqa: PLC0415 - numpy
+
+    try:
+        rename(folder, name, new_name)
+    except FileExistsError as error:
+        return Refusal(RefusalCode.SESSION_NAME_TAKEN, {"name": str(error)})
+    except ValueError:
+        return Refusal(RefusalCode.SESSION_NAME_BAD, {"name": new_name})
+    except OSError as error:
+        return Refusal(RefusalCode.SESSION_GONE, {"name": name, "text": error_text(error)})
+    return new_name
+
+
+def thrown_away(folder: Path, names: tuple[str, ...]) -> Path | Refusal:
+    """Where the last of some recordings is now, or why one could not be moved."""
+    from armui.session.recording.folder import BIN, throw_away  # noqa: PLC0415 - numpy
+
+    place = folder / BIN
+    for name in names:
+        try:
+            place = throw_away(folder, name)
+        except (OSError, ValueError) as error:
+            return Refusal(RefusalCode.SESSION_GONE, {"name": name, "text": error_text(error)})
+    return place

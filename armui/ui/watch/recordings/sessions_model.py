@@ -1,0 +1,226 @@
+"""The recordings of a folder as a table."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final
+
+from PySide6.QtCore import (
+    QT_TRANSLATE_NOOP,
+    QAbstractTableModel,
+    QCoreApplication,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    Qt,
+    Signal,
+)
+
+from armui.ui import format as fmt
+from armui.ui.watch.recordings import figures
+
+if TYPE_CHECKING:
+    from armui.session.recording.folder import RecordingEntry
+
+_Index = QModelIndex | QPersistentModelIndex
+
+ENTRY_ROLE: Final = Qt.ItemDataRole.UserRole
+"""The :class:`RecordingEntry` of a row."""
+SORT_ROLE: Final = Qt.ItemDataRole.UserRole + 1
+
+_RIGHT: Final = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_KINDS: Final = {
+    "operator": QT_TRANSLATE_NOOP("SessionKind", "recorded"),
+    "command": QT_TRANSLATE_NOOP("SessionKind", "by armui record"),
+    "ring": QT_TRANSLATE_NOOP("SessionKind", "saved from memory"),
+    "fault": QT_TRANSLATE_NOOP("SessionKind", "saved at a fault"),
+    "stop": QT_TRANSLATE_NOOP("SessionKind", "saved at a stop"),
+}
+_STATES: Final = {
+    "under way": QT_TRANSLATE_NOOP("SessionState", "under way"),
+    "whole": QT_TRANSLATE_NOOP("SessionState", "whole"),
+    "cut off": QT_TRANSLATE_NOOP("SessionState", "cut off: readable to its last second"),
+    "failed": QT_TRANSLATE_NOOP("SessionState", "ended early: {text}"),
+    "empty": QT_TRANSLATE_NOOP("SessionState", "empty"),
+}
+_TITLES: Final = (
+    QT_TRANSLATE_NOOP("SessionsModel", "Name"),
+    QT_TRANSLATE_NOOP("SessionsModel", "Begun"),
+    QT_TRANSLATE_NOOP("SessionsModel", "Length"),
+    QT_TRANSLATE_NOOP("SessionsModel", "Size"),
+    QT_TRANSLATE_NOOP("SessionsModel", "Faults"),
+    QT_TRANSLATE_NOOP("SessionsModel", "Stops"),
+    QT_TRANSLATE_NOOP("SessionsModel", "Kind"),
+    QT_TRANSLATE_NOOP("SessionsModel", "State"),
+)
+
+
+class SessionColumn(enum.IntEnum):
+    """From left to right."""
+
+    NAME = 0
+    BEGUN = 1
+    LENGTH = 2
+    SIZE = 3
+    FAULTS = 4
+    STOPS = 5
+    KIND = 6
+    STATE = 7
+
+
+_FIGURES: Final = frozenset(
+    {SessionColumn.LENGTH, SessionColumn.SIZE, SessionColumn.FAULTS, SessionColumn.STOPS}
+)
+
+
+class SessionsModel(QAbstractTableModel):
+    """Shows the recordings it is given; a name typed anew is handed on.
+
+    Signals:
+        rename_wanted: The name of a recording and its new one.
+    """
+
+    rename_wanted = Signal(str, str)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._entries: Sequence[RecordingEntry] = ()
+        self._written: frozenset[str] = frozenset()
+
+    def show(self, entries: Sequence[RecordingEntry], written: frozenset[str]) -> bool:
+        """Show other recordings.
+
+        Args:
+            entries: Of the folder.
+            written: The names of those that are being written.
+
+        Returns:
+            Whether they are others: what stands there already is left alone.
+        """
+        if (tuple(entries), written) == (self._entries, self._written):
+            return False
+        self.beginResetModel()
+        self._entries, self._written = tuple(entries), written
+        self.endResetModel()
+        return True
+
+    def is_written(self, name: str) -> bool:
+        """Whether a recording is still being written."""
+        return name in self._written
+
+    def retranslate(self) -> None:
+        """Its words are in another language now."""
+        if self._entries:
+            last = self.index(len(self._entries) - 1, len(_TITLES) - 1)
+            self.dataChanged.emit(self.index(0, 0), last)
+        self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(_TITLES) - 1)
+
+    # What Qt asks -----------------------------------------------------------------------------
+
+    def rowCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: N802, B008 - as Qt has it
+        """One a recording."""
+        return 0 if parent.isValid() else len(self._entries)
+
+    def columnCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: N802, B008 - as Qt has it
+        """As many as there are titles."""
+        return 0 if parent.isValid() else len(_TITLES)
+
+    def headerData(  # noqa: N802 - as Qt has it
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        """The titles."""
+        if orientation is not Qt.Orientation.Horizontal:
+            return None
+        if role == Qt.ItemDataRole.DisplayRole:
+            return QCoreApplication.translate("SessionsModel", str(_TITLES[section]))
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+            return _RIGHT if SessionColumn(section) in _FIGURES else left
+        return None
+
+    def flags(self, index: _Index) -> Qt.ItemFlag:
+        """A name can be edited, unless its files are being written."""
+        flags = super().flags(index)
+        entry = self._entries[index.row()]
+        if index.column() == SessionColumn.NAME and not self.is_written(entry.name):
+            flags |= Qt.ItemFlag.ItemIsEditable
+        return flags
+
+    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """What a cell shows."""
+        entry, column = self._entries[index.row()], SessionColumn(index.column())
+        if role == ENTRY_ROLE:
+            return entry
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return _RIGHT if column in _FIGURES else None
+        if role == Qt.ItemDataRole.EditRole:
+            return entry.name
+        if role == SORT_ROLE:
+            return self._sort_key(entry, column)
+        if role == Qt.ItemDataRole.DisplayRole:
+            return self._text(entry, column)
+        if role == Qt.ItemDataRole.ToolTipRole and column in {
+            SessionColumn.NAME,
+            SessionColumn.STATE,
+        }:
+            return self._text(entry, column)
+        return None
+
+    def setData(  # noqa: N802 - as Qt has it
+        self,
+        index: _Index,
+        value: Any,
+        role: int = Qt.ItemDataRole.EditRole,
+    ) -> bool:
+        """Hand on a name typed anew; what becomes of it is shown when it is done."""
+        name, new_name = self._entries[index.row()].name, str(value).strip()
+        if role == Qt.ItemDataRole.EditRole and new_name != name:
+            self.rename_wanted.emit(name, new_name)
+        return False
+
+    def _text(self, entry: RecordingEntry, column: SessionColumn) -> str:
+        if column is SessionColumn.NAME:
+            return entry.name
+        if column is SessionColumn.BEGUN:
+            return figures.moment(entry.begun_unix_s)
+        if column is SessionColumn.LENGTH:
+            return figures.length(entry.length_s)
+        if column is SessionColumn.SIZE:
+            return figures.size(entry.total_bytes)
+        if column is SessionColumn.FAULTS:
+            return str(entry.faults) if entry.faults else fmt.NOTHING
+        if column is SessionColumn.STOPS:
+            return str(entry.stops) if entry.stops else fmt.NOTHING
+        if column is SessionColumn.KIND:
+            source = _KINDS.get(entry.reason, entry.reason)
+            return QCoreApplication.translate("SessionKind", str(source))
+        return self._state(entry)
+
+    def _state(self, entry: RecordingEntry) -> str:
+        if self.is_written(entry.name):
+            key = "under way"
+        elif entry.failure:
+            key = "failed"
+        elif not entry.ended:
+            key = "cut off"
+        else:
+            key = "whole" if entry.path is not None else "empty"
+        text = QCoreApplication.translate("SessionState", str(_STATES[key]))
+        return text.replace("{text}", entry.failure)
+
+    def _sort_key(self, entry: RecordingEntry, column: SessionColumn) -> Any:
+        keys: dict[SessionColumn, Any] = {
+            SessionColumn.BEGUN: entry.begun_unix_s,
+            SessionColumn.LENGTH: -1.0 if entry.length_s is None else entry.length_s,
+            SessionColumn.SIZE: float(entry.total_bytes),
+            SessionColumn.FAULTS: entry.faults,
+            SessionColumn.STOPS: entry.stops,
+        }
+        return keys.get(column, self._text(entry, column).casefold())
+
+
+def folder_path(entry: RecordingEntry, folder: Path) -> Path:
+    """What is opened of a recording: its first file, or where it would be."""
+    return entry.path if entry.path is not None else folder / entry.name

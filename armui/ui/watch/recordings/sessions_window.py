@@ -1,0 +1,320 @@
+"""The window 会话记录: records the session, saves what just happened, lists what there is."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QModelIndex, QSize, QSortFilterProxyModel, Qt, QTimer, QUrl, Signal
+from PySide6.QtGui import QDesktopServices
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QPushButton,
+    QTableView,
+    QWidget,
+)
+
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.events import Event, EventCode, Level
+from armui.ui import words
+from armui.ui.background import Job
+from armui.ui.dialogs.base import ArmDialog
+from armui.ui.watch.recordings import recording_files
+from armui.ui.watch.recordings.recording_card import RecordingCard
+from armui.ui.watch.recordings.ring_card import RingCard
+from armui.ui.watch.recordings.sessions_model import (
+    ENTRY_ROLE,
+    SORT_ROLE,
+    SessionColumn,
+    SessionsModel,
+)
+from armui.ui.widgets.message_line import MessageLine
+
+if TYPE_CHECKING:
+    from PySide6.QtGui import QHideEvent, QShowEvent
+
+    from armui.control.arm_controller import ArmController
+    from armui.session.recording.folder import RecordingEntry
+    from armui.settings import SettingsStore
+    from armui.ui.background import Background
+
+_SIZE: Final = QSize(1080, 700)
+_ROW_PX: Final = 34
+_LOOK_MS: Final = 500
+_WIDTHS_PX: Final = {
+    SessionColumn.BEGUN: 160,
+    SessionColumn.LENGTH: 80,
+    SessionColumn.SIZE: 90,
+    SessionColumn.FAULTS: 70,
+    SessionColumn.STOPS: 70,
+    SessionColumn.KIND: 165,
+    SessionColumn.STATE: 130,
+}
+_SAID_HERE: Final = frozenset(
+    {
+        EventCode.SESSION_ENDED,
+        EventCode.SESSION_FAILED,
+        EventCode.SESSION_FRAMES_LOST,
+        EventCode.RING_SAVED,
+        EventCode.RING_NOT_SAVED,
+    }
+)
+
+
+class SessionsWindow(ArmDialog):
+    """Records, and lists the recordings.
+
+    Args:
+        controller: Has the recorder; for halt and emergency stop.
+        background: Where files are listed, renamed and moved.
+        store: Keeps what the operator chooses.
+        parent: The main window.
+
+    Signals:
+        open_wanted: The path of a recording to be replayed.
+    """
+
+    open_wanted = Signal(object)
+
+    def __init__(
+        self,
+        controller: ArmController,
+        background: Background,
+        store: SettingsStore,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(controller, parent)
+        self.setObjectName("sessions_window")
+        self.setWindowFlags(Qt.WindowType.Window)
+        self._sessions = controller.sessions
+        self._background = background
+        self._listing: Job[list[RecordingEntry] | Refusal] | None = None
+        self._choose_next: str | None = None
+        self.recording = RecordingCard(controller, store)
+        self.ring = RingCard(controller.sessions, store)
+        self._model = SessionsModel(self)
+        self._shown = QSortFilterProxyModel(self)
+        self._shown.setSourceModel(self._model)
+        self._shown.setSortRole(SORT_ROLE)
+        self.table = _table(self._shown)
+        self._hint = QLabel()
+        self._hint.setProperty("rank", "muted")
+        self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._message = MessageLine()
+        self._message.setObjectName("sessions_message")
+        self._message.hide()
+        self._make_buttons()
+        self._lay_out()
+        self._timer = QTimer(self, interval=_LOOK_MS)
+        self._timer.timeout.connect(self._look)
+        self._sessions.changed.connect(self._on_changed)
+        controller.noticed.connect(self._on_noticed)
+        self._model.rename_wanted.connect(self._rename)
+        self.table.selectionModel().selectionChanged.connect(self._show_usable)
+        self.table.doubleClicked.connect(lambda _index: self._open_chosen())
+        self._model.modelReset.connect(self._show_usable)
+        self.retranslate_ui()
+        self.resize(_SIZE.boundedTo(self.screen().availableSize()))
+
+    def _make_buttons(self) -> None:
+        self.open_button, self.rename_button = QPushButton(), QPushButton()
+        self.delete_button, self.folder_button = QPushButton(), QPushButton()
+        for name, button, act in (
+            ("session_open", self.open_button, self._open_chosen),
+            ("session_rename", self.rename_button, self._edit_name),
+            ("session_delete", self.delete_button, self._delete),
+            ("session_show_folder", self.folder_button, self._show_folder),
+        ):
+            button.setObjectName(name)
+            button.setAutoDefault(False)
+            button.clicked.connect(act)
+
+    def _lay_out(self) -> None:
+        cards = QHBoxLayout()
+        cards.setSpacing(14)
+        cards.addWidget(self.recording, 3)
+        cards.addWidget(self.ring, 2)
+        self.body.addLayout(cards)
+        self.body.addWidget(self.table, 1)
+        self.body.addWidget(self._hint)
+        self.body.addWidget(self._message)
+        self.footer.addWidget(self.open_button)
+        self.footer.addWidget(self.rename_button)
+        self.footer.addWidget(self.delete_button)
+        self.footer.addStretch(1)
+        self.footer.addWidget(self.folder_button)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.tr("Session recordings"))
+        self.open_button.setText(self.tr("Open"))
+        self.rename_button.setText(self.tr("Rename"))
+        self.delete_button.setText(self.tr("Delete"))
+        self.delete_button.setToolTip(
+            self.tr("Moves the recording into the folder “deleted” beside the others.")
+        )
+        self.folder_button.setText(self.tr("Show in the file manager"))
+        self._hint.setText(
+            self.tr(
+                "No recordings yet. Record a session, or save what just happened: both can be "
+                "replayed here and opened in other CAN tools."
+            )
+        )
+        self._model.retranslate()
+
+    # Looking ----------------------------------------------------------------------------------
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Look at the folder anew, and go on looking at what is under way."""
+        super().showEvent(event)
+        self._look()
+        self._timer.start()
+        self.refresh()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """A hidden window costs nothing."""
+        self._timer.stop()
+        super().hideEvent(event)
+
+    def _look(self) -> None:
+        self.recording.refresh()
+        self.ring.refresh()
+
+    def refresh(self) -> None:
+        """List the folder as it is now."""
+        if self._listing is not None:
+            self._listing.wanted = False
+        self._listing = Job(self._show_listing)
+        folder = self._sessions.choices.folder
+        self._background.begin_here(self._listing, recording_files.listing, folder)
+
+    def _show_listing(self, entries: list[RecordingEntry] | Refusal) -> None:
+        self._listing = None
+        if isinstance(entries, Refusal):
+            self._say(words.refusal(entries), Level.WARNING)
+            entries = []
+        names = [entry.name for entry in self.chosen()]
+        if self._choose_next is not None:
+            names, self._choose_next = [self._choose_next], None
+        if self._model.show(entries, self._sessions.busy_names()):
+            self._choose(names)
+        self._hint.setVisible(not entries)
+        self._show_usable()
+
+    def _on_changed(self) -> None:
+        if self.isVisible():
+            self._look()
+            self.refresh()
+
+    def _on_noticed(self, event: Event) -> None:
+        refused = event.params.get("reason")
+        ours = event.code in _SAID_HERE or (
+            isinstance(refused, Refusal) and refused.code.value.startswith("session_")
+        )
+        if ours and self.isVisible():
+            self._say(words.event(event), event.level)
+
+    def _say(self, text: str, level: Level) -> None:
+        self._message.show_message(text, level)
+        self._message.setVisible(bool(text))
+
+    def chosen(self) -> list[RecordingEntry]:
+        """The chosen recordings, from top to bottom."""
+        rows = self.table.selectionModel().selectedRows()
+        return [index.data(ENTRY_ROLE) for index in sorted(rows, key=QModelIndex.row)]
+
+    def _choose(self, names: list[str]) -> None:
+        flag = self.table.selectionModel().SelectionFlag
+        for row in range(self._shown.rowCount()):
+            index = self._shown.index(row, 0)
+            if index.data(ENTRY_ROLE).name in names:
+                self.table.selectionModel().select(index, flag.Select | flag.Rows)
+                self.table.scrollTo(index)
+
+    def _show_usable(self, *_: object) -> None:
+        chosen = self.chosen()
+        one = chosen[0] if len(chosen) == 1 else None
+        still = [each for each in chosen if not self._model.is_written(each.name)]
+        self.open_button.setEnabled(one is not None and one.path is not None)
+        self.rename_button.setEnabled(one is not None and bool(still))
+        self.delete_button.setEnabled(bool(still))
+
+    # What the operator does -------------------------------------------------------------------
+
+    def _open_chosen(self) -> None:
+        chosen = self.chosen()
+        if len(chosen) == 1 and chosen[0].path is not None:
+            self.open_wanted.emit(chosen[0].path)
+
+    def _edit_name(self) -> None:
+        rows = self.table.selectionModel().selectedRows(SessionColumn.NAME)
+        if rows:
+            self.table.setFocus()
+            self.table.setCurrentIndex(rows[0])
+            self.table.edit(rows[0])
+
+    def _rename(self, name: str, new_name: str) -> None:
+        if name in self._sessions.busy_names():
+            self._refuse(Refusal(RefusalCode.SESSION_IN_USE, {"name": name}))
+            return
+        job: Job[str | Refusal] = Job(self._on_renamed)
+        folder = self._sessions.choices.folder
+        self._background.begin_here(job, recording_files.renamed, folder, name, new_name)
+
+    def _on_renamed(self, result: str | Refusal) -> None:
+        if isinstance(result, Refusal):
+            self._refuse(result)
+        else:
+            self._choose_next = result
+            self._say("", Level.INFO)
+        self.refresh()
+
+    def _delete(self) -> None:
+        busy = self._sessions.busy_names()
+        names = tuple(each.name for each in self.chosen() if each.name not in busy)
+        if names:
+            job: Job[Path | Refusal] = Job(self._on_deleted)
+            folder = self._sessions.choices.folder
+            self._background.begin_here(job, recording_files.thrown_away, folder, names)
+
+    def _on_deleted(self, result: Path | Refusal) -> None:
+        if isinstance(result, Refusal):
+            self._refuse(result)
+        else:
+            text = self.tr("Moved to {folder}. It can be moved back from there.")
+            self._say(text.format(folder=result), Level.DONE)
+        self.refresh()
+
+    def _show_folder(self) -> None:
+        folder = self._sessions.choices.folder
+        QDesktopServices.openUrl(QUrl.fromLocalFile(str(folder)))
+
+    def _refuse(self, refusal: Refusal) -> None:
+        self._say(words.refusal(refusal), Level.WARNING)
+
+
+def _table(shown: QSortFilterProxyModel) -> QTableView:
+    table = QTableView()
+    table.setObjectName("sessions_table")
+    table.setModel(shown)
+    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+    table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+    table.setEditTriggers(QAbstractItemView.EditTrigger.EditKeyPressed)
+    table.setSortingEnabled(True)
+    table.sortByColumn(SessionColumn.BEGUN, Qt.SortOrder.DescendingOrder)
+    table.setShowGrid(False)
+    table.setAlternatingRowColors(True)
+    table.setWordWrap(False)
+    table.setTabKeyNavigation(False)
+    table.verticalHeader().hide()
+    table.verticalHeader().setDefaultSectionSize(_ROW_PX)
+    across = table.horizontalHeader()
+    across.setHighlightSections(False)
+    across.setSectionResizeMode(SessionColumn.NAME, QHeaderView.ResizeMode.Stretch)
+    for column, width_px in _WIDTHS_PX.items():
+        table.setColumnWidth(column, width_px)
+    return table

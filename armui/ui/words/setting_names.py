@@ -1,0 +1,21 @@
+"""What the settings of the program are called where one of them is wrong."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
+SETTING_NAMES: Final[Mapping[str, object]] = {
+    "language": QT_TRANSLATE_NOOP("SettingName", "language"),
+    "theme": QT_TRANSLATE_NOOP("SettingName", "theme"),
+    "jog_step_deg": QT_TRANSLATE_NOOP("SettingName", "jog step"),
+    "urdf_path": QT_TRANSLATE_NOOP("SettingName", "robot description"),
+    "tool": QT_TRANSLATE_NOOP("SettingName", "tool centre point"),
+    "session_folder": QT_TRANSLATE_NOOP("SettingName", "folder of the session recordings"),
+    "session_format": QT_TRANSLATE_NOOP("SettingName", "format of the session recordings"),
+    "session_rotate_mb": QT_TRANSLATE_NOOP("SettingName", "size at which a new file is begun"),
+    "session_save_at_faults": QT_TRANSLATE_NOOP("SettingName", "saving at faults and stops"),
+}
+"""By the field of `armui.settings.Settings`."""
