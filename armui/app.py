@@ -18,6 +18,7 @@ from PySide6.QtWidgets import QApplication
 
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.control.arm_controller import ArmController
+from armui.control.event_log.keeper import EventKeeper
 from armui.control.part_failure import end_motion_of
 from armui.control.sessions.choices import choices_of
 from armui.protocol.generation import Generation
@@ -69,6 +70,7 @@ class Program:
         meeting_place: Where running copies of the program find each other; by default nowhere.
         files: Who does what waits for a disk, in a thread of this process; ended with the program.
             The workers by default.
+        events: The folder where events are kept; by default nowhere.
 
     Attributes:
         controller, view, window: What its parts are.
@@ -86,6 +88,7 @@ class Program:
         pictures: PictureClient | None = None,
         meeting_place: Path | None = None,
         files: Executor | None = None,
+        events: Path | None = None,
     ) -> None:
         self._app = app
         self._translator = Translator(app)
@@ -109,6 +112,9 @@ class Program:
         self._relay.failed.connect(self._on_failed)
         self._failure_handler = FailureHandler(self._relay.failed.emit)
         logging.getLogger("armui").addHandler(self._failure_handler)
+        self._event_keeper = None
+        if events is not None:
+            self._event_keeper = EventKeeper(controller.happenings, events, files or workers)
         self._neighbours: Neighbours | None = None
         if meeting_place is not None:
             meet = partial(self._meet, store.path, meeting_place)
@@ -131,6 +137,8 @@ class Program:
         self._app.removeEventFilter(self._stop_shortcut)
         self._stop_shortcut.deleteLater()
         self.ended = self.controller.shutdown()
+        if self._event_keeper is not None:
+            self._event_keeper.close()
         self._workers.shutdown()
         if self._files is not None:
             self._files.shutdown()
@@ -169,7 +177,13 @@ def _run(options: StartOptions) -> int:
     store = SettingsStore(default_path(), for_this_run=chosen)
     controller = ArmController(open_device, SIMULATED)
     program = Program(
-        app, store, controller, HelperProcess(), meeting_place=paths.runtime(), files=FileThread()
+        app,
+        store,
+        controller,
+        HelperProcess(),
+        meeting_place=paths.runtime(),
+        files=FileThread(),
+        events=paths.logs(),
     )
     app.aboutToQuit.connect(program.shutdown)
     _end_on_ctrl_c(app)

@@ -29,6 +29,7 @@ from armui.control.devices.linkage import LinkageControl
 from armui.control.devices.motors import Motors
 from armui.control.devices.teaching import TeachingControl
 from armui.control.devices.zeroing import Zeroing
+from armui.control.event_log.collector import EventCollector
 from armui.control.events import LEVELS, Event, EventCode
 from armui.control.link.connection import Connection
 from armui.control.link.device_finder import DeviceFinder
@@ -51,10 +52,9 @@ from armui.control.run.run_end import cut_short
 from armui.control.safety.emergency_stop import is_stopped
 from armui.control.safety.recovery import Recovery
 from armui.control.safety.stopping import Stopping
-from armui.control.sessions.event_feed import NoticeFeed
 from armui.control.sessions.session_recorder import SessionRecorder
 from armui.protocol.codes import TrajectoryCommand
-from armui.system.clock import steady_s
+from armui.system.clock import steady_s, wall_clock
 
 if TYPE_CHECKING:
     from armui.bus.worker import Opener
@@ -77,6 +77,7 @@ class ArmController(QObject):
         simulated: Arms made of software, listed with the devices found.
         find: The search for devices.
         clock: Monotonic time in seconds.
+        wall: What the clock on the wall showed at such a time; by default of this computer.
 
     Attributes:
         motion: Moves the joints.
@@ -98,6 +99,8 @@ class ArmController(QObject):
         end_reports: Sets the load, switches the feedback of the end's motion.
         linkage: Sets the arm's role and its identifiers.
         sessions: Records what is on the bus.
+        events: What has happened: commands, changes of status, faults.
+        happenings: Writes it.
 
     Signals:
         state_changed: An :class:`ArmState`, at most 30 times a second, when something was heard.
@@ -122,9 +125,11 @@ class ArmController(QObject):
         find: Callable[[], list[Device]] | None = None,
         clock: Callable[[], float] = steady_s,
         parent: QObject | None = None,
+        *,
+        wall: Callable[[float], datetime] | None = None,
     ) -> None:
         super().__init__(parent)
-        self._clock = clock
+        self._clock, self._wall = clock, wall or wall_clock(clock)
         self._finder = DeviceFinder(simulated, find, self)
         self._finder.found.connect(self.devices_found)
         self._finder.searching_changed.connect(self.searching_changed)
@@ -176,22 +181,15 @@ class ArmController(QObject):
         self.linkage = LinkageControl(context, self.orders)
         self.gripper = GripperControl(context, self.settings, end_run=self._end_run_because)
         self.zeroing = Zeroing(context, self.orders, before_zeroing=self._forget_places)
-        self.sessions = SessionRecorder(context, NoticeFeed(self.noticed, clock), self)
+        self.happenings = EventCollector(
+            context, self.noticed, self._wall, self.player, self.recovery
+        )
+        self.events = self.happenings.log
+        self.sessions = SessionRecorder(context, self.events, self)
         parts: tuple[ControllerPart, ...] = (
-            self.motors,
-            self.motion,
-            self.player,
-            self.cartesian,
-            self.gripper,
-            self.linkage,
-            self.jogging,
-            self.replayer,
-            self.recorder,
-            self.orders,
-            self.settings,
-            self.teaching,
-            self.planned_motion,
-            DroppedFrames(context),
+            *(self.motors, self.motion, self.player, self.cartesian, self.gripper, self.linkage),
+            *(self.jogging, self.replayer, self.recorder, self.orders, self.settings),
+            *(self.teaching, self.planned_motion, DroppedFrames(context), self.happenings),
         )
         self._parts = Parts(
             parts,
@@ -301,7 +299,7 @@ class ArmController(QObject):
         self._stop.stop_again = on
 
     def _notice(self, code: EventCode, **params: object) -> None:
-        self.noticed.emit(Event(datetime.now().astimezone(), LEVELS[code], code, params))
+        self.noticed.emit(Event(self._wall(self._clock()), LEVELS[code], code, params))
 
     def tick(self) -> None:
         """Take in what was heard and move on what is under way; the controller's timer calls it."""

@@ -5,21 +5,15 @@ The user interface has a sentence for each; a comment names the figures it shows
 
 from __future__ import annotations
 
-import enum
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import datetime
 from enum import StrEnum, unique
 from typing import Final
 
+from armui.telemetry.events import Level
 
-class Level(enum.Enum):
-    """How grave an event is."""
-
-    INFO = enum.auto()
-    DONE = enum.auto()
-    WARNING = enum.auto()
-    FAULT = enum.auto()
+__all__ = ["LEVELS", "Event", "EventCode", "Level"]
 
 
 @unique
@@ -101,11 +95,12 @@ class EventCode(StrEnum):
     ZERO_SET = "zero_set"
     ZERO_SET_JOINT = "zero_set_joint"  # joint
     ZERO_FAILED = "zero_failed"  # reason
-    SETTINGS_SENT = "settings_sent"  # count
+    SETTINGS_SENT = "settings_sent"  # count, values
     SETTINGS_SAVED = "settings_saved"  # count
     SETTINGS_REFUSED = "settings_refused"  # count, total, reason
     SETTINGS_RESET_SENT = "settings_reset_sent"
     SETTINGS_RESET = "settings_reset"
+    SETTINGS_RESET_FAILED = "settings_reset_failed"  # reason
     RUN_STARTED = "run_started"  # name
     RUN_PAUSED = "run_paused"  # row
     RUN_CONTINUED = "run_continued"  # row
@@ -231,6 +226,7 @@ LEVELS: Final[Mapping[EventCode, Level]] = {
     EventCode.SETTINGS_REFUSED: Level.FAULT,
     EventCode.SETTINGS_RESET_SENT: Level.INFO,
     EventCode.SETTINGS_RESET: Level.DONE,
+    EventCode.SETTINGS_RESET_FAILED: Level.FAULT,
     EventCode.RUN_STARTED: Level.INFO,
     EventCode.RUN_PAUSED: Level.INFO,
     EventCode.RUN_CONTINUED: Level.INFO,

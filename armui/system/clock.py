@@ -9,6 +9,7 @@ from __future__ import annotations
 import platform
 import time
 from collections.abc import Callable
+from datetime import datetime, timedelta
 
 
 def _steady_clock() -> Callable[[], float]:
@@ -24,3 +25,12 @@ def _steady_clock() -> Callable[[], float]:
 
 steady_s: Callable[[], float] = _steady_clock()
 """Seconds since some moment in the past; only differences mean something."""
+
+
+def wall_clock(clock: Callable[[], float]) -> Callable[[float], datetime]:
+    """What the clock on the wall showed at a moment of another clock, with its time zone.
+
+    Args:
+        clock: Seconds; the moments asked for are its own.
+    """
+    return lambda at_s: datetime.now().astimezone() - timedelta(seconds=clock() - at_s)

@@ -166,6 +166,7 @@ class MainWindow(Translated, QMainWindow):
         self._view_region.settings_wanted.connect(self.open_settings_dialog)
         self._view.joint_picked.connect(self._panels.focus_joint)
         self._view.load_failed.connect(self._status_bar.show_problem)
+        self._status_bar.event_wanted.connect(self._watch.show_events)
         self._controller.state_changed.connect(self._show_in_view)
         self._controller.operating_state_changed.connect(self._on_operating_state_changed)
         self._unsubscribe = self._preferences.subscribe(self._on_settings_changed)

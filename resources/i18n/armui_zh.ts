@@ -363,6 +363,37 @@
     </message>
 </context>
 <context>
+    <name>Asker</name>
+    <message>
+        <source>Operator</source>
+        <translation>操作员</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Jogging</source>
+        <translation>点动</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>恢复引导</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>机械臂</translation>
+    </message>
+    <message>
+        <source>Other host</source>
+        <translation>其他程序</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>本程序</translation>
+    </message>
+</context>
+<context>
     <name>BackupDialog</name>
     <message>
         <source>Parameter backup</source>
@@ -1375,6 +1406,229 @@
     </message>
 </context>
 <context>
+    <name>EventBar</name>
+    <message>
+        <source>{shown} of {kept}</source>
+        <translation>{shown} / {kept}</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Every level</source>
+        <translation>全部级别</translation>
+    </message>
+    <message>
+        <source>Warnings and faults</source>
+        <translation>警告和故障</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>级别</translation>
+    </message>
+    <message>
+        <source>Everybody</source>
+        <translation>全部来源</translation>
+    </message>
+    <message>
+        <source>Who asked, or says it</source>
+        <translation>发起方或来源</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>跟随最新</translation>
+    </message>
+    <message>
+        <source>Keep the newest event in sight</source>
+        <translation>始终显示最新的事件</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Shown events as CSV…</source>
+        <translation>所示事件存为 CSV…</translation>
+    </message>
+    <message>
+        <source>Shown events as JSON…</source>
+        <translation>所示事件存为 JSON…</translation>
+    </message>
+    <message>
+        <source>Shown events as text…</source>
+        <translation>所示事件存为文本…</translation>
+    </message>
+    <message>
+        <source>Copy shown events</source>
+        <translation>复制所示事件</translation>
+    </message>
+</context>
+<context>
+    <name>EventExport</name>
+    <message>
+        <source>Save the events</source>
+        <translation>保存事件</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>已复制</translation>
+    </message>
+    <message>
+        <source>Not saved: {path}. {reason}</source>
+        <translation>未保存：{path}。{reason}</translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation>已保存：{path}</translation>
+    </message>
+</context>
+<context>
+    <name>EventKind</name>
+    <message>
+        <source>Command</source>
+        <translation>指令</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Other host</source>
+        <translation>其他程序</translation>
+    </message>
+    <message>
+        <source>Bus</source>
+        <translation>总线</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+</context>
+<context>
+    <name>EventTable</name>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>结束</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类别</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>应答</translation>
+    </message>
+    <message>
+        <source>Read back</source>
+        <translation>回读</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>次数</translation>
+    </message>
+    <message>
+        <source>{begin} until {end} ({seconds} s)</source>
+        <translation>{begin} 至 {end}（{seconds} s）</translation>
+    </message>
+    <message>
+        <source>; its end was not heard</source>
+        <translation>；未收到其结束</translation>
+    </message>
+    <message>
+        <source>since {begin}</source>
+        <translation>自 {begin} 起</translation>
+    </message>
+    <message>
+        <source>{count} times, the last at {last}</source>
+        <translation>共 {count} 次，最近一次 {last}</translation>
+    </message>
+    <message>
+        <source>Answer after {seconds} s: {text}</source>
+        <translation>{seconds} s 后应答：{text}</translation>
+    </message>
+    <message>
+        <source>Read back after {seconds} s: {text}</source>
+        <translation>{seconds} s 后回读：{text}</translation>
+    </message>
+    <message>
+        <source>goes on</source>
+        <translation>持续中</translation>
+    </message>
+    <message>
+        <source>not heard</source>
+        <translation>未收到</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>级别</translation>
+    </message>
+</context>
+<context>
+    <name>EventWindow</name>
+    <message>
+        <source>Show in the curves</source>
+        <translation>在曲线中显示</translation>
+    </message>
+    <message>
+        <source>Show its end in the curves</source>
+        <translation>在曲线中显示其结束</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Only this kind</source>
+        <translation>仅此类别</translation>
+    </message>
+    <message>
+        <source>Only from here</source>
+        <translation>仅此来源</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>显示全部</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>Double-click: show the moment in the curves</source>
+        <translation>双击：在曲线中显示该时刻</translation>
+    </message>
+</context>
+<context>
     <name>FailureLine</name>
     <message>
         <source>An error in the program ({error}). The emergency stop works; the motion that the failed part drove has been ended. Copy the details for the developers.</source>
@@ -1604,6 +1858,21 @@
     <message>
         <source>Tool frame</source>
         <translation>工具坐标系</translation>
+    </message>
+</context>
+<context>
+    <name>FrameKind</name>
+    <message>
+        <source>unknown identifier</source>
+        <translation>未知 ID</translation>
+    </message>
+    <message>
+        <source>wrong length</source>
+        <translation>长度错误</translation>
+    </message>
+    <message>
+        <source>value outside its table</source>
+        <translation>数值不在表中</translation>
     </message>
 </context>
 <context>
@@ -2305,6 +2574,25 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>Level</name>
+    <message>
+        <source>Information</source>
+        <translation>信息</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>故障</translation>
+    </message>
+</context>
+<context>
     <name>LibraryActions</name>
     <message>
         <source>Trajectory</source>
@@ -2785,6 +3073,65 @@ Lamps give no feedback: this is only what will be sent.</source>
     <message>
         <source>Enter the interface and its channel first.</source>
         <translation>请先输入接口和通道。</translation>
+    </message>
+</context>
+<context>
+    <name>MotionEnd</name>
+    <message>
+        <source>the arm stands before its target</source>
+        <translation>机械臂未到目标即停下</translation>
+    </message>
+    <message>
+        <source>a newer command took its place</source>
+        <translation>被新的指令取代</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>已终止</translation>
+    </message>
+    <message>
+        <source>emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>motors without power</source>
+        <translation>电机失能</translation>
+    </message>
+    <message>
+        <source>another host moved the arm</source>
+        <translation>其他程序移动了机械臂</translation>
+    </message>
+    <message>
+        <source>drag teaching began</source>
+        <translation>开始拖动示教</translation>
+    </message>
+    <message>
+        <source>the arm left CAN control</source>
+        <translation>机械臂退出 CAN 指令控制</translation>
+    </message>
+    <message>
+        <source>the arm fell silent</source>
+        <translation>收不到机械臂反馈</translation>
+    </message>
+    <message>
+        <source>the joint limits changed</source>
+        <translation>关节限位已改变</translation>
+    </message>
+    <message>
+        <source>a zero was set</source>
+        <translation>零点已重设</translation>
+    </message>
+    <message>
+        <source>the arm stands elsewhere</source>
+        <translation>机械臂停在别处</translation>
+    </message>
+    <message>
+        <source>its frames did not get out</source>
+        <translation>报文未发出</translation>
+    </message>
+    <message>
+        <source>disconnected</source>
+        <translation>已断开连接</translation>
     </message>
 </context>
 <context>
@@ -3454,6 +3801,93 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>The arm has not taken the last motion: it is heard, and does not move. It may listen under another control offset (Linkage control), or a frame was lost.</source>
         <translation>机械臂未执行刚才的运动：有反馈，但没有动。它可能在另一个控制偏移下接收指令（见联动控制），或有帧丢失。</translation>
+    </message>
+    <message>
+        <source>The arm has not confirmed that its factory values are back. {reason}</source>
+        <translation>机械臂未确认恢复出厂值。{reason}</translation>
+    </message>
+</context>
+<context>
+    <name>Observed</name>
+    <message>
+        <source>Control mode: {before} → {mode}</source>
+        <translation>控制模式：{before} → {mode}</translation>
+    </message>
+    <message>
+        <source>Motion mode: {before} → {mode}</source>
+        <translation>运动模式：{before} → {mode}</translation>
+    </message>
+    <message>
+        <source>Arm status: {status}</source>
+        <translation>机械臂状态：{status}</translation>
+    </message>
+    <message>
+        <source>Drag teaching: {before} → {state}</source>
+        <translation>拖动示教：{before} → {state}</translation>
+    </message>
+    <message>
+        <source>Target not reached</source>
+        <translation>未到达指定点</translation>
+    </message>
+    <message>
+        <source>Motors enabled: {joints}</source>
+        <translation>电机使能：{joints}</translation>
+    </message>
+    <message>
+        <source>Motors disabled: {joints}</source>
+        <translation>电机失能：{joints}</translation>
+    </message>
+    <message>
+        <source>J{joint} {item} {word}</source>
+        <translation>J{joint} {item}{word}</translation>
+    </message>
+    <message>
+        <source>J{joint} beyond its angle limit</source>
+        <translation>J{joint} 超出角度限位</translation>
+    </message>
+    <message>
+        <source>Gripper: {fault}</source>
+        <translation>夹爪：{fault}</translation>
+    </message>
+    <message>
+        <source>J{joint}: the limits stored in the arm cannot be true</source>
+        <translation>J{joint}：机械臂中存储的限位不可信</translation>
+    </message>
+    <message>
+        <source>Another host sends {id}</source>
+        <translation>其他程序发送 {id}</translation>
+    </message>
+    <message>
+        <source>Frames not understood: {kind} (last {id})</source>
+        <translation>无法识别的报文：{kind}（最近 {id}）</translation>
+    </message>
+    <message>
+        <source>The arm&apos;s status frames come more rarely: {share} % fewer than before</source>
+        <translation>机械臂状态报文变少：比之前少 {share} %</translation>
+    </message>
+    <message>
+        <source>Sent the point of row {row}</source>
+        <translation>已发送第 {row} 行的点</translation>
+    </message>
+    <message>
+        <source>Target reached, says the arm</source>
+        <translation>机械臂反馈：已达指定点</translation>
+    </message>
+    <message>
+        <source>Not driven to its end: {end}</source>
+        <translation>未运动到终点：{end}</translation>
+    </message>
+    <message>
+        <source>Answered with 0x476 (setting {index})</source>
+        <translation>已用 0x476 应答（设置 {index}）</translation>
+    </message>
+    <message>
+        <source>{reason}</source>
+        <translation>{reason}</translation>
+    </message>
+    <message>
+        <source>The events cannot be written to the disk; the newest are kept in memory. {text}</source>
+        <translation>事件无法写入磁盘，最新的保留在内存中。{text}</translation>
     </message>
 </context>
 <context>
@@ -6632,6 +7066,14 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Record everything on the bus, save what just happened, and open what was recorded.</source>
         <translation>记录总线上的全部内容，保存刚才发生的事，打开已有记录。</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>What happened: every command and what became of it, every change of the arm&apos;s status, every fault with its beginning and its end.</source>
+        <translation>发生过的一切：每条指令及其结果、机械臂的每次状态变化、每个故障的开始与结束。</translation>
     </message>
 </context>
 </TS>

@@ -7,6 +7,7 @@ import pytest
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QDialog, QTableView, QWidget
 
+from armui.control.event_log.keeper import EventKeeper
 from armui.protocol.generation import Generation
 from armui.system.helper_process import FileThread, HelperProcess
 from armui.system.preload import preload
@@ -19,6 +20,7 @@ from armui.ui.trajectory.editor.editor_window import EditorWindow
 from armui.ui.trajectory.library.bin_dialog import BinDialog
 from armui.ui.trajectory.library.library_window import LibraryWindow
 from armui.ui.trajectory.recording.recording_window import RecordingWindow
+from armui.ui.watch.events.event_window import EventWindow
 from armui.ui.watch.plot_layout import SETS
 from armui.ui.watch.plot_window import PlotWindow
 from armui.ui.watch.recordings.sessions_window import SessionsWindow
@@ -212,6 +214,35 @@ def test_the_curves(live_desk, monkeypatch, tmp_path):
         window.close()
         idle(app_driver)
     assert {path.suffix for path in tmp_path.glob("plots.*")} == {".csv", ".png", ".svg", ".json"}
+    assert forbidden(seen) == []
+
+
+def test_the_events(live_desk, monkeypatch, tmp_path):
+    app_driver = live_desk
+    app_driver.ready()
+    keeper = EventKeeper(
+        app_driver.controller.happenings, tmp_path / "logs", app_driver.program._files
+    )
+    with watched(monkeypatch) as seen:
+        app_driver.click("events_button")
+        window = app_driver.dialog(EventWindow)
+        app_driver.run(0.5)
+        keeper.keep()
+        window.bar.search.setText("enable")
+        app_driver.wait(lambda: not window.model.searching)
+        window.export.save("csv", window.model.entries())
+        app_driver.dialog(FileDialog).close()
+        for kind in ("csv", "json", "txt"):
+            window.export.write(kind, window.model.entries(), tmp_path / f"events.{kind}")
+        window.export.copy(window.model.entries())
+        app_driver.controller.emergency_stop()
+        app_driver.run(0.5)
+        idle(app_driver)
+        keeper.keep()
+        keeper.close()
+        idle(app_driver)
+    assert {path.suffix for path in tmp_path.glob("events.*")} == {".csv", ".json", ".txt"}
+    assert (tmp_path / "logs" / "events.jsonl").stat().st_size > 1000
     assert forbidden(seen) == []
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Any, cast
 
 from PySide6.QtCore import QObject, Signal
@@ -14,13 +15,14 @@ from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.devices.gripper_ranges import Figures, figures_of
 from armui.control.devices.teaching_phase import why_not
-from armui.control.events import Level
+from armui.control.events import Event, Level
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.operating_state import OperatingState
 from armui.control.parameters.setting_cell import SettingCellState
 from armui.control.parameters.setting_checks import Changes
 from armui.control.safety.recovery_steps import Action, Step, StepKind
 from armui.protocol.codes import ALL_JOINTS, LinkageRole, TeachingState, TrajectoryCommand
+from armui.telemetry.events import Asker, EventEntry, EventKind, EventLog
 from tests.ui.arm_states import arm_state, operating_state
 
 if TYPE_CHECKING:
@@ -57,6 +59,8 @@ class FakeController(QObject):
         self.gripper = FakeGripper(self)
         self.linkage = FakeLinkage(self)
         self.sessions = FakeSessions()
+        self.events = EventLog()
+        self.happenings = FakeHappenings(self.events)
 
     @property
     def as_real(self) -> ArmController:
@@ -107,6 +111,27 @@ class FakeController(QObject):
     def _asked(self, *call: Any) -> Refusal | None:
         self.calls.append(call)
         return self.answer
+
+
+class FakeHappenings:
+    """The event log of a fake controller; nothing is written into it but problems."""
+
+    def __init__(self, log: EventLog) -> None:
+        self._log = log
+
+    def number_of(self, event: Event) -> int | None:
+        return None
+
+    def on_problem(self, reason: Refusal) -> EventEntry:
+        return self._log.add(
+            at_s=0.0,
+            wall=datetime(2026, 1, 15, 12, tzinfo=UTC),
+            level=Level.WARNING,
+            kind=EventKind.PROGRAM,
+            who=Asker.PROGRAM,
+            code="problem",
+            params={"reason": reason},
+        )
 
 
 class FakeMotors:

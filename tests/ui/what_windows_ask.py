@@ -17,12 +17,14 @@ from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.devices.gripper_ranges import Figures
+from armui.control.events import Event
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.operating_state import OperatingState
 from armui.control.parameters.setting_cell import SettingCellState
 from armui.control.parameters.setting_checks import Changes
 from armui.control.safety.recovery_steps import Action, Step
 from armui.protocol.codes import ALL_JOINTS, LinkageRole, TeachingState, TrajectoryCommand
+from armui.telemetry.events import EventEntry, EventLog
 
 if TYPE_CHECKING:
     from tests.ui.fake_controller import FakeController
@@ -160,6 +162,13 @@ class Linkage(Protocol):
     def release(self) -> Refusal | None: ...
 
 
+class Happenings(Protocol):
+    """What has happened."""
+
+    def number_of(self, event: Event) -> int | None: ...
+    def on_problem(self, reason: Refusal) -> EventEntry: ...
+
+
 class Controller(Protocol):
     """What a window may ask of its controller and listen to."""
 
@@ -207,6 +216,10 @@ class Controller(Protocol):
     def linkage(self) -> Linkage: ...
     @property
     def sessions(self) -> Sessions: ...
+    @property
+    def happenings(self) -> Happenings: ...
+    @property
+    def events(self) -> EventLog: ...
     def interfaces(self) -> list[str]: ...
     def search_devices(self) -> None: ...
     def connect_device(self, device: Device) -> None: ...

@@ -153,7 +153,8 @@ class ArmSettings(QObject):
         )
         if refusal is not None:
             return self._context.refuse(refusal)
-        self._context.tell(EventCode.SETTINGS_SENT, count=len(changes))
+        values = tuple((each.name, each.joint, value) for each, value in changes.items())
+        self._context.tell(EventCode.SETTINGS_SENT, count=len(changes), values=values)
         self._saving = list(changes)
         self._submit(*(self._save(codec, batch, changes) for batch in batches_of(changes)))
         self.changed.emit()
@@ -279,7 +280,7 @@ class ArmSettings(QObject):
 
     def _after_reset(self, batches: Sequence[Batch], refusal: Refusal | None) -> None:
         if refusal is not None:
-            self._context.refuse(refusal)
+            self._context.tell(EventCode.SETTINGS_RESET_FAILED, reason=refusal)
             for batch in batches:
                 self._mark(batch.parameters(), SettingCellState(CellState.REFUSED, refusal))
         else:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
@@ -98,6 +99,7 @@ class Recovery:
 
     Attributes:
         step: The next step.
+        acts: It gives a command at this moment.
     """
 
     def __init__(
@@ -125,6 +127,7 @@ class Recovery:
         self._to_clear: list[int] = []
         self._request: Request | None = None
         self._brief_since_s: float | None = None
+        self.acts = False
         self.step = Step(StepKind.NO_DEVICE, Level.INFO, action=Action.CONNECT)
         self._deeds: Mapping[Action, _Deed] = {
             Action.LEAVE_TEACHING_INPUT: self._leave_teaching_input,
@@ -166,7 +169,8 @@ class Recovery:
         if refusal is not None:
             return self._context.refuse(refusal)
         self._give_up()
-        refusal = self._deeds[wanted](now)
+        with self._acting():
+            refusal = self._deeds[wanted](now)
         if refusal is None and wanted not in _AT_ONCE:
             self._attempt = _PendingAction(now)
         self._context.refresh()
@@ -206,7 +210,8 @@ class Recovery:
             if outcome is not RequestOutcome.WAITING:
                 self._request = None
         if self._to_clear and not self._joint_errors.busy:
-            self._joint_errors.clear(self._to_clear.pop(0))
+            with self._acting():
+                self._joint_errors.clear(self._to_clear.pop(0))
         step = self._look()
         if step.kind is not StepKind.WORKING:  # another kind is another trouble
             self._in_vain = {kind: n for kind, n in self._in_vain.items() if kind is step.kind}
@@ -276,6 +281,14 @@ class Recovery:
         return now_s - self._brief_since_s >= _SETTLE_S
 
     # What the actions do --------------------------------------------------------------------------
+
+    @contextmanager
+    def _acting(self) -> Iterator[None]:
+        self.acts = True
+        try:
+            yield
+        finally:
+            self.acts = False
 
     def _teach(self, command: TeachingState) -> _Deed:
         return lambda _step: self._teaching.command(command)

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor, QShowEvent
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QColor, QMouseEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 
 from armui.arm.limits import JOINTS
@@ -61,7 +61,13 @@ class StatusBar(Translated, QWidget):
     Args:
         controller: Tells what happens and how the arm is.
         marks: What else is shown in it, at the left.
+
+    Signals:
+        event_wanted: The number of the notice's entry in the event log, or ``None``, when the
+            notice was clicked.
     """
+
+    event_wanted = Signal(object)
 
     def __init__(
         self,
@@ -75,11 +81,13 @@ class StatusBar(Translated, QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._controller = controller
         self._event: Event | None = None
+        self._entry: int | None = None
         self._problem: tuple[datetime, Refusal] | None = None
         self._shown: tuple[Status | None, bool] | None = None
         self._notice_icon = QLabel()
         self._notice_label = ElidedLabel()
         self._notice_label.setObjectName("notice_label")
+        self._notice_label.installEventFilter(self)
         self._status_icon = QLabel()
         self._labels = {
             name: QLabel() for name in ("control", "arm", "mode", "teaching", "reached", "joints")
@@ -114,11 +122,13 @@ class StatusBar(Translated, QWidget):
 
     def _on_noticed(self, event: Event) -> None:
         self._event, self._problem = event, None
+        self._entry = self._controller.happenings.number_of(event)
         self._show_notice()
 
     def show_problem(self, reason: Refusal) -> None:
         """Say what went wrong in the program itself."""
         self._problem = (datetime.now().astimezone(), reason)
+        self._entry = self._controller.happenings.on_problem(reason).number
         self._show_notice()
 
     def _show_notice(self) -> None:
@@ -130,11 +140,22 @@ class StatusBar(Translated, QWidget):
             text = f"{self._event.at:%H:%M:%S}  {words.event(self._event)}"
             level = self._event.level
         self._notice_label.show_text(text)
+        shape = Qt.CursorShape.PointingHandCursor if text else Qt.CursorShape.ArrowCursor
+        self._notice_label.setCursor(shape)
         colors = colors_of(self)
         color = {Level.WARNING: colors.warn, Level.FAULT: colors.stop}.get(level)
         self._notice_icon.setVisible(color is not None)
         if color is not None:
             self._draw_warning(self._notice_icon, color)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """A click on the notice wants to know more."""
+        if event.type() == QEvent.Type.MouseButtonRelease and isinstance(event, QMouseEvent):
+            within = self._notice_label.rect().contains(event.position().toPoint())
+            if within and event.button() is Qt.MouseButton.LeftButton and self._notice_label.text():
+                self.event_wanted.emit(self._entry)
+                return True
+        return super().eventFilter(watched, event)
 
     # -- status -------------------------------------------------------------------------------
 

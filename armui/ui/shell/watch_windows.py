@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, Protocol, runtime_checkable
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 from PySide6.QtWidgets import QDialog, QWidget
@@ -16,6 +16,13 @@ if TYPE_CHECKING:
     from armui.settings import SettingsStore
     from armui.ui.background import Background
 
+
+@runtime_checkable
+class _ShowsMoment(Protocol):
+    def isVisible(self) -> bool: ...  # noqa: N802 - Qt's
+    def show_moment(self, at_s: float) -> None: ...
+
+
 Opener = Callable[[str, Callable[[], QDialog]], QDialog]
 """Shows a dialog by its name, and makes it at the first time."""
 
@@ -26,6 +33,11 @@ _BUTTONS: Final = (
          "WatchMenu",
          "What was heard and commanded in the last half hour. The right button on any figure "
          "shows it here.")),
+    ("events", QT_TRANSLATE_NOOP("WatchMenu", "Events"),
+     QT_TRANSLATE_NOOP(
+         "WatchMenu",
+         "What happened: every command and what became of it, every change of the arm's status, "
+         "every fault with its beginning and its end.")),
     ("sessions", QT_TRANSLATE_NOOP("WatchMenu", "Sessions"),
      QT_TRANSLATE_NOOP(
          "WatchMenu",
@@ -69,6 +81,7 @@ class WatchWindows:
         openers: dict[str, Callable[[], object]] = {
             "plots": lambda: self.show_as_curves(()),
             "sessions": self.open_sessions,
+            "events": self.show_events,
         }
         return tuple(
             WatchEntry(key, str(title), str(tip), openers[key]) for key, title, tip in _BUTTONS
@@ -101,3 +114,28 @@ class WatchWindows:
         mark = RecordingMark(self._controller.sessions)
         mark.clicked.connect(self.open_sessions)
         return (mark,)
+
+    def show_events(self, number: int | None = None) -> None:
+        """Show the window 事件, with one of its entries chosen."""
+        from armui.ui.watch.events.event_window import EventWindow  # noqa: PLC0415 - faster start
+
+        def make() -> QDialog:
+            window = EventWindow(self._controller, self._background, self._window)
+            window.moment_chosen.connect(self._move_cursor)
+            window.moment_wanted.connect(self.show_moment)
+            return window
+
+        window = self._open("events", make)
+        if isinstance(window, EventWindow) and number is not None:
+            window.show_entry(number)
+
+    def show_moment(self, at_s: float) -> None:
+        """Show the window 曲线, its first cursor at a monotonic time."""
+        self.show_as_curves(())
+        self._move_cursor(at_s)
+
+    def _move_cursor(self, at_s: float) -> None:
+        """In the curves, where they are seen."""
+        for plots in self._window.findChildren(QDialog, "plot_window"):
+            if isinstance(plots, _ShowsMoment) and plots.isVisible():
+                plots.show_moment(at_s)

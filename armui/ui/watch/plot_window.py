@@ -118,7 +118,12 @@ class PlotWindow(ArmDialog):
 
     def show_moment(self, at_s: float) -> None:
         """Bring a monotonic time into sight, and put the first cursor there."""
-        self.board.show_moment(at_s)
+        if self._known:
+            self.board.show_moment(at_s)
+            return
+        self.layout_read.connect(
+            lambda: self.board.show_moment(at_s), Qt.ConnectionType.SingleShotConnection
+        )
 
     # The layout -------------------------------------------------------------------------------
 

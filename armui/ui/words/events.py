@@ -236,6 +236,9 @@ _NOTICES: Final[Mapping[EventCode, object]] = {
     EventCode.SETTINGS_RESET: QT_TRANSLATE_NOOP(
         "Notice", "The arm has answered that its factory values are back; they are read again."
     ),
+    EventCode.SETTINGS_RESET_FAILED: QT_TRANSLATE_NOOP(
+        "Notice", "The arm has not confirmed that its factory values are back. {reason}"
+    ),
     EventCode.RUN_STARTED: QT_TRANSLATE_NOOP("Notice", "Running “{name}”"),
     EventCode.RUN_PAUSED: QT_TRANSLATE_NOOP("Notice", "Run paused in row {row}: the arm holds"),
     EventCode.RUN_CONTINUED: QT_TRANSLATE_NOOP("Notice", "Run goes on in row {row}"),
@@ -339,7 +342,12 @@ CODES: Final = frozenset(_NOTICES)
 
 def event(event: Event) -> str:
     """What happened in the operator's language, without its time."""
-    params = dict(event.params)
+    return event_text(event.code, event.params)
+
+
+def event_text(code: str, figures: Mapping[str, object]) -> str:
+    """The same of a notice's code and figures."""
+    params = dict(figures)
     reason = params.get("reason")
     params["reason"] = refusal(reason) if isinstance(reason, Refusal) else ""
     if not params.get("firmware"):
@@ -354,8 +362,8 @@ def event(event: Event) -> str:
         params["act"] = gripper_act(act)
     if isinstance(load := params.get("load"), int):
         params["load"] = end_load(EndLoad(load))
-    source = _NOTICES.get(event.code)
+    source = _NOTICES.get(EventCode(code)) if code in _NOTICES else None
     if source is None:
         source = QT_TRANSLATE_NOOP("Notice", "Event: {code}")
-        params["code"] = event.code
+        params["code"] = code
     return sentence("Notice", source, params).rstrip()

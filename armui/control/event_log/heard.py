@@ -1,0 +1,195 @@
+"""What the bus thread notes for the event log: every change of a status, however short."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
+
+from armui.arm.limits import JOINTS
+from armui.arm.state import FRESH_FOR_S
+
+if TYPE_CHECKING:
+    from armui.protocol.codec import Codec
+    from armui.protocol.generation import Generation
+    from armui.telemetry.store import Taken
+
+STATUS: Final = "ArmStatus"
+GRIPPER: Final = "GripperFeedback"
+GAP: Final = "gap"
+"""Nothing was heard for over half a second: what was known before may be another arm's."""
+RATE: Final = "rate"
+"""How many status frames a second came."""
+
+_RATE_SPAN_S: Final = 2.0
+_MOST_WAITING: Final = 5_000
+
+DRIVERS: Final[Mapping[str, int]] = {f"DriverSlow{joint}": joint for joint in JOINTS}
+DRIVER_FLAGS: Final = (
+    *("Undervoltage", "MotorOvertemperature", "Overcurrent", "DriverOvertemperature"),
+    *("DriverFault", "Enabled", "SensorFault", "CollisionProtection", "StallProtection"),
+)
+_STATUS_CODES: Final = ("ControlMode", "Status", "MoveMode", "TeachingState", "MotionState")
+_STATUS_FLAGS: Final = tuple(
+    f"J{joint}{what}" for what in ("CommunicationFault", "LimitExceeded") for joint in JOINTS
+)
+_GRIPPER_FLAGS: Final = (
+    *("Undervoltage", "MotorOvertemperature", "Overcurrent", "DriverOvertemperature"),
+    *("SensorFault", "DriverFault"),
+)
+WATCHED: Final[Mapping[str, tuple[str, ...]]] = {
+    STATUS: (*_STATUS_CODES, *_STATUS_FLAGS),
+    GRIPPER: _GRIPPER_FLAGS,
+    **dict.fromkeys(DRIVERS, DRIVER_FLAGS),
+}
+"""The signals of each message whose change is an event."""
+_COMMON: Final = WATCHED[STATUS][: len(_STATUS_CODES) + len(JOINTS)]
+"""What of the status both generations say alike."""
+
+
+class Heard(NamedTuple):
+    """A status that differs from the one before.
+
+    Attributes:
+        at_s: When its frame was received.
+        name: Of the message, or `GAP`, or `RATE`.
+        values: The signals of `WATCHED`, as far as the generation has them.
+    """
+
+    at_s: float
+    name: str
+    values: Mapping[str, float]
+
+
+class InvalidFrames(NamedTuple):
+    """Frames of one sort that were not understood.
+
+    Attributes:
+        sort: Its name.
+        arbitration_id: Of the last of them.
+        times: How many.
+        first_s, last_s: Monotonic time.
+    """
+
+    sort: str
+    arbitration_id: int
+    times: int
+    first_s: float
+    last_s: float
+
+
+class StatusTap:
+    """Notes changes in the bus thread; the controller's tick takes them away.
+
+    An arm repeats most of what it says, and the same bytes share one decoded message: they cost
+    one comparison.
+    """
+
+    def __init__(self) -> None:
+        self._latest: dict[str, Any] = {}
+        self._values: dict[str, tuple[float | None, ...]] = {}
+        self._changes: deque[Heard | InvalidFrames] = deque(maxlen=_MOST_WAITING)
+        self._invalid: dict[str, InvalidFrames] = {}
+        self._generation: Generation | None = None
+        self._codec: Codec | None = None
+        self._last_s: float | None = None
+        self._count = 0
+        self._counted_s: float | None = None
+
+    def take(self) -> list[Heard | InvalidFrames]:
+        """What was noted since the last call; the controller's thread."""
+        changes = []
+        while self._changes:
+            changes.append(self._changes.popleft())
+        return changes
+
+    def know_generation(self, generation: Generation | None) -> None:
+        """What could not be told before can be told now."""
+        if generation is not self._generation:
+            self._generation = generation
+            self._latest = {}
+
+    # The bus thread ---------------------------------------------------------------------------
+
+    def on_open(self, _bitrate: int | None) -> None:
+        """Another device, or the same again."""
+        self._begin_anew()
+        self._last_s = None
+
+    def on_codec(self, codec: Codec) -> None:
+        """The same bytes may say something else from now on."""
+        self._codec = codec
+        self._latest = {}
+
+    def on_heard(self, batch: Sequence[Taken]) -> None:
+        """Look for changes."""
+        latest = self._latest
+        for heard, at_s, frame, _flags in batch:
+            message: Any = heard
+            if hasattr(message, "kind"):
+                self._note_invalid(message.kind.name, frame.arbitration_id, at_s)
+                message = message.message
+                if message is None:
+                    continue
+            name = message.name
+            if name not in WATCHED:
+                continue
+            if self._last_s is not None and at_s - self._last_s > FRESH_FOR_S:
+                self._changes.append(Heard(self._last_s, GAP, {}))
+                self._begin_anew()
+                latest = self._latest
+            self._last_s = at_s
+            if name == STATUS:
+                self._note_rate(at_s)
+            if latest.get(name) is not heard and (name == STATUS or self._understands):
+                latest[name] = heard
+                self._note(name, message.signals, at_s)
+
+    @property
+    def _understands(self) -> bool:
+        """Whether bits that the generations use differently can be told."""
+        codec = self._codec
+        return codec is not None and codec.generation is self._generation
+
+    def _begin_anew(self) -> None:
+        self._latest = {}
+        self._values.clear()
+        self._counted_s = None
+
+    def _note(self, name: str, signals: Mapping[str, float], at_s: float) -> None:
+        watched = WATCHED[name]
+        if name == STATUS and not self._understands:
+            watched = _COMMON
+        values = tuple([signals.get(each) for each in watched])
+        if values != self._values.get(name):
+            self._values[name] = values
+            named = zip(watched, values, strict=True)
+            told = {each: value for each, value in named if value is not None}
+            self._changes.append(Heard(at_s, name, told))
+
+    def _note_rate(self, at_s: float) -> None:
+        counted_s = self._counted_s
+        if counted_s is None:
+            self._counted_s, self._count = at_s, 0
+            return
+        self._count += 1
+        if at_s - counted_s >= _RATE_SPAN_S:
+            self._changes.append(Heard(at_s, RATE, {"hz": self._count / (at_s - counted_s)}))
+            self._counted_s, self._count = at_s, 0
+
+    def _note_invalid(self, kind: str, arbitration_id: int, at_s: float) -> None:
+        before = self._invalid.get(kind)
+        count, first_s = (0, at_s) if before is None else (before.times, before.first_s)
+        self._invalid[kind] = InvalidFrames(kind, arbitration_id, count + 1, first_s, at_s)
+
+    def on_sent(self, _batch: Sequence[Taken]) -> None:
+        """What this program sends is told by those who ask for it."""
+
+    def on_error_frame(self) -> None:
+        """What the adapter reports is told by the link."""
+
+    def on_look(self, _now_s: float) -> None:
+        """Hand over what was counted."""
+        if self._invalid:
+            self._changes.extend(self._invalid.values())
+            self._invalid.clear()

@@ -1,0 +1,168 @@
+"""An event as one line of JSON, and back.
+
+A line whose number is the same as that of an earlier one of the same run replaces it: an event
+that has ended, or was repeated, is written again.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import asdict
+from datetime import datetime
+from typing import Any, Final
+
+from armui.arm.device import Device
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.telemetry.events import Asker, EventEntry, EventKind, EventOutcome, Level
+
+LONGEST: Final = 100_000
+"""Characters of a line; a longer one is none of ours."""
+
+
+def to_json(entry: EventEntry) -> str:
+    """One line without its end; times are seconds of the clock that does not go back."""
+    fields: dict[str, object] = {
+        "number": entry.number,
+        "wall": entry.wall.isoformat(timespec="milliseconds"),
+        "at_s": round(entry.at_s, 6),
+        "level": entry.level.name.lower(),
+        "kind": entry.kind.value,
+        "who": entry.who.value,
+        "code": entry.code,
+    }
+    if entry.params:
+        fields["params"] = _plain(entry.params)
+    if entry.lasts:
+        fields["lasts"] = True
+        fields["ended_s"] = None if entry.ended_s is None else round(entry.ended_s, 6)
+    if entry.unheard:
+        fields["unheard"] = True
+    if entry.count != 1:
+        fields["count"] = entry.count
+    if entry.last_s is not None:
+        fields["last_s"] = round(entry.last_s, 6)
+    for name, outcome in (("answer", entry.answer), ("result", entry.result)):
+        if outcome is not None:
+            fields[name] = _outcome(outcome)
+    return json.dumps(fields, ensure_ascii=False, separators=(",", ":"))
+
+
+def from_json(text: str) -> EventEntry:
+    """An event from its line.
+
+    Raises:
+        ValueError: It is none, or says something impossible.
+    """
+    if len(text) > LONGEST:
+        raise ValueError(f"a line of {len(text)} characters; events have {LONGEST} at most")
+    try:
+        return _entry(json.loads(text))
+    except (AttributeError, KeyError, TypeError, OverflowError, RecursionError) as error:
+        raise ValueError(f"no event: {type(error).__name__}: {error}") from error
+
+
+def _entry(read: Mapping[str, Any]) -> EventEntry:
+    wall = datetime.fromisoformat(read["wall"])
+    if wall.tzinfo is None:
+        raise ValueError(f"the time {read['wall']!r} has no time zone")
+    return EventEntry(
+        number=_whole(read["number"]),
+        at_s=_figure(read["at_s"]),
+        wall=wall,
+        level=Level[read["level"].upper()],
+        kind=EventKind(read["kind"]),
+        who=Asker(read["who"]),
+        code=_text(read["code"]),
+        params=_params(read.get("params", {})),
+        lasts=bool(read.get("lasts", False)),
+        ended_s=_if_any(_figure, read.get("ended_s")),
+        unheard=bool(read.get("unheard", False)),
+        count=_whole(read.get("count", 1)),
+        last_s=_if_any(_figure, read.get("last_s")),
+        answer=_if_any(_outcome_of, read.get("answer")),
+        result=_if_any(_outcome_of, read.get("result")),
+    )
+
+
+def _outcome(outcome: EventOutcome) -> dict[str, object]:
+    fields: dict[str, object] = {
+        "code": outcome.code,
+        "at_s": round(outcome.at_s, 6),
+        "level": outcome.level.name.lower(),
+    }
+    if outcome.params:
+        fields["params"] = _plain(outcome.params)
+    return fields
+
+
+def _outcome_of(read: Mapping[str, Any]) -> EventOutcome:
+    return EventOutcome(
+        _text(read["code"]),
+        _figure(read["at_s"]),
+        Level[read["level"].upper()],
+        _params(read.get("params", {})),
+    )
+
+
+def _plain(params: Mapping[str, object]) -> dict[str, object]:
+    return {name: _plain_value(value) for name, value in params.items()}
+
+
+def _plain_value(value: object) -> object:
+    if isinstance(value, Refusal):
+        return {"refusal": str(value.code), "params": _plain(value.params)}
+    if isinstance(value, Device):
+        return {"device": asdict(value)}
+    if isinstance(value, float) and not math.isfinite(value):
+        return str(value)
+    if value is None or isinstance(value, bool | int | float | str):
+        return value
+    if isinstance(value, list | tuple):
+        return [_plain_value(each) for each in value]
+    return str(value)
+
+
+def _params(read: Mapping[str, Any]) -> dict[str, object]:
+    return {_text(name): _value(value) for name, value in read.items()}
+
+
+def _value(read: Any) -> object:
+    if isinstance(read, list):
+        return tuple(_value(each) for each in read)
+    if not isinstance(read, dict):
+        return read
+    if "refusal" in read:
+        code = read["refusal"]
+        known = code in RefusalCode.__members__.values()
+        params = _params(read.get("params", {}))
+        return Refusal(RefusalCode(code), params) if known else str(code)  # type: ignore[arg-type]
+    if "device" in read:
+        fields = dict(read["device"])
+        fields["options"] = tuple(tuple(each) for each in fields.get("options", ()))
+        return Device(**fields)
+    raise ValueError(f"a figure that is none: {str(read)[:60]}")
+
+
+def _if_any(make: Callable[[Any], Any], read: object) -> Any:
+    return None if read is None else make(read)
+
+
+def _figure(read: object) -> float:
+    if isinstance(read, bool) or not isinstance(read, int | float) or not math.isfinite(read):
+        raise ValueError(f"{str(read)[:60]!r} is no figure")
+    return float(read)
+
+
+def _whole(read: object) -> int:
+    if isinstance(read, bool) or not isinstance(read, int):
+        raise ValueError(f"{str(read)[:60]!r} is no whole number")  # noqa: TRY004 - what from_json raises
+    return read
+
+
+def _text(read: object) -> str:
+    if not isinstance(read, str):
+        raise ValueError(f"{str(read)[:60]!r} is no text")  # noqa: TRY004 - what from_json raises
+    return read

@@ -1,0 +1,264 @@
+"""What happened, as data: one entry an event, in a log that is bounded and never waits."""
+
+from __future__ import annotations
+
+import enum
+import threading
+from collections import OrderedDict
+from collections.abc import Hashable, Mapping
+from dataclasses import dataclass, field, replace
+from datetime import datetime, timedelta
+from enum import StrEnum, unique
+from typing import Any, Final
+
+MOST_ENTRIES: Final = 10_000
+"""Some 20 MB where each is a motion with its figures and its end; the oldest make room."""
+REPEAT_S: Final = 10.0
+"""What happens again within this time is counted, not listed anew."""
+REPEATS_SPAN_S: Final = 60.0
+"""Repeats are counted for so long; then they are listed anew, or one line would hide a day."""
+
+
+class Level(enum.Enum):
+    """How grave an event is."""
+
+    INFO = enum.auto()
+    DONE = enum.auto()
+    WARNING = enum.auto()
+    FAULT = enum.auto()
+
+
+@unique
+class Asker(StrEnum):
+    """Who asked for something, or says it."""
+
+    OPERATOR = "operator"
+    RUN = "run"
+    JOG = "jog"
+    RECOVERY = "recovery"
+    """The operator, by the button of the recovery line."""
+    ARM = "arm"
+    OTHER_HOST = "other_host"
+    PROGRAM = "program"
+
+
+@unique
+class EventKind(StrEnum):
+    """What sort of event it is."""
+
+    COMMAND = "command"
+    RESULT = "result"
+    """What became of a command."""
+    STATUS = "status"
+    FAULT = "fault"
+    LINK = "link"
+    OTHER_HOST = "other_host"
+    ODDITY = "oddity"
+    """On the bus: frames that are unknown, malformed, missing or lost."""
+    PROGRAM = "program"
+
+
+@dataclass(frozen=True, slots=True)
+class EventOutcome:
+    """What became of a command.
+
+    Attributes:
+        code: What happened, as in `EventEntry`.
+        at_s: Monotonic time.
+        level: DONE, or how grave it is.
+        params: The figures of its sentence.
+    """
+
+    code: str
+    at_s: float
+    level: Level
+    params: Mapping[str, object] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class EventEntry:
+    """One event. The user interface has the sentence for it, in the operator's language.
+
+    Attributes:
+        number: In its log; it grows.
+        at_s: Monotonic time of its beginning.
+        wall: What the clock on the wall showed then, with its time zone.
+        level: How grave it is.
+        kind: What sort it is.
+        who: Who asked for it, or says it.
+        code: What happened.
+        params: The figures of its sentence.
+        lasts: It has a beginning and an end: ``ended_s`` tells whether it goes on.
+        ended_s: When it ended.
+        unheard: It was not heard to end: whoever said it fell silent, or was disconnected.
+        count: How often it happened; of frames, how many.
+        last_s: Monotonic time of the last repeat.
+        answer: Of a command, what the arm has answered (0x476); ``None``: nothing so far.
+        result: Of a command, how it ended by what was read back from the arm.
+    """
+
+    number: int
+    at_s: float
+    wall: datetime
+    level: Level
+    kind: EventKind
+    who: Asker
+    code: str
+    params: Mapping[str, object] = field(default_factory=dict)
+    lasts: bool = False
+    ended_s: float | None = None
+    unheard: bool = False
+    count: int = 1
+    last_s: float | None = None
+    answer: EventOutcome | None = None
+    result: EventOutcome | None = None
+
+    @property
+    def goes_on(self) -> bool:
+        """Whether it has not ended yet."""
+        return self.lasts and self.ended_s is None
+
+    @property
+    def newest_s(self) -> float:
+        """When it happened last."""
+        return self.at_s if self.last_s is None else self.last_s
+
+    def wall_at(self, at_s: float) -> datetime:
+        """What the clock on the wall showed at another moment, as far as it was not set since."""
+        return self.wall + timedelta(seconds=at_s - self.at_s)
+
+
+class EventLog:
+    """The newest entries; those that change keep their number.
+
+    One thread writes, any thread reads. Each addition and each change has a revision; who follows
+    the log asks for what is newer than the last revision it has seen.
+
+    Args:
+        most: So many entries are kept.
+    """
+
+    def __init__(self, most: int = MOST_ENTRIES) -> None:
+        self._most = most
+        self._lock = threading.Lock()
+        self._entries: OrderedDict[int, EventEntry] = OrderedDict()
+        self._revisions: OrderedDict[int, int] = OrderedDict()
+        self._revision = 0
+        self._number = 0
+        self._repeats: OrderedDict[Hashable, int] = OrderedDict()
+
+    @property
+    def revision(self) -> int:
+        """Of the newest change."""
+        return self._revision
+
+    @property
+    def newest(self) -> int:
+        """The number of the newest entry; 0 while there is none."""
+        return self._number
+
+    @property
+    def oldest(self) -> int:
+        """The number of the oldest entry that is kept; 1 while there is none."""
+        with self._lock:
+            return next(iter(self._entries), 1)
+
+    def entries(self) -> list[EventEntry]:
+        """All that are kept, the oldest first."""
+        with self._lock:
+            return list(self._entries.values())
+
+    def snapshot(self) -> tuple[int, list[EventEntry]]:
+        """The same as `since` from the beginning, with less to do."""
+        with self._lock:
+            return self._revision, list(self._entries.values())
+
+    def get(self, number: int) -> EventEntry | None:
+        """An entry by its number, or ``None``: it has made room, or never was."""
+        with self._lock:
+            return self._entries.get(number)
+
+    def since(self, revision: int) -> tuple[int, list[EventEntry]]:
+        """What was added or changed after a revision.
+
+        Returns:
+            The revision to ask from the next time, and the entries as they are now, by number.
+        """
+        with self._lock:
+            numbers: list[int] = []
+            for number, changed in reversed(self._revisions.items()):
+                if changed <= revision:
+                    break
+                numbers.append(number)
+            return self._revision, [self._entries[number] for number in sorted(numbers)]
+
+    # The writing thread -----------------------------------------------------------------------
+
+    def add(self, *, fold: Hashable = None, within_s: float = REPEAT_S, **what: Any) -> EventEntry:
+        """Take in an event, or count it where it repeats one of the last seconds.
+
+        Args:
+            fold: What is the same in repeats; ``None``: it is never counted.
+            within_s: What comes later than this is no repeat.
+            **what: The fields of `EventEntry`, but for its number.
+        """
+        with self._lock:
+            at_s: float = what["at_s"]
+            before = self._repeated(fold, at_s, within_s)
+            if before is not None:
+                count = before.count + int(what.get("count", 1))
+                entry = replace(
+                    before,
+                    count=count,
+                    last_s=at_s,
+                    params=what.get("params", before.params),
+                    level=what["level"],
+                    ended_s=what.get("ended_s"),
+                    unheard=False,
+                    answer=None,
+                    result=None,
+                )
+            else:
+                self._number += 1
+                entry = EventEntry(number=self._number, **what)
+                if fold is not None:
+                    self._repeats[fold] = entry.number
+                    if len(self._repeats) > self._most:
+                        self._repeats.popitem(last=False)
+            self._put(entry)
+            return entry
+
+    def _repeated(self, fold: Hashable, at_s: float, within_s: float) -> EventEntry | None:
+        if fold is None:
+            return None
+        before = self._entries.get(self._repeats.get(fold, 0))
+        if before is None or before.goes_on or before.unheard:
+            return None
+        ended_s = before.newest_s if before.ended_s is None else before.ended_s
+        again = at_s - ended_s <= within_s and at_s - before.at_s <= REPEATS_SPAN_S
+        return before if again else None
+
+    def change(self, number: int, **changes: Any) -> EventEntry | None:
+        """Note what became of an entry: ``None`` if it is not kept any more.
+
+        Args:
+            number: Its number.
+            **changes: Fields of `EventEntry` and their new values.
+        """
+        with self._lock:
+            before = self._entries.get(number)
+            if before is None:
+                return None
+            entry = replace(before, **changes)
+            if entry != before:
+                self._put(entry)
+            return entry
+
+    def _put(self, entry: EventEntry) -> None:
+        self._revision += 1
+        self._entries[entry.number] = entry
+        self._revisions[entry.number] = self._revision
+        self._revisions.move_to_end(entry.number)
+        while len(self._entries) > self._most:
+            oldest, _entry = self._entries.popitem(last=False)
+            del self._revisions[oldest]

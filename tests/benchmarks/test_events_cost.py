@@ -1,0 +1,142 @@
+"""What the events cost: a frame in the bus thread, a tick in the window's, a piece of a search.
+
+Processor time, so that others on the computer do not count. Beside each in the same run: decoding
+the frame and taking it into the picture of the arm; the same tick without the events.
+
+    python -m pytest tests/benchmarks/test_events_cost.py -s
+"""
+
+import statistics
+import time
+from datetime import UTC, datetime
+
+from armui.arm.tracker import Tracker
+from armui.control.event_log.heard import StatusTap
+from armui.protocol.codec import Codec
+from armui.protocol.generation import Generation
+from armui.sim.firmware import Firmware
+from armui.telemetry.events import Asker, EventKind, EventLog, Level
+from armui.ui.theme import LIGHT
+from armui.ui.watch.events.event_filter import EventFilter
+from armui.ui.watch.events.event_model import EventModel
+from tests.arm_rig import ArmRig
+
+ROUNDS = 9
+BATCH = 16
+FRAMES_PER_S = 3040
+TICKS = 400
+ENDS_DEG = ((30, 60, -40, 20, 15, 30), (-30, 30, -60, -20, -15, -30))
+MOST_SHARE = 1 / 3
+MOST_PIECE_MS = 10.0
+
+
+def recorded():
+    """What a moving arm says in two seconds."""
+    arm = Firmware(Generation.TWO)
+    return [frame for _ in range(400) for frame in arm.step(0.005)]
+
+
+def take_in(codec, frames, tap, begin_s):
+    """As the bus thread does; the processor time of one frame in µs."""
+    tracker, batch, at_s = Tracker(codec), [], begin_s
+    began_s = time.thread_time()
+    for frame in frames:
+        at_s += 1 / FRAMES_PER_S
+        heard = codec.decode(frame)
+        tracker.update(heard, at_s)
+        if tap is not None:
+            batch.append((heard, at_s, frame, 0))
+            if len(batch) == BATCH:
+                tap.on_heard(batch)
+                tap.on_look(at_s)
+                batch = []
+    return 1e6 * (time.thread_time() - began_s) / len(frames)
+
+
+def test_a_frame(capsys, benchmark):
+    codec, frames, tap = Codec(Generation.TWO), recorded(), StatusTap()
+    tap.on_codec(codec)
+    tap.know_generation(Generation.TWO)
+    bare, watched = [], []
+    for number in range(ROUNDS):
+        bare.append(take_in(codec, frames, None, 10.0 * number))
+        watched.append(take_in(codec, frames, tap, 10.0 * number))
+        tap.take()
+    without, with_it = min(bare), min(watched)
+    benchmark.extra_info.update(without_us=without, with_us=with_it)
+    benchmark.pedantic(lambda: None, rounds=1)
+    with capsys.disabled():
+        print("\nprocessor time a frame:")
+        print(f"  decoded and taken into the picture     {without:5.2f} µs")
+        print(f"  the same, its changes noted as events  {with_it:5.2f} µs")
+    assert with_it - without < MOST_SHARE * without + 1.0
+
+
+def timed_ticks(rig, moving):
+    """The processor time of a tick in µs, without and with the events, turn by turn."""
+    happenings = rig.controller.happenings
+    spent: tuple[list[float], list[float]] = ([], [])
+    act, tick = happenings.advance, rig.controller.tick
+    for number in range(TICKS):
+        happenings.advance = act if number % 2 else lambda: None
+
+        def timed(into=spent[number % 2]):
+            began_ns = time.thread_time_ns()
+            tick()
+            into.append((time.thread_time_ns() - began_ns) / 1e3)
+
+        rig.controller.tick = timed
+        if moving and number % 100 == 0:
+            rig.controller.motion.send_joints(ENDS_DEG[number // 100 % 2])
+        rig.step()
+    rig.controller.tick, happenings.advance = tick, act
+    return [statistics.median(each) for each in spent]
+
+
+def test_a_tick(qapp, capsys, benchmark):
+    rig = ArmRig("events-cost")
+    try:
+        rig.ready()
+        rig.controller.motion.set_speed_percent(20)
+        still, moving = timed_ticks(rig, moving=False), timed_ticks(rig, moving=True)
+    finally:
+        rig.close()
+    benchmark.extra_info.update(still_us=still, moving_us=moving)
+    benchmark.pedantic(lambda: None, rounds=1)
+    with capsys.disabled():
+        print("\nprocessor time of the controller's tick, without and with the events:")
+        print(f"  at rest  {still[0]:6.1f} {still[1]:6.1f} µs")
+        print(f"  moving   {moving[0]:6.1f} {moving[1]:6.1f} µs")
+    assert still[1] < (1 + MOST_SHARE) * still[0] + 20
+    assert moving[1] < (1 + MOST_SHARE) * moving[0] + 20
+
+
+def test_a_search(qapp, capsys, benchmark):
+    log = EventLog()
+    for number in range(10_000):
+        log.add(
+            at_s=float(number),
+            wall=datetime(2026, 1, 15, tzinfo=UTC),
+            level=Level.FAULT,
+            kind=EventKind.FAULT,
+            who=Asker.ARM,
+            code="joint_fault",
+            params={"joint": number % 6 + 1, "item": "DRIVER_CURRENT", "word": "OVERCURRENT"},
+        )
+    began_ms = 1e3 * time.thread_time()
+    model = EventModel(log, LIGHT)
+    opened_ms = 1e3 * time.thread_time() - began_ms
+    pieces = []
+    model._filter = EventFilter(words=("j4", "current"))
+    model._search = model._found()
+    while model.searching:
+        began_ms = 1e3 * time.thread_time()
+        model._search_on()
+        pieces.append(1e3 * time.thread_time() - began_ms)
+    benchmark.extra_info.update(opened_ms=opened_ms, piece_ms=max(pieces))
+    benchmark.pedantic(lambda: None, rounds=1)
+    with capsys.disabled():
+        print(f"\n10,000 events: shown {opened_ms:.1f} ms; searched in {len(pieces)} pieces,")
+        print(f"  each {statistics.median(pieces):.1f} ms, the longest {max(pieces):.1f} ms")
+    assert model.rowCount() == 1667
+    assert max(pieces) < MOST_PIECE_MS

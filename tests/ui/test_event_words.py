@@ -1,0 +1,162 @@
+"""Every event has its sentence in both languages, whatever its figures are."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from datetime import UTC, datetime
+
+import pytest
+from PySide6.QtWidgets import QApplication
+
+from armui.arm.gripper import GripperFault
+from armui.arm.joint_status import FAULTS, Item
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.event_log.observed import ObservedCode
+from armui.control.events import EventCode
+from armui.control.motion.motion_command import End
+from armui.protocol.codec import InvalidFrameKind
+from armui.settings import Language
+from armui.telemetry.events import Asker, EventEntry, EventKind, EventOutcome, Level
+from armui.ui.translation import Translator
+from armui.ui.words import event_log as words
+from armui.ui.words.text import NOT_KNOWN
+
+FIGURES: dict[ObservedCode, dict[str, object]] = {
+    ObservedCode.CONTROL_MODE: {"mode": 1, "before": 0},
+    ObservedCode.MOVE_MODE: {"mode": 2, "before": 1},
+    ObservedCode.ARM_STATUS: {"status": 7},
+    ObservedCode.TEACHING: {"state": 1, "before": 0},
+    ObservedCode.MOTORS_ON: {"joints": (1, 2)},
+    ObservedCode.MOTORS_OFF: {"joints": (3,)},
+    ObservedCode.JOINT_FAULT: {"joint": 3, "item": "DRIVER_CURRENT", "word": "OVERCURRENT"},
+    ObservedCode.BEYOND_LIMIT: {"joint": 2},
+    ObservedCode.GRIPPER_FAULT: {"fault": "Overcurrent"},
+    ObservedCode.LIMITS_UNUSABLE: {"joint": 2},
+    ObservedCode.OTHER_FRAMES: {"id": "0x155"},
+    ObservedCode.INVALID_FRAMES: {"kind": "UNKNOWN_ID", "id": "0x4F0"},
+    ObservedCode.FEWER_FRAMES: {"share": 12},
+    ObservedCode.RUN_POINT: {"row": 7},
+    ObservedCode.MOTION_CUT: {"end": "STOPPED"},
+    ObservedCode.ANSWERED: {"index": "0x71"},
+    ObservedCode.PROBLEM: {"reason": Refusal(RefusalCode.LINK_LOST)},
+    ObservedCode.NOT_KEPT: {"text": "No space left on device"},
+}
+
+
+@pytest.fixture
+def translated(qapp: QApplication) -> Iterator[Callable[[Language], None]]:
+    translator = Translator(qapp)
+    yield translator.set_language
+    translator.set_language("en")
+
+
+def entry(code: str, params: dict[str, object] | None = None) -> EventEntry:
+    return EventEntry(
+        *(1, 0.0, datetime(2026, 1, 15, tzinfo=UTC), Level.INFO, EventKind.STATUS, Asker.ARM, code),
+        params=params or {},
+    )
+
+
+def both(translated: Callable[[Language], None], text: Callable[[], str]) -> tuple[str, str]:
+    texts: list[str] = []
+    languages: tuple[Language, ...] = ("en", "zh")
+    for language in languages:
+        translated(language)
+        texts.append(text())
+    return texts[0], texts[1]
+
+
+@pytest.mark.parametrize("code", ObservedCode)
+def test_what_was_observed(code, translated):
+    figures = FIGURES.get(code, {})
+    english, chinese = both(translated, lambda: words.entry_text(entry(code, figures)))
+    assert english
+    assert any("\u4e00" <= letter <= "\u9fff" for letter in chinese)
+    assert english != chinese
+    for text in (english, chinese):
+        assert NOT_KNOWN not in text
+        assert "{" not in text
+        assert f": {code}" not in text
+
+
+def test_every_observed_code_has_its_sentence():
+    assert frozenset(ObservedCode) == words.OBSERVED_CODES
+
+
+@pytest.mark.parametrize("code", EventCode)
+def test_what_was_noticed(code, translated):
+    english, chinese = both(translated, lambda: words.entry_text(entry(code)))
+    assert english != chinese
+    assert "{" not in english + chinese
+
+
+@pytest.mark.parametrize("end", [*(each.name for each in End), "short"])
+def test_what_ends_a_motion(end, translated):
+    outcome = EventOutcome(ObservedCode.MOTION_CUT, 0.0, Level.INFO, {"end": end})
+    english, chinese = both(translated, lambda: words.outcome_text(outcome))
+    assert english != chinese
+    assert end not in english + chinese.upper()
+
+
+@pytest.mark.parametrize("kind", InvalidFrameKind)
+def test_what_is_odd_about_a_frame(kind, translated):
+    odd = entry(ObservedCode.INVALID_FRAMES, {"kind": kind.name, "id": "0x4F0"})
+    english, chinese = both(translated, lambda: words.entry_text(odd))
+    assert kind.value.split()[0] in english
+    assert kind.value.split()[0] not in chinese
+
+
+@pytest.mark.parametrize("fault", GripperFault)
+def test_the_gripper(fault, translated):
+    trouble = entry(ObservedCode.GRIPPER_FAULT, {"fault": fault.value})
+    english, chinese = both(translated, lambda: words.entry_text(trouble))
+    assert english != chinese
+
+
+@pytest.mark.parametrize("word", sorted(FAULTS, key=str))
+@pytest.mark.parametrize("item", Item)
+def test_every_row_and_word_of_the_joints(item, word):
+    text = words.entry_text(
+        entry(ObservedCode.JOINT_FAULT, {"joint": 5, "item": item.name, "word": word.name})
+    )
+    assert text.startswith("J5 ")
+    assert NOT_KNOWN not in text
+
+
+def test_columns_and_filters(translated):
+    for text in (
+        *(lambda each=each: words.asker(each) for each in Asker),
+        *(lambda each=each: words.event_kind(each) for each in EventKind),
+        *(lambda each=each: words.event_level(each) for each in Level),
+    ):
+        english, chinese = both(translated, text)
+        assert english != chinese
+
+
+def test_settings_are_named_with_their_values():
+    sent = entry(
+        "settings_sent",
+        {"count": 2, "values": (("max_angle_deg", 2, 100.0), ("max_linear_speed_m_s", 0, 0.3))},
+    )
+    text = words.entry_text(sent)
+    assert "J2" in text
+    assert "100" in text
+    assert "0.3" in text
+
+
+@pytest.mark.parametrize(
+    ("code", "figures"),
+    [
+        ("joint_fault", {"joint": 1, "item": "NO_SUCH", "word": "NEITHER"}),
+        ("gripper_fault", {"fault": 7}),
+        ("control_mode", {"mode": "x", "before": []}),
+        ("teaching_sent", {"command": 99}),
+        ("settings_sent", {"values": (("no_such", 1, 2.0),)}),
+        ("settings_sent", {"values": (1, 2)}),
+        ("motors_on", {"joints": "1, 2"}),
+        ("of a newer program", {"x": 1}),
+    ],
+)
+def test_figures_of_another_program_are_shown_as_they_are(code, figures):
+    assert words.entry_text(entry(code, figures))
