@@ -26,7 +26,7 @@ from armui.session.recording.index_file import Block
 from armui.session.recording.kinds import RecordingFormat
 from armui.session.recording.names import file_name, names_of
 from armui.session.recording.rows import ROW
-from armui.session.session import REMEMBERED, REMEMBERED_IDS, Mark
+from armui.session.session import REMEMBERED, REMEMBERED_IDS, SessionMark
 
 _LONGEST_TAIL: Final = 4_000_000
 """More bytes than a killed program leaves without index: the index is not this recording's."""
@@ -68,7 +68,7 @@ class RecordedSession:
         except OSError as error:
             raise NotALogError(error.strerror or str(error)) from error
         self._starts_s = [block.first_s for block in self._blocks]
-        self.marks: Sequence[Mark] = sidecar.marks_of(self.lines)
+        self.marks: Sequence[SessionMark] = sidecar.marks_of(self.lines)
 
     @property
     def start_s(self) -> float:

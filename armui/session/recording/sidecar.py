@@ -17,7 +17,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any, Final
 
-from armui.session.session import Mark, MarkKind
+from armui.session.session import MarkKind, SessionMark
 
 SUFFIX: Final = ".armui.jsonl"
 VERSION: Final = 1
@@ -77,17 +77,39 @@ def events_of(lines: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
     return list(found.values())
 
 
-def marks_of(lines: Sequence[Mapping[str, Any]]) -> list[Mark]:
-    """The moments worth going to, in the order of time."""
+def marks_of(lines: Sequence[Mapping[str, Any]]) -> list[SessionMark]:
+    """The moments worth going to, in the order of time; the times of an event are log times."""
     marks = []
+    shift_s = _shift_s(lines[0]) if lines else 0.0
     for line in events_of(lines):
         at_s, name = line.get("time_s"), str(line.get("mark", "note")).upper()
         kind = MarkKind[name] if name in MarkKind.__members__ else MarkKind.NOTE
         if isinstance(at_s, int | float) and math.isfinite(at_s):
-            marks.append(Mark(float(at_s), kind, line["entry"]))
+            marks.append(SessionMark(float(at_s), kind, _shifted(line["entry"], shift_s)))
     for line in lines:
         at_s = line.get("time_s")
         if line["kind"] == "lost" and isinstance(at_s, int | float) and math.isfinite(at_s):
             entry = {key: value for key, value in line.items() if key != "time_s"}
-            marks.append(Mark(float(at_s), MarkKind.NOTE, entry))
+            marks.append(SessionMark(float(at_s), MarkKind.NOTE, entry))
     return sorted(marks, key=lambda mark: mark.at_s)
+
+
+_TIMES: Final = ("at_s", "ended_s", "last_s")
+"""Of an event, by the program's clock."""
+
+
+def _shift_s(first: Mapping[str, Any]) -> float:
+    """From the program's clock to log time."""
+    unix_s, steady_s = first.get("unix_s"), first.get("steady_s")
+    if isinstance(unix_s, int | float) and isinstance(steady_s, int | float):
+        return float(unix_s - steady_s)
+    return 0.0
+
+
+def _shifted(entry: Mapping[str, Any], by_s: float) -> dict[str, Any]:
+    times = {
+        name: round(entry[name] + by_s, 6)
+        for name in _TIMES
+        if isinstance(entry.get(name), int | float)
+    }
+    return {**entry, **times}

@@ -165,7 +165,7 @@ def test_an_event_that_is_written_again_is_one_mark(tmp_path):
     made.write(rows_of([]), [line | {"entry": entry | {"ended_s": 9.0}}])
     made.finish({})
     (mark,) = RecordedSession(made.path).marks
-    assert mark.entry["ended_s"] == 9.0
+    assert mark.entry["ended_s"] == 9.0 + BASE.shift_s
 
 
 def test_a_line_that_is_no_json_is_told_as_text(tmp_path):
