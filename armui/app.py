@@ -20,7 +20,6 @@ from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.control.arm_controller import ArmController
 from armui.control.event_log.keeper import EventKeeper
 from armui.control.part_failure import end_motion_of
-from armui.control.sessions.choices import choices_of
 from armui.protocol.generation import Generation
 from armui.settings import Choices, Settings, SettingsStore, default_path
 from armui.start import StartOptions
@@ -41,6 +40,7 @@ if TYPE_CHECKING:
     import can
 
     from armui.control.link.neighbours import Neighbours
+    from armui.control.sessions.choices import SessionChoices
     from armui.viewport.client import PictureClient
 
 _SWITCH_INTERVAL_S: Final = 0.0005
@@ -107,7 +107,7 @@ class Program:
         apply_theme(app, Theme(settings.theme))
         self._stop_shortcut = StopShortcut(app, self.controller)
         controller.stop_again_when_undone(settings.stop_again)
-        controller.sessions.choose(choices_of(settings))
+        controller.session_choices = partial(_session_choices, store)
         self._unsubscribe = store.subscribe(self._on_settings_changed)
         self._relay = _FailureRelay()
         self._relay.failed.connect(self._on_failed)
@@ -159,8 +159,14 @@ class Program:
         if settings.language != self._settings.language:
             self._translator.set_language(settings.language)
         self.controller.stop_again_when_undone(settings.stop_again)
-        self.controller.sessions.choose(choices_of(settings))
+        self.controller.on_sessions_chosen()
         self._settings = settings
+
+
+def _session_choices(store: SettingsStore) -> SessionChoices:
+    from armui.control.sessions.choices import choices_of  # noqa: PLC0415 - faster start
+
+    return choices_of(store.settings)
 
 
 def run(options: StartOptions) -> int:

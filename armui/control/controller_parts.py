@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from armui.control.run.recorder import Recorder
     from armui.control.run.replayer import Replayer
     from armui.control.safety.recovery import Recovery
+    from armui.control.sessions.choices import SessionChoices
     from armui.control.sessions.session_recorder import SessionRecorder
     from armui.telemetry.events import EventLog
 
@@ -57,6 +58,8 @@ class ControllerParts(QObject):
     step_changed = Signal(object)
     noticed = Signal(object)
 
+    session_choices: Callable[[], SessionChoices] | None = None
+    """How and where sessions are recorded; by default as `SessionRecorder` has it."""
     _context: Context
     """What the parts share; set by the controller before it asks for any."""
     _wall: Callable[[float], datetime]
@@ -207,10 +210,17 @@ class ControllerParts(QObject):
     @cached_property
     def sessions(self) -> SessionRecorder:
         """Records what is on the bus."""
-        from armui.control.sessions.event_feed import NoticeFeed
         from armui.control.sessions.session_recorder import SessionRecorder
 
-        return SessionRecorder(self._context, NoticeFeed(self.noticed, self._context.clock), self)
+        recorder = SessionRecorder(self._context, self.events, self)
+        if self.session_choices is not None:
+            recorder.choose(self.session_choices())
+        return recorder
+
+    def on_sessions_chosen(self) -> None:
+        """The operator has chosen otherwise how and where sessions are recorded."""
+        if self.session_choices is not None and "sessions" in vars(self):
+            self.sessions.choose(self.session_choices())
 
     @cached_property
     def happenings(self) -> EventCollector:

@@ -21,6 +21,8 @@ from armui.session.recording.kinds import RecordingFormat
 from armui.session.recording.lane import MOST_WAITING
 from armui.session.recording.recorded_session import RecordedSession
 from armui.session.session import MarkKind
+from armui.sim.faults.schedule import fault
+from armui.telemetry.event_json import from_json
 
 
 @pytest.fixture
@@ -143,6 +145,24 @@ def test_a_stop_saves_the_ring_if_the_operator_wishes_and_not_otherwise(rig, ses
     wait_for(lambda: "ring_saved" in rig.codes())
     (entry,) = list_recordings(sessions.choices.folder)
     assert entry.reason == "stop"
+
+
+def test_a_fault_of_the_arm_is_marked_with_its_end_and_saves_the_ring(rig, sessions, wait_for):
+    sessions.choose(replace(sessions.choices, save_at_faults=True))
+    rig.ready()
+    rig.node.faults.start(fault("overcurrent", 2))
+    rig.run(3.0)
+    sessions.look()
+    rig.run(4.0)
+    wait_for(lambda: "ring_saved" in rig.codes())
+
+    (entry,) = list_recordings(sessions.choices.folder)
+    assert (entry.reason, entry.faults > 0) == ("fault", True)
+    session = opened(entry)
+    faults = [mark for mark in session.marks if mark.kind is MarkKind.FAULT]
+    assert session.start_s <= faults[0].at_s <= session.end_s
+    for mark in session.marks:
+        assert from_json(json.dumps(mark.entry)).code == mark.entry["code"]
 
 
 def test_a_lost_device_does_not_end_a_recording(rig, sessions, wait_for):

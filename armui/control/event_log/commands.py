@@ -96,6 +96,7 @@ COMMANDS: Final[Mapping[E, CommandRule]] = {
     E.MOTION_OUTPUT_SENT: _rule(E.STEP_IN_VAIN, E.ONLINE, answer=_LINKAGE),
     E.RECORDING_STARTED: _rule(E.RECORDING_ENDED),
     E.FRAME_SENT_BY_HAND: _rule(),
+    E.SESSION_STARTED: _rule(E.SESSION_ENDED, E.SESSION_FAILED),
     E.REFUSED: _rule(),
 }
 """Every command, by the notice that tells it."""
@@ -129,7 +130,12 @@ _LINK: Final = frozenset(
 )
 _OTHER_HOST: Final = frozenset({E.OTHER_HOST_MOVES, E.LEADER_ARM_MOVES, E.OTHER_HOST_GONE})
 _STATUS: Final = frozenset({E.GENERATION, E.LIMITS_READ, E.LIMITS_MISSING, E.LIMITS_CORRUPT})
-_PROGRAM: Final = frozenset({E.PART_FAILED, E.SETTINGS_SHARED, E.CHANNEL_SHARED})
+_PROGRAM: Final = frozenset(
+    {
+        *(E.PART_FAILED, E.SETTINGS_SHARED, E.CHANNEL_SHARED),
+        *(E.RING_SAVED, E.RING_NOT_SAVED, E.SESSION_FRAMES_LOST),
+    }
+)
 JOGS: Final = frozenset({E.JOGGING_JOINT, E.JOGGING_TOOL})
 """What a held button begins: its motion is sent a moment later."""
 _JOG: Final = JOGS | {E.JOG_ENDED}
@@ -142,6 +148,7 @@ _BY_PROGRAM: Final = frozenset(
         *(E.LOAD_FAILED, E.END_FEEDBACK_FAILED, E.LINKAGE_FAILED, E.GRIPPER_NOT_THERE),
         *(E.GRIPPER_ACT_FAILED, E.ZERO_FAILED, E.SETTINGS_REFUSED, E.SETTINGS_RESET_FAILED),
         *(E.TEACHING_UNANSWERED, E.STEP_IN_VAIN, E.RECORDING_ENDED),
+        *(E.SESSION_ENDED, E.SESSION_FAILED),
     }
 )
 _BY_OPERATOR: Final = frozenset({E.CONNECTED, E.DISCONNECTED, E.STOP_WITHDRAWN})

@@ -6,7 +6,6 @@ import time
 from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
-from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -17,6 +16,8 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import EventCode
 from armui.control.sessions.choices import SessionChoices
+from armui.control.sessions.event_feed import EventFeed
+from armui.control.sessions.progress import RecordingProgress, RingContent
 from armui.control.sessions.recorded_arm import RecordedArm
 from armui.control.sessions.ring_saving import SaveAtFaults
 from armui.session.recording.lane import FrameLane
@@ -28,12 +29,13 @@ from armui.system import paths
 if TYPE_CHECKING:
     from armui.bus.link import BusReport
     from armui.control.context import Context
-    from armui.control.sessions.event_feed import EventFeed, FedEvent
+    from armui.control.sessions.event_feed import FedEvent
     from armui.session.recording.collector import Collector
     from armui.session.recording.ring import FrameRing
     from armui.session.recording.session_recording import SessionRecording
     from armui.session.recording.sidecar import Line
     from armui.session.recording.writer import RecordingPlan
+    from armui.telemetry.events import EventLog
 
 _LOOK_MS: Final = 250
 KEPT_S: Final = 300.0
@@ -41,42 +43,6 @@ KEPT_S: Final = 300.0
 _MOST_RECENT: Final = 10_000
 _END_S: Final = 1.0
 _OPENED: Final = frozenset({EventCode.CONNECTED, EventCode.RECONNECTED})
-
-
-@dataclass(frozen=True, slots=True)
-class RecordingProgress:
-    """The recording under way.
-
-    Attributes:
-        name: As it is called; "" until its folder was found writable.
-        folder: Where it is.
-        elapsed_s: Since it was begun.
-        frames, total_bytes: On the disk by now.
-        lost: Frames that are missing in it.
-    """
-
-    name: str
-    folder: Path
-    elapsed_s: float
-    frames: int
-    total_bytes: int
-    lost: int
-
-
-@dataclass(frozen=True, slots=True)
-class RingContent:
-    """What the ring holds.
-
-    Attributes:
-        frames: How many.
-        span_s: From the first to the last.
-        bytes_kept, most_bytes: The memory it takes now, and at most.
-    """
-
-    frames: int = 0
-    span_s: float = 0.0
-    bytes_kept: int = 0
-    most_bytes: int = 0
 
 
 class SessionRecorder(QObject):
@@ -87,7 +53,7 @@ class SessionRecorder(QObject):
 
     Args:
         context: What the parts of the controller share.
-        feed: Tells what happens.
+        events: What happens.
 
     Attributes:
         choices: Where and how.
@@ -98,10 +64,10 @@ class SessionRecorder(QObject):
 
     changed = Signal()
 
-    def __init__(self, context: Context, feed: EventFeed, parent: QObject | None = None) -> None:
+    def __init__(self, context: Context, events: EventLog, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._context = context
-        self._feed = feed
+        self._feed = EventFeed(events)
         self._facts = RecordedArm(context)
         self._recent: deque[FedEvent] = deque(maxlen=_MOST_RECENT)
         self._lane = FrameLane()
@@ -267,7 +233,7 @@ class SessionRecorder(QObject):
         """Take in what has happened; called by its own timer, four times a second."""
         for each in self._feed.take():
             self._recent.append(each)
-            if self.choices.save_at_faults:
+            if self.choices.save_at_faults and each.is_new:
                 self._at_faults.happened(each.mark, each.at_s)
             if self._recording is not None:
                 self._recording.note(_line(each, self._recording.plan.base.shift_s))

@@ -159,6 +159,6 @@ class WatchWindows:
         """What the status bar shows of them while it goes on."""
         from armui.ui.watch.recordings.recording_mark import RecordingMark  # noqa: PLC0415 - as above
 
-        mark = RecordingMark(self._controller.sessions)
+        mark = RecordingMark(self._controller)
         mark.clicked.connect(self.open_sessions)
         return (mark,)

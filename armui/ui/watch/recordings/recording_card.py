@@ -29,7 +29,8 @@ from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
-    from armui.control.sessions.session_recorder import RecordingProgress, SessionRecorder
+    from armui.control.sessions.progress import RecordingProgress
+    from armui.control.sessions.session_recorder import SessionRecorder
     from armui.settings import SessionFormat, SettingsStore
 
 _FORMATS: Final[tuple[tuple[SessionFormat, str], ...]] = (
