@@ -146,6 +146,7 @@ class ArmController(ControllerParts):
         self._stop.on_connecting(device)
         self.cartesian.prepare()
         self._parts.take(self._all_parts(), last=self.recovery)
+        self.sessions  # noqa: B018 - it keeps every frame, from the first on
         self._connection.open(device)
         self._timer.start()
         self._refresh()
