@@ -3,12 +3,19 @@
 from __future__ import annotations
 
 import enum
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Final, NamedTuple, Protocol
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
 
     from armui.session.frames import Channel, Damage, FrameBatch
+
+
+REMEMBERED_IDS: Final = frozenset({0x473, 0x47C, 0x4AF})
+"""Limits and accelerations, whose payload says of which joint they are, and the version, whose text
+takes several frames: the last one alone says too little."""
+REMEMBERED: Final = 16
+"""So many of their last frames belong to a snapshot."""
 
 
 class MarkKind(enum.Enum):
@@ -85,7 +92,7 @@ class Session(Protocol):
     def snapshot_at(self, t_s: float) -> FrameBatch:
         """The last frame of each identifier and channel at or before a time, in the order of time.
 
-        Its rows are no neighbours in the log: `first` is 0 and means nothing.
+        Of those in `REMEMBERED_IDS` the last `REMEMBERED`. Its rows are no neighbours in the log: `first` is 0 and means nothing.
         """
 
     def close(self) -> None:
