@@ -156,6 +156,7 @@ class RefusalCode(StrEnum):
     REPLAY_GAP = "replay_gap"  # seconds
     REPLAY_LAGGING = "replay_lagging"  # joint, away
     REPLAY_TOO_FAST = "replay_too_fast"  # joint, value, maximum, percent
+    REPLAYED_LOG = "replayed_log"
     RUN_DISABLED = "run_disabled"
     RUN_ELSEWHERE = "run_elsewhere"  # away
     RUN_EMPTY = "run_empty"  # name

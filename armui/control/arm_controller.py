@@ -56,6 +56,7 @@ from armui.system.clock import steady_s
 
 if TYPE_CHECKING:
     from armui.bus.worker import Opener
+    from armui.control.link.connection import MakeWorker
     from armui.telemetry.store import Telemetry
 
 _TICK_MS: Final = 33
@@ -75,6 +76,7 @@ class ArmController(QObject):
         simulated: Arms made of software, listed with the devices found.
         find: The search for devices.
         clock: Monotonic time in seconds.
+        make_worker: Puts something else in the place of the bus: a log.
 
     Attributes:
         motion: Moves the joints.
@@ -119,13 +121,14 @@ class ArmController(QObject):
         find: Callable[[], list[Device]] | None = None,
         clock: Callable[[], float] = steady_s,
         parent: QObject | None = None,
+        make_worker: MakeWorker | None = None,
     ) -> None:
         super().__init__(parent)
         self._clock = clock
         self._finder = DeviceFinder(simulated, find, self)
         self._finder.found.connect(self.devices_found)
         self._finder.searching_changed.connect(self.searching_changed)
-        self._connection = Connection(opener, clock, self)
+        self._connection = Connection(opener, clock, self, make_worker)
         self._connection.changed.connect(self._on_connection)
         self._connection.arm_came.connect(self._on_arm_came)
         self._stop = Stopping(self._connection, self._notice, clock, lambda: self._parts.halt())  # noqa: PLW0108

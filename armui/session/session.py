@@ -92,7 +92,8 @@ class Session(Protocol):
     def snapshot_at(self, t_s: float) -> FrameBatch:
         """The last frame of each identifier and channel at or before a time, in the order of time.
 
-        Of those in `REMEMBERED_IDS` the last `REMEMBERED`. Its rows are no neighbours in the log: `first` is 0 and means nothing.
+        Of those in `REMEMBERED_IDS` the last `REMEMBERED`. Its rows are no neighbours in the log:
+        `first` is 0 and means nothing.
         """
 
     def close(self) -> None:

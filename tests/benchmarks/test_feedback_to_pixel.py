@@ -40,7 +40,7 @@ class Stamps:
         self._key_of_sequence = {}
         self._told_s, self._heard_s, self._folded_s = {}, {}, {}
         self._pictured_s: deque[Any] = deque(maxlen=100)
-        tracker = program.controller._connection._worker._tracker
+        tracker = program.controller._connection._worker._intake._tracker
         picture = tracker.picture
 
         def timed_picture():

@@ -62,7 +62,7 @@ class IndexedLog:
         return flat.reshape(-1, *kind.shape)
 
     def _remove_folder(self) -> None:
-        # where the system refuses this (Windows, while they are mapped), it is tried again at the end
+        # Windows refuses this while they are mapped; it is tried again at the end
         with contextlib.suppress(OSError):
             shutil.rmtree(self._folder)
 
