@@ -106,9 +106,8 @@ def _writer(
     makers = {field.name: _maker(record, field, codec, layout, told) for field in record.fields}
 
     def write(frames: FrameColumns) -> None:
-        sound = np.isin(frames.lengths, lengths)
-        if not sound.all():
-            frames = frames.of(sound)
+        if not (frames.lengths == lengths[0]).all():
+            frames = frames.of(np.isin(frames.lengths, lengths))
         if len(frames):
             words = payload_words(frames.payloads)
             columns = {name: make(words) for name, make in makers.items()}

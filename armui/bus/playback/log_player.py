@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 import threading
+import time
 from typing import TYPE_CHECKING, Final
 
 from armui.bus.intake import Intake
 from armui.bus.playback.folding import Folding
-from armui.bus.playback.log_cursor import LogCursor, TimedFrame
+from armui.bus.playback.log_cursor import LogCursor, TimedFrame, joined
 from armui.bus.playback.series_tap import SeriesTap, is_own_command
 from armui.protocol.frame import Frame
 from armui.telemetry.store import Telemetry
@@ -29,8 +30,11 @@ _SLICE_S: Final = 0.2
 """Log time of a slice at most: shorter than what counts as silence."""
 _AT_ONCE: Final = 256
 """So many frames are taken in before others may look."""
-FILLED_S: Final = 600.0
+FILLED_S: Final = 120.0
 """So much of the log before a place is shown in its curves at once."""
+_FILL_ROWS: Final = 32_768
+_SETTLE_S: Final = 0.08
+"""Curves are drawn a dozen times a second: what is played fast reaches them as often."""
 
 
 class LogPlayer:
@@ -70,6 +74,8 @@ class LogPlayer:
         self._folding = Folding(codec)
         self._recalled: Sequence[TimedFrame] = ()
         self._at_entry = True
+        self._waiting: list[FrameColumns] = []
+        self._settled_s = 0.0
         self.last: TimedFrame | None = None
         self.played = 0
 
@@ -122,6 +128,7 @@ class LogPlayer:
             self._recalled, self._at_entry = recalled, True
             self._folding = Folding(self.intake.codec)
             self.intake.forget_others()
+            self._waiting = []
             self.last = recalled[-1] if recalled else None
             self.played = 0
             self._clock.set(at_s)
@@ -136,11 +143,27 @@ class LogPlayer:
         """
         end_s = self._clock()
         begin_s = max(self._session.start_s, end_s - FILLED_S)
+        pieces: list[FrameColumns] = []
         for frames in self._look_up.columns_between(begin_s, end_s):
             if not is_wanted():
                 return
+            pieces.append(frames)
+            if sum(map(len, pieces)) >= _FILL_ROWS:
+                self._fill_series(pieces)
+                pieces = []
+        self._fill_series(pieces)
+
+    def _fill_series(self, pieces: list[FrameColumns]) -> None:
+        if pieces:
+            frames = joined(pieces)
             for tap in self._series.values():
                 tap.take(frames)
+
+    def settle(self) -> None:
+        """Show in the curves what was played fast, up to here."""
+        pieces, self._waiting = self._waiting, []
+        self._fill_series(pieces)
+        self._settled_s = time.monotonic()
 
     # Playing ----------------------------------------------------------------------------------
 
@@ -152,6 +175,8 @@ class LogPlayer:
             speed: Above `ONE_BY_ONE_UP_TO` not every frame is looked at.
             is_wanted: Asked after each slice; when it is not, the rest is left.
         """
+        if speed <= ONE_BY_ONE_UP_TO:
+            self.settle()
         at_s = self._clock()
         while at_s < until_s:
             at_s = min(at_s + _SLICE_S, until_s)
@@ -175,6 +200,8 @@ class LogPlayer:
                 return True
 
     def _play_slice(self, until_s: float) -> None:
+        if time.monotonic() - self._settled_s > _SETTLE_S:
+            self.settle()
         frames = self._cursor.columns_until(until_s)
         with self.lock:
             if len(frames):
@@ -184,9 +211,9 @@ class LogPlayer:
     def _take_slice(self, frames: FrameColumns) -> None:
         self._take_codec()
         before = self.played
+        self._waiting.append(frames)
         for tap in self._series.values():
             tap.by_columns = True
-            tap.take(frames)
         for row in self._folding.rows(frames).tolist():
             data = frames.payloads[row, : frames.lengths[row]].tobytes()
             frame = Frame(int(frames.ids[row]), data)
@@ -198,6 +225,7 @@ class LogPlayer:
 
     def step(self) -> TimedFrame | None:
         """Take in the next frame alone; ``None`` at the end."""
+        self.settle()
         frame = self._cursor.next_frame()
         if frame is not None:
             with self.lock:

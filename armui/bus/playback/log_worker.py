@@ -229,6 +229,8 @@ class LogWorker(QThread):
     def _run(self) -> None:
         looked_s = time.monotonic()
         while True:
+            if not self._playing:
+                self._player.settle()
             with self._wake:
                 if not (self._closing or self._is_something_to_do()):
                     plays = self._playing and not self._travelling
