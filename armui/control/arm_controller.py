@@ -121,6 +121,7 @@ class ArmController(QObject):
         find: Callable[[], list[Device]] | None = None,
         clock: Callable[[], float] = steady_s,
         parent: QObject | None = None,
+        *,
         make_worker: MakeWorker | None = None,
     ) -> None:
         super().__init__(parent)

@@ -37,7 +37,7 @@ class LogReplay(QObject):
         parent: Qt's.
 
     Attributes:
-        session: As given.
+        session, channel: As given.
         clock: Log time; it moves only with the replay.
         controller: Watches the log.
 
@@ -60,7 +60,7 @@ class LogReplay(QObject):
         super().__init__(parent)
         self.session = session
         self.clock = LogClock(session.start_s)
-        self._channel = channel
+        self.channel = channel
         self._device = Device("replay", name, None, name, listen_only=True, recorded=arm)
         self._worker: LogWorker | None = None
         self._going_to: float | None = None
@@ -75,7 +75,7 @@ class LogReplay(QObject):
         self, device: Device, codec: Codec, number: int, taps: Sequence[Tap]
     ) -> LogWorker:
         worker = LogWorker(
-            device, codec, self.session, self._channel, self.clock, number=number, taps=taps
+            device, codec, self.session, self.channel, self.clock, number=number, taps=taps
         )
         worker.found.connect(self._on_found)
         worker.moved.connect(self._on_moved)

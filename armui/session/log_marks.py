@@ -51,7 +51,6 @@ _JOINT_FAULTS: Final = (
 _TARGETS: Final = ("JointTarget12", "CartesianTarget1", "MitControl1", "GripperCommand")
 
 
-
 @dataclass(frozen=True, slots=True)
 class LogFrames:
     """Where marks are looked for.
@@ -126,13 +125,13 @@ class _Finder:
                 times_s, first, behind, kind, code="stopped" if stopped else "status", status=code
             )
         for name, signal in layout.signals.items():
-            for suffix, code in (
+            for suffix, what in (
                 ("LimitExceeded", "beyond_limit"),
                 ("CommunicationFault", "no_communication"),
             ):
                 if name.endswith(suffix):
                     yield from self._flagged(
-                        times_s, signal_column(words, signal), code=code, joint=int(name[1])
+                        times_s, signal_column(words, signal), code=what, joint=int(name[1])
                     )
 
     def of_joints(self) -> Iterator[Mark]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import threading
 from collections.abc import Callable, Mapping, Sequence
+from datetime import datetime, timedelta
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -62,11 +63,13 @@ class Telemetry:
         keep_s: How long every sample is kept.
 
     Attributes:
+        wall_time: What the clock on the wall showed at a time of this clock; a log has its own.
         series: By name; see `armui.telemetry.quantities`.
     """
 
     def __init__(self, clock: Callable[[], float] = steady_s, keep_s: float = KEPT_S) -> None:
         self._clock = clock
+        self.wall_time: Callable[[float], datetime] = self._wall_time
         self.series: Mapping[str, Series] = {
             record.name: Series(record.shape, keep_s) for record in RECORDS
         }
@@ -86,6 +89,9 @@ class Telemetry:
     def now_s(self) -> float:
         """The present, by the clock of the samples."""
         return self._clock()
+
+    def _wall_time(self, at_s: float) -> datetime:
+        return datetime.now().astimezone() - timedelta(seconds=self._clock() - at_s)
 
     @property
     def bytes_kept(self) -> int:

@@ -19,6 +19,7 @@ STEP_S = 0.005
 START_S = 1_790_000_000.0
 """Of every log, in seconds since 1970: September 2026."""
 
+
 def frames(
     seconds: float,
     generation: Generation = Generation.TWO,

@@ -72,4 +72,3 @@ class Folding:
                 keep[same[np.diff(codes, prepend=before) != 0]] = True
                 self._last[wire_id] = int(codes[-1])
         return np.flatnonzero(keep)
-

@@ -123,9 +123,7 @@ class LogCursor:
 
 def _timed(batch: FrameBatch, row: int) -> TimedFrame:
     frame = Frame(int(batch.ids[row]), batch.data(row))
-    return TimedFrame(
-        frame, float(batch.times_s[row]), int(batch.flags[row]), batch.first + row
-    )
+    return TimedFrame(frame, float(batch.times_s[row]), int(batch.flags[row]), batch.first + row)
 
 
 def _columns(batch: FrameBatch, rows: np.ndarray) -> FrameColumns:

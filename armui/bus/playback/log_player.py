@@ -60,6 +60,7 @@ class LogPlayer:
         session: Session,
         channel: Channel,
         clock: LogClock,
+        *,
         codec: Codec,
         taps: Sequence[Tap],
         answered: Callable[[Message], object],
@@ -238,10 +239,10 @@ class LogPlayer:
         at_s = self.last.at_s if self.last is not None else self._clock()
         width_s = 0.01
         while True:
-            begin_s = at_s - width_s
+            begin_s, end_s = at_s - width_s, math.nextafter(at_s, -math.inf)
             times_s = [
                 float(frames.times_s[frames.times_s < at_s][-1])
-                for frames in self._look_up.columns_between(begin_s, math.nextafter(at_s, -math.inf))
+                for frames in self._look_up.columns_between(begin_s, end_s)
                 if (frames.times_s < at_s).any()
             ]
             if times_s:
@@ -265,4 +266,3 @@ class LogPlayer:
         self.intake.line.flush(self.intake.codec, at_s)
         self.intake.show()
         self._clock.set(at_s)
-

@@ -6,13 +6,13 @@ import threading
 import time
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QObject, QThread, Signal
+from PySide6.QtCore import QThread, Signal
 
 from armui.bus.link import BusReport, BusState
 from armui.bus.playback.log_player import LogPlayer
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
 
     from armui.arm.device import Device
     from armui.arm.other_hosts import OtherTraffic
@@ -70,18 +70,19 @@ class LogWorker(QThread):
         session: Session,
         channel: Channel,
         clock: LogClock,
-        parent: QObject | None = None,
         *,
         number: int = 0,
         taps: Sequence[Tap] = (),
     ) -> None:
-        super().__init__(parent)
+        super().__init__()
         self.setObjectName(f"replay {device.name}")
         self._device = device
         self._number = number
         self._session = session
         self._clock = clock
-        self._player = LogPlayer(session, channel, clock, codec, taps, self.answered.emit)
+        self._player = LogPlayer(
+            session, channel, clock, codec=codec, taps=taps, answered=self.answered.emit
+        )
         self.samples: SampleRing = self._player.intake.samples
         self.speed = 1.0
         self._wake = threading.Condition()

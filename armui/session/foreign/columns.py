@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import struct
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from pathlib import Path
 
     from numpy.typing import NDArray
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
     from armui.session.frames import Channel, Damage
     from armui.session.session import Mark
 
-COLUMNS: Final = {
+COLUMNS: Final[Mapping[str, np.dtype[Any]]] = {
     "times_s": np.dtype(np.float64),
     "ids": np.dtype(np.uint32),
     "flags": np.dtype(np.uint8),
@@ -104,9 +105,10 @@ def group_codes(
     ids: NDArray[np.uint32], flags: NDArray[np.uint8], channels: NDArray[np.uint8]
 ) -> NDArray[np.uint64]:
     """One number for each channel, sort of frame and identifier."""
-    kinds = flags & 0b111  # extended, remote, error
+    kinds = (flags & 0b111).astype(np.uint64)  # extended, remote, error
     high = (channels.astype(np.uint64) << np.uint64(3)) | kinds
-    return (high << np.uint64(32)) | ids
+    codes: NDArray[np.uint64] = (high << np.uint64(32)) | ids.astype(np.uint64)
+    return codes
 
 
 def column_path(folder: Path, name: str) -> Path:

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.detect import GenerationDetector
 from armui.protocol.frame import Frame, FrameFlag
 from armui.session.foreign.columns import (
@@ -26,9 +28,10 @@ from armui.session.foreign.columns import (
     group_codes,
 )
 from armui.session.foreign.times import straightened
-from armui.session.frames import NOT_OF_THE_ARM
+from armui.session.frames import NOT_OF_THE_ARM, NotALogError
 from armui.session.log_marks import LogFrames, marks_of
-from armui.session.reader import LogFile
+from armui.session.reader import SUFFIXES, LogFile, is_known_kind
+from armui.system.error_text import error_text
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -87,6 +90,23 @@ def index_log(path: Path, folder: Path, most_frames: int = MOST_FRAMES) -> LogIn
         reversed_times=reversed_times,
         cut=cut,
     )
+
+
+def index_or_reason(path: Path, folder: Path, most_frames: int = MOST_FRAMES) -> LogIndex | Refusal:
+    """The same, or why there is nothing to replay."""
+    name = path.name
+    try:
+        index = index_log(path, folder, most_frames)
+    except NotALogError as error:
+        if isinstance(error.__cause__, OSError):
+            return Refusal(RefusalCode.REPLAY_UNREADABLE, {"name": name, "text": str(error)})
+        if not is_known_kind(path):
+            known = ", ".join(SUFFIXES)
+            return Refusal(RefusalCode.REPLAY_UNKNOWN_KIND, {"name": name, "known": known})
+        return Refusal(RefusalCode.REPLAY_NO_LOG, {"name": name, "text": str(error)})
+    except OSError as error:
+        return Refusal(RefusalCode.REPLAY_NO_DISK, {"text": error_text(error)})
+    return index if index.frames else Refusal(RefusalCode.REPLAY_EMPTY, {"name": name})
 
 
 class _Columns:

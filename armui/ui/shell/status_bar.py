@@ -55,9 +55,20 @@ _QUANTITIES: Final = {
 
 
 class StatusBar(Translated, QWidget):
-    """The notice gives way when there is no room; what the arm says never does."""
+    """The notice gives way when there is no room; what the arm says never does.
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+    Args:
+        controller: Who knows the arm.
+        with_notices: Whether what happened last is told; of a log its time line tells.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        parent: QWidget | None = None,
+        *,
+        with_notices: bool = True,
+    ) -> None:
         super().__init__(parent)
         self.setObjectName("status_bar")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
@@ -91,7 +102,8 @@ class StatusBar(Translated, QWidget):
             if name == "arm":
                 layout.addWidget(self._status_icon)
             layout.addWidget(label)
-        controller.noticed.connect(self._on_noticed)
+        if with_notices:
+            controller.noticed.connect(self._on_noticed)
         controller.state_changed.connect(self._on_state_changed)
         controller.operating_state_changed.connect(self._on_operating_state_changed)
         self.retranslate_ui()

@@ -25,6 +25,10 @@ _BUTTONS: Final = (
          "WatchMenu",
          "What was heard and commanded in the last half hour. The right button on any figure "
          "shows it here.")),
+    ("replay", QT_TRANSLATE_NOOP("WatchMenu", "Replay"),
+     QT_TRANSLATE_NOOP(
+         "WatchMenu",
+         "Shows a recording, of this program or of another one, as if it were live.")),
 )
 # fmt: on
 """Icon, name and purpose of each window, row by row."""
@@ -39,6 +43,7 @@ class WatchWindows:
         background: Where what takes long is done, and files are read and written.
         window: The main window.
         open_window: How it shows a dialog.
+        robot: The robot description that is shown; ``None``: the program's own.
     """
 
     def __init__(
@@ -48,17 +53,21 @@ class WatchWindows:
         background: Background,
         window: QWidget,
         open_window: Opener,
+        *,
+        robot: Callable[[], Path | None] = lambda: None,
     ) -> None:
         self._controller = controller
         self._settings = settings
         self._background = background
         self._window = window
         self._open = open_window
+        self._robot = robot
 
     def entries(self) -> tuple[WatchEntry, ...]:
         """The buttons below the menu."""
         openers: dict[str, Callable[[], object]] = {
             "plots": lambda: self.show_as_curves(()),
+            "replay": self.open_replay,
         }
         return tuple(
             WatchEntry(key, str(title), str(tip), openers[key]) for key, title, tip in _BUTTONS
@@ -74,3 +83,22 @@ class WatchWindows:
         window = self._open("plots", make)
         if isinstance(window, PlotWindow):
             window.add_curves(keys)
+
+    def open_replay(self, path: Path | None = None) -> None:
+        """Show a log in the window 回放; without one the operator chooses there.
+
+        Args:
+            path: The log.
+        """
+        from armui.ui.watch.replay.replay_window import ReplayWindow  # noqa: PLC0415 - numpy
+        from armui.viewport.view import ArmView  # noqa: PLC0415 - with the first log
+
+        def make_view() -> ArmView:
+            return ArmView(self._robot())
+
+        def make() -> QDialog:
+            return ReplayWindow(self._controller, self._background, make_view, self._window)
+
+        window = self._open("replay", make)
+        if isinstance(window, ReplayWindow) and path is not None:
+            window.open_log(path)

@@ -40,11 +40,6 @@ OTHER_HOST_REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "This connection only listens: nothing is sent but the emergency stop. Connect without "
         "Listen only to command the arm.",
     ),
-    RefusalCode.REPLAYED_LOG: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "This is a recording that is replayed: nothing can be sent. Whatever is to reach an arm is "
-        "done in the main window.",
-    ),
     RefusalCode.NOBODY_ELSE: QT_TRANSLATE_NOOP("Refusal", "No other program moves the arm."),
     RefusalCode.HELD_AT_ZERO: QT_TRANSLATE_NOOP(
         "Refusal",
