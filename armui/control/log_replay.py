@@ -140,12 +140,16 @@ class LogReplay(QObject):
             return
         if on and self.is_at_end:
             self.go_to(self.session.start_s)
+        if on and self._fill_timer.isActive():
+            self._fill()
         self._worker.play(on=on)
         self.moved.emit()
 
     def step(self) -> None:
         """Stand still, one frame further."""
         if self._worker is not None:
+            if self._fill_timer.isActive():
+                self._fill()
             self._worker.step()
 
     def step_back(self) -> None:
@@ -180,6 +184,7 @@ class LogReplay(QObject):
         self.moved.emit()
 
     def _fill(self) -> None:
+        self._fill_timer.stop()
         if self._worker is not None and self._going_to is None:
             self._worker.fill_curves()
 

@@ -278,6 +278,10 @@ class MainWindow(Translated, QMainWindow):
         """Show quantities in the window 曲线, by their keys (`armui.telemetry.quantities`)."""
         self._watch.show_as_curves(keys)
 
+    def open_replay(self, path: Path | None = None) -> None:
+        """Show a log in the window 回放."""
+        self._watch.open_replay(path)
+
     def open_help_dialog(self) -> None:
         """Show how the 3D view is used."""
 

@@ -6,13 +6,15 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QVBoxLayout, QWidget
 
 from armui.arm.joint_status import Item, Word
 from armui.control.devices.joint_monitor import JointMonitor
 from armui.ui import words
-from armui.ui.dialogs.joint_status_cell import JointCellDelegate, cell_width
+from armui.ui.dialogs.joint_status_cell import JointCellDelegate
 from armui.ui.dialogs.joint_status_model import JointStatusModel
+from armui.ui.theme import scaled_font
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
@@ -21,7 +23,9 @@ if TYPE_CHECKING:
     from armui.arm.joint_status import StatusCell
     from armui.control.arm_controller import ArmController
 
-_HEADER_PAD_PX: Final = 20
+_HEADER_PAD_PX: Final = 16
+_MARK_PX: Final = 40
+"""The mark before a word, and the room around both."""
 
 
 class RecordedJoints(JointMonitor):
@@ -77,8 +81,9 @@ class JointTable(Translated, QWidget):
         metrics = self.table.fontMetrics()
         names = max(metrics.horizontalAdvance(words.joint_item(item)) for item in Item)
         self.table.verticalHeader().setFixedWidth(names + _HEADER_PAD_PX)
-        column_px = cell_width(self.table, [words.joint_word(word) for word in Word])
-        self.table.horizontalHeader().setMinimumSectionSize(column_px)
+        bold = scaled_font(self.table, 1.0, bold=True)
+        widest = max(QFontMetrics(bold).horizontalAdvance(words.joint_word(word)) for word in Word)
+        self.table.horizontalHeader().setMinimumSectionSize(widest + _MARK_PX)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Catch up with what went by while the table was hidden."""

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from armui.viewport.view import ArmView
 
 _LOOK_MS: Final = 33
+_PICTURE_PX, _TABS_PX = 480, 900
 
 
 class ReplayView(Translated, QWidget):
@@ -73,6 +74,7 @@ class ReplayView(Translated, QWidget):
         self.marks = MarkTable(self._search.marks, session.start_s)
         self.tabs = QTabWidget()
         self.tabs.setObjectName("replay_tabs")
+        self.tabs.setDocumentMode(True)
         for tab in (self.joints, self.curves, self.marks):
             self.tabs.addTab(tab, "")
         self.status = StatusBar(controller, with_notices=False)
@@ -97,8 +99,9 @@ class ReplayView(Translated, QWidget):
         splitter.setChildrenCollapsible(False)
         splitter.addWidget(self.view)
         splitter.addWidget(self.tabs)
-        splitter.setStretchFactor(0, 4)
-        splitter.setStretchFactor(1, 5)
+        splitter.setStretchFactor(0, 1)
+        splitter.setStretchFactor(1, 0)
+        splitter.setSizes([_PICTURE_PX, _TABS_PX])
         self._channel_label = text_label(rank="muted", plain=True)
         self._generation_label = text_label(rank="muted", plain=True)
         choices = QHBoxLayout()
