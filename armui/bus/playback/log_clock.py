@@ -1,4 +1,4 @@
-"""The time of a log that is replayed; it stands still unless the replay moves it: pure."""
+"""The time of a log that is replayed; it stands still unless the replay moves it."""
 
 from __future__ import annotations
 

@@ -74,7 +74,7 @@ class MarkModel(QAbstractTableModel):
             return duration(mark.at_s - self._start_s)
         if index.column() == 2:
             ended_s = end_of(mark)
-            return "" if ended_s is None else f"{duration(ended_s - mark.at_s)} s"
+            return "" if ended_s is None else duration(ended_s - mark.at_s)
         return log_mark(mark)
 
     def retranslate(self) -> None:
@@ -138,7 +138,7 @@ class MarkTable(Translated, QWidget):
                 column, QHeaderView.ResizeMode.Interactive
             )
             metrics = self.table.fontMetrics()
-            sample = ("0000-00-00 00:00:00.000", "00:00:00.000", "0:00:00.000 s")[column]
+            sample = ("0000-00-00 00:00:00.000", "00:00:00.000", "0:00:00.000")[column]
             heading = str(self.model.headerData(column, Qt.Orientation.Horizontal))
             width = max(metrics.horizontalAdvance(sample), metrics.horizontalAdvance(heading))
             self.table.setColumnWidth(column, width + 28)

@@ -100,7 +100,7 @@ class TimeLine(Translated, QWidget):
         for mark in self._marks:
             ended_s = end_of(mark) or mark.at_s
             if mark.at_s - near_s <= at_s <= ended_s + near_s:
-                lasting = duration(ended_s - mark.at_s) + " s" if ended_s > mark.at_s else ""
+                lasting = duration(ended_s - mark.at_s) if ended_s > mark.at_s else ""
                 words = f"{moment(mark.at_s)}  {log_mark(mark)}"
                 found.append(f"{words} ({lasting})" if lasting else words)
         return found
