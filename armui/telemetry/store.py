@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from armui.telemetry.columns import FrameColumns
 
 _BUS_EVERY_S: Final = 0.1
+_ROUNDING_S: Final = 1e-4
 _PAUSE_S: Final = 1.0
 """Nobody counted for so long: the next count begins anew."""
 _FRAME_BITS: Final = 47
@@ -218,7 +219,7 @@ class Telemetry:
     def on_look(self, now_s: float) -> None:
         """Called every few milliseconds while a device is open."""
         passed_s = now_s - self._counted_s
-        if passed_s < _BUS_EVERY_S:
+        if passed_s < _BUS_EVERY_S - _ROUNDING_S:
             return
         if passed_s < _PAUSE_S:
             load_percent = 100.0 * self._bits / (passed_s * self._bitrate)

@@ -54,7 +54,8 @@ def frames(
 def greeting(generation: Generation) -> dict[int, list[Frame]]:
     """A host that asks for the version and the limits, and switches the motors on."""
     codec = Codec(generation)
-    asked = {40: commands.query_firmware(codec), 200: commands.enable_motors(codec)}
+    ask = Codec(Generation.TWO)
+    asked = {40: commands.query_firmware(ask), 200: commands.enable_motors(codec)}
     for joint in range(1, 7):
         asked[80 + joint] = [
             *commands.query_limits(codec, joint),

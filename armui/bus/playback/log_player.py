@@ -178,6 +178,7 @@ class LogPlayer:
         """
         if speed <= ONE_BY_ONE_UP_TO:
             self.settle()
+            self._go_by_columns(wanted=False)
         at_s = self._clock()
         while at_s < until_s:
             at_s = min(at_s + _SLICE_S, until_s)
@@ -203,30 +204,31 @@ class LogPlayer:
     def _play_slice(self, until_s: float) -> None:
         if time.monotonic() - self._settled_s > _SETTLE_S:
             self.settle()
+        self._go_by_columns(wanted=True)
         frames = self._cursor.columns_until(until_s)
         with self.lock:
             if len(frames):
                 self._take_slice(frames)
             self._flush(until_s)
 
+    def _go_by_columns(self, *, wanted: bool) -> None:
+        for tap in self._series.values():
+            tap.by_columns = wanted
+
     def _take_slice(self, frames: FrameColumns) -> None:
         self._take_codec()
         before = self.played
         self._waiting.append(frames)
-        for tap in self._series.values():
-            tap.by_columns = True
         for row in self._folding.rows(frames).tolist():
             data = frames.payloads[row, : frames.lengths[row]].tobytes()
             frame = Frame(int(frames.ids[row]), data)
             self._take(TimedFrame(frame, float(frames.times_s[row]), int(frames.flags[row])))
-        self.intake.line.flush(self.intake.codec, float(frames.times_s[-1]))
-        for tap in self._series.values():
-            tap.by_columns = False
         self.played = before + len(frames)
 
     def step(self) -> TimedFrame | None:
         """Take in the next frame alone; ``None`` at the end."""
         self.settle()
+        self._go_by_columns(wanted=False)
         frame = self._cursor.next_frame()
         if frame is not None:
             with self.lock:
