@@ -69,7 +69,7 @@ def marks_of(frames: LogFrames, generation: Generation) -> list[Mark]:
     """Faults with their ends, stops, and where commands begin, in the order of time.
 
     An entry has "code" and "channel"; what belongs to it stands beside: "status", "joint", "what",
-    "action", and "ended_s" in log time for a fault that ends.
+    "message", and of what lasts "ended_s" in log time, ``None`` where it goes on to the end.
     """
     marks: list[Mark] = []
     for channel in frames.channels:
@@ -213,8 +213,8 @@ class _Finder:
         kind: MarkKind,
         **entry: object,
     ) -> Mark:
-        if behind is not None and behind < times_s.size:
-            entry["ended_s"] = float(times_s[behind])
+        if behind is not None:
+            entry["ended_s"] = float(times_s[behind]) if behind < times_s.size else None
         return Mark(float(times_s[first]), kind, entry | self._where())
 
     def _where(self) -> dict[str, object]:

@@ -44,7 +44,14 @@ class MarkSearch:
         return self._trouble[place - 1] if place else None
 
 
-def end_of(mark: Mark) -> float | None:
-    """Log time of the end of a fault, where it has one."""
-    ended_s = mark.entry.get("ended_s")
+def end_of(mark: Mark, log_end_s: float) -> float | None:
+    """Log time of the end of what lasts; ``None`` for what is a moment.
+
+    Args:
+        mark: What happened.
+        log_end_s: When the log ends, and with it what has no other end.
+    """
+    ended_s = mark.entry.get("ended_s", mark)
+    if ended_s is None:
+        return log_end_s
     return float(ended_s) if isinstance(ended_s, int | float) else None

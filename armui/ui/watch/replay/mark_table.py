@@ -30,13 +30,13 @@ class MarkModel(QAbstractTableModel):
 
     Args:
         marks: In the order of time.
-        start_s: Log time of the beginning.
+        span_s: Log time of the beginning and of the end.
     """
 
-    def __init__(self, marks: Sequence[Mark], start_s: float, owner: QWidget) -> None:
+    def __init__(self, marks: Sequence[Mark], span_s: tuple[float, float], owner: QWidget) -> None:
         super().__init__(owner)
         self._marks = marks
-        self._start_s = start_s
+        self._start_s, self._end_s = span_s
         self._owner = owner
 
     def rowCount(self, parent: _Index | None = None) -> int:  # noqa: N802 - the name Qt calls
@@ -73,7 +73,7 @@ class MarkModel(QAbstractTableModel):
         if index.column() == 1:
             return duration(mark.at_s - self._start_s)
         if index.column() == 2:
-            ended_s = end_of(mark)
+            ended_s = end_of(mark, self._end_s)
             return "" if ended_s is None else duration(ended_s - mark.at_s)
         return log_mark(mark)
 
@@ -94,12 +94,12 @@ class MarkTable(Translated, QWidget):
     wanted = Signal(float)
 
     def __init__(
-        self, marks: Sequence[Mark], start_s: float, parent: QWidget | None = None
+        self, marks: Sequence[Mark], span_s: tuple[float, float], parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self._marks = marks
         self._times_s = [each.at_s for each in marks]
-        self.model = MarkModel(marks, start_s, self)
+        self.model = MarkModel(marks, span_s, self)
         self.table = QTableView()
         self.table.setObjectName("replay_marks")
         self.table.setModel(self.model)

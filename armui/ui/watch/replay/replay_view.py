@@ -71,7 +71,7 @@ class ReplayView(Translated, QWidget):
         self.joints = JointTable(controller)
         self.curves = PlotsArea(controller.telemetry, live, background)
         self.curves.board.show_plots(SETS["follow"])
-        self.marks = MarkTable(self._search.marks, session.start_s)
+        self.marks = MarkTable(self._search.marks, (session.start_s, session.end_s))
         self.tabs = QTabWidget()
         self.tabs.setObjectName("replay_tabs")
         self.tabs.setDocumentMode(True)

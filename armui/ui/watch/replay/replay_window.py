@@ -51,7 +51,7 @@ class ReplayWindow(ArmDialog):
         background: Where files are read and written.
         make_view: Makes the 3D picture.
         parent: The main window.
-        make_helper: Makes the process that reads a log.
+        make_helper: Makes what reads a log: a process of its own by default.
 
     Attributes:
         view: What is shown of the log that is open; ``None``: none is.
@@ -64,7 +64,7 @@ class ReplayWindow(ArmDialog):
         make_view: Callable[[], ArmView],
         parent: QWidget | None = None,
         *,
-        make_helper: Callable[[], Executor] = HelperProcess,
+        make_helper: Callable[[], Executor] | None = None,
     ) -> None:
         super().__init__(controller, parent)
         self.setObjectName("replay_window")
@@ -72,7 +72,7 @@ class ReplayWindow(ArmDialog):
         self._controller = controller
         self._background = background
         self._make_view = make_view
-        self._make_helper = make_helper
+        self._make_helper = make_helper or HelperProcess
         self._opening: LogOpening | None = None
         self._path: Path | None = None
         self._session: Session | None = None

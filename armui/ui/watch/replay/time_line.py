@@ -98,7 +98,7 @@ class TimeLine(Translated, QWidget):
         at_s = self.time_at(x_px)
         found = []
         for mark in self._marks:
-            ended_s = end_of(mark) or mark.at_s
+            ended_s = end_of(mark, self._end_s) or mark.at_s
             if mark.at_s - near_s <= at_s <= ended_s + near_s:
                 lasting = duration(ended_s - mark.at_s) if ended_s > mark.at_s else ""
                 words = f"{moment(mark.at_s)}  {log_mark(mark)}"
@@ -212,7 +212,7 @@ class TimeLine(Translated, QWidget):
             MarkKind.NOTE: colors.muted,
         }
         for mark in self._marks:
-            ended_s = end_of(mark) or mark.at_s
+            ended_s = end_of(mark, self._end_s) or mark.at_s
             if ended_s < self._from_s or mark.at_s > self._to_s:
                 continue
             left = max(self.place_px(mark.at_s), _EDGE_PX)
