@@ -7,6 +7,7 @@ from tests.gallery_scenes import (
     dialogs,
     panels,
     plots,
+    replay,
     shelves,
     trajectories,
 )
@@ -79,6 +80,10 @@ DIALOG_SCENES = (
     DialogScene("plots-why-stopped", "collision", plots.why_stopped),
     DialogScene("plots-cursors", "stopped", plots.cursors),
     DialogScene("plots-hot", "run", plots.hot),
+    DialogScene("replay-begin", "online", replay.beginning),
+    DialogScene("replay", "online", replay.joints),
+    DialogScene("replay-curves", "online", replay.curves),
+    DialogScene("replay-faults", "refused", replay.marks),
     DialogScene("confirm-disable", "refused", dialogs.confirm_disable),
     DialogScene("linkage", "linkage", panels.linkage_question),
     DialogScene("hold-zero", "motors", panels.hold_zero),

@@ -80,7 +80,10 @@ def test_the_halt_key_halts_the_arm_from_the_replay_window(replay):
 
 def test_no_stop_button_of_the_window_belongs_to_the_log(replay):
     live = replay.driver.controller
-    for button in (*replay.window.findChildren(StopButton), *replay.window.findChildren(HaltButton)):
+    for button in (
+        *replay.window.findChildren(StopButton),
+        *replay.window.findChildren(HaltButton),
+    ):
         assert button._controller is live
 
 

@@ -64,6 +64,19 @@ def greeting(generation: Generation) -> dict[int, list[Frame]]:
     return asked
 
 
+def moving(generation: Generation) -> dict[int, list[Frame]]:
+    """A host that greets, moves to and fro, stops the arm at 17 s and ends the stop at 18.5 s."""
+    codec = Codec(generation)
+    asked = greeting(generation)
+    away, back = (35.0, 60.0, -50.0, 20.0, 30.0, -40.0), (0.0, 20.0, -20.0, 0.0, 0.0, 0.0)
+    for place, step in enumerate(range(300, 3400, 500)):
+        target = away if place % 2 == 0 else back
+        asked[step] = commands.move_joints(codec, target, speed_percent=40)
+    asked[3400] = commands.emergency_stop(codec)
+    asked[3700] = commands.resume(codec)
+    return asked
+
+
 def write(path: Path, recorded: Iterable[tuple[float, Frame]], channel: int = 1) -> int:
     """Write a log with python-can's own writer; how many frames it holds."""
     count = 0

@@ -332,8 +332,9 @@ class PlotBoard(QWidget):
             self._book.begin_picture()
             self._draw_some()
         self._timer.setInterval(self._period_ms())
-        if now_s - self._valued_s >= _VALUES_EVERY_S or now_s < self._valued_s:
-            self._valued_s = now_s
+        looked_s = time.monotonic()  # the time of a log that is replayed may stand still
+        if looked_s - self._valued_s >= _VALUES_EVERY_S:
+            self._valued_s = looked_s
             for pane in self._seen():
                 pane.show_values(now_s)
 
