@@ -215,7 +215,7 @@ def test_a_truncated_log_shows_what_there_is_and_says_so(replay, log, tmp_path):
 
 
 def test_reading_can_be_called_off(app_driver, monkeypatch, log):
-    asked: list[Future] = []
+    asked: list[Future[None]] = []
 
     class Endless(type(app_driver.workers)):  # type: ignore[misc]
         ended = False

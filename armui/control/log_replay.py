@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from contextlib import AbstractContextManager
     from typing import NoReturn
 
-    from armui.bus.playback.log_cursor import TimedFrame
+    from armui.bus.playback.log_cursor import ReplayedFrame
     from armui.bus.tap import Tap
     from armui.protocol.codec import Codec
     from armui.session.frames import Channel
@@ -117,7 +117,7 @@ class LogReplay(QObject):
         return self.position_s >= self.session.end_s
 
     @property
-    def last_frame(self) -> TimedFrame | None:
+    def last_frame(self) -> ReplayedFrame | None:
         """The frame that was taken in last."""
         return None if self._worker is None else self._worker.last
 

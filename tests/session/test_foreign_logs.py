@@ -12,7 +12,7 @@ import pytest
 from armui.arm.refusal import Refusal
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.session.foreign.columns import PROGRESS, Progress
+from armui.session.foreign.columns import PROGRESS, ReadingProgress
 from armui.session.foreign.indexing import index_log, index_or_reason
 from armui.session.foreign.times import straightened
 from armui.session.frames import FrameBatch, LoggedFrame
@@ -130,7 +130,7 @@ def test_the_columns_leave_the_disk(log, tmp_path):
 def test_progress_is_told_while_reading(log, tmp_path):
     index_log(log, tmp_path)
 
-    progress = Progress.read_from((tmp_path / PROGRESS).read_bytes())
+    progress = ReadingProgress.read_from((tmp_path / PROGRESS).read_bytes())
     assert progress.frames > 10_000
     assert progress.share == 1.0
 

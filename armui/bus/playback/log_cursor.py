@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from armui.session.session import Session
 
 
-class TimedFrame(NamedTuple):
+class ReplayedFrame(NamedTuple):
     """A frame of a log.
 
     Attributes:
@@ -55,12 +55,12 @@ class LogCursor:
         self._batch = None
         self._rows, self._place = np.empty(0, np.int64), 0
 
-    def snapshot(self, at_s: float) -> list[TimedFrame]:
+    def snapshot(self, at_s: float) -> list[ReplayedFrame]:
         """What was last said of everything at or before a time, in order."""
         batch = self._session.snapshot_at(at_s)
         return [_timed(batch, row)._replace(number=-1) for row in self._own_rows(batch).tolist()]
 
-    def next_frame(self) -> TimedFrame | None:
+    def next_frame(self) -> ReplayedFrame | None:
         """The next frame, ``None`` at the end."""
         if not self._fill() or self._batch is None:
             return None
@@ -68,9 +68,9 @@ class LogCursor:
         self._place += 1
         return _timed(self._batch, row)
 
-    def frames_until(self, end_s: float, most: int) -> list[TimedFrame]:
+    def frames_until(self, end_s: float, most: int) -> list[ReplayedFrame]:
         """The next frames up to a time, included, and no more than so many."""
-        found: list[TimedFrame] = []
+        found: list[ReplayedFrame] = []
         while len(found) < most and self._fill() and self._batch is not None:
             rows = self._rows_until(end_s, most - len(found))
             if not rows.size:
@@ -121,9 +121,9 @@ class LogCursor:
         return np.flatnonzero(batch.channels == names.index(self._channel))
 
 
-def _timed(batch: FrameBatch, row: int) -> TimedFrame:
+def _timed(batch: FrameBatch, row: int) -> ReplayedFrame:
     frame = Frame(int(batch.ids[row]), batch.data(row))
-    return TimedFrame(frame, float(batch.times_s[row]), int(batch.flags[row]), batch.first + row)
+    return ReplayedFrame(frame, float(batch.times_s[row]), int(batch.flags[row]), batch.first + row)
 
 
 def _columns(batch: FrameBatch, rows: np.ndarray) -> FrameColumns:

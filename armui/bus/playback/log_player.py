@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.bus.intake import Intake
 from armui.bus.playback.folding import Folding
-from armui.bus.playback.log_cursor import LogCursor, TimedFrame, joined
+from armui.bus.playback.log_cursor import LogCursor, ReplayedFrame, joined
 from armui.bus.playback.series_tap import SeriesTap, is_own_command
 from armui.protocol.frame import Frame
 from armui.telemetry.store import Telemetry
@@ -73,11 +73,11 @@ class LogPlayer:
         self.lock = threading.RLock()
         self.intake = Intake(codec, self._for_log(taps), answered)
         self._folding = Folding(codec)
-        self._recalled: Sequence[TimedFrame] = ()
+        self._recalled: Sequence[ReplayedFrame] = ()
         self._at_entry = True
         self._waiting: list[FrameColumns] = []
         self._settled_s = 0.0
-        self.last: TimedFrame | None = None
+        self.last: ReplayedFrame | None = None
         self.played = 0
 
     def _for_log(self, taps: Sequence[Tap]) -> list[Tap]:
@@ -113,11 +113,11 @@ class LogPlayer:
 
     # Another place ----------------------------------------------------------------------------
 
-    def look_up(self, at_s: float) -> list[TimedFrame]:
+    def look_up(self, at_s: float) -> list[ReplayedFrame]:
         """What was last said of everything before a place: it may have to be read from a disk."""
         return self._look_up.snapshot(at_s)
 
-    def enter(self, at_s: float, recalled: Sequence[TimedFrame]) -> None:
+    def enter(self, at_s: float, recalled: Sequence[ReplayedFrame]) -> None:
         """Be at another place; takes no time.
 
         Args:
@@ -222,10 +222,10 @@ class LogPlayer:
         for row in self._folding.rows(frames).tolist():
             data = frames.payloads[row, : frames.lengths[row]].tobytes()
             frame = Frame(int(frames.ids[row]), data)
-            self._take(TimedFrame(frame, float(frames.times_s[row]), int(frames.flags[row])))
+            self._take(ReplayedFrame(frame, float(frames.times_s[row]), int(frames.flags[row])))
         self.played = before + len(frames)
 
-    def step(self) -> TimedFrame | None:
+    def step(self) -> ReplayedFrame | None:
         """Take in the next frame alone; ``None`` at the end."""
         self.settle()
         self._go_by_columns(wanted=False)
@@ -253,7 +253,7 @@ class LogPlayer:
                 return None
             width_s *= 8
 
-    def _take(self, timed: TimedFrame) -> None:
+    def _take(self, timed: ReplayedFrame) -> None:
         self._take_codec()
         self._at_entry = False
         self.last = timed

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from armui.arm.other_hosts import OtherTraffic
     from armui.arm.state import ArmState
     from armui.bus.playback.log_clock import LogClock
-    from armui.bus.playback.log_cursor import TimedFrame
+    from armui.bus.playback.log_cursor import ReplayedFrame
     from armui.bus.samples import SampleRing
     from armui.bus.tap import Tap
     from armui.protocol.codec import Codec
@@ -90,7 +90,7 @@ class LogWorker(QThread):
         self._steps = 0
         self._wanted: tuple[int, float | None] | None = None
         self._asked = 0
-        self._at_hand: tuple[int, float, list[TimedFrame]] | None = None
+        self._at_hand: tuple[int, float, list[ReplayedFrame]] | None = None
 
     # As a bus worker --------------------------------------------------------------------------
 
@@ -158,7 +158,7 @@ class LogWorker(QThread):
         return self._filling
 
     @property
-    def last(self) -> TimedFrame | None:
+    def last(self) -> ReplayedFrame | None:
         """The frame that was taken in last."""
         return self._player.last
 

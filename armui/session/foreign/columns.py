@@ -46,7 +46,7 @@ PROGRESS_BYTES: Final = _PROGRESS.size
 
 
 @dataclass(frozen=True, slots=True)
-class Progress:
+class ReadingProgress:
     """How far the reading of a log has come.
 
     Attributes:
@@ -68,7 +68,7 @@ class Progress:
         _PROGRESS.pack_into(memory, 0, self.position, self.size, self.frames)
 
     @classmethod
-    def read_from(cls, memory: bytes | memoryview) -> Progress:
+    def read_from(cls, memory: bytes | memoryview) -> ReadingProgress:
         """What another process has left."""
         return cls(*_PROGRESS.unpack_from(memory, 0))
 

@@ -23,7 +23,7 @@ from armui.session.foreign.columns import (
     PROGRESS_BYTES,
     SPARE_BYTES,
     LogIndex,
-    Progress,
+    ReadingProgress,
     column_path,
     group_codes,
 )
@@ -69,7 +69,7 @@ def index_log(path: Path, folder: Path, most_frames: int = MOST_FRAMES) -> LogIn
         cut = ""
         for number, batch in enumerate(log.batches()):
             columns.add(batch)
-            Progress(log.position, log.size, columns.frames).write_to(memory)
+            ReadingProgress(log.position, log.size, columns.frames).write_to(memory)
             if columns.frames >= most_frames:
                 cut = "frames"
             elif number % _DISK_EVERY == 0 and _is_disk_full(folder, columns.frames):

@@ -36,6 +36,7 @@ class PlotsArea(QWidget):
         quantities: Everything that can be drawn.
         cursor_table: The values at the cursors.
         export: Saves and copies what is drawn.
+        message: What became of something.
     """
 
     def __init__(
@@ -50,9 +51,9 @@ class PlotsArea(QWidget):
         self.bar = PlotBar(self.board)
         self.quantities = QuantityList(telemetry)
         self.cursor_table = CursorTable(self.board, telemetry)
-        self._message = MessageLine()
-        self._message.setObjectName("plot_message")
-        self._message.hide()
+        self.message = MessageLine()
+        self.message.setObjectName("plot_message")
+        self.message.hide()
         self.export = PlotExport(controller, self.board, background, self)
         self._lay_out()
         self.quantities.wanted.connect(lambda keys: self.board.take(keys, None, self.board.chosen))
@@ -67,7 +68,7 @@ class PlotsArea(QWidget):
         right.addWidget(self.bar)
         right.addWidget(self.board, 1)
         right.addWidget(self.cursor_table)
-        right.addWidget(self._message)
+        right.addWidget(self.message)
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(12)
@@ -103,8 +104,8 @@ class PlotsArea(QWidget):
 
     def say(self, text: str, level: Level) -> None:
         """Tell the operator something."""
-        self._message.show_message(text, level)
-        self._message.show()
+        self.message.show_message(text, level)
+        self.message.show()
 
     def _on_save(self, what: str) -> None:
         if what == "copy_picture":

@@ -13,7 +13,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.session.foreign.columns import PROGRESS, PROGRESS_BYTES, LogIndex, Progress
+from armui.session.foreign.columns import PROGRESS, PROGRESS_BYTES, LogIndex, ReadingProgress
 from armui.session.foreign.indexed import IndexedLog
 from armui.session.foreign.indexing import index_or_reason
 from armui.session.survey import ChannelSurvey, survey
@@ -41,7 +41,7 @@ class LogOpening(QObject):
             off.
 
     Signals:
-        progressed: A :class:`Progress`, now and then.
+        progressed: A :class:`ReadingProgress`, now and then.
         opened: The session, and what its channels tell of their arms.
         refused: A :class:`Refusal`: it cannot be replayed.
     """
@@ -107,7 +107,7 @@ class LogOpening(QObject):
 
     def _look(self) -> None:
         if self._progress is not None:
-            self.progressed.emit(Progress.read_from(self._progress[:PROGRESS_BYTES]))
+            self.progressed.emit(ReadingProgress.read_from(self._progress[:PROGRESS_BYTES]))
 
     def _on_indexed(self, index: object) -> None:
         if not isinstance(index, LogIndex):

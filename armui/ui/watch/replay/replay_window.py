@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from armui.arm.refusal import Refusal
     from armui.control.arm_controller import ArmController
     from armui.protocol.generation import Generation
-    from armui.session.foreign.columns import Progress
+    from armui.session.foreign.columns import ReadingProgress
     from armui.session.frames import Channel
     from armui.session.session import Session
     from armui.session.survey import ChannelSurvey
@@ -152,7 +152,7 @@ class ReplayWindow(ArmDialog):
         self._show_waiting()
         self._opening.begin()
 
-    def _on_progress(self, progress: Progress) -> None:
+    def _on_progress(self, progress: ReadingProgress) -> None:
         share = progress.share
         if share is not None:
             self.progress.setRange(0, 1000)
