@@ -106,6 +106,9 @@ TESTS: dict[str, Judges] = {
         ("tests/control/test_overspeed.py", "tests/control/test_authority_speed.py"),
         ("tests/safety/test_s12*",),
     ),
+    "armui/control/safety/heeding.py": Judges(
+        ("tests/control/test_heeding.py",), ("tests/safety/test_s07_a_motion*",)
+    ),
     "armui/control/safety/hearing.py": Judges(
         ("tests/control/test_hearing.py",), ("tests/safety/test_s09*",)
     ),

@@ -43,12 +43,8 @@ _REST_SHOWS_S: Final = 0.4
 """An arm that only sets out at a cancel is measured to move by then."""
 _CANCEL_WITHIN_S: Final = 1.0
 """After a cancel the arm is measured at rest within this time."""
-
-
 _OURS: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})
 _PLANNED: Final = frozenset({MoveMode.MOVE_P, MoveMode.MOVE_J, MoveMode.MOVE_L, MoveMode.MOVE_C})
-
-
 _MOVING_FRESH_S: Final = 0.1
 """The angles of a moving arm are none to set out from when they are older."""
 
@@ -219,6 +215,7 @@ class Authority:
         speed_percent: int,
         joints_deg: Sequence[float] | None = None,
         tool: Matrix | None = None,
+        leads_away: bool = False,
     ) -> MotionCommand:
         """A new command of ours takes the place of whatever was before.
 
@@ -229,11 +226,14 @@ class Authority:
             speed_percent: What it is sent with.
             joints_deg: Six target angles, where it names them.
             tool: The target of the tool centre point, where it names it.
+            leads_away: Whether the tool was measured elsewhere.
         """
         self._end(End.REPLACED)
         self._number += 1
         target_deg = None if joints_deg is None else tuple(joints_deg)
-        self.command = MotionCommand(self._number, kind, now_s, speed_percent, target_deg, tool)
+        self.command = MotionCommand(
+            self._number, kind, now_s, speed_percent, target_deg, tool, leads_away
+        )
         self.arm_percent, self._mode_sent = speed_percent, (move_mode, now_s)
         self._cancelled_s, self.cancel_unheeded = None, False
         self._limits = (None,) * 6

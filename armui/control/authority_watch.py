@@ -10,6 +10,7 @@ from armui.arm.refusal import Refusal
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import Observation
 from armui.control.operating_state import LinkState, OtherHostReport
+from armui.control.safety.heeding import HeedWatch
 from armui.protocol.addressing import OFFSETS
 
 if TYPE_CHECKING:
@@ -50,6 +51,7 @@ class AuthorityWatch:
         self._was_commanded = False
         self._was_unheeded = False
         self._voided = 0
+        self._heeding = HeedWatch()
 
     def observe(self, now_s: float) -> None:
         """Let the authority know what is heard by now; frames that are outdated are dropped."""
@@ -85,6 +87,12 @@ class AuthorityWatch:
         if authority.cancel_unheeded and not self._was_unheeded:
             self._tell(EventCode.CANCEL_UNHEEDED)
         self._was_unheeded = authority.cancel_unheeded
+        if authority.holds:
+            self._heeding.forget()
+        elif self._heeding.observe(
+            authority.command, authority.ended, self._connection.newest, now_s
+        ):
+            self._tell(EventCode.MOTION_UNHEEDED)
         if authority.overspeed is not None:
             reason = authority.overspeed
             self._end_motion(reason)
@@ -117,5 +125,6 @@ class AuthorityWatch:
 
     def forget(self) -> None:
         """Another connection begins."""
+        self._heeding.forget()
         self._was_commanded = self._was_unheeded = False
         self._began = None

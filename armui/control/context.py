@@ -79,6 +79,7 @@ class Context:
         speed_percent: int,
         joints_deg: Sequence[float] | None = None,
         tool: Matrix | None = None,
+        leads_away: bool = False,
         keep_s: float | None = None,
     ) -> MotionCommand | Refusal:
         """Send the frames of a new motion command, if this program may move the arm now.
@@ -90,6 +91,7 @@ class Context:
             speed_percent: What the mode word carries.
             joints_deg: Six target angles, where the command names them.
             tool: The target of the tool centre point, where the command names it.
+            leads_away: Whether the tool was measured elsewhere.
             keep_s: Frames that could not be sent within this time are dropped.
 
         Returns:
@@ -106,6 +108,7 @@ class Context:
             speed_percent=speed_percent,
             joints_deg=joints_deg,
             tool=tool,
+            leads_away=leads_away,
         )
         self.connection.void(command.number)
         if not self.connection.send([*lead, *frames], keep_s, command.number):

@@ -43,6 +43,7 @@ class EventCode(StrEnum):
     OTHER_HOST_GONE = "other_host_gone"  # frames
     TAKEN_OVER = "taken_over"
     CANCEL_UNHEEDED = "cancel_unheeded"
+    MOTION_UNHEEDED = "motion_unheeded"
     MOTION_TOO_FAST = "motion_too_fast"  # reason
     FRAMES_DROPPED = "frames_dropped"  # count, total
     SENT_LAMP = "sent_lamp"  # joint, lamp, color
@@ -161,6 +162,7 @@ LEVELS: Final[Mapping[EventCode, Level]] = {
     EventCode.OTHER_HOST_GONE: Level.INFO,
     EventCode.TAKEN_OVER: Level.DONE,
     EventCode.CANCEL_UNHEEDED: Level.FAULT,
+    EventCode.MOTION_UNHEEDED: Level.FAULT,
     EventCode.MOTION_TOO_FAST: Level.FAULT,
     EventCode.FRAMES_DROPPED: Level.WARNING,
     EventCode.SENT_LAMP: Level.INFO,

@@ -35,6 +35,7 @@ _MODEL_DEG: Final = 2.0
 """The program's kinematics and the arm's own may differ by this, and not more."""
 _ARRIVED_MM: Final = 5.0
 _ARRIVED_DEG: Final = 0.5
+_AWAY_MM: Final = 1.0
 """So near to its target the tool has arrived: it is what half a degree of a joint makes of it."""
 _AT_START_MM: Final = 1.0
 _AT_START_DEG: Final = 1.0
@@ -250,11 +251,22 @@ class Cartesian:
             move_mode=move_mode,
             speed_percent=self._motion.speed_percent,
             tool=pose_to_matrix(target),
+            leads_away=self._leads_away(target),
         )
         if isinstance(sent, Refusal):
             return context.refuse(sent)
         context.tell(code, **figures)
         return None
+
+    def _leads_away(self, target: Sequence[float]) -> bool:
+        """Whether the tool is measured elsewhere than at a pose."""
+        from armui.kinematics.poses import Pose, apart  # noqa: PLC0415 - see above
+
+        here = self.tool_pose(self._context.state())
+        if here is None:
+            return False
+        off_mm, off_deg = apart(here, Pose(*target))
+        return off_mm > _AWAY_MM or off_deg > _ARRIVED_DEG
 
     def _base(self, measured: Matrix) -> Matrix:
         """Where a step of the tool starts from."""

@@ -79,6 +79,8 @@ class MotionCommand:
         speed_percent: What it was sent with, of the arm's maximum.
         joints_deg: The six target angles, where the command names them.
         tool: The target of the tool centre point, where the command names it.
+        leads_away: Whether that is measurably elsewhere than the tool was when it was sent; the
+            angles tell for themselves.
     """
 
     number: int
@@ -87,6 +89,7 @@ class MotionCommand:
     speed_percent: int
     joints_deg: tuple[float, ...] | None = None
     tool: Matrix | None = None
+    leads_away: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -52,6 +52,11 @@ _NOTICES: Final[Mapping[EventCode, object]] = {
         "Notice",
         "The arm was told to end its motion and still moves. Stop it, or cut its power.",
     ),
+    EventCode.MOTION_UNHEEDED: QT_TRANSLATE_NOOP(
+        "Notice",
+        "The arm has not taken the last motion: it is heard, and does not move. It may listen "
+        "under another control offset (Linkage control), or a frame was lost.",
+    ),
     EventCode.MOTION_TOO_FAST: QT_TRANSLATE_NOOP("Notice", "Motion ended: too fast. {reason}"),
     EventCode.FRAMES_DROPPED: QT_TRANSLATE_NOOP(
         "Notice",

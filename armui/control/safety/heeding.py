@@ -1,0 +1,93 @@
+"""Whether the arm takes the motions it is sent, pure: one that vanishes must not do so in silence.
+
+A frame may be lost, or the arm may listen under other identifiers than the program speaks under: a
+control offset it has kept (0x470) can be neither heard nor asked for.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from armui.control.motion.motion_command import CommandKind, End
+from armui.protocol.codes import ArmStatusCode
+
+if TYPE_CHECKING:
+    from armui.arm.state import ArmState
+    from armui.control.motion.motion_command import MotionCommand
+
+_SHOWS_DEG: Final = 0.2
+"""A joint that was measured to turn by this much is on its way."""
+_AWAY_DEG: Final = 0.5
+"""A target nearer than this may be where the arm stands already, sagging under its load."""
+_WITHIN_S: Final = 1.0
+"""The slowest motion, at 1 % of 180°/s, shows by then."""
+
+_SINGLE: Final = frozenset({CommandKind.JOINTS, CommandKind.POSE, CommandKind.JOG})
+"""Runs and replays say for themselves where the arm is not."""
+
+
+class HeedWatch:
+    """Follows each single motion of ours until the arm shows that it has taken it, or not."""
+
+    def __init__(self) -> None:
+        self._number = 0
+        self._command: MotionCommand | None = None
+        self._from_deg: tuple[float, ...] | None = None
+        self._since_s = 0.0
+
+    def observe(
+        self, command: MotionCommand | None, ended: End | None, state: ArmState, now_s: float
+    ) -> bool:
+        """Whether it is seen just now that the arm has not taken the last motion.
+
+        Args:
+            command: Ours, while its target is one to start from.
+            ended: What ended the last one.
+            state: The arm as heard.
+            now_s: Monotonic time.
+        """
+        angles_deg = state.angles_deg()
+        if command is not None and command.number != self._number:
+            single = command.kind in _SINGLE and angles_deg is not None
+            self._number, self._command = command.number, command if single else None
+            self._from_deg, self._since_s = angles_deg, now_s
+        watched = self._command
+        if watched is None:
+            return False
+        if self._shows(state, angles_deg):
+            self._command = None
+            return False
+        if command is None:
+            self._command = None
+            # a mode word that the arm does not follow is enough: where it led to is all one
+            return ended is End.OTHER_MODE or (
+                ended is End.MOVED_AWAY and self._leads_away(watched)
+            )
+        self._command = command
+        # the setpoints of a jog follow one another: the first of them counts
+        sent_s = self._since_s if command.kind is CommandKind.JOG else command.sent_s
+        if now_s - max(self._since_s, sent_s) < _WITHIN_S or not self._leads_away(command):
+            return False
+        self._command = None
+        return True
+
+    def forget(self) -> None:
+        """Another connection begins, or a motion is held back: nothing is to be seen of it."""
+        self._command = None
+
+    def _shows(self, state: ArmState, angles_deg: tuple[float, ...] | None) -> bool:
+        """Whether the arm has begun to move, or has said why it does not."""
+        status = state.status
+        if status is not None and status.value.arm_status != ArmStatusCode.NORMAL:
+            return True
+        begin_deg = self._from_deg
+        if angles_deg is None or begin_deg is None:
+            return False
+        return max(abs(a - b) for a, b in zip(angles_deg, begin_deg, strict=True)) > _SHOWS_DEG
+
+    def _leads_away(self, command: MotionCommand) -> bool:
+        if command.kind is CommandKind.POSE or command.joints_deg is None:
+            return command.leads_away
+        begin_deg = self._from_deg or command.joints_deg
+        away = max(abs(a - b) for a, b in zip(command.joints_deg, begin_deg, strict=True))
+        return away > _AWAY_DEG
