@@ -12,9 +12,12 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox
 
 from armui.protocol.generation import Generation
+from armui.session.frames import NotALogError
 from armui.sim.faults.schedule import Fault
+from armui.ui.watch.replay import log_opening
 from armui.ui.watch.replay.replay_window import ReplayWindow
 from tests.operator_replay import Replay
+from tests.session.indexed import open_indexed
 from tests.session.recordings import START_S, frames, greeting, write
 
 
@@ -262,3 +265,28 @@ def test_a_log_named_on_the_command_line_is_opened(app_driver, monkeypatch, log)
     app_driver.wait(lambda: window.view is not None)
     app_driver.wait(lambda: not window.view.replay.is_travelling)
     window.close()
+
+
+def test_a_recording_of_this_program_is_opened_by_its_index(app_driver, monkeypatch, log):
+    asked = []
+
+    def open_own(path):
+        asked.append(path)
+        if path.name != "ours.blf":
+            raise NotALogError("it has no index")
+        return open_indexed(log)
+
+    def no_reading():
+        raise AssertionError("it was to be read")
+
+    replay = Replay(app_driver, monkeypatch)
+    replay.window._open_own = open_own
+    replay.open(log)  # another program's: it is read
+    assert replay.window.view is not None
+    monkeypatch.setattr(log_opening, "index_or_reason", no_reading)
+
+    replay.open(log.with_name("ours.blf"))
+
+    assert [each.name for each in asked] == ["yesterday.blf", "ours.blf"]
+    assert replay.replay.session.frames > 1000
+    replay.window.close()

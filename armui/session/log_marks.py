@@ -11,7 +11,7 @@ from armui.protocol.addressing import OFFSETS, Addressing
 from armui.protocol.codec import Codec
 from armui.protocol.codes import ArmStatusCode, MotorAction, StopCommand
 from armui.protocol.columns import payload_words, signal_column
-from armui.session.session import Mark, MarkKind
+from armui.session.session import MarkKind, SessionMark
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -65,13 +65,13 @@ class LogFrames:
     rows: Callable[[Channel, int], tuple[NDArray[np.float64], NDArray[np.uint8]] | None]
 
 
-def marks_of(frames: LogFrames, generation: Generation) -> list[Mark]:
+def marks_of(frames: LogFrames, generation: Generation) -> list[SessionMark]:
     """Faults with their ends, stops, and where commands begin, in the order of time.
 
     An entry has "code" and "channel"; what belongs to it stands beside: "status", "joint", "what",
     "message", and of what lasts "ended_s" in log time, ``None`` where it goes on to the end.
     """
-    marks: list[Mark] = []
+    marks: list[SessionMark] = []
     for channel in frames.channels:
         for offset in OFFSETS:
             codec = Codec(generation, Addressing(offset, offset))
@@ -110,7 +110,7 @@ class _Finder:
             return None
         return found[0], payload_words(found[1]), layout
 
-    def of_status(self) -> Iterator[Mark]:
+    def of_status(self) -> Iterator[SessionMark]:
         found = self.words("ArmStatus")
         if found is None:
             return
@@ -134,7 +134,7 @@ class _Finder:
                         times_s, signal_column(words, signal), code=what, joint=int(name[1])
                     )
 
-    def of_joints(self) -> Iterator[Mark]:
+    def of_joints(self) -> Iterator[SessionMark]:
         for joint in range(1, 7):
             found = self.words(f"DriverSlow{joint}")
             if found is None:
@@ -145,7 +145,7 @@ class _Finder:
                     values = signal_column(words, layout.signals[name])
                     yield from self._flagged(times_s, values, code="joint", joint=joint, what=name)
 
-    def of_stops(self) -> Iterator[Mark]:
+    def of_stops(self) -> Iterator[SessionMark]:
         found = self.words("MotionCommand")
         if found is None:
             return
@@ -161,7 +161,7 @@ class _Finder:
         for place in _bursts(times_s, others):
             yield self._mark(times_s, place, None, MarkKind.COMMAND, code="motion_command")
 
-    def of_targets(self) -> Iterator[Mark]:
+    def of_targets(self) -> Iterator[SessionMark]:
         for message in _TARGETS:
             found = self.words(message)
             if found is not None:
@@ -171,7 +171,7 @@ class _Finder:
                         times_s, place, None, MarkKind.COMMAND, code="target", message=message
                     )
 
-    def of_motors(self) -> Iterator[Mark]:
+    def of_motors(self) -> Iterator[SessionMark]:
         found = self.words("MotorEnable")
         if found is None:
             return
@@ -184,7 +184,7 @@ class _Finder:
             for place in _bursts(times_s, np.flatnonzero(actions == action)):
                 yield self._mark(times_s, place, None, MarkKind.COMMAND, code=code)
 
-    def of_silence(self) -> Iterator[Mark]:
+    def of_silence(self) -> Iterator[SessionMark]:
         """Where nothing of the arm is heard for long, whatever offset its identifiers have."""
         names = [f"DriverFast{joint}" for joint in range(1, 7)]
         ids = [self._ids[name][0] for name in names]
@@ -196,11 +196,11 @@ class _Finder:
         times_s = np.sort(np.concatenate(rows))
         for place in np.flatnonzero(np.diff(times_s) > SILENT_S)[:MOST_MARKS].tolist():
             entry = {"code": "silent", "ended_s": float(times_s[place + 1])}
-            yield Mark(float(times_s[place]), MarkKind.FAULT, entry | self._where())
+            yield SessionMark(float(times_s[place]), MarkKind.FAULT, entry | self._where())
 
     def _flagged(
         self, times_s: NDArray[np.float64], flags: NDArray[Any], **entry: object
-    ) -> Iterator[Mark]:
+    ) -> Iterator[SessionMark]:
         for first, behind, value in _runs(flags):
             if value:
                 yield self._mark(times_s, first, behind, MarkKind.FAULT, **entry)
@@ -212,10 +212,10 @@ class _Finder:
         behind: int | None,
         kind: MarkKind,
         **entry: object,
-    ) -> Mark:
+    ) -> SessionMark:
         if behind is not None:
             entry["ended_s"] = float(times_s[behind]) if behind < times_s.size else None
-        return Mark(float(times_s[first]), kind, entry | self._where())
+        return SessionMark(float(times_s[first]), kind, entry | self._where())
 
     def _where(self) -> dict[str, object]:
         return {"channel": self._channel}

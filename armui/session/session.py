@@ -28,7 +28,7 @@ class MarkKind(enum.Enum):
     """Any other event, or what the operator marked."""
 
 
-class Mark(NamedTuple):
+class SessionMark(NamedTuple):
     """A moment worth going to.
 
     Attributes:
@@ -72,7 +72,7 @@ class Session(Protocol):
     def channels(self) -> tuple[Channel, ...]: ...  # noqa: D102 - said above
 
     @property
-    def marks(self) -> Sequence[Mark]: ...  # noqa: D102 - said above
+    def marks(self) -> Sequence[SessionMark]: ...  # noqa: D102 - said above
 
     @property
     def damages(self) -> Sequence[Damage]: ...  # noqa: D102 - said above

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import pytest
 
-from armui.session.session import Mark, MarkKind
+from armui.session.session import MarkKind, SessionMark
 from armui.ui.watch.replay.log_time import duration, has_date, moment
 from armui.ui.watch.replay.mark_search import MarkSearch, end_of
 from armui.ui.words.log_marks import log_mark
 from tests.playback.logs import log_with
 
 
-def mark(at_s: float, kind: MarkKind = MarkKind.FAULT, **entry: object) -> Mark:
-    return Mark(at_s, kind, entry)
+def mark(at_s: float, kind: MarkKind = MarkKind.FAULT, **entry: object) -> SessionMark:
+    return SessionMark(at_s, kind, entry)
 
 
 def test_next_fault_passes_commands_and_other_channels():
@@ -36,6 +36,8 @@ def test_what_lasts_has_an_end_and_a_moment_has_none():
     assert end_of(mark(1.0, ended_s=2.5), 9.0) == 2.5
     assert end_of(mark(1.0, ended_s=None), 9.0) == 9.0
     assert end_of(mark(1.0), 9.0) is None
+    assert end_of(mark(1.0, MarkKind.COMMAND, ended_s=None), 9.0) is None
+    assert end_of(mark(1.79e9, ended_s=4711.0), 1.8e9) is None
 
 
 def test_a_latched_fault_goes_on_to_the_end(tmp_path):

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from armui.session.frames import Channel, Damage
-    from armui.session.session import Mark
+    from armui.session.session import SessionMark
 
 COLUMNS: Final[Mapping[str, np.dtype[Any]]] = {
     "times_s": np.dtype(np.float64),
@@ -94,7 +94,7 @@ class LogIndex:
     channels: tuple[Channel, ...]
     groups: tuple[int, ...]
     long_frames: int
-    marks: tuple[Mark, ...]
+    marks: tuple[SessionMark, ...]
     damages: tuple[Damage, ...]
     damage_count: int
     reversed_times: int

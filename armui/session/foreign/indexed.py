@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from armui.session.frames import Channel, Damage
-    from armui.session.session import Mark
+    from armui.session.session import SessionMark
 
 _ROWS: Final = 4_096
 
@@ -87,7 +87,7 @@ class IndexedLog:
         return self._index.channels
 
     @property
-    def marks(self) -> Sequence[Mark]:
+    def marks(self) -> Sequence[SessionMark]:
         """What the frames tell, in the order of time."""
         return self._index.marks
 

@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 
     from armui.protocol.generation import Generation
     from armui.session.frames import Channel, FrameBatch
-    from armui.session.session import Mark
+    from armui.session.session import SessionMark
 
 _MOST_GROUPS: Final = 4_096
 """Identifiers told apart; those of a log that has more share the last place."""
@@ -200,7 +200,9 @@ def _put_in_order(folder: Path) -> int:
     return backwards
 
 
-def _order(folder: Path, channels: tuple[Channel, ...]) -> tuple[tuple[int, ...], tuple[Mark, ...]]:
+def _order(
+    folder: Path, channels: tuple[Channel, ...]
+) -> tuple[tuple[int, ...], tuple[SessionMark, ...]]:
     """Write the frame numbers by identifier; where each begins, and the marks."""
     ids, flags, places = (_read(folder, name) for name in ("ids", "flags", "channels"))
     codes = group_codes(ids, flags, places)

@@ -11,7 +11,7 @@ from armui.ui.words import status
 from armui.ui.words.text import sentence
 
 if TYPE_CHECKING:
-    from armui.session.session import Mark
+    from armui.session.session import SessionMark
 
 _MARKS: Final[Mapping[str, object]] = {
     "status": QT_TRANSLATE_NOOP("LogMark", "Arm status: {status}"),
@@ -43,7 +43,7 @@ _JOINT: Final[Mapping[str, object]] = {
 }
 
 
-def log_mark(mark: Mark) -> str:
+def log_mark(mark: SessionMark) -> str:
     """What happened at a mark, in the operator's language."""
     entry = dict(mark.entry)
     code, what = str(entry.get("code", "")), str(entry.get("what", ""))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import mmap
 import shutil
 import tempfile
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -16,19 +17,20 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.session.foreign.columns import PROGRESS, PROGRESS_BYTES, LogIndex, ReadingProgress
 from armui.session.foreign.indexed import IndexedLog
 from armui.session.foreign.indexing import index_or_reason
+from armui.session.frames import NotALogError
 from armui.session.survey import ChannelSurvey, survey
 from armui.system.error_text import error_text
 from armui.system.helper_process import HelperProcess
 from armui.ui.background import Background, Job
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from concurrent.futures import Executor
 
     from armui.session.session import Session
 
 _LOOK_MS: Final = 100
 Opened = tuple["Session", tuple[ChannelSurvey, ...]]
+OpenOwn = Callable[[Path], "Session"]
 
 
 class LogOpening(QObject):
@@ -39,6 +41,8 @@ class LogOpening(QObject):
         background: Where files are looked at.
         make_helper: Makes the process that reads the log; it is ended when it has, or is called
             off.
+        open_own: Opens a recording of this program by the index beside it; it raises
+            `NotALogError` for any other log, which is read whole then.
 
     Signals:
         progressed: A :class:`ReadingProgress`, now and then.
@@ -56,8 +60,11 @@ class LogOpening(QObject):
         background: Background,
         make_helper: Callable[[], Executor] = HelperProcess,
         parent: QObject | None = None,
+        *,
+        open_own: OpenOwn | None = None,
     ) -> None:
         super().__init__(parent)
+        self._open_own = open_own
         self._path = path
         self._background = background
         self._helper = make_helper()
@@ -71,6 +78,23 @@ class LogOpening(QObject):
 
     def begin(self) -> None:
         """Open it."""
+        if self._open_own is None:
+            self._prepare()
+        else:
+            self._background.begin_here(
+                Job(self._on_looked_at), _own_session, self._open_own, self._path
+            )
+
+    def _on_looked_at(self, opened: Opened | Refusal | None) -> None:
+        if self._is_over:
+            if isinstance(opened, tuple):
+                self._background.begin_here(Job(lambda _done: None), opened[0].close)
+        elif isinstance(opened, tuple):
+            self._on_opened(opened)
+        else:
+            self._prepare()
+
+    def _prepare(self) -> None:
         self._background.begin_here(Job(self._on_prepared), _prepare)
 
     def call_off(self) -> None:
@@ -141,6 +165,15 @@ class LogOpening(QObject):
 
     def _failed(self, text: str) -> Refusal:
         return Refusal(RefusalCode.REPLAY_FAILED, {"name": self._path.name, "text": text})
+
+
+def _own_session(open_own: OpenOwn, path: Path) -> Opened | None:
+    """A recording of this program with what it tells of its arms; ``None``: it is none."""
+    try:
+        session = open_own(path)
+    except NotALogError:
+        return None
+    return (session, survey(session)) if session.frames else None
 
 
 def _prepare() -> tuple[Path, mmap.mmap] | Refusal:

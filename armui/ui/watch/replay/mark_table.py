@@ -19,7 +19,7 @@ from armui.ui.words.log_marks import log_mark
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from armui.session.session import Mark
+    from armui.session.session import SessionMark
 
 _Index = QModelIndex | QPersistentModelIndex
 _COLUMNS: Final = 4
@@ -33,7 +33,9 @@ class MarkModel(QAbstractTableModel):
         span_s: Log time of the beginning and of the end.
     """
 
-    def __init__(self, marks: Sequence[Mark], span_s: tuple[float, float], owner: QWidget) -> None:
+    def __init__(
+        self, marks: Sequence[SessionMark], span_s: tuple[float, float], owner: QWidget
+    ) -> None:
         super().__init__(owner)
         self._marks = marks
         self._start_s, self._end_s = span_s
@@ -94,7 +96,10 @@ class MarkTable(Translated, QWidget):
     wanted = Signal(float)
 
     def __init__(
-        self, marks: Sequence[Mark], span_s: tuple[float, float], parent: QWidget | None = None
+        self,
+        marks: Sequence[SessionMark],
+        span_s: tuple[float, float],
+        parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
         self._marks = marks

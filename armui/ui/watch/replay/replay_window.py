@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from armui.session.session import Session
     from armui.session.survey import ChannelSurvey
     from armui.ui.background import Background
+    from armui.ui.watch.replay.log_opening import OpenOwn
     from armui.ui.watch.replay.replay_view import ReplayView
     from armui.viewport.view import ArmView
 
@@ -52,6 +53,7 @@ class ReplayWindow(ArmDialog):
         make_view: Makes the 3D picture.
         parent: The main window.
         make_helper: Makes what reads a log: a process of its own by default.
+        open_own: Opens recordings of this program, which need not be read first.
 
     Attributes:
         view: What is shown of the log that is open; ``None``: none is.
@@ -65,6 +67,7 @@ class ReplayWindow(ArmDialog):
         parent: QWidget | None = None,
         *,
         make_helper: Callable[[], Executor] | None = None,
+        open_own: OpenOwn | None = None,
     ) -> None:
         super().__init__(controller, parent)
         self.setObjectName("replay_window")
@@ -73,6 +76,7 @@ class ReplayWindow(ArmDialog):
         self._background = background
         self._make_view = make_view
         self._make_helper = make_helper or HelperProcess
+        self._open_own = open_own
         self._opening: LogOpening | None = None
         self._path: Path | None = None
         self._session: Session | None = None
@@ -144,7 +148,9 @@ class ReplayWindow(ArmDialog):
         self._leave()
         self._path = path
         self.message.hide()
-        self._opening = LogOpening(path, self._background, self._make_helper, self)
+        self._opening = LogOpening(
+            path, self._background, self._make_helper, self, open_own=self._open_own
+        )
         self._opening.progressed.connect(self._on_progress)
         self._opening.opened.connect(self._on_opened)
         self._opening.refused.connect(self._on_refused)

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from PySide6.QtCore import QEvent
     from PySide6.QtGui import QKeyEvent, QMouseEvent, QPaintEvent, QWheelEvent
 
-    from armui.session.session import Mark
+    from armui.session.session import SessionMark
 
 _HEIGHT_PX: Final = 62
 _EDGE_PX: Final = 10.0
@@ -53,13 +53,13 @@ class TimeLine(Translated, QWidget):
         self._start_s, self._end_s = 0.0, 1.0
         self._from_s, self._to_s = 0.0, 1.0
         self._at_s = 0.0
-        self._marks: Sequence[Mark] = ()
+        self._marks: Sequence[SessionMark] = ()
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.retranslate_ui()
 
-    def show_log(self, start_s: float, end_s: float, marks: Sequence[Mark]) -> None:
+    def show_log(self, start_s: float, end_s: float, marks: Sequence[SessionMark]) -> None:
         """Show a log from its beginning to its end."""
         self._start_s, self._end_s = start_s, max(end_s, start_s + _CLOSEST_S)
         self._from_s, self._to_s = self._start_s, self._end_s
