@@ -47,7 +47,7 @@ def test_a_log_is_shown_and_unmistakably_not_live(replay, log):
     assert view.frame.name.text() == "yesterday.blf"
     assert replay.window.windowTitle() == "Replay – yesterday.blf"
     assert view.frame.clock.text().startswith("2026-09-21 ")
-    assert view.transport.place.text() == "0:00.000 / 0:03.995"
+    assert view.transport.place.text() == "0:00.100 / 0:03.995"
 
 
 def test_next_fault_goes_from_one_to_the_next(replay, log):

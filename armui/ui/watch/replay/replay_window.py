@@ -42,6 +42,8 @@ if TYPE_CHECKING:
 
 _SIZE: Final = QSize(1440, 920)
 _MOST_TOLD: Final = 12
+_FIRST_LOOK_S: Final = 0.1
+"""By then an arm has said everything once."""
 
 
 class ReplayWindow(ArmDialog):
@@ -180,7 +182,7 @@ class ReplayWindow(ArmDialog):
         self._opening = None
         self._session, self._surveys = session, surveys
         first = surveys[0]
-        self._show(first.channel, first.generation, session.start_s)
+        self._show(first.channel, first.generation, session.start_s + _FIRST_LOOK_S)
         self._tell_oddities(session)
 
     # Showing ----------------------------------------------------------------------------------
