@@ -249,11 +249,26 @@ def test_closing_the_window_lets_go_of_the_log(replay, log):
     replay.open(log)
     shown, session = replay.view, replay.replay.session
 
+    replay.key(Qt.Key.Key_Escape)
+    assert replay.window.isVisible()
     replay.window.close()
 
+    assert not replay.window.isVisible()
     assert shown.view.is_shut_down
     assert replay.window.view is None
     replay.driver.wait(lambda: not session._columns)
+
+
+def test_the_end_of_the_program_lets_go_of_the_log(replay, log):
+    replay.open(log)
+    replay.replay.play(on=True)
+    worker, session = replay.replay.controller._connection._worker, replay.replay.session
+
+    replay.window.end()
+
+    assert worker.isFinished()
+    assert not session._columns
+    assert not session._folder.exists()
 
 
 def test_a_log_named_on_the_command_line_is_opened(app_driver, monkeypatch, log):

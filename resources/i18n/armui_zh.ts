@@ -1,4 +1,5 @@
-<?xml version='1.0' encoding='utf-8'?>
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en_US">
 <context>
     <name>AboutArm</name>
@@ -153,15 +154,15 @@
         <translation>给电机上电，电机保持当前位置。</translation>
     </message>
     <message>
-        <source>Takes the motor's power: the arm drops. Asks first.</source>
+        <source>Takes the motor&apos;s power: the arm drops. Asks first.</source>
         <translation>切断电机动力，机械臂会下落。执行前会询问。</translation>
     </message>
     <message>
-        <source>Makes the present position the joint's zero. Asks first.</source>
+        <source>Makes the present position the joint&apos;s zero. Asks first.</source>
         <translation>将关节当前位置设为零点。执行前会询问。</translation>
     </message>
     <message>
-        <source>Clears the error of the joint's driver; nothing moves.</source>
+        <source>Clears the error of the joint&apos;s driver; nothing moves.</source>
         <translation>清除关节驱动器的错误，机械臂不会运动。</translation>
     </message>
     <message>
@@ -444,7 +445,7 @@
         <translation>{count} 个参数中有 {failed} 个未恢复。</translation>
     </message>
     <message>
-        <source>No file is open; the arm's own values are shown.</source>
+        <source>No file is open; the arm&apos;s own values are shown.</source>
         <translation>未打开文件；显示的是机械臂当前的值。</translation>
     </message>
     <message>
@@ -801,7 +802,7 @@
         <translation>正在打开 CAN 设备。</translation>
     </message>
     <message>
-        <source>The CAN device is open, but no arm is heard on it. Check the arm's power, the cable and the bit rate.</source>
+        <source>The CAN device is open, but no arm is heard on it. Check the arm&apos;s power, the cable and the bit rate.</source>
         <translation>CAN 设备已打开，但没有收到机械臂的反馈。请检查机械臂电源、线缆和波特率。</translation>
     </message>
     <message>
@@ -2119,7 +2120,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>6 个关节的角度限位、速度和加速度都将恢复为出厂值。为现场设置的限位（包括更窄的限位）会丢失：如以后还需要，请先保存参数备份。</translation>
     </message>
     <message>
-        <source>This arm's protocol (generation 1) has no command for it. Enter the values, or restore a backup.</source>
+        <source>This arm&apos;s protocol (generation 1) has no command for it. Enter the values, or restore a backup.</source>
         <translation>该机械臂的协议（第 1 代）没有此指令。请手动输入数值，或从备份恢复。</translation>
     </message>
 </context>
@@ -3000,7 +3001,7 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
     <message>
         <source>The limits move with the zero, and so does every stored trajectory. With a wrong zero the arm runs into its stops.
-Set it only at the mark of the joint's zero, with the arm standing still. The arm keeps it; there is no way back but to set it again.</source>
+Set it only at the mark of the joint&apos;s zero, with the arm standing still. The arm keeps it; there is no way back but to set it again.</source>
         <translation>限位和已存轨迹会随零点一起改变；零点设错，机械臂会撞上机械限位。
 请仅在关节对准零位标记且机械臂静止时设置。机械臂会保存该零点，只能通过重新设置更改。</translation>
     </message>
@@ -3118,7 +3119,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>机械臂已确认急停。</translation>
     </message>
     <message>
-        <source>The arm has NOT confirmed the emergency stop; it is sent again and again. Cut the arm's power if it moves.</source>
+        <source>The arm has NOT confirmed the emergency stop; it is sent again and again. Cut the arm&apos;s power if it moves.</source>
         <translation>机械臂尚未确认急停，正在反复发送。若机械臂仍在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -3206,7 +3207,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>6 个电机均已使能。</translation>
     </message>
     <message>
-        <source>These joints did not enable: {joints}. Press Enable again; if that fails, check their drivers and the arm's power.</source>
+        <source>These joints did not enable: {joints}. Press Enable again; if that fails, check their drivers and the arm&apos;s power.</source>
         <translation>以下关节未能使能：{joints}。请再按一次“使能”；若仍失败，请检查其驱动器和机械臂电源。</translation>
     </message>
     <message>
@@ -3262,7 +3263,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>末端负载未得到确认。{reason}</translation>
     </message>
     <message>
-        <source>Switching the feedback of the end's motion</source>
+        <source>Switching the feedback of the end&apos;s motion</source>
         <translation>正在切换末端速度/加速度反馈</translation>
     </message>
     <message>
@@ -3274,7 +3275,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>机械臂已停止上报末端速度/加速度。</translation>
     </message>
     <message>
-        <source>The feedback of the end's motion is not switched. {reason}</source>
+        <source>The feedback of the end&apos;s motion is not switched. {reason}</source>
         <translation>末端速度/加速度反馈未切换成功。{reason}</translation>
     </message>
     <message>
@@ -3438,7 +3439,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>回放中止。{reason}</translation>
     </message>
     <message>
-        <source>Recording the arm's motion</source>
+        <source>Recording the arm&apos;s motion</source>
         <translation>开始录制机械臂运动</translation>
     </message>
     <message>
@@ -3486,7 +3487,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>未读到以下关节的限位：{joints}。现按出厂限位检查；重新连接可再次读取。</translation>
     </message>
     <message>
-        <source>Joint {joint}: the limits stored in the arm cannot be true. The factory limits hold; set the joint's limits anew.</source>
+        <source>Joint {joint}: the limits stored in the arm cannot be true. The factory limits hold; set the joint&apos;s limits anew.</source>
         <translation>关节 {joint}：机械臂中保存的限位不合理。现按出厂限位检查；请重新设置该关节的限位。</translation>
     </message>
     <message>
@@ -3502,7 +3503,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>事件：{code}</translation>
     </message>
     <message>
-        <source>The emergency stop is NOT on the bus: no CAN device is open, or it does not take the frame. Cut the arm's power if it moves.</source>
+        <source>The emergency stop is NOT on the bus: no CAN device is open, or it does not take the frame. Cut the arm&apos;s power if it moves.</source>
         <translation>急停没有发到总线上：没有打开 CAN 设备，或设备不接收该帧。若机械臂在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -3518,7 +3519,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>未完成的急停已撤回；机械臂没有停止。</translation>
     </message>
     <message>
-        <source>The arm on {device} has never confirmed its emergency stop, and another device is connected now. Cut that arm's power if it moves.</source>
+        <source>The arm on {device} has never confirmed its emergency stop, and another device is connected now. Cut that arm&apos;s power if it moves.</source>
         <translation>{device} 上的机械臂一直没有确认急停，而现在连接的是另一设备。若那台机械臂在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -3557,11 +3558,11 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <source>{count} frames were lost before the program could read them ({total} since connecting): the computer is too busy, or the adapter too slow.</source>
         <translation>有 {count} 帧在程序读取之前丢失（连接以来共 {total} 帧）：电脑太忙，或适配器太慢。</translation>
     </message>
-<message>
+    <message>
         <source>The arm has not taken the last motion: it is heard, and does not move. It may listen under another control offset (Linkage control), or a frame was lost.</source>
         <translation>机械臂未执行刚才的运动：有反馈，但没有动。它可能在另一个控制偏移下接收指令（见联动控制），或有帧丢失。</translation>
     </message>
-    </context>
+</context>
 <context>
     <name>OtherMode</name>
     <message>
@@ -3902,35 +3903,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <source>Curves</source>
         <translation>曲线</translation>
     </message>
-<message>
-        <source>Remove curve</source>
-        <translation>移除曲线</translation>
-    </message>
-    <message>
-        <source>Into a plot of its own</source>
-        <translation>移到单独的图</translation>
-    </message>
-    <message>
-        <source>Fit the height</source>
-        <translation>适应高度</translation>
-    </message>
-    <message>
-        <source>Undo zoom</source>
-        <translation>撤销缩放</translation>
-    </message>
-    <message>
-        <source>Remove plot</source>
-        <translation>移除此图</translation>
-    </message>
-    <message>
-        <source>There are {count} plots already: remove one first.</source>
-        <translation>已有 {count} 张图：请先移除一张。</translation>
-    </message>
-    <message>
-        <source>A plot takes {count} curves, so that they can be told apart.</source>
-        <translation>为便于区分，一张图最多 {count} 条曲线。</translation>
-    </message>
-    </context>
+</context>
 <context>
     <name>PlotsArea</name>
     <message>
@@ -4363,7 +4336,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>{name}（本程序指令）</translation>
     </message>
     <message>
-        <source>{name}, other host's command</source>
+        <source>{name}, other host&apos;s command</source>
         <translation>{name}（其他主机指令）</translation>
     </message>
     <message>
@@ -4375,7 +4348,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>本程序指令</translation>
     </message>
     <message>
-        <source>other host's command</source>
+        <source>other host&apos;s command</source>
         <translation>其他主机指令</translation>
     </message>
     <message>
@@ -4768,7 +4741,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>关节 {joints} 堵转。请解除卡阻，然后清除错误。</translation>
     </message>
     <message>
-        <source>Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint's encoder.</source>
+        <source>Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint&apos;s encoder.</source>
         <translation>关节 {joints} 传感器异常。请清除错误；若再次出现，请检查该关节编码器。</translation>
     </message>
     <message>
@@ -4784,7 +4757,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂报告关节状态异常。请查看关节状态，然后清除错误。</translation>
     </message>
     <message>
-        <source>A joint's brake is not released. Hold the arm, then reset it.</source>
+        <source>A joint&apos;s brake is not released. Hold the arm, then reset it.</source>
         <translation>关节抱闸未打开。请扶住机械臂，然后复位。</translation>
     </message>
     <message>
@@ -4904,7 +4877,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂发生碰撞。请移开障碍物，然后清除错误。</translation>
     </message>
     <message>
-        <source>A stop is outstanding: it goes out once the CAN device is back. Cut the arm's power if it moves.</source>
+        <source>A stop is outstanding: it goes out once the CAN device is back. Cut the arm&apos;s power if it moves.</source>
         <translation>有一次急停未完成：CAN 设备恢复后立即发出。若机械臂在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -4943,7 +4916,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>以下关节的电机未使能：{joints}。请先按“使能”。</translation>
     </message>
     <message>
-        <source>Not every motor has reported yet whether it is enabled. Wait a moment; if it stays so, check the arm's power and the CAN cable.</source>
+        <source>Not every motor has reported yet whether it is enabled. Wait a moment; if it stays so, check the arm&apos;s power and the CAN cable.</source>
         <translation>尚未收到全部电机的使能状态。请稍候；若一直如此，请检查机械臂电源和 CAN 线。</translation>
     </message>
     <message>
@@ -5051,7 +5024,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>{axis}：“{value}”不是数值。请输入毫米或度的数字，例如 12.5。</translation>
     </message>
     <message>
-        <source>The target is {missing} mm out of the arm's reach. Choose one nearer to the arm, or turn the tool.</source>
+        <source>The target is {missing} mm out of the arm&apos;s reach. Choose one nearer to the arm, or turn the tool.</source>
         <translation>目标超出可达范围 {missing} mm。请选择更近的位置，或改变末端姿态。</translation>
     </message>
     <message>
@@ -5083,7 +5056,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>尚未记录：{point}。请把机械臂移到该处并按对应按钮。</translation>
     </message>
     <message>
-        <source>The pose the arm reports does not fit its joint angles: the program cannot compute its way. Check the joints' zeros; the joints can still be moved one by one.</source>
+        <source>The pose the arm reports does not fit its joint angles: the program cannot compute its way. Check the joints&apos; zeros; the joints can still be moved one by one.</source>
         <translation>机械臂上报的位姿与关节角度不符，程序无法计算路径。请检查各关节零点；仍可单独移动各关节。</translation>
     </message>
     <message>
@@ -5135,7 +5108,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>{gripper}：“{value}”不是数字，请输入 {minimum} 至 {maximum} {unit} 之间的值。</translation>
     </message>
     <message>
-        <source>Whether these joints stand still is not known: {joints}. Their drivers report no speed: check the arm's power and the CAN cable.</source>
+        <source>Whether these joints stand still is not known: {joints}. Their drivers report no speed: check the arm&apos;s power and the CAN cable.</source>
         <translation>无法确认以下关节是否静止：{joints}。其驱动器未上报速度，请检查机械臂电源和 CAN 线缆。</translation>
     </message>
     <message>
@@ -5167,11 +5140,11 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>设备 {device} 正被其它程序占用。请关闭该程序后重新连接。</translation>
     </message>
     <message>
-        <source>{device} is switched off in the system. Switch it on in a terminal (with your interface's name for can0): sudo ip link set can0 up type can bitrate 1000000</source>
+        <source>{device} is switched off in the system. Switch it on in a terminal (with your interface&apos;s name for can0): sudo ip link set can0 up type can bitrate 1000000</source>
         <translation>设备 {device} 在系统中未启用。请在终端中启用（将 can0 换成实际的接口名）：sudo ip link set can0 up type can bitrate 1000000</translation>
     </message>
     <message>
-        <source>You may not open {device}. On Linux add your account to the group dialout (serial adapters) or install the adapter's udev rule (USB adapters), then log in again.</source>
+        <source>You may not open {device}. On Linux add your account to the group dialout (serial adapters) or install the adapter&apos;s udev rule (USB adapters), then log in again.</source>
         <translation>没有权限打开设备 {device}。Linux 下：串口适配器请将当前用户加入 dialout 组，USB 适配器请安装其 udev 规则，然后重新登录。</translation>
     </message>
     <message>
@@ -5183,7 +5156,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>设备 {device} 需要的 Python 软件包尚未安装。请在终端中安装：pip install {package}</translation>
     </message>
     <message>
-        <source>The driver for {device} ({interface}) is missing. Install the driver of the adapter's maker; for socketcan load the kernel's modules: sudo modprobe can_raw</source>
+        <source>The driver for {device} ({interface}) is missing. Install the driver of the adapter&apos;s maker; for socketcan load the kernel&apos;s modules: sudo modprobe can_raw</source>
         <translation>缺少设备 {device}（{interface}）的驱动。请安装适配器厂家的驱动；使用 socketcan 时请加载内核模块：sudo modprobe can_raw</translation>
     </message>
     <message>
@@ -5287,7 +5260,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>{parameter}：不能设为 {value}，请从 {choices} 中选择。</translation>
     </message>
     <message>
-        <source>This arm's protocol (generation {generation}) has no such settings; generation 2 has.</source>
+        <source>This arm&apos;s protocol (generation {generation}) has no such settings; generation 2 has.</source>
         <translation>本机械臂的协议（第 {generation} 代）没有这些参数，第 2 代才有。</translation>
     </message>
     <message>
@@ -5331,7 +5304,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>未运行：检查之后机械臂又移动了 {value}°。请再次点击发送。</translation>
     </message>
     <message>
-        <source>Not run: the arm's joint limits are others than those of the check. Send again.</source>
+        <source>Not run: the arm&apos;s joint limits are others than those of the check. Send again.</source>
         <translation>未运行：机械臂的关节限位与检查时不同。请再次点击发送。</translation>
     </message>
     <message>
@@ -5407,7 +5380,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂尚未反馈末端位姿，圆弧没有起点，请稍候。</translation>
     </message>
     <message>
-        <source>Row {row}: this arm's protocol moves the gripper by other figures (generation 1 by an angle, generation 2 by an opening). Change the gripper's action.</source>
+        <source>Row {row}: this arm&apos;s protocol moves the gripper by other figures (generation 1 by an angle, generation 2 by an opening). Change the gripper&apos;s action.</source>
         <translation>第 {row} 行：本机械臂协议的夹爪参数不同（第一代用角度，第二代用开度），请修改夹爪动作。</translation>
     </message>
     <message>
@@ -5631,11 +5604,11 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>“{name}”未保存：{text}。原有内容未变。请检查磁盘后重新保存。</translation>
     </message>
     <message>
-        <source>Not deleted: {name}: {text}. Check the rights to the library's folder.</source>
+        <source>Not deleted: {name}: {text}. Check the rights to the library&apos;s folder.</source>
         <translation>未删除：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
     </message>
     <message>
-        <source>Not brought back: {name}: {text}. Check the rights to the library's folder.</source>
+        <source>Not brought back: {name}: {text}. Check the rights to the library&apos;s folder.</source>
         <translation>未恢复：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
     </message>
     <message>
@@ -5707,7 +5680,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂是否在当前标识符上接收指令尚未证实，因此不让它运动；急停和停住仍能到达。证实方法：让机械臂处于待机，在联动控制中重新设置偏移，得到应答后即生效。</translation>
     </message>
     <message>
-        <source>For half a second {device} could send nothing, because nobody on the bus acknowledges. Check the arm's power, the CAN cable, the terminating resistors and the bit rate (1 Mbit/s).</source>
+        <source>For half a second {device} could send nothing, because nobody on the bus acknowledges. Check the arm&apos;s power, the CAN cable, the terminating resistors and the bit rate (1 Mbit/s).</source>
         <translation>{device} 已有半秒发不出任何帧，因为总线上无人应答。请检查机械臂电源、CAN 线、终端电阻和波特率（1 Mbit/s）。</translation>
     </message>
     <message>
@@ -6006,7 +5979,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>速度</translation>
     </message>
     <message>
-        <source>Of each point's own speed</source>
+        <source>Of each point&apos;s own speed</source>
         <translation>相对于各点自身速度的百分比</translation>
     </message>
     <message>
@@ -6193,7 +6166,7 @@ Lead it near its rest pose, then stop recording.</source>
 <context>
     <name>SpeedControl</name>
     <message>
-        <source>This arm's firmware does not report its speed percentage.</source>
+        <source>This arm&apos;s firmware does not report its speed percentage.</source>
         <translation>该机械臂的固件不反馈速度百分比。</translation>
     </message>
     <message>
@@ -6201,7 +6174,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂反馈的速度百分比</translation>
     </message>
     <message>
-        <source>Speed of motions, 0–100 % of the arm's highest; 0 % means no motion.</source>
+        <source>Speed of motions, 0–100 % of the arm&apos;s highest; 0 % means no motion.</source>
         <translation>运动速度，为最大速度的 0～100 %；0 % 时不运动。</translation>
     </message>
     <message>
@@ -6597,7 +6570,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>录制</translation>
     </message>
     <message>
-        <source>reading or saving the arm's settings</source>
+        <source>reading or saving the arm&apos;s settings</source>
         <translation>读取或保存机械臂参数</translation>
     </message>
     <message>
@@ -6613,7 +6586,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>设置零点</translation>
     </message>
     <message>
-        <source>clearing a joint's error</source>
+        <source>clearing a joint&apos;s error</source>
         <translation>清除关节错误</translation>
     </message>
     <message>

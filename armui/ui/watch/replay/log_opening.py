@@ -105,6 +105,12 @@ class LogOpening(QObject):
                 Job(lambda _done: None), _clear_away, self._helper, self._folder
             )
 
+    def end(self) -> None:
+        """The same, done when this returns: the program ends."""
+        if not self._is_over:
+            self._end()
+            _clear_away(self._helper, self._folder)
+
     def _end(self) -> None:
         self._is_over = True
         self._timer.stop()

@@ -6,7 +6,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QCoreApplication, QSize, Qt
 from PySide6.QtWidgets import QHBoxLayout, QProgressBar, QPushButton, QVBoxLayout, QWidget
 
 from armui.arm.device import RecordedArm
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from concurrent.futures import Executor
 
-    from PySide6.QtGui import QCloseEvent
+    from PySide6.QtGui import QCloseEvent, QKeyEvent
 
     from armui.arm.refusal import Refusal
     from armui.control.arm_controller import ArmController
@@ -94,6 +94,10 @@ class ReplayWindow(ArmDialog):
         self.message.setObjectName("replay_message")
         self.message.hide()
         self.body.addWidget(self.message)
+        application = QCoreApplication.instance()
+        if application is not None:
+            # a child gets no close event when the main window closes
+            application.aboutToQuit.connect(self.end)
         self.retranslate_ui()
         self.resize(_SIZE.boundedTo(self.screen().availableSize()))
 
@@ -136,14 +140,15 @@ class ReplayWindow(ArmDialog):
     def choose(self) -> None:
         """Let the operator choose a log."""
         endings = " ".join(f"*{each} *{each}.gz" for each in SUFFIXES)
-        choose_file(
+        folder = Path.home() if self._path is None else self._path.parent
+        chooser = choose_file(
             self,
             self._controller,
             title=self.tr("Open a recording"),
             name_filter=self.tr("CAN logs") + f" ({endings})",
             on_chosen=self.open_log,
-            start=Path.home() if self._path is None else self._path,
         )
+        chooser.setDirectory(str(folder))
 
     def open_log(self, path: Path) -> None:
         """Show this log, in the place of whatever is shown."""
@@ -304,8 +309,22 @@ class ReplayWindow(ArmDialog):
         self._show_waiting()
         super().closeEvent(event)
 
-    def reject(self) -> None:
+    def keyPressEvent(self, event: QKeyEvent) -> None:
         """Escape closes nothing here: a log takes a while to open."""
+        if event.key() == Qt.Key.Key_Escape:
+            event.ignore()
+        else:
+            super().keyPressEvent(event)
+
+    def end(self) -> None:
+        """The program ends: nobody else lets go of the log any more."""
+        opening, self._opening = self._opening, None
+        if opening is not None:
+            opening.end()
+        self._end_view()
+        session, self._session = self._session, None
+        if session is not None:
+            session.close()
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
