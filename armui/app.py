@@ -200,6 +200,8 @@ def _run(options: StartOptions) -> int:
     if device is not None:
         # the bus waits for nothing: the picture is loaded in a process of its own
         program.controller.connect_device(device)
+    if options.replay is not None:
+        program.window.open_replay(options.replay)
     keep_from_collector()
     code = app.exec()
     if not program.ended:

@@ -7,6 +7,7 @@ import importlib
 import os
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Final
 
 from armui import __version__
@@ -33,6 +34,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if words and words[0] in _COMMANDS:
         return _run_command(words[0], words[1:])
     parser = _parser()
+    if words and words[0] == "replay":
+        parser = _replay_parser()
+        words = words[1:]
     return _run_window(parser, parser.parse_args(words))
 
 
@@ -79,9 +83,24 @@ def _run_window(parser: argparse.ArgumentParser, options: argparse.Namespace) ->
             interface=options.interface,
             channel=options.channel,
             bitrate=options.bitrate,
+            replay=getattr(options, "replay", None),
             language=options.lang,
         )
     )
+
+
+def _replay_parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="armui replay",
+        description="Show a recorded CAN log, of this program or of another one, as if it were "
+        "live: a window with 3D view, joints, curves and a time line. Nothing is sent.",
+    )
+    parser.add_argument(
+        "replay", type=Path, metavar="FILE", help="the log: .blf, .asc, .log, .trc, .csv, ..."
+    )
+    parser.add_argument("--lang", choices=("zh", "en"), help="language of the windows")
+    parser.set_defaults(sim=False, generation=None, interface=None, channel=None, bitrate=None)
+    return parser
 
 
 def _no_display() -> bool:
@@ -95,7 +114,8 @@ def _parser() -> argparse.ArgumentParser:
         prog="armui",
         description="Host program for the AgileX PiPER arm on a CAN bus.",
         epilog="Further commands (armui COMMAND --help tells more): "
-        + "; ".join(f"{name}: {purpose}" for name, (_module, purpose) in _COMMANDS.items()),
+        + "; ".join(f"{name}: {purpose}" for name, (_module, purpose) in _COMMANDS.items())
+        + "; replay: show a recorded CAN log as if it were live",
     )
     parser.add_argument("--version", action="version", version=f"armui {__version__}")
     parser.add_argument("--sim", action="store_true", help="connect to the simulated arm")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 
 from armui.settings import Language
 
@@ -14,6 +15,7 @@ class StartOptions:
     Attributes:
         sim_generation: Connect to the simulated arm that speaks this generation.
         interface, channel, bitrate: Connect to this device.
+        replay: Show this log in the window 回放.
         language: Instead of the one in the settings, for this run.
     """
 
@@ -21,4 +23,5 @@ class StartOptions:
     interface: str | None = None
     channel: str | None = None
     bitrate: int | None = None
+    replay: Path | None = None
     language: Language | None = None

@@ -99,7 +99,7 @@ def test_ci_runs_the_command_that_readme_tells() -> None:
         assert f'"{version}"' in workflow
 
 
-@pytest.mark.parametrize("command", ["", "decode", "doctor", "export", "sim"])
+@pytest.mark.parametrize("command", ["", "decode", "doctor", "export", "record", "replay", "sim"])
 def test_the_options_of_every_command_are_listed(command: str) -> None:
     asked = subprocess.run(
         [sys.executable, "-m", "armui", *command.split(), "--help"],

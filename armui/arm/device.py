@@ -12,6 +12,19 @@ _BITRATE_SET_BY_SYSTEM: Final = frozenset({"socketcan", "virtual", "udp_multicas
 
 
 @dataclass(frozen=True, slots=True)
+class RecordedArm:
+    """What a log tells of the arm in it.
+
+    Attributes:
+        generation: Which protocol it speaks.
+        feedback_offset: Added to the identifiers of its feedback (0x470).
+    """
+
+    generation: int
+    feedback_offset: int = 0
+
+
+@dataclass(frozen=True, slots=True)
 class Device:
     """One way to an arm.
 
@@ -24,6 +37,7 @@ class Device:
         simulated: An arm made of software inside this program.
         generation: Which protocol the simulated arm speaks.
         listen_only: Nothing is sent on it but an operator's stop.
+        recorded: It is a log that is replayed: nothing whatever can be sent.
         options: Further arguments of python-can's constructor.
     """
 
@@ -35,6 +49,7 @@ class Device:
     simulated: bool = False
     generation: int | None = None
     listen_only: bool = False
+    recorded: RecordedArm | None = None
     options: tuple[tuple[str, Any], ...] = ()
 
     @property

@@ -164,6 +164,13 @@ class RefusalCode(StrEnum):
     REPLAY_GAP = "replay_gap"  # seconds
     REPLAY_LAGGING = "replay_lagging"  # joint, away
     REPLAY_TOO_FAST = "replay_too_fast"  # joint, value, maximum, percent
+    REPLAY_EMPTY = "replay_empty"  # name
+    REPLAY_FAILED = "replay_failed"  # name, text
+    REPLAY_NO_DISK = "replay_no_disk"  # text
+    REPLAY_NO_LOG = "replay_no_log"  # name, text
+    REPLAY_UNKNOWN_KIND = "replay_unknown_kind"  # name, known
+    REPLAY_UNREADABLE = "replay_unreadable"  # name, text
+    REPLAYED_LOG = "replayed_log"
     RUN_DISABLED = "run_disabled"
     RUN_ELSEWHERE = "run_elsewhere"  # away
     RUN_EMPTY = "run_empty"  # name

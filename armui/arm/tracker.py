@@ -99,6 +99,11 @@ class Tracker:
         elif heard.name in _TARGET_MESSAGES:
             self._note_foreign_target(_TARGET_MESSAGES.index(heard.name), at_s)
 
+    def pardon_silences(self) -> None:
+        """What was taken in so far comes from a log and was not heard one after another."""
+        self._silences = 0
+        self._sequence += 1
+
     def snapshot(self) -> ArmState:
         """The arm as heard up to now; the same object as before if nothing new was heard."""
         if self._published != self._sequence:

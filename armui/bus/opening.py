@@ -6,12 +6,13 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
 import can
+from PySide6.QtCore import QThread
 
 from armui.arm.device import Device
-from armui.bus.worker import BusWorker, Opener
+from armui.bus.worker import Opener
 
 
-def opener_after(before: Sequence[BusWorker], opener: Opener) -> Opener:
+def opener_after(before: Sequence[QThread], opener: Opener) -> Opener:
     """Opens a device when other threads have closed theirs: it may be the same one.
 
     Args:

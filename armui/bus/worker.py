@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import logging
 import threading
-from collections import deque
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager
 from typing import Final
@@ -17,21 +16,20 @@ import can
 from PySide6.QtCore import QObject, QThread, Signal
 
 from armui.arm.device import Device
-from armui.arm.other_hosts import OtherHosts, OtherTraffic
+from armui.arm.other_hosts import OtherTraffic
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
-from armui.arm.tracker import Tracker
 from armui.bus.adapters import explain
 from armui.bus.echo import is_own_echo
 from armui.bus.health import BusHealth
+from armui.bus.intake import Intake
 from armui.bus.link import BusReport, BusState
 from armui.bus.outbox import KEEP_S, Outbox
 from armui.bus.receive_clock import STAMPED, ReceiveClock
 from armui.bus.receive_queue import ReceiveQueue
-from armui.bus.samples import SampleRing
 from armui.bus.sending import SendingThread
-from armui.bus.tap import Tap, TapLine
-from armui.protocol.codec import Codec, InvalidFrame, InvalidFrameKind, Message
+from armui.bus.tap import Tap
+from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame, FrameFlag
 from armui.system.clock import steady_s
 from armui.system.failures import is_our_own
@@ -52,22 +50,6 @@ _PICTURE_S: Final = 0.005
 
 _REOPEN_S: Final = 0.5
 
-ANSWERS: Final = frozenset(
-    {
-        "SettingResponse",
-        "LimitFeedback",
-        "AccelerationFeedback",
-        "EndLimitFeedback",
-        "CollisionFeedback",
-        "TeachingFeedback",
-    }
-)
-"""Messages that answer something: each one is delivered, none is folded away."""
-
-
-_LAST_ANGLES: Final = "JointFeedback56"
-"""The last of the three frames that tell where the joints are."""
-
 
 class BusWorker(QThread):
     """Owns one device from connecting to disconnecting.
@@ -86,7 +68,7 @@ class BusWorker(QThread):
 
     Signals:
         reported: A :class:`BusReport`, whenever the state of the device changes.
-        answered: A :class:`Message` of :data:`ANSWERS`.
+        answered: A :class:`Message` of :data:`armui.bus.intake.ANSWERS`.
     """
 
     reported = Signal(object)
@@ -110,21 +92,15 @@ class BusWorker(QThread):
         self._device = device
         self._opener = opener
         self._clock = clock
-        self._codec = codec
-        self._tracker = Tracker(codec)
-        self._epoch = 0
-        self._next_codecs: deque[tuple[Codec, int]] = deque()
-        self._state = ArmState()
-        self._others = OtherHosts()
-        self._traffic = OtherTraffic()
         self._pictured_s = 0.0
-        self._line = TapLine(taps)
+        self._intake = Intake(codec, taps, self.answered.emit)
+        self._line = self._intake.line
         self._outbox = Outbox(clock, listen_only=listen_only, sent=self._line.sent)
         self._health = BusHealth(device)
         self._problem: Refusal | None = None
         self._queue = ReceiveQueue()
         self._received = ReceiveClock(clock, stamped=device.interface in STAMPED)
-        self.samples = SampleRing()
+        self.samples = self._intake.samples
         self._closing = threading.Event()
 
     @property
@@ -135,13 +111,12 @@ class BusWorker(QThread):
     @property
     def state(self) -> ArmState:
         """The arm as heard since the last :meth:`use_codec`; may be read from any thread."""
-        state, epoch = self._state, self._epoch
-        return state if state.epoch == epoch else ArmState(epoch=epoch)
+        return self._intake.state
 
     @property
     def traffic(self) -> OtherTraffic:
         """What other hosts were heard to send; may be read from any thread."""
-        return self._traffic
+        return self._intake.traffic
 
     @property
     def frames_dropped(self) -> int:
@@ -171,8 +146,7 @@ class BusWorker(QThread):
 
         From this call on :attr:`state` holds nothing that was heard or decoded before it.
         """
-        self._next_codecs.append((codec, self._epoch + 1))
-        self._epoch += 1
+        self._intake.use_codec(codec)
 
     def close(self, within_ms: int) -> bool:
         """Close the device and end the thread.
@@ -213,12 +187,12 @@ class BusWorker(QThread):
         self._health, self._problem = BusHealth(self._device), None
         sender = SendingThread(self._outbox, bus)
         sender.start()
-        self._line.open(self._codec, self._device.bitrate)
+        self._line.open(self._intake.codec, self._device.bitrate)
         self._received.emptied()  # what lies in a device that was just opened came just now
         self._report(BusState.OPEN)
         try:
             while not self._closing.is_set():
-                self._take_codec()
+                self._intake.take_codec(self._clock())
                 self._receive_burst(bus)
                 if sender.failure is not None:
                     raise sender.failure
@@ -242,7 +216,7 @@ class BusWorker(QThread):
         now_s = self._clock()
         taken = 0
         while message is not None:
-            self._take_codec()
+            self._intake.take_codec(now_s)
             self._take_in(message, self._received.at_s(message.timestamp, now_s))
             taken += 1
             if taken == _BURST:
@@ -250,39 +224,23 @@ class BusWorker(QThread):
             message = bus.recv(0)
         else:
             self._received.emptied()
-        self._line.flush(self._codec, now_s)
+        self._line.flush(self._intake.codec, now_s)
         if now_s - self._pictured_s >= _PICTURE_S or taken == 0:
             self._pictured_s = now_s
-            self._state = self._tracker.snapshot()
-            self._traffic = self._others.traffic()
+            self._intake.show()
             self._queue.look(now_s)
 
     def _take_in(self, message: can.Message, now_s: float) -> None:
         if is_own_echo(message, self._device.interface):
             return
-        frame = Frame(message.arbitration_id, bytes(message.data))
         if message.is_error_frame:
             self._health.on_error_frame(message.arbitration_id)
             self._queue.note_error(message)
-            self._line.error_frame()
         else:
             self._health.on_frame(now_s)
-            self._others.note(frame.arbitration_id, frame.data, now_s)
-        invalid = _invalid_frame(message)
-        heard = invalid or self._codec.decode(frame)
-        flags = 0 if invalid is None else _flags(message)
-        self._tracker.update(heard, now_s)
-        self._line.heard.append((heard, now_s, frame, flags))
-        if self.samples.wanted and isinstance(heard, Message) and heard.name == _LAST_ANGLES:
-            self.samples.put(self._tracker.snapshot(), now_s)
-        if isinstance(heard, Message) and heard.name in ANSWERS:
-            self.answered.emit(heard)
-
-    def _take_codec(self) -> None:
-        while self._next_codecs:
-            before, (self._codec, epoch) = self._codec, self._next_codecs.popleft()
-            self._line.switch(before, self._codec, self._clock())
-            self._tracker = Tracker(self._codec, epoch)
+        odd = message.is_error_frame or message.is_extended_id or message.is_remote_frame
+        frame = Frame(message.arbitration_id, bytes(message.data))
+        self._intake.take(frame, now_s, _flags(message) if odd else 0)
 
     def _report(self, state: BusState, error: Exception | None = None) -> None:
         problem = None if error is None else explain(self._device, error)
@@ -296,16 +254,3 @@ def _flags(message: can.Message) -> int:
     if message.is_error_frame:
         flags |= FrameFlag.ERROR
     return flags | FrameFlag.FD if message.is_fd else flags
-
-
-def _invalid_frame(message: can.Message) -> InvalidFrame | None:
-    """What is wrong with a frame that is no classic data frame with an 11-bit identifier."""
-    if message.is_error_frame:
-        detail = "the adapter reports a bus error"
-    elif message.is_extended_id:
-        detail = "29-bit identifier"
-    elif message.is_remote_frame:
-        detail = "remote frame"
-    else:
-        return None
-    return InvalidFrame(InvalidFrameKind.UNKNOWN_ID, message.arbitration_id, detail)

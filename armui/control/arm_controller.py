@@ -38,6 +38,7 @@ from armui.system.clock import steady_s, wall_clock
 
 if TYPE_CHECKING:
     from armui.bus.worker import Opener
+    from armui.control.link.connection import MakeWorker
     from armui.telemetry.store import Telemetry
 
 _TICK_MS: Final = 33
@@ -58,6 +59,7 @@ class ArmController(ControllerParts):
         find: The search for devices.
         clock: Monotonic time in seconds.
         wall: What the clock on the wall showed at such a time; by default of this computer.
+        make_worker: Puts something else in the place of the bus: a log.
 
     Signals:
         state_changed: An :class:`ArmState`, at most 30 times a second, when something was heard.
@@ -80,14 +82,16 @@ class ArmController(ControllerParts):
         parent: QObject | None = None,
         *,
         wall: Callable[[float], datetime] | None = None,
+        make_worker: MakeWorker | None = None,
     ) -> None:
         super().__init__(parent)
         self.noticed.connect(self._on_noticed)  # before anybody who asks for the entry
+        self._replays = make_worker is not None
         self._clock, self._wall = clock, wall or wall_clock(clock)
         self._finder = DeviceFinder(simulated, find, self)
         self._finder.found.connect(self.devices_found)
         self._finder.searching_changed.connect(self.searching_changed)
-        self._connection = Connection(opener, clock, self)
+        self._connection = Connection(opener, clock, self, make_worker)
         self._connection.changed.connect(self._on_connection)
         self._connection.arm_came.connect(self._on_arm_came)
         self._stop = Stopping(self._connection, self._notice, clock, lambda: self._parts.halt())  # noqa: PLW0108
@@ -146,7 +150,8 @@ class ArmController(ControllerParts):
         self._stop.on_connecting(device)
         self.cartesian.prepare()
         self._parts.take(self._all_parts(), last=self.recovery)
-        self.sessions  # noqa: B018 - it keeps every frame, from the first on
+        if not self._replays:
+            self.sessions  # noqa: B018 - it keeps every frame, from the first on
         self._connection.open(device)
         self._timer.start()
         self._refresh()
@@ -187,7 +192,8 @@ class ArmController(ControllerParts):
             self._connection.wait_until_sent(_SENT_WITHIN_S)
         self.disconnect_device()
         closed = self._connection.end(_END_S)
-        return all((self.sessions.end(), self._finder.end(_END_S), closed))
+        written = "sessions" not in vars(self) or self.sessions.end()
+        return all((written, self._finder.end(_END_S), closed))
 
     def emergency_stop(self) -> None:
         """Stop the arm at once: past every other frame, whatever else is under way (0x150)."""

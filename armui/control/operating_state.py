@@ -29,6 +29,13 @@ class LinkState(enum.Enum):
     """The device is gone; the program keeps trying to reopen it."""
 
 
+def why_only_heard(device: Device | None) -> Refusal | None:
+    """The reason why an arm that is heard is not spoken to, or ``None``: it may be."""
+    if device is None or not device.listen_only:
+        return None
+    return Refusal(RefusalCode.LISTEN_ONLY if device.recorded is None else RefusalCode.REPLAYED_LOG)
+
+
 def why_unreachable(link: LinkState, device: Device | None = None) -> Refusal | None:
     """The reason against sending anything at all: no arm is heard, or it is only listened to.
 
@@ -36,8 +43,8 @@ def why_unreachable(link: LinkState, device: Device | None = None) -> Refusal | 
         link: How the program stands to its arm.
         device: What is open; ``None`` where something may be done to an arm that is listened to.
     """
-    if device is not None and device.listen_only and link is LinkState.ONLINE:
-        return Refusal(RefusalCode.LISTEN_ONLY)
+    if link is LinkState.ONLINE and (refusal := why_only_heard(device)) is not None:
+        return refusal
     if link is LinkState.LOST:
         return Refusal(RefusalCode.LINK_LOST)
     if link is LinkState.OFFLINE:

@@ -159,6 +159,15 @@ def _looks_like(path: Path) -> str:
     return next((suffix for suffix, sign in _SIGNS.items() if sign.search(beginning)), "")
 
 
+def is_known_kind(path: Path) -> bool:
+    """Whether a file is a log by its name."""
+    try:
+        _log_suffix(path)
+    except NotALogError:
+        return False
+    return True
+
+
 def _log_suffix(path: Path) -> str:
     suffixes = [suffix.lower() for suffix in path.suffixes]
     packed = bool(suffixes) and suffixes[-1] == ".gz"

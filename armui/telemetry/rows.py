@@ -32,6 +32,19 @@ def row_of(record: Record, codec: Codec, *, proven: bool) -> Callable[[_Signals]
         proven: The arm is known to speak this generation. Until then only what both of them say
             alike is kept.
     """
+    told = told_signals(record, codec, proven=proven)
+    if told is None:
+        return None
+    fields = record.fields
+    if all(len(field.signals) == 1 and field.signals[0] in told for field in fields):
+        factors = [factor_of(record, field, codec) for field in fields]
+        return _plain([field.signals[0] for field in fields], factors)
+    makers = tuple(_maker(record, field, codec, told) for field in fields)
+    return lambda signals: tuple([make(signals) for make in makers])
+
+
+def told_signals(record: Record, codec: Codec, *, proven: bool) -> frozenset[str] | None:
+    """The signals of a message that are understood; ``None`` if there are none; see `row_of`."""
     if not (proven or record.common):
         return None
     try:
@@ -40,12 +53,7 @@ def row_of(record: Record, codec: Codec, *, proven: bool) -> Callable[[_Signals]
         return None
     if not proven and record.message == "ArmStatus":
         told -= _UNPROVEN
-    fields = record.fields
-    if all(len(field.signals) == 1 and field.signals[0] in told for field in fields):
-        factors = [_factor(record, field, codec) for field in fields]
-        return _plain([field.signals[0] for field in fields], factors)
-    makers = tuple(_maker(record, field, codec, told) for field in fields)
-    return lambda signals: tuple([make(signals) for make in makers])
+    return told
 
 
 def _plain(names: list[str], factors: list[float]) -> Callable[[_Signals], Row]:
@@ -56,7 +64,8 @@ def _plain(names: list[str], factors: list[float]) -> Callable[[_Signals], Row]:
     return lambda signals: tuple(map(mul, values(signals), factors))
 
 
-def _factor(record: Record, field: Field, codec: Codec) -> float:
+def factor_of(record: Record, field: Field, codec: Codec) -> float:
+    """What a signal is multiplied by to have the field's unit."""
     if not field.is_angle:
         return 1
     return DEGREES_PER.get(codec.unit(record.message, field.signals[0]), _NAN)
@@ -71,7 +80,7 @@ def _maker(record: Record, field: Field, codec: Codec, told: frozenset[str]) -> 
     if len(field.signals) > 1:
         return lambda signals: sum(bit for bit, name in bits if signals[name] == 1)
     name = field.signals[0]
-    factor = _factor(record, field, codec)
+    factor = factor_of(record, field, codec)
     if factor == 1:
         return itemgetter(name)
     return lambda signals: signals[name] * factor

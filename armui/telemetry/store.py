@@ -5,21 +5,29 @@ from __future__ import annotations
 import math
 import threading
 from collections.abc import Callable, Mapping, Sequence
+from datetime import datetime, timedelta
 from typing import TYPE_CHECKING, Final
+
+import numpy as np
 
 from armui.protocol.codec import InvalidFrame, Message
 from armui.protocol.codes import MotorAction, StopCommand, TrajectoryCommand
+from armui.protocol.frame import Frame, FrameFlag
 from armui.system.clock import steady_s
+from armui.telemetry.columns import NOT_OF_THE_ARM, ColumnWriter
 from armui.telemetry.quantities import BUS, QUANTITIES, RECORDS, Quantity, Record, Source, Space
 from armui.telemetry.rows import row_of
 from armui.telemetry.series import KEPT_S, Row, Series
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from armui.protocol.codec import Codec
-    from armui.protocol.frame import Frame
     from armui.protocol.generation import Generation
+    from armui.telemetry.columns import FrameColumns
 
 _BUS_EVERY_S: Final = 0.1
+_ROUNDING_S: Final = 1e-4
 _PAUSE_S: Final = 1.0
 """Nobody counted for so long: the next count begins anew."""
 _FRAME_BITS: Final = 47
@@ -56,16 +64,19 @@ class Telemetry:
         keep_s: How long every sample is kept.
 
     Attributes:
+        wall_time: What the clock on the wall showed at a time of this clock; a log has its own.
         series: By name; see `armui.telemetry.quantities`.
     """
 
     def __init__(self, clock: Callable[[], float] = steady_s, keep_s: float = KEPT_S) -> None:
         self._clock = clock
+        self.wall_time: Callable[[float], datetime] = self._wall_time
         self.series: Mapping[str, Series] = {
             record.name: Series(record.shape, keep_s) for record in RECORDS
         }
         self._choosing = threading.Lock()
         self._codec: Codec | None = None
+        self._columns: ColumnWriter | None = None
         self._generation: Generation | None = None
         self._from_others: dict[str, _Writer] = {}
         self._own: dict[str, _Writer] = {}
@@ -79,6 +90,9 @@ class Telemetry:
     def now_s(self) -> float:
         """The present, by the clock of the samples."""
         return self._clock()
+
+    def _wall_time(self, at_s: float) -> datetime:
+        return datetime.now().astimezone() - timedelta(seconds=self._clock() - at_s)
 
     @property
     def bytes_kept(self) -> int:
@@ -94,6 +108,8 @@ class Telemetry:
         """Give the memory of all samples back, once nothing is heard or sent any more."""
         for each in self.series.values():
             each.release()
+        self._counted_s = -math.inf
+        self._standing = {space: (None, set()) for space in Space}
 
     def find(self, key: str) -> tuple[Quantity, Series]:
         """A quantity and where it is kept.
@@ -144,6 +160,49 @@ class Telemetry:
             if writer is not None:
                 writer(message.signals, at_s)
 
+    def on_columns(self, frames: FrameColumns, *, own: NDArray[np.bool_]) -> None:
+        """Many frames of a log, in order: the same as `on_heard`, `on_sent` and `on_look`.
+
+        Args:
+            frames: What is in the log.
+            own: Which of them the program that recorded them has sent itself.
+        """
+        with self._choosing:
+            codec = self._codec
+            if codec is None or not len(frames):
+                return
+            if self._columns is None:
+                proven = codec.generation is self._generation
+                self._columns = ColumnWriter(self.series, codec, proven=proven)
+            writer = self._columns
+        ordinary = (frames.flags & NOT_OF_THE_ARM) == 0
+        writer.take(frames.of(ordinary & ~own))
+        known = writer.is_feedback[np.minimum(frames.ids, writer.is_feedback.size - 1)]
+        for row in np.flatnonzero(ordinary & (own | ~known)).tolist():
+            data = frames.payloads[row, : frames.lengths[row]].tobytes()
+            said = codec.decode(Frame(int(frames.ids[row]), data))
+            message = said if isinstance(said, Message) else said.message
+            find = self._own if own[row] else self._from_others
+            write = None if message is None else find.get(message.name)
+            if write is not None and message is not None:
+                write(message.signals, float(frames.times_s[row]))
+        self._count_columns(frames)
+
+    def _count_columns(self, frames: FrameColumns) -> None:
+        """What the frames of each tenth of a second took of the bus."""
+        errors = np.cumsum((frames.flags & FrameFlag.ERROR) != 0)
+        bits = np.cumsum(_FRAME_BITS + 8 * frames.lengths.astype(np.int64))
+        tenths = np.floor(frames.times_s / _BUS_EVERY_S).astype(np.int64)
+        last = np.flatnonzero(np.diff(tenths, append=tenths[-1] + 1))
+        begin = bits_before = errors_before = 0
+        for row in last.tolist():
+            self._frames += row + 1 - begin
+            self._bits += int(bits[row]) - bits_before
+            self._errors += int(errors[row]) - errors_before
+            begin, bits_before, errors_before = row + 1, int(bits[row]), int(errors[row])
+            if row != last[-1]:
+                self.on_look(float(tenths[row] + 1) * _BUS_EVERY_S)
+
     def on_error_frame(self) -> None:
         """The adapter has reported an error on the bus."""
         self._errors += 1
@@ -160,7 +219,7 @@ class Telemetry:
     def on_look(self, now_s: float) -> None:
         """Called every few milliseconds while a device is open."""
         passed_s = now_s - self._counted_s
-        if passed_s < _BUS_EVERY_S:
+        if passed_s < _BUS_EVERY_S - _ROUNDING_S:
             return
         if passed_s < _PAUSE_S:
             load_percent = 100.0 * self._bits / (passed_s * self._bitrate)
@@ -174,6 +233,7 @@ class Telemetry:
     def _choose(self) -> None:
         """What becomes of each message, by codec and generation."""
         codec = self._codec
+        self._columns = None
         if codec is None:
             return
         proven = codec.generation is self._generation

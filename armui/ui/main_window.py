@@ -22,8 +22,8 @@ from armui.control.operating_state import OperatingState, StopState
 from armui.system.helper_process import FileThread
 from armui.ui.background import Background
 from armui.ui.dialogs.confirm import confirm
-from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.motion_panel import MotionPanel
+from armui.ui.shell.arm_in_view import show_in_view
 from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
 from armui.ui.shell.failure_line import FailureLine
 from armui.ui.shell.joint_status_button import JointStatusButton
@@ -98,7 +98,13 @@ class MainWindow(Translated, QWidget):
         self._diagnosis = DiagnosisDialogs(controller, files or workers, self)
         background = Background(workers, files, self)
         self._watch = WatchWindows(
-            controller, preferences.path, background, self, self._open, store=preferences
+            controller,
+            preferences.path,
+            background,
+            self,
+            self._open,
+            store=preferences,
+            robot=self._robot_path,
         )
         self._joint_status_button = JointStatusButton(self._joint_monitor)
         self._preview_bar = PreviewBar()
@@ -194,16 +200,8 @@ class MainWindow(Translated, QWidget):
         self._show_in_view(self._controller.state)
 
     def _show_in_view(self, state: ArmState) -> None:
-        if not self.isVisible():
-            return
-        operating_state = self._controller.operating_state
-        joints_stale, pose_stale = (
-            any(is_stale(heard, state, operating_state) for heard in six)
-            for six in (state.joints_deg, state.pose)
-        )
-        gripper_mm = None if state.gripper is None else state.gripper.value.opening_mm
-        self._view.set_joints(state.angles_deg(), gripper_mm, stale=joints_stale)
-        self._view.set_pose(state.end_pose(), stale=pose_stale)
+        if self.isVisible():
+            show_in_view(self._view, state, self._controller.operating_state)
 
     def _recolor(self) -> None:
         dark = colors_of(self) is DARK
@@ -218,7 +216,10 @@ class MainWindow(Translated, QWidget):
                 if isinstance(panel, MotionPanel):
                     panel.set_jog_step(settings.jog_step_deg)
         if old.urdf_path != settings.urdf_path:
-            self._view.set_robot(Path(settings.urdf_path) if settings.urdf_path else None)
+            self._view.set_robot(self._robot_path())
+
+    def _robot_path(self) -> Path | None:
+        return Path(self._settings.urdf_path) if self._settings.urdf_path else None
 
     def open_connect_dialog(self) -> None:
         """Show the window 连接机械臂 (manual 1.0.1)."""
@@ -279,6 +280,10 @@ class MainWindow(Translated, QWidget):
     def show_as_curves(self, keys: Sequence[str]) -> None:
         """Show quantities in the window 曲线, by their keys (`armui.telemetry.quantities`)."""
         self._watch.show_as_curves(keys)
+
+    def open_replay(self, path: Path | None = None) -> None:
+        """Show a log in the window 回放."""
+        self._watch.open_replay(path)
 
     def open_help_dialog(self) -> None:
         """Show how the 3D view is used."""

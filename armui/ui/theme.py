@@ -41,6 +41,7 @@ class Colors:
         on_accent: Text on the accent.
         ok, warn, stop: Good; attention; stop and fault. ``…_pale`` is a ground for text.
         on_stop: Text on the stop colour.
+        replay, replay_pale, on_replay: What is no present but a recording.
     """
 
     window: str
@@ -61,6 +62,9 @@ class Colors:
     stop_strong: str
     stop_pale: str
     on_stop: str
+    replay: str
+    replay_pale: str
+    on_replay: str
 
 
 LIGHT: Final = Colors(
@@ -82,6 +86,9 @@ LIGHT: Final = Colors(
     stop_strong="#ab1e14",
     stop_pale="#fdeceb",
     on_stop="#ffffff",
+    replay="#6a35b5",
+    replay_pale="#efe7fa",
+    on_replay="#ffffff",
 )
 
 DARK: Final = Colors(
@@ -103,6 +110,9 @@ DARK: Final = Colors(
     stop_strong="#b92d22",
     stop_pale="#401d1b",
     on_stop="#ffffff",
+    replay="#b48cf2",
+    replay_pale="#2c2140",
+    on_replay="#160b28",
 )
 
 _CJK_FAMILIES: Final = (

@@ -3229,6 +3229,13 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>JointTable</name>
+    <message>
+        <source>Joint status in the recording</source>
+        <translation>记录中的关节状态</translation>
+    </message>
+</context>
+<context>
     <name>JointVerdict</name>
     <message>
         <source>Normal</source>
@@ -3816,6 +3823,104 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
 </context>
 <context>
+    <name>LiveStrip</name>
+    <message>
+        <source>The arm that is connected now:</source>
+        <translation>当前连接的机械臂：</translation>
+    </message>
+</context>
+<context>
+    <name>LogMark</name>
+    <message>
+        <source>Arm status: {status}</source>
+        <translation>机械臂状态：{status}</translation>
+    </message>
+    <message>
+        <source>The arm is in emergency stop</source>
+        <translation>机械臂处于急停</translation>
+    </message>
+    <message>
+        <source>Emergency stop sent</source>
+        <translation>已发送急停</translation>
+    </message>
+    <message>
+        <source>Resume sent</source>
+        <translation>已发送恢复</translation>
+    </message>
+    <message>
+        <source>Motors: enable sent</source>
+        <translation>已发送电机使能</translation>
+    </message>
+    <message>
+        <source>Motors: disable sent</source>
+        <translation>已发送电机失能</translation>
+    </message>
+    <message>
+        <source>Trajectory or drag teaching command sent</source>
+        <translation>已发送轨迹或示教指令</translation>
+    </message>
+    <message>
+        <source>Nothing heard of the arm</source>
+        <translation>未收到机械臂反馈</translation>
+    </message>
+    <message>
+        <source>J{joint}: no communication</source>
+        <translation>J{joint}：通信异常</translation>
+    </message>
+    <message>
+        <source>J{joint}: beyond its angle limit</source>
+        <translation>J{joint}：超过角度限位</translation>
+    </message>
+    <message>
+        <source>Joint targets begin</source>
+        <translation>开始发送关节目标</translation>
+    </message>
+    <message>
+        <source>Pose targets begin</source>
+        <translation>开始发送位姿目标</translation>
+    </message>
+    <message>
+        <source>MIT control begins</source>
+        <translation>开始 MIT 控制</translation>
+    </message>
+    <message>
+        <source>Gripper commands begin</source>
+        <translation>开始发送夹爪指令</translation>
+    </message>
+    <message>
+        <source>J{joint}: supply voltage too low</source>
+        <translation>J{joint}：电源电压过低</translation>
+    </message>
+    <message>
+        <source>J{joint}: motor too hot</source>
+        <translation>J{joint}：电机过温</translation>
+    </message>
+    <message>
+        <source>J{joint}: driver overcurrent</source>
+        <translation>J{joint}：驱动器过流</translation>
+    </message>
+    <message>
+        <source>J{joint}: driver too hot</source>
+        <translation>J{joint}：驱动器过温</translation>
+    </message>
+    <message>
+        <source>J{joint}: sensor abnormal</source>
+        <translation>J{joint}：传感器异常</translation>
+    </message>
+    <message>
+        <source>J{joint}: collision protection</source>
+        <translation>J{joint}：碰撞保护触发</translation>
+    </message>
+    <message>
+        <source>J{joint}: driver error</source>
+        <translation>J{joint}：驱动器错误</translation>
+    </message>
+    <message>
+        <source>J{joint}: stall protection</source>
+        <translation>J{joint}：堵转保护触发</translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message>
         <source>armui – PiPER arm</source>
@@ -3859,6 +3964,32 @@ Lamps give no feedback: this is only what will be sent.</source>
     <message>
         <source>Enter the interface and its channel first.</source>
         <translation>请先输入接口和通道。</translation>
+    </message>
+</context>
+<context>
+    <name>MarkModel</name>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Since the beginning</source>
+        <translation>距开始</translation>
+    </message>
+    <message>
+        <source>Lasting</source>
+        <translation>持续</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>事件</translation>
+    </message>
+</context>
+<context>
+    <name>MarkTable</name>
+    <message>
+        <source>Faults, stops and commands of the recording</source>
+        <translation>记录中的故障、急停与指令</translation>
     </message>
 </context>
 <context>
@@ -5017,6 +5148,13 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>无法保存曲线布局：{text}</translation>
     </message>
     <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+</context>
+<context>
+    <name>PlotsArea</name>
+    <message>
         <source>Remove curve</source>
         <translation>移除曲线</translation>
     </message>
@@ -5043,10 +5181,6 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>A plot takes {count} curves, so that they can be told apart.</source>
         <translation>为便于区分，一张图最多 {count} 条曲线。</translation>
-    </message>
-    <message>
-        <source>Curves</source>
-        <translation>曲线</translation>
     </message>
 </context>
 <context>
@@ -6991,6 +7125,159 @@ Lead it near its rest pose, then stop recording.</source>
         <source>“{name}” is still being written. Stop the recording first.</source>
         <translation>“{name}”仍在写入。请先停止记录。</translation>
     </message>
+    <message>
+        <source>This is a recording that is replayed: nothing can be sent. Whatever is to reach an arm is done in the main window.</source>
+        <translation>这是正在回放的记录，不能发送任何指令。要操作机械臂，请回到主窗口。</translation>
+    </message>
+    <message>
+        <source>{name} is a log without a single frame: there is nothing to replay. Record again, with the arm switched on.</source>
+        <translation>{name} 中没有任何报文，无法回放。请在机械臂上电后重新记录。</translation>
+    </message>
+    <message>
+        <source>Nothing in {name} reads as a frame of a CAN log ({text}). Choose the file that the recording program has written, with its own ending.</source>
+        <translation>{name} 中没有可读的 CAN 报文（{text}）。请选择记录程序写出的文件，并保留其扩展名。</translation>
+    </message>
+    <message>
+        <source>By its name {name} is no CAN log. Known endings: {known}, most of them also with .gz behind. Rename the file, or choose another.</source>
+        <translation>从文件名看，{name} 不是 CAN 日志。可识别的扩展名：{known}，多数也可再加 .gz。请改名或选择其他文件。</translation>
+    </message>
+    <message>
+        <source>{name} cannot be opened: {text}. Look whether it is still there and may be read.</source>
+        <translation>无法打开 {name}：{text}。请检查文件是否还在、是否有读取权限。</translation>
+    </message>
+    <message>
+        <source>The log is read into temporary files, and these cannot be written: {text}. Make room on the disk, or set TMPDIR to a folder with more.</source>
+        <translation>读取日志需要写临时文件，但无法写入：{text}。请腾出磁盘空间，或将 TMPDIR 设为空间更大的文件夹。</translation>
+    </message>
+    <message>
+        <source>{name} can be read no further: {text}. Open it again; if that does not help, copy it to another disk first.</source>
+        <translation>无法继续读取 {name}：{text}。请重新打开；若仍不行，请先将其复制到其他磁盘。</translation>
+    </message>
+</context>
+<context>
+    <name>ReplayFrame</name>
+    <message>
+        <source>REPLAY · NOT LIVE</source>
+        <translation>回放 · 非实时画面</translation>
+    </message>
+    <message>
+        <source>Nothing can be sent from here: there is no bus behind it.</source>
+        <translation>此处不能发送任何指令：背后没有总线。</translation>
+    </message>
+</context>
+<context>
+    <name>ReplayView</name>
+    <message>
+        <source>arm</source>
+        <translation>有机械臂</translation>
+    </message>
+    <message>
+        <source>no arm</source>
+        <translation>无机械臂</translation>
+    </message>
+    <message>
+        <source>generation {number}</source>
+        <translation>第 {number} 代</translation>
+    </message>
+    <message>
+        <source>(as the recording tells)</source>
+        <translation>（由记录判定）</translation>
+    </message>
+    <message>
+        <source>Frame {number}</source>
+        <translation>第 {number} 帧</translation>
+    </message>
+    <message>
+        <source>Joint status</source>
+        <translation>关节状态</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Faults and commands</source>
+        <translation>故障与指令</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>协议</translation>
+    </message>
+    <message>
+        <source>3D view of the recorded arm</source>
+        <translation>记录中机械臂的 3D 视图</translation>
+    </message>
+</context>
+<context>
+    <name>ReplayWindow</name>
+    <message>
+        <source>Open a recording</source>
+        <translation>打开记录</translation>
+    </message>
+    <message>
+        <source>CAN logs</source>
+        <translation>CAN 日志</translation>
+    </message>
+    <message>
+        <source>Reading {name}: {count} frames so far</source>
+        <translation>正在读取 {name}：已读 {count} 帧</translation>
+    </message>
+    <message>
+        <source>{count} places of the log could not be read; the rest is shown.</source>
+        <translation>日志中有 {count} 处无法读取，其余部分照常显示。</translation>
+    </message>
+    <message>
+        <source>{count} frames had a time before the one in front of them: put right.</source>
+        <translation>有 {count} 帧的时间早于前一帧，已校正。</translation>
+    </message>
+    <message>
+        <source>The log is longer: only its first {count} frames are shown.</source>
+        <translation>日志过长，只显示前 {count} 帧。</translation>
+    </message>
+    <message>
+        <source>The disk for temporary files is full: only the first {count} frames are shown.</source>
+        <translation>临时文件所在磁盘已满，只显示前 {count} 帧。</translation>
+    </message>
+    <message>
+        <source>Nothing in it comes from an arm of this kind.</source>
+        <translation>其中没有本型机械臂的报文。</translation>
+    </message>
+    <message>
+        <source>Nothing tells which protocol the arm spoke: choose it below if you know.</source>
+        <translation>无法判定机械臂使用哪一代协议；如果知道，请在下方选择。</translation>
+    </message>
+    <message>
+        <source>Reading {name}…</source>
+        <translation>正在读取 {name}…</translation>
+    </message>
+    <message>
+        <source>Choose a CAN log, of this program or of another one. It is shown here as if it were live; nothing can be sent.</source>
+        <translation>请选择一个 CAN 日志，可由本程序或其他程序记录。它会像实时一样显示在这里，但不能发送任何指令。</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>回放</translation>
+    </message>
+    <message>
+        <source>Replay – {name}</source>
+        <translation>回放 – {name}</translation>
+    </message>
+    <message>
+        <source>Choose a recording…</source>
+        <translation>选择记录…</translation>
+    </message>
+    <message>
+        <source>Open another recording…</source>
+        <translation>打开其他记录…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
 </context>
 <context>
     <name>ReportButton</name>
@@ -7328,6 +7615,14 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Open</source>
         <translation>打开</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>As ROS 2 messages in MCAP, as CSV or as Parquet.</source>
+        <translation>导出为 MCAP（ROS 2 消息）、CSV 或 Parquet。</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -8533,6 +8828,13 @@ Lead it near its rest pose, then stop recording.</source>
     </message>
 </context>
 <context>
+    <name>TimeLine</name>
+    <message>
+        <source>Time line of the recording</source>
+        <translation>记录的时间轴</translation>
+    </message>
+</context>
+<context>
     <name>ToolBox</name>
     <message>
         <source>Tool centre point on the flange (mm, °), kept on this PC</source>
@@ -8601,6 +8903,53 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Terminate</source>
         <translation>终止执行</translation>
+    </message>
+</context>
+<context>
+    <name>Transport</name>
+    <message>
+        <source>Previous fault</source>
+        <translation>上一个故障</translation>
+    </message>
+    <message>
+        <source>Next fault</source>
+        <translation>下一个故障</translation>
+    </message>
+    <message>
+        <source>To the fault or stop before</source>
+        <translation>跳到上一个故障或急停</translation>
+    </message>
+    <message>
+        <source>To the next fault or stop</source>
+        <translation>跳到下一个故障或急停</translation>
+    </message>
+    <message>
+        <source>Stand still, at the moment of the frame before</source>
+        <translation>停住，退到前一帧的时刻</translation>
+    </message>
+    <message>
+        <source>Stand still, one frame further</source>
+        <translation>停住，前进一帧</translation>
+    </message>
+    <message>
+        <source>Speed of the replay</source>
+        <translation>回放速度</translation>
+    </message>
+    <message>
+        <source>How many times as fast as it was. Above 4× not every frame is looked at.</source>
+        <translation>相对原速的倍数。超过 4× 时不逐帧处理。</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
+    </message>
+    <message>
+        <source>Let the recording run, or stand still</source>
+        <translation>播放或暂停</translation>
     </message>
 </context>
 <context>
@@ -8724,6 +9073,14 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Record everything on the bus, save what just happened, and open what was recorded.</source>
         <translation>记录总线上的全部内容，保存刚才发生的事，打开已有记录。</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>回放</translation>
+    </message>
+    <message>
+        <source>Shows a recording, of this program or of another one, as if it were live.</source>
+        <translation>像实时一样显示本程序或其他程序的记录。</translation>
     </message>
 </context>
 </TS>

@@ -61,8 +61,7 @@ class Talk:
     def __init__(self, addressing: Addressing | None = None) -> None:
         self.wire = Wire()
         self.now_s = BEGIN_S
-        more = [] if addressing is None else [addressing]
-        self.handshake = Handshake(self.wire, self.now_s, *more)
+        self.handshake = Handshake(self.wire, self.now_s, addressing or Addressing())
 
     def wait(self, seconds: float, state: ArmState = NOTHING) -> None:
         """Advance every 1/64 s."""

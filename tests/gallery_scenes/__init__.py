@@ -11,6 +11,7 @@ from tests.gallery_scenes import (
     library,
     panels,
     plots,
+    replay,
     sessions,
     trajectories,
 )
@@ -95,6 +96,10 @@ DIALOG_SCENES = (
     DialogScene("export-done", "no-device", exports.export_done),
     DialogScene("sessions", "moving", sessions.listed),
     DialogScene("sessions-recording", "moving", sessions.recording),
+    DialogScene("replay-begin", "online", replay.beginning),
+    DialogScene("replay", "online", replay.joints),
+    DialogScene("replay-curves", "online", replay.curves),
+    DialogScene("replay-faults", "refused", replay.marks),
     DialogScene("confirm-disable", "refused", dialogs.confirm_disable),
     DialogScene("linkage", "linkage", panels.linkage_question),
     DialogScene("hold-zero", "motors", panels.hold_zero),

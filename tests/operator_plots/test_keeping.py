@@ -31,7 +31,7 @@ def test_values_as_csv(plots, tmp_path):
     plots.click("plot_pause")
     path = tmp_path / "values.csv"
     save(plots, "csv", path)
-    assert path.name in plots.window._message.text()
+    assert path.name in plots.window.area.message.text()
     with path.open(encoding="utf-8-sig", newline="") as file:
         titles, *rows = list(csv.reader(file))
     assert titles[:4] == ["time", "t_s", "J1 angle [°]", "J1 angle, our command [°]"]
@@ -76,9 +76,9 @@ def test_a_folder_that_is_not_there_is_told(plots, tmp_path):
     for kind in ("csv", "png", "svg"):
         plots.window.export.write(kind, tmp_path / "missing" / f"plots.{kind}")
         QApplication.processEvents()
-        assert "Not saved" in plots.window._message.text()
-        assert "missing" in plots.window._message.text()
-        plots.window._message.show_message("")
+        assert "Not saved" in plots.window.area.message.text()
+        assert "missing" in plots.window.area.message.text()
+        plots.window.area.message.show_message("")
 
 
 def test_a_file_that_is_being_replaced_stays_whole(plots, tmp_path, monkeypatch):
@@ -90,7 +90,7 @@ def test_a_file_that_is_being_replaced_stays_whole(plots, tmp_path, monkeypatch)
     )
     plots.window.export.write("csv", path)
     QApplication.processEvents()
-    assert "No space left" in plots.window._message.text()
+    assert "No space left" in plots.window.area.message.text()
     assert path.read_text() == "old"
     assert list(tmp_path.glob("*.new")) == []
 

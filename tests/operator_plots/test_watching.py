@@ -166,7 +166,7 @@ def test_no_more_plots_than_can_be_read(plots):
     plots.board.take(["bus.bus_load"], None, None)
     plots.wait_built()
     assert len(plots.keys()) == MOST_PLOTS
-    assert "remove one first" in plots.window._message.text()
+    assert "remove one first" in plots.window.area.message.text()
 
 
 def test_hidden_plots_do_nothing(plots, monkeypatch):

@@ -27,7 +27,9 @@ from armui.ui.watch.plot_window import PlotWindow
 from armui.ui.watch.recordings.sessions_window import SessionsWindow
 from tests.app_driver import AppDriver
 from tests.operator_library.actions import POINT, LibraryDriver
+from tests.operator_replay import Replay
 from tests.safety.file_watch import watched
+from tests.session.recordings import START_S, frames, greeting, write
 
 MOST_S = 200.0
 
@@ -244,6 +246,27 @@ def test_the_events(live_driver, monkeypatch, tmp_path):
         idle(app_driver)
     assert {path.suffix for path in tmp_path.glob("events.*")} == {".csv", ".json", ".txt"}
     assert (tmp_path / "logs" / "events.jsonl").stat().st_size > 1000
+    assert forbidden(seen) == []
+
+
+def test_a_replay(live_driver, monkeypatch, tmp_path):
+    app_driver = live_driver
+    app_driver.ready()
+    log = tmp_path / "yesterday.blf"
+    write(log, frames(2.0, asked=greeting(Generation.TWO)))
+    with watched(monkeypatch) as seen:
+        replay = Replay(app_driver, monkeypatch, lambda: Lent(live_driver.workers))
+        replay.open(log)
+        for since_s in (1.5, 0.5):
+            replay.replay.go_to(START_S + since_s)
+            replay.arrive()
+        replay.replay.play(on=True)
+        app_driver.run(0.2)
+        replay.click("replay_step")
+        replay.click("replay_other")
+        app_driver.dialog(FileDialog).close()
+        replay.window.close()
+        idle(app_driver)
     assert forbidden(seen) == []
 
 

@@ -34,6 +34,9 @@ def contrast(one: str, other: str) -> float:
         ("text", "stop_pale"),
         ("warn", "warn_pale"),
         ("on_stop", "stop"),
+        ("on_replay", "replay"),
+        ("text", "replay_pale"),
+        ("replay", "window"),
     ],
 )
 def test_text_can_be_read(colors, ink, ground):

@@ -9,7 +9,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
 from armui.control.events import EventCode
-from armui.control.operating_state import LinkState, why_unreachable
+from armui.control.operating_state import LinkState, why_only_heard, why_unreachable
 from armui.control.requests.transactions import Transaction, TransactionQueue
 from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS, Addressing
@@ -105,8 +105,8 @@ class LinkageControl:
         """The reason against a setting now, or ``None``: it may be made."""
         context = self._context
         link = context.connection.link
-        if context.operating_state().listens_only:
-            return Refusal(RefusalCode.LISTEN_ONLY)
+        if (refusal := why_only_heard(context.operating_state().device)) is not None:
+            return refusal
         if link is not LinkState.OFFLINE and (refusal := why_unreachable(link)) is not None:
             return refusal
         if self._busy:

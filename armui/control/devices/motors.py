@@ -12,7 +12,7 @@ from armui.arm.state import ArmState
 from armui.control.context import Context
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import End
-from armui.control.operating_state import Busy, StopState
+from armui.control.operating_state import Busy, StopState, why_only_heard
 from armui.control.requests import reports
 from armui.control.requests.request import Request, RequestOutcome
 from armui.control.safety.emergency_stop import is_stopped
@@ -61,8 +61,8 @@ class Motors:
         operating_state = self._context.operating_state()
         if operating_state.stop is not StopState.STOPPED:
             return Refusal(RefusalCode.NOT_STOPPED)
-        if operating_state.listens_only:
-            return Refusal(RefusalCode.LISTEN_ONLY)
+        if (refusal := why_only_heard(operating_state.device)) is not None:
+            return refusal
         return (
             None if operating_state.control_certain else Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
         )

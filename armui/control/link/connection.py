@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Sequence
 from itertools import count
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, TypeAlias
 
 from PySide6.QtCore import QObject, Signal
 
@@ -18,10 +18,12 @@ from armui.bus.link import BusReport, BusState
 from armui.control.events import EventCode
 from armui.control.link.offsets import OffsetFollower
 from armui.control.operating_state import LinkState
+from armui.protocol.addressing import Addressing
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 
 if TYPE_CHECKING:
+    from armui.bus.playback.log_worker import LogWorker
     from armui.bus.samples import SampleRing
     from armui.bus.tap import Tap
     from armui.bus.worker import BusWorker, Opener
@@ -29,6 +31,11 @@ if TYPE_CHECKING:
     from armui.protocol.codec import Codec
     from armui.telemetry.store import Telemetry
 
+
+Worker: TypeAlias = "BusWorker | LogWorker"
+"""What stands between the program and its frames."""
+MakeWorker: TypeAlias = "Callable[[Device, Codec, int, Sequence[Tap]], Worker]"
+"""Makes it for a device, with the codec to begin with, its number, and who is told of frames."""
 
 _CLOSE_MS: Final = 100
 """The window waits this long for a device to be closed; a busy driver is left to end by itself."""
@@ -43,6 +50,12 @@ _OPEN_CODES: Final = {
 class Connection(QObject):
     """The way to an arm.
 
+    Args:
+        opener: Opens a device.
+        clock: Monotonic time in seconds.
+        parent: Qt's.
+        make_worker: Makes what stands where the bus does, in the place of a bus thread.
+
     Signals:
         changed: A :class:`BusReport` and the code of the notice it is worth.
         answered: A decoded message that answers a command.
@@ -55,15 +68,20 @@ class Connection(QObject):
     arm_came = Signal()
 
     def __init__(
-        self, opener: Opener, clock: Callable[[], float], parent: QObject | None = None
+        self,
+        opener: Opener,
+        clock: Callable[[], float],
+        parent: QObject | None = None,
+        make_worker: MakeWorker | None = None,
     ) -> None:
         super().__init__(parent)
+        self._make_worker = make_worker or self._bus_worker
         self._telemetry: Telemetry | None = None
         self._taps: tuple[Tap, ...] = ()
         self._opener = opener
         self._clock = clock
-        self._worker: BusWorker | None = None
-        self._ending: list[BusWorker] = []
+        self._worker: Worker | None = None
+        self._ending: list[Worker] = []
         self._bus_state = BusState.CLOSED
         self._online = False
         self._last_feedback_s: float | None = None
@@ -152,31 +170,39 @@ class Connection(QObject):
     def open(self, device: Device) -> None:
         """Open a device; nothing may be open."""
         # python-can and cantools are loaded with the first device: the window starts without them
-        from armui.bus.opening import opener_after  # noqa: PLC0415
-        from armui.bus.worker import BusWorker  # noqa: PLC0415
         from armui.protocol.codec import Codec  # noqa: PLC0415
 
         self.device = device
         self.problem = None
         self._codec = Codec(Generation.TWO)
         self._by_hand = OtherHosts()
-        self.offsets = OffsetFollower()
+        offset = 0 if device.recorded is None else device.recorded.feedback_offset
+        self.offsets = OffsetFollower(Addressing(offset))
         self._bus_state = BusState.OPENING
         self._worker_number = next(self._worker_numbers)
-        # without a parent: a thread that a driver keeps from ending must not be destroyed
-        self._worker = BusWorker(
-            device,
-            opener_after(tuple(self._ending), self._opener),
-            self._codec,
-            self._clock,
-            listen_only=device.listen_only,
-            number=self._worker_number,
-            taps=(self.telemetry, *self._taps),
-        )
+        taps = (self.telemetry, *self._taps)
+        self._worker = self._make_worker(device, self._codec, self._worker_number, taps)
         self._tell_generation()
         self._worker.reported.connect(self._on_report)
         self._worker.answered.connect(self.answered)
         self._worker.start()
+
+    def _bus_worker(
+        self, device: Device, codec: Codec, number: int, taps: Sequence[Tap]
+    ) -> BusWorker:
+        from armui.bus.opening import opener_after  # noqa: PLC0415 - see open()
+        from armui.bus.worker import BusWorker  # noqa: PLC0415 - see open()
+
+        # without a parent: a thread that a driver keeps from ending must not be destroyed
+        return BusWorker(
+            device,
+            opener_after(tuple(self._ending), self._opener),
+            codec,
+            self._clock,
+            listen_only=device.listen_only,
+            number=number,
+            taps=taps,
+        )
 
     def close(self) -> None:
         """Close the device and forget the arm."""
@@ -299,7 +325,7 @@ class Connection(QObject):
         known = None if self.handshake is None else self.handshake.firmware
         return known is not None and state.firmware not in {None, known}
 
-    def _start_anew(self, worker: BusWorker, now_s: float) -> None:
+    def _start_anew(self, worker: Worker, now_s: float) -> None:
         """Forget the arm: the next feedback is that of an arm that comes."""
         self.handshake = None
         self._online = False
@@ -308,10 +334,12 @@ class Connection(QObject):
         self._tell_generation()
         worker.use_codec(self.codec)
 
-    def _begin_handshake(self, worker: BusWorker, now_s: float) -> None:
+    def _begin_handshake(self, worker: Worker, now_s: float) -> None:
         from armui.control.link.handshake import Handshake  # noqa: PLC0415 - see open()
 
-        self.handshake = Handshake(worker, now_s, self.offsets.addressing)
+        recorded = None if self.device is None else self.device.recorded
+        known = None if recorded is None else Generation(recorded.generation)
+        self.handshake = Handshake(worker, now_s, self.offsets.addressing, known)
         self._codec = self.handshake.codec
 
     def _on_report(self, report: BusReport) -> None:

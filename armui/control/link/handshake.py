@@ -47,22 +47,36 @@ class Handshake:
     It begins with nothing heard. The states it is given must have been heard since it began:
     the bus thread sees to that (:meth:`armui.bus.worker.BusWorker.use_codec`).
 
+    Args:
+        wire: Where to ask.
+        now_s: Monotonic time.
+        addressing: The identifiers in use.
+        known: Which protocol the arm speaks, where a log that is replayed has told.
+
     Attributes:
         generation: Which protocol the arm speaks, once known.
         firmware: The version it named; ``None`` in generation 1, and where its text was unreadable.
         codec: What to speak now.
     """
 
-    def __init__(self, wire: Wire, now_s: float, addressing: Addressing = Addressing()) -> None:  # noqa: B008 - frozen
+    def __init__(
+        self,
+        wire: Wire,
+        now_s: float,
+        addressing: Addressing = Addressing(),  # noqa: B008 - frozen
+        known: Generation | None = None,
+    ) -> None:
         self.phase = HandshakePhase.GENERATION
         self.generation: Generation | None = None
         self.firmware: str | None = None
-        self.codec = Codec(Generation.TWO, addressing)
+        self.codec = Codec(known or Generation.TWO, addressing)
         self._wire = wire
         self._asked = False
         self._began_s = self._next_s = now_s
         self._rounds = 0
         wire.use_codec(self.codec)
+        if known is not None:
+            self._settle(known, now_s)
 
     @property
     def done(self) -> bool:

@@ -49,8 +49,8 @@ class OffsetFollower:
         requested: What was sent and may come into use at any time.
     """
 
-    def __init__(self) -> None:
-        self.addressing = Addressing()
+    def __init__(self, addressing: Addressing = Addressing()) -> None:  # noqa: B008 - frozen
+        self.addressing = addressing
         self.control_known = True
         self.requested: RequestedOffset | None = None
         self._listening_since_s: float | None = None

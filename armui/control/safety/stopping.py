@@ -10,7 +10,12 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, is_fresh
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of
 from armui.control.events import EventCode
-from armui.control.operating_state import LinkState, StopState, why_unreachable
+from armui.control.operating_state import (
+    LinkState,
+    StopState,
+    why_only_heard,
+    why_unreachable,
+)
 from armui.control.safety.emergency_stop import EmergencyStop, StopWatch
 from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS
@@ -141,8 +146,10 @@ class Stopping:
     def why_no_halt(self) -> Refusal | None:
         """The reason against a halt: no arm is heard, or it may only be listened to."""
         device = self._connection.device
-        if device is not None and device.listen_only:
+        if device is not None and device.listen_only and device.recorded is None:
             return Refusal(RefusalCode.HALT_LISTEN_ONLY)
+        if (refusal := why_only_heard(device)) is not None:
+            return refusal
         return why_unreachable(self._connection.link)
 
     def halt(self, end_driven: Callable[[], None]) -> Refusal | None:

@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Protocol
 
+from armui.session.frames import NotALogError
 from armui.session.reader import LogFile
+from armui.session.recording.recorded_session import RecordedSession
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -148,9 +150,12 @@ class SessionSource:
 
 
 def open_source(path: Path) -> ExportSource:
-    """Opens a recording.
+    """Opens a recording: all files of one of this program's, or any log.
 
     Raises:
         NotALogError: It cannot be opened, or is no log.
     """
-    return FileSource(path)
+    try:
+        return SessionSource(RecordedSession(path))
+    except NotALogError:
+        return FileSource(path)

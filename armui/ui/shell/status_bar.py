@@ -61,6 +61,7 @@ class StatusBar(Translated, QWidget):
     Args:
         controller: Tells what happens and how the arm is.
         marks: What else is shown in it, at the left.
+        with_notices: Whether what happened last is told; of a log its time line tells.
 
     Signals:
         event_wanted: The number of the notice's entry in the event log, or ``None``, when the
@@ -75,6 +76,7 @@ class StatusBar(Translated, QWidget):
         parent: QWidget | None = None,
         *,
         marks: Sequence[QWidget] = (),
+        with_notices: bool = True,
     ) -> None:
         super().__init__(parent)
         self.setObjectName("status_bar")
@@ -113,7 +115,8 @@ class StatusBar(Translated, QWidget):
             if name == "arm":
                 layout.addWidget(self._status_icon)
             layout.addWidget(label)
-        controller.noticed.connect(self._on_noticed)
+        if with_notices:
+            controller.noticed.connect(self._on_noticed)
         controller.state_changed.connect(self._on_state_changed)
         controller.operating_state_changed.connect(self._on_operating_state_changed)
         self.retranslate_ui()

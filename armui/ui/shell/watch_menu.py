@@ -53,7 +53,7 @@ class WatchMenu(Translated, QWidget):
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             button.setIconSize(QSize(20, 20))
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            button.clicked.connect(entry.open_window)
+            button.clicked.connect(lambda _on=False, entry=entry: entry.open_window())
             row, column = divmod(place, _COLUMNS)
             alone = column == 0 and place == len(entries) - 1
             layout.addWidget(button, row, column, 1, _COLUMNS if alone else 1)

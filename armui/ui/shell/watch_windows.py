@@ -46,6 +46,10 @@ _BUTTONS: Final = (
      QT_TRANSLATE_NOOP(
          "WatchMenu",
          "Record everything on the bus, save what just happened, and open what was recorded.")),
+    ("replay", QT_TRANSLATE_NOOP("WatchMenu", "Replay"),
+     QT_TRANSLATE_NOOP(
+         "WatchMenu",
+         "Shows a recording, of this program or of another one, as if it were live.")),
 )
 # fmt: on
 """Icon, name and purpose of each window, row by row."""
@@ -61,6 +65,7 @@ class WatchWindows:
         window: The main window.
         open_window: How it shows a dialog.
         store: The operator's settings.
+        robot: The robot description that is shown; ``None``: the program's own.
     """
 
     def __init__(
@@ -72,6 +77,7 @@ class WatchWindows:
         open_window: Opener,
         *,
         store: SettingsStore,
+        robot: Callable[[], Path | None] = lambda: None,
     ) -> None:
         self._controller = controller
         self._settings = settings
@@ -79,6 +85,7 @@ class WatchWindows:
         self._window = window
         self._open = open_window
         self._store = store
+        self._robot = robot
 
     def entries(self) -> tuple[WatchEntry, ...]:
         """The buttons below the menu."""
@@ -87,6 +94,7 @@ class WatchWindows:
             "events": self.show_events,
             "bus": self.open_bus_monitor,
             "sessions": self.open_sessions,
+            "replay": self.open_replay,
         }
         return tuple(
             WatchEntry(key, str(title), str(tip), openers[key]) for key, title, tip in _BUTTONS
@@ -151,7 +159,10 @@ class WatchWindows:
         from armui.ui.watch.recordings.sessions_window import SessionsWindow  # noqa: PLC0415 - faster start
 
         def make() -> QDialog:
-            return SessionsWindow(self._controller, self._background, self._store, self._window)
+            window = SessionsWindow(self._controller, self._background, self._store, self._window)
+            window.open_wanted.connect(self.open_replay)
+            window.export_wanted.connect(self.open_export)
+            return window
 
         self._open("sessions", make)
 
@@ -162,3 +173,30 @@ class WatchWindows:
         mark = RecordingMark(self._controller)
         mark.clicked.connect(self.open_sessions)
         return (mark,)
+
+    def open_replay(self, path: Path | None = None) -> None:
+        """Show a log in the window 回放; without one the operator chooses there.
+
+        Args:
+            path: The log.
+        """
+        from armui.ui.watch.replay.replay_window import ReplayWindow  # noqa: PLC0415 - numpy
+        from armui.viewport.view import ArmView  # noqa: PLC0415 - with the first log
+
+        def make_view() -> ArmView:
+            return ArmView(self._robot())
+
+        def make() -> QDialog:
+            from armui.session.recording.recorded_session import RecordedSession  # noqa: PLC0415 - as above
+
+            return ReplayWindow(
+                self._controller,
+                self._background,
+                make_view,
+                self._window,
+                open_own=RecordedSession,
+            )
+
+        window = self._open("replay", make)
+        if isinstance(window, ReplayWindow) and path is not None:
+            window.open_log(path)

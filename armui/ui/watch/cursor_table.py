@@ -78,9 +78,10 @@ class CursorTable(QWidget):
         return "\n".join([self._times.text(), *("\t".join(row) for row in rows)])
 
     def _show_times(self) -> None:
-        now_s, (first_s, second_s) = self._board.now_s(), self._board.cursors_s
+        first_s, second_s = self._board.cursors_s
+        wall_time = self._telemetry.wall_time
         texts = [
-            f"{name} {fmt.NOTHING if at_s is None else clock_time(at_s, now_s)}"
+            f"{name} {fmt.NOTHING if at_s is None else clock_time(wall_time(at_s))}"
             for name, at_s in zip(CURSOR_NAMES, (first_s, second_s), strict=True)
         ]
         if first_s is not None and second_s is not None:

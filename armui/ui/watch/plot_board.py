@@ -46,6 +46,7 @@ class PlotBoard(QWidget):
         telemetry: Where the curves are kept.
 
     Attributes:
+        telemetry: As given.
         plot_layout: Which curves stand in which plot.
         frame: Which time is shown.
         panes: The plots.
@@ -68,7 +69,7 @@ class PlotBoard(QWidget):
 
     def __init__(self, telemetry: Telemetry, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._telemetry = telemetry
+        self.telemetry = telemetry
         self.plot_layout = PlotLayout()
         self.frame = TimeFrame()
         self.panes: list[PlotPane] = []
@@ -186,7 +187,7 @@ class PlotBoard(QWidget):
         self.draw_soon()
 
     def _new_pane(self, place: int, keys: tuple[str, ...]) -> PlotPane:
-        pane = PlotPane(self._telemetry, self._book, place, keys)
+        pane = PlotPane(self.telemetry, self._book, place, keys)
         box = pane.graph.box
         pane.dropped.connect(lambda what, source: self.take(what, source, place))
         pane.menu_wanted.connect(partial(self.menu_wanted.emit, place))
@@ -209,7 +210,7 @@ class PlotBoard(QWidget):
 
     def now_s(self) -> float:
         """The present."""
-        return self._telemetry.now_s()
+        return self.telemetry.now_s()
 
     def edge_s(self) -> float:
         """The monotonic time that counts as zero on the axis."""
@@ -331,8 +332,9 @@ class PlotBoard(QWidget):
             self._book.begin_picture()
             self._draw_some()
         self._timer.setInterval(self._period_ms())
-        if now_s - self._valued_s >= _VALUES_EVERY_S or now_s < self._valued_s:
-            self._valued_s = now_s
+        looked_s = time.monotonic()  # the time of a log that is replayed may stand still
+        if looked_s - self._valued_s >= _VALUES_EVERY_S:
+            self._valued_s = looked_s
             for pane in self._seen():
                 pane.show_values(now_s)
 
@@ -357,7 +359,8 @@ class PlotBoard(QWidget):
         shown, edge_s = self.frame.shown, self.frame.edge_s(now_s)
         pane.advance(shown, edge_s, now_s, shown.ranges.get(self.panes.index(pane)))
         pane.show_cursors(self.cursors_s, edge_s)
-        zero = "" if self.frame.live else clock_time(edge_s, now_s).partition(".")[0]
+        at_zero = clock_time(self.telemetry.wall_time(edge_s)).partition(".")[0]
+        zero = "" if self.frame.live else at_zero
         self.times.show_times((shown.begin_s, shown.end_s), pane.ends_px(self.times), zero)
 
     def _seen(self) -> list[PlotPane]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from datetime import datetime, timedelta
+from datetime import datetime
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -55,7 +55,7 @@ class PlotExport(QObject):
     ) -> None:
         super().__init__(window)
         self._controller = controller
-        self._telemetry: Telemetry = controller.telemetry
+        self._telemetry: Telemetry = board.telemetry
         self._board = board
         self._background = background
         self._window = window
@@ -100,18 +100,14 @@ class PlotExport(QObject):
             for name, at_s in zip(CURSOR_NAMES, board.cursors_s, strict=True)
             if at_s is not None
         ]
-        heading = f"{self._edge(edge_s, now_s):%Y-%m-%d %H:%M:%S}"
+        heading = f"{self._telemetry.wall_time(edge_s):%Y-%m-%d %H:%M:%S}"
         ends = (shown.begin_s, shown.end_s)
         return figure.CurveFigure(heading, plots, edge_s, *ends, cursors, self._window.font())
-
-    def _edge(self, edge_s: float, now_s: float) -> datetime:
-        """What the clock on the wall showed at a monotonic time."""
-        return datetime.now().astimezone() - timedelta(seconds=now_s - edge_s)
 
     def _write_csv(self, path: Path) -> Callable[[], int]:
         now_s, shown = self._board.now_s(), self._board.frame.shown
         edge_s = self._board.frame.edge_s(now_s)
-        edge = self._edge(edge_s, now_s)
+        edge = self._telemetry.wall_time(edge_s)
         keys = dict.fromkeys(key for plot in self._board.plot_layout.plots for key in plot)
         titles = [(key, _title(key)) for key in keys]
         telemetry, call = self._telemetry, self._background.call

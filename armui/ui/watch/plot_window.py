@@ -6,21 +6,16 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QPoint, QSize, Qt, QTimer, Signal
-from PySide6.QtWidgets import QHBoxLayout, QMenu, QVBoxLayout, QWidget
+from PySide6.QtCore import QSize, Qt, QTimer, Signal
+from PySide6.QtWidgets import QWidget
 
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
 from armui.ui.background import Job
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.watch import layout_file
-from armui.ui.watch.cursor_table import CursorTable
-from armui.ui.watch.plot_bar import PlotBar
-from armui.ui.watch.plot_board import PlotBoard
-from armui.ui.watch.plot_export import PlotExport
-from armui.ui.watch.plot_layout import MOST_CURVES, MOST_PLOTS, from_text, to_text
-from armui.ui.watch.quantity_list import QuantityList
-from armui.ui.widgets.message_line import MessageLine
+from armui.ui.watch.plot_layout import from_text, to_text
+from armui.ui.watch.plots_area import PlotsArea
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QHideEvent
@@ -61,43 +56,18 @@ class PlotWindow(ArmDialog):
         self._file = layout_file.path_beside(settings)
         self._known = False
         telemetry = controller.telemetry
-        self.board = PlotBoard(telemetry)
-        self.bar = PlotBar(self.board)
-        self.quantities = QuantityList(telemetry)
-        self.cursor_table = CursorTable(self.board, telemetry)
-        self._message = MessageLine()
-        self._message.setObjectName("plot_message")
-        self._message.hide()
-        self.export = PlotExport(controller, self.board, background, self)
+        self.area = PlotsArea(telemetry, controller, background)
+        self.board, self.bar = self.area.board, self.area.bar
+        self.quantities, self.cursor_table = self.area.quantities, self.area.cursor_table
+        self.export = self.area.export
+        self.body.addWidget(self.area, 1)
         self._keep_timer = QTimer(self, singleShot=True, interval=_KEEP_AFTER_MS)
-        self._lay_out()
-        self._connect()
+        self._keep_timer.timeout.connect(self._keep)
+        self.board.plots_changed.connect(self._on_changed)
+        self.board.frame_changed.connect(self._on_changed)
         self.retranslate_ui()
         self.resize(_SIZE.boundedTo(self.screen().availableSize()))
         self._read()
-
-    def _lay_out(self) -> None:
-        right = QVBoxLayout()
-        right.setSpacing(6)
-        right.addWidget(self.bar)
-        right.addWidget(self.board, 1)
-        right.addWidget(self.cursor_table)
-        right.addWidget(self._message)
-        row = QHBoxLayout()
-        row.setSpacing(12)
-        row.addWidget(self.quantities)
-        row.addLayout(right, 1)
-        self.body.addLayout(row, 1)
-
-    def _connect(self) -> None:
-        self.quantities.wanted.connect(lambda keys: self.board.take(keys, None, self.board.chosen))
-        self.board.refused.connect(self._on_refused)
-        self.board.menu_wanted.connect(self._open_menu)
-        self.board.plots_changed.connect(self._on_changed)
-        self.board.frame_changed.connect(self._on_changed)
-        self.bar.save_wanted.connect(self._on_save)
-        self.export.said.connect(self._say)
-        self._keep_timer.timeout.connect(self._keep)
 
     # What others ask for ----------------------------------------------------------------------
 
@@ -164,46 +134,8 @@ class PlotWindow(ArmDialog):
             self._keep_timer.stop()
             self._keep()
 
-    # Menus ------------------------------------------------------------------------------------
-
-    def _open_menu(self, place: int, key: str | None, at: QPoint) -> None:
-        menu = QMenu(self)
-        menu.setObjectName("plot_menu")
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        if key is not None:
-            menu.addAction(self.tr("Remove curve"), lambda: self.board.remove(place, key))
-            menu.addAction(
-                self.tr("Into a plot of its own"), lambda: self.board.take([key], place, None)
-            )
-            menu.addSeparator()
-        menu.addAction(self.tr("Fit the height"), lambda: self.board.show_all_heights(place))
-        if self.board.frame.can_undo:
-            menu.addAction(self.tr("Undo zoom"), self.board.undo)
-        menu.addAction(self.tr("Remove plot"), lambda: self.board.remove(place, None))
-        menu.popup(at)
-
-    def _on_refused(self, what: str) -> None:
-        if what == "plots":
-            text = self.tr("There are {count} plots already: remove one first.")
-            count = MOST_PLOTS
-        else:
-            text = self.tr("A plot takes {count} curves, so that they can be told apart.")
-            count = MOST_CURVES
-        self._say(text.format(count=count), Level.WARNING)
-
     def _say(self, text: str, level: Level) -> None:
-        self._message.show_message(text, level)
-        self._message.show()
-
-    def _on_save(self, what: str) -> None:
-        if what == "copy_picture":
-            self.export.copy_picture()
-        elif what == "copy_values":
-            if not self.board.has_cursors:
-                self.board.show_cursors(wanted=True)
-            self.export.copy_text(self.cursor_table.text())
-        else:
-            self.export.save(what)
+        self.area.say(text, level)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

@@ -1,11 +1,13 @@
-"""Monotonic times as the clock on the wall has them."""
+"""Times as the clock on the wall has them."""
 
 from __future__ import annotations
 
-from datetime import datetime, timedelta
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from datetime import datetime
 
 
-def clock_time(at_s: float, now_s: float) -> str:
-    """A monotonic time as the clock on the wall had it."""
-    at = datetime.now().astimezone() - timedelta(seconds=now_s - at_s)
+def clock_time(at: datetime) -> str:
+    """The time of day, to the millisecond."""
     return f"{at:%H:%M:%S}.{at.microsecond // 1000:03d}"

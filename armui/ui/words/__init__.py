@@ -9,7 +9,8 @@ from armui.ui.words.events import event
 from armui.ui.words.file_errors import file_error
 from armui.ui.words.gripper import end_load, gripper_act, gripper_fault, gripper_figure
 from armui.ui.words.joints import joint_item, joint_verdict, joint_word
-from armui.ui.words.refusals import light_figure, refusal, why_not
+from armui.ui.words.lights import light_figure
+from armui.ui.words.refusals import refusal, why_not
 from armui.ui.words.status import (
     arm_status,
     control_mode,

@@ -12,6 +12,8 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.ui.words import status
 from armui.ui.words.backup_refusals import BACKUP_REFUSALS
 from armui.ui.words.gripper import gripper_figure
+from armui.ui.words.lights import light_figure
+from armui.ui.words.log_refusals import LOG_REFUSALS
 from armui.ui.words.motor_refusals import MOTOR_REFUSALS
 from armui.ui.words.other_hosts import OTHER_HOST_REFUSALS, other_mode
 from armui.ui.words.robot_refusals import ROBOT_REFUSALS
@@ -295,6 +297,7 @@ _ALL: Final[Mapping[RefusalCode, object]] = {
     **SETTING_REFUSALS,
     **BACKUP_REFUSALS,
     **ROBOT_REFUSALS,
+    **LOG_REFUSALS,
     **RUN_REFUSALS,
     **OTHER_HOST_REFUSALS,
     **MOTOR_REFUSALS,
@@ -359,11 +362,6 @@ def why_not(reason: Refusal | None) -> str:
 def under_way(what: str) -> str:
     """What the program is waiting for the arm to do."""
     return sentence("UnderWay", _UNDER_WAY.get(what, what), {})
-
-
-def light_figure(name: str) -> str:
-    """What a figure of the light command is called: a key of ``lights.RANGES``."""
-    return sentence("LightFigure", _LIGHTS.get(name, name), {})
 
 
 def _unexpected(reason: Refusal) -> str:

@@ -76,9 +76,11 @@ class SessionsWindow(ArmDialog):
 
     Signals:
         open_wanted: The path of a recording to be replayed.
+        export_wanted: The path of a recording to be exported.
     """
 
     open_wanted = Signal(object)
+    export_wanted = Signal(object)
 
     def __init__(
         self,
@@ -123,8 +125,10 @@ class SessionsWindow(ArmDialog):
     def _make_buttons(self) -> None:
         self.open_button, self.rename_button = QPushButton(), QPushButton()
         self.delete_button, self.folder_button = QPushButton(), QPushButton()
+        self.export_button = QPushButton()
         for name, button, act in (
             ("session_open", self.open_button, self._open_chosen),
+            ("session_export", self.export_button, self._export_chosen),
             ("session_rename", self.rename_button, self._edit_name),
             ("session_delete", self.delete_button, self._delete),
             ("session_show_folder", self.folder_button, self._show_folder),
@@ -143,6 +147,7 @@ class SessionsWindow(ArmDialog):
         self.body.addWidget(self._hint)
         self.body.addWidget(self._message)
         self.footer.addWidget(self.open_button)
+        self.footer.addWidget(self.export_button)
         self.footer.addWidget(self.rename_button)
         self.footer.addWidget(self.delete_button)
         self.footer.addStretch(1)
@@ -152,6 +157,8 @@ class SessionsWindow(ArmDialog):
         """Put every word into the operator's language."""
         self.set_title(self.tr("Session recordings"))
         self.open_button.setText(self.tr("Open"))
+        self.export_button.setText(self.tr("Export…"))
+        self.export_button.setToolTip(self.tr("As ROS 2 messages in MCAP, as CSV or as Parquet."))
         self.rename_button.setText(self.tr("Rename"))
         self.delete_button.setText(self.tr("Delete"))
         self.delete_button.setToolTip(
@@ -240,6 +247,7 @@ class SessionsWindow(ArmDialog):
         one = chosen[0] if len(chosen) == 1 else None
         still = [each for each in chosen if not self._model.is_written(each.name)]
         self.open_button.setEnabled(one is not None and one.path is not None)
+        self.export_button.setEnabled(one is not None and one.path is not None)
         self.rename_button.setEnabled(one is not None and bool(still))
         self.delete_button.setEnabled(bool(still))
 
@@ -249,6 +257,11 @@ class SessionsWindow(ArmDialog):
         chosen = self.chosen()
         if len(chosen) == 1 and chosen[0].path is not None:
             self.open_wanted.emit(chosen[0].path)
+
+    def _export_chosen(self) -> None:
+        chosen = self.chosen()
+        if len(chosen) == 1 and chosen[0].path is not None:
+            self.export_wanted.emit(chosen[0].path)
 
     def _edit_name(self) -> None:
         rows = self.table.selectionModel().selectedRows(SessionColumn.NAME)

@@ -1,0 +1,154 @@
+"""What becomes of a frame that was heard, on a bus or in a log: decoded, kept, told."""
+
+from __future__ import annotations
+
+from collections import deque
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.other_hosts import OtherHosts, OtherTraffic
+from armui.arm.state import ArmState
+from armui.arm.tracker import Tracker
+from armui.bus.samples import SampleRing
+from armui.bus.tap import TapLine
+from armui.protocol.codec import InvalidFrame, InvalidFrameKind, Message
+from armui.protocol.frame import FrameFlag
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from armui.bus.tap import Tap
+    from armui.protocol.codec import Codec
+    from armui.protocol.frame import Frame
+
+ANSWERS: Final = frozenset(
+    {
+        "SettingResponse",
+        "LimitFeedback",
+        "AccelerationFeedback",
+        "EndLimitFeedback",
+        "CollisionFeedback",
+        "TeachingFeedback",
+    }
+)
+"""Messages that answer something: each one is delivered, none is folded away."""
+
+_LAST_ANGLES: Final = "JointFeedback56"
+"""The last of the three frames that tell where the joints are."""
+
+
+class Intake:
+    """The one way of every frame that was heard; used by the thread that reads the bus or the log.
+
+    Args:
+        codec: Protocol to begin with; see :meth:`use_codec`.
+        taps: Who else is told of every frame.
+        answered: Called with each :class:`Message` of :data:`ANSWERS`.
+
+    Attributes:
+        codec: What is spoken now.
+        line: Tells the taps.
+        samples: Every joint feedback, while somebody wants them.
+    """
+
+    def __init__(
+        self, codec: Codec, taps: Sequence[Tap], answered: Callable[[Message], object]
+    ) -> None:
+        self.codec = codec
+        self.line = TapLine(taps)
+        self.samples = SampleRing()
+        self._answered = answered
+        self._tracker = Tracker(codec)
+        self._epoch = 0
+        self._next_codecs: deque[tuple[Codec, int]] = deque()
+        self._state = ArmState()
+        self._others = OtherHosts()
+        self._traffic = OtherTraffic()
+
+    @property
+    def state(self) -> ArmState:
+        """The arm as heard since the last :meth:`use_codec`; may be read from any thread."""
+        state, epoch = self._state, self._epoch
+        return state if state.epoch == epoch else ArmState(epoch=epoch)
+
+    @property
+    def traffic(self) -> OtherTraffic:
+        """What other hosts were heard to send; may be read from any thread."""
+        return self._traffic
+
+    def use_codec(self, codec: Codec) -> None:
+        """Forget what was heard; speak this codec from the next frame on; any thread may say so.
+
+        From this call on :attr:`state` holds nothing that was heard or decoded before it.
+        """
+        self._next_codecs.append((codec, self._epoch + 1))
+        self._epoch += 1
+
+    def take_codec(self, now_s: float) -> None:
+        """Do what :meth:`use_codec` has asked for."""
+        while self._next_codecs:
+            before, (self.codec, epoch) = self.codec, self._next_codecs.popleft()
+            self.line.switch(before, self.codec, now_s)
+            self._tracker = Tracker(self.codec, epoch)
+
+    def take(self, frame: Frame, at_s: float, flags: int) -> None:
+        """Take in a frame that this program did not send.
+
+        Args:
+            frame: Identifier and payload.
+            at_s: When it was heard, by the program's clock.
+            flags: Its `FrameFlag` bits.
+        """
+        if flags & FrameFlag.ERROR:
+            self.line.error_frame()
+        else:
+            self._others.note(frame.arbitration_id, frame.data, at_s)
+        heard = (invalid_frame(frame, flags) if flags else None) or self.codec.decode(frame)
+        self._tracker.update(heard, at_s)
+        self.line.heard.append((heard, at_s, frame, flags))
+        if isinstance(heard, Message):
+            if self.samples.wanted and heard.name == _LAST_ANGLES:
+                self.samples.put(self._tracker.snapshot(), at_s)
+            if heard.name in ANSWERS:
+                self._answered(heard)
+
+    def recall(self, frames: Sequence[tuple[Frame, float, int]]) -> None:
+        """Begin with what was last said of everything before a place in a log.
+
+        Nobody is told of it, and the time that lies between does not count as silence.
+
+        Args:
+            frames: Each with its time and flags, in the order of time.
+        """
+        for frame, at_s, flags in frames:
+            if flags & FrameFlag.ERROR:
+                continue
+            self._others.note(frame.arbitration_id, frame.data, at_s)
+            heard = (invalid_frame(frame, flags) if flags else None) or self.codec.decode(frame)
+            self._tracker.update(heard, at_s)
+        self._tracker.pardon_silences()
+        self.show()
+
+    def forget_others(self) -> None:
+        """Forget what other hosts were heard to send."""
+        self._others = OtherHosts()
+        self._traffic = OtherTraffic()
+
+    def show(self) -> None:
+        """Leave a snapshot of what was heard for :attr:`state` and :attr:`traffic`."""
+        self._state = self._tracker.snapshot()
+        self._traffic = self._others.traffic()
+
+
+def invalid_frame(frame: Frame, flags: int) -> InvalidFrame | None:
+    """What is wrong with a frame that is no classic data frame with an 11-bit identifier."""
+    if flags & FrameFlag.ERROR:
+        detail = "the adapter reports a bus error"
+    elif flags & FrameFlag.EXTENDED:
+        detail = "29-bit identifier"
+    elif flags & FrameFlag.REMOTE:
+        detail = "remote frame"
+    elif flags & FrameFlag.IMPOSSIBLE:
+        detail = "its parts contradict one another"
+    else:
+        return None
+    return InvalidFrame(InvalidFrameKind.UNKNOWN_ID, frame.arbitration_id, detail)

@@ -1,0 +1,1 @@
+"""A log in the place of the bus: there is nothing here that could send."""

@@ -1,0 +1,154 @@
+"""Goes through a log forwards, frame by frame or slice by slice: one channel of it."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from armui.protocol.frame import Frame
+from armui.telemetry.columns import FrameColumns
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from armui.session.frames import Channel, FrameBatch
+    from armui.session.session import Session
+
+
+class ReplayedFrame(NamedTuple):
+    """A frame of a log.
+
+    Attributes:
+        frame: Identifier and payload.
+        at_s: Log time.
+        flags: `FrameFlag` bits.
+        number: Within the whole log, from 0; -1 where it is not known.
+    """
+
+    frame: Frame
+    at_s: float
+    flags: int
+    number: int = -1
+
+
+class LogCursor:
+    """Where a replay stands in its log; used by one thread.
+
+    Args:
+        session: The log.
+        channel: The frames of this one are seen, and of no other.
+    """
+
+    def __init__(self, session: Session, channel: Channel) -> None:
+        self._session = session
+        self._channel = channel
+        self._batches: Iterator[FrameBatch] = iter(())
+        self._batch: FrameBatch | None = None
+        self._rows = np.empty(0, np.int64)
+        self._place = 0
+
+    def go_behind(self, at_s: float) -> None:
+        """What comes next is the first frame after a time."""
+        self._batches = self._session.frames_between(math.nextafter(at_s, math.inf), math.inf)
+        self._batch = None
+        self._rows, self._place = np.empty(0, np.int64), 0
+
+    def snapshot(self, at_s: float) -> list[ReplayedFrame]:
+        """What was last said of everything at or before a time, in order."""
+        batch = self._session.snapshot_at(at_s)
+        return [_timed(batch, row)._replace(number=-1) for row in self._own_rows(batch).tolist()]
+
+    def next_frame(self) -> ReplayedFrame | None:
+        """The next frame, ``None`` at the end."""
+        if not self._fill() or self._batch is None:
+            return None
+        row = int(self._rows[self._place])
+        self._place += 1
+        return _timed(self._batch, row)
+
+    def frames_until(self, end_s: float, most: int) -> list[ReplayedFrame]:
+        """The next frames up to a time, included, and no more than so many."""
+        found: list[ReplayedFrame] = []
+        while len(found) < most and self._fill() and self._batch is not None:
+            rows = self._rows_until(end_s, most - len(found))
+            if not rows.size:
+                break
+            found += [_timed(self._batch, row) for row in rows.tolist()]
+        return found
+
+    def columns_until(self, end_s: float) -> FrameColumns:
+        """The next frames up to a time, included, as columns."""
+        pieces = []
+        while self._fill() and self._batch is not None:
+            batch, rows = self._batch, self._rows_until(end_s, self._rows.size)
+            if not rows.size:
+                break
+            pieces.append(_columns(batch, rows))
+        return joined(pieces)
+
+    def columns_between(self, begin_s: float, end_s: float) -> Iterator[FrameColumns]:
+        """The frames from one time to another, the latter included; this changes no place."""
+        until_s = math.nextafter(end_s, math.inf)
+        for batch in self._session.frames_between(begin_s, until_s):
+            rows = self._own_rows(batch)
+            if rows.size:
+                yield _columns(batch, rows)
+
+    def _fill(self) -> bool:
+        """Whether there is a next frame."""
+        while self._place >= self._rows.size:
+            self._batch = next(self._batches, None)
+            if self._batch is None:
+                return False
+            self._rows, self._place = self._own_rows(self._batch), 0
+        return True
+
+    def _rows_until(self, end_s: float, most: int) -> np.ndarray:
+        assert self._batch is not None  # noqa: S101 - said by _fill
+        left = self._rows[self._place : self._place + most]
+        count = int(np.searchsorted(self._batch.times_s[left], end_s, side="right"))
+        self._place += count
+        return left[:count]
+
+    def _own_rows(self, batch: FrameBatch) -> np.ndarray:
+        names = batch.channel_names
+        if len(names) == 1 and names[0] == self._channel:
+            return np.arange(len(batch))
+        if self._channel not in names:
+            return np.empty(0, np.int64)
+        return np.flatnonzero(batch.channels == names.index(self._channel))
+
+
+def _timed(batch: FrameBatch, row: int) -> ReplayedFrame:
+    frame = Frame(int(batch.ids[row]), batch.data(row))
+    return ReplayedFrame(frame, float(batch.times_s[row]), int(batch.flags[row]), batch.first + row)
+
+
+def _columns(batch: FrameBatch, rows: np.ndarray) -> FrameColumns:
+    return FrameColumns(
+        batch.times_s[rows],
+        batch.ids[rows],
+        batch.flags[rows],
+        batch.lengths[rows],
+        batch.payloads[rows],
+    )
+
+
+def joined(pieces: list[FrameColumns]) -> FrameColumns:
+    """Columns one behind the other."""
+    if len(pieces) == 1:
+        return pieces[0]
+    if not pieces:
+        return FrameColumns(
+            np.empty(0), np.empty(0, np.uint32), np.empty(0, np.uint8), np.empty(0, np.uint8),
+            np.empty((0, 8), np.uint8),
+        )  # fmt: skip
+    return FrameColumns(
+        np.concatenate([each.times_s for each in pieces]),
+        np.concatenate([each.ids for each in pieces]),
+        np.concatenate([each.flags for each in pieces]),
+        np.concatenate([each.lengths for each in pieces]),
+        np.concatenate([each.payloads for each in pieces]),
+    )

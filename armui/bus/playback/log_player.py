@@ -1,0 +1,270 @@
+"""Plays a log into the intake that live frames take: at any speed, or frame by frame. No Qt."""
+
+from __future__ import annotations
+
+import math
+import threading
+import time
+from typing import TYPE_CHECKING, Final
+
+from armui.bus.intake import Intake
+from armui.bus.playback.folding import Folding
+from armui.bus.playback.log_cursor import LogCursor, ReplayedFrame, joined
+from armui.bus.playback.series_tap import SeriesTap, is_own_command
+from armui.protocol.frame import Frame
+from armui.telemetry.store import Telemetry
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from armui.bus.playback.log_clock import LogClock
+    from armui.bus.tap import Tap
+    from armui.protocol.codec import Codec, Message
+    from armui.session.frames import Channel
+    from armui.session.session import Session
+    from armui.telemetry.columns import FrameColumns
+
+ONE_BY_ONE_UP_TO: Final = 4.0
+"""Up to this speed every frame is taken in by itself; above it those that tell something new."""
+_SLICE_S: Final = 0.2
+"""Log time of a slice at most: shorter than what counts as silence."""
+_AT_ONCE: Final = 256
+"""So many frames are taken in before others may look."""
+FILLED_S: Final = 120.0
+"""So much of the log before a place is shown in its curves at once."""
+_FILL_ROWS: Final = 32_768
+_SETTLE_S: Final = 0.08
+"""Curves are drawn a dozen times a second: what is played fast reaches them as often."""
+
+
+class LogPlayer:
+    """One thread plays; any other may hold it up with `lock` for a moment.
+
+    Args:
+        session: The log.
+        channel: What is seen of it.
+        clock: Is moved along.
+        codec: Protocol to begin with.
+        taps: Who else is told of every frame; curves are filled at once around a place.
+        answered: As for `Intake`.
+
+    Attributes:
+        lock: Held while frames are taken in.
+        intake: Where they go.
+        last: The frame that was taken in last.
+        played: How many frames were passed since the last :meth:`enter`.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        channel: Channel,
+        clock: LogClock,
+        *,
+        codec: Codec,
+        taps: Sequence[Tap],
+        answered: Callable[[Message], object],
+    ) -> None:
+        self._session = session
+        self._clock = clock
+        self._cursor = LogCursor(session, channel)
+        self._look_up = LogCursor(session, channel)
+        self._series: dict[int, SeriesTap] = {}
+        self.lock = threading.RLock()
+        self.intake = Intake(codec, self._for_log(taps), answered)
+        self._folding = Folding(codec)
+        self._recalled: Sequence[ReplayedFrame] = ()
+        self._at_entry = True
+        self._waiting: list[FrameColumns] = []
+        self._settled_s = 0.0
+        self.last: ReplayedFrame | None = None
+        self.played = 0
+
+    def _for_log(self, taps: Sequence[Tap]) -> list[Tap]:
+        """The same taps; the series of the curves can take in many frames at once."""
+        found: list[Tap] = []
+        for tap in taps:
+            if isinstance(tap, Telemetry):
+                tap = self._series.setdefault(id(tap), SeriesTap(tap))  # noqa: PLW2901
+            found.append(tap)
+        return found
+
+    def tap(self, taps: Sequence[Tap]) -> None:
+        """Who else is told of every frame from now on."""
+        self.intake.line.want(self._for_log(taps))
+
+    def use_codec(self, codec: Codec) -> None:
+        """Forget what was heard, as a bus thread does; any thread.
+
+        Where nothing was played since :meth:`enter`, what was said before this place is known all
+        the same: it is no silence of the arm that makes it unknown.
+        """
+        with self.lock:
+            self.intake.use_codec(codec)
+            if self._at_entry:
+                self._take_codec()
+                self.intake.recall([each[:3] for each in self._recalled])
+
+    def _take_codec(self) -> None:
+        before = self.intake.codec
+        self.intake.take_codec(self._clock())
+        if self.intake.codec is not before:
+            self._folding = Folding(self.intake.codec)
+
+    # Another place ----------------------------------------------------------------------------
+
+    def look_up(self, at_s: float) -> list[ReplayedFrame]:
+        """What was last said of everything before a place: it may have to be read from a disk."""
+        return self._look_up.snapshot(at_s)
+
+    def enter(self, at_s: float, recalled: Sequence[ReplayedFrame]) -> None:
+        """Be at another place; takes no time.
+
+        Args:
+            at_s: Log time; the frames of this time are already there.
+            recalled: What :meth:`look_up` has found.
+        """
+        with self.lock:
+            self._cursor.go_behind(at_s)
+            self._recalled, self._at_entry = recalled, True
+            self._folding = Folding(self.intake.codec)
+            self.intake.forget_others()
+            self._waiting = []
+            self.last = recalled[-1] if recalled else None
+            self.played = 0
+            self._clock.set(at_s)
+            for tap in self._series.values():
+                tap.telemetry.release()
+
+    def fill(self, is_wanted: Callable[[], bool]) -> None:
+        """Show in the curves what led to this place.
+
+        Args:
+            is_wanted: Asked now and then; when it is not, the rest stays away.
+        """
+        end_s = self._clock()
+        begin_s = max(self._session.start_s, end_s - FILLED_S)
+        pieces: list[FrameColumns] = []
+        for frames in self._look_up.columns_between(begin_s, end_s):
+            if not is_wanted():
+                return
+            pieces.append(frames)
+            if sum(map(len, pieces)) >= _FILL_ROWS:
+                self._fill_series(pieces)
+                pieces = []
+        self._fill_series(pieces)
+
+    def _fill_series(self, pieces: list[FrameColumns]) -> None:
+        if pieces:
+            frames = joined(pieces)
+            for tap in self._series.values():
+                tap.take(frames)
+
+    def settle(self) -> None:
+        """Show in the curves what was played fast, up to here."""
+        pieces, self._waiting = self._waiting, []
+        self._fill_series(pieces)
+        self._settled_s = time.monotonic()
+
+    # Playing ----------------------------------------------------------------------------------
+
+    def play(self, until_s: float, speed: float, is_wanted: Callable[[], bool]) -> None:
+        """Take in what comes up to a time, and move the clock there.
+
+        Args:
+            until_s: Log time.
+            speed: Above `ONE_BY_ONE_UP_TO` not every frame is looked at.
+            is_wanted: Asked after each slice; when it is not, the rest is left.
+        """
+        if speed <= ONE_BY_ONE_UP_TO:
+            self.settle()
+            self._go_by_columns(wanted=False)
+        at_s = self._clock()
+        while at_s < until_s:
+            at_s = min(at_s + _SLICE_S, until_s)
+            if speed > ONE_BY_ONE_UP_TO:
+                self._play_slice(at_s)
+            elif not self._play_frames(at_s, is_wanted):
+                return
+            if not is_wanted():
+                return
+
+    def _play_frames(self, until_s: float, is_wanted: Callable[[], bool]) -> bool:
+        while True:
+            frames = self._cursor.frames_until(until_s, _AT_ONCE)
+            with self.lock:
+                if not is_wanted():
+                    return False
+                for frame in frames:
+                    self._take(frame)
+                self._flush(until_s if len(frames) < _AT_ONCE else frames[-1].at_s)
+            if len(frames) < _AT_ONCE:
+                return True
+
+    def _play_slice(self, until_s: float) -> None:
+        if time.monotonic() - self._settled_s > _SETTLE_S:
+            self.settle()
+        self._go_by_columns(wanted=True)
+        frames = self._cursor.columns_until(until_s)
+        with self.lock:
+            if len(frames):
+                self._take_slice(frames)
+            self._flush(until_s)
+
+    def _go_by_columns(self, *, wanted: bool) -> None:
+        for tap in self._series.values():
+            tap.by_columns = wanted
+
+    def _take_slice(self, frames: FrameColumns) -> None:
+        self._take_codec()
+        before = self.played
+        self._waiting.append(frames)
+        for row in self._folding.rows(frames).tolist():
+            data = frames.payloads[row, : frames.lengths[row]].tobytes()
+            frame = Frame(int(frames.ids[row]), data)
+            self._take(ReplayedFrame(frame, float(frames.times_s[row]), int(frames.flags[row])))
+        self.played = before + len(frames)
+
+    def step(self) -> ReplayedFrame | None:
+        """Take in the next frame alone; ``None`` at the end."""
+        self.settle()
+        self._go_by_columns(wanted=False)
+        frame = self._cursor.next_frame()
+        if frame is not None:
+            with self.lock:
+                self._take(frame)
+                self._flush(max(frame.at_s, self._clock()))
+        return frame
+
+    def before(self) -> float | None:
+        """Log time of the moment before this one, ``None`` at the beginning."""
+        at_s = self.last.at_s if self.last is not None else self._clock()
+        width_s = 0.01
+        while True:
+            begin_s, end_s = at_s - width_s, math.nextafter(at_s, -math.inf)
+            times_s = [
+                float(frames.times_s[frames.times_s < at_s][-1])
+                for frames in self._look_up.columns_between(begin_s, end_s)
+                if (frames.times_s < at_s).any()
+            ]
+            if times_s:
+                return times_s[-1]
+            if begin_s < self._session.start_s:
+                return None
+            width_s *= 8
+
+    def _take(self, timed: ReplayedFrame) -> None:
+        self._take_codec()
+        self._at_entry = False
+        self.last = timed
+        self.played += 1
+        frame, at_s, flags = timed.frame, timed.at_s, timed.flags
+        if is_own_command(frame.arbitration_id, flags):
+            self.intake.line.sent.append((frame, at_s))
+        else:
+            self.intake.take(frame, at_s, flags)
+
+    def _flush(self, at_s: float) -> None:
+        self.intake.line.flush(self.intake.codec, at_s)
+        self.intake.show()
+        self._clock.set(at_s)

@@ -1,0 +1,301 @@
+"""The thread that plays a log, in the place of the one that owns a bus. It cannot send."""
+
+from __future__ import annotations
+
+import threading
+import time
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QThread, Signal
+
+from armui.bus.link import BusReport, BusState
+from armui.bus.playback.log_player import LogPlayer
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from armui.arm.device import Device
+    from armui.arm.other_hosts import OtherTraffic
+    from armui.arm.state import ArmState
+    from armui.bus.playback.log_clock import LogClock
+    from armui.bus.playback.log_cursor import ReplayedFrame
+    from armui.bus.samples import SampleRing
+    from armui.bus.tap import Tap
+    from armui.protocol.codec import Codec
+    from armui.protocol.frame import Frame
+    from armui.session.frames import Channel
+    from armui.session.session import Session
+
+SLOWEST, FASTEST = 0.1, 20.0
+_TURN_S: Final = 0.01
+"""How long the thread rests between two looks at the clock on the wall."""
+_LONGEST_TURN_S: Final = 0.25
+"""A computer that slept or was busy does not make the log jump: it goes on where it was."""
+
+
+class LogWorker(QThread):
+    """The same to a :class:`Connection` as a `BusWorker`; whatever is to be sent is refused.
+
+    Args:
+        device: What stands for the log.
+        codec: Protocol to begin with.
+        session: The log; the thread is the only one that reads it.
+        channel: What is seen of it.
+        clock: Is moved along.
+        number: Goes into its reports.
+        taps: Who else is told of every frame.
+
+    Attributes:
+        samples: Every joint feedback, while somebody wants them.
+        speed: How much log time passes in a second.
+
+    Signals:
+        reported: A :class:`BusReport`, whenever the log begins or goes on elsewhere.
+        answered: A :class:`Message` that answers something.
+        found: A place that was asked for is at hand; its number. :meth:`enter` goes there.
+        moved: The replay has stepped, or stopped by itself at the end.
+        failed: The log cannot be read any more; what is wrong.
+    """
+
+    reported = Signal(object)
+    answered = Signal(object)
+    found = Signal(int)
+    moved = Signal()
+    failed = Signal(str)
+
+    def __init__(
+        self,
+        device: Device,
+        codec: Codec,
+        session: Session,
+        channel: Channel,
+        clock: LogClock,
+        *,
+        number: int = 0,
+        taps: Sequence[Tap] = (),
+    ) -> None:
+        super().__init__()
+        self.setObjectName(f"replay {device.name}")
+        self._device = device
+        self._number = number
+        self._session = session
+        self._clock = clock
+        self._player = LogPlayer(
+            session, channel, clock, codec=codec, taps=taps, answered=self.answered.emit
+        )
+        self.samples: SampleRing = self._player.intake.samples
+        self.speed = 1.0
+        self._wake = threading.Condition()
+        self._closing = self._playing = self._filling = self._travelling = False
+        self._steps = 0
+        self._wanted: tuple[int, float | None] | None = None
+        self._asked = 0
+        self._at_hand: tuple[int, float, list[ReplayedFrame]] | None = None
+
+    # As a bus worker --------------------------------------------------------------------------
+
+    @property
+    def idle(self) -> bool:
+        """Nothing ever waits to be sent."""
+        return True
+
+    @property
+    def state(self) -> ArmState:
+        """The arm as heard; see `BusWorker.state`."""
+        return self._player.intake.state
+
+    @property
+    def traffic(self) -> OtherTraffic:
+        """What hosts were heard to send."""
+        return self._player.intake.traffic
+
+    @property
+    def frames_dropped(self) -> int:
+        """A log drops nothing."""
+        return 0
+
+    def send(
+        self,
+        frames: Sequence[Frame],  # noqa: ARG002 - as a bus worker
+        keep_s: float | None = None,  # noqa: ARG002
+        command: int | None = None,  # noqa: ARG002
+    ) -> bool:
+        """Nothing can be sent to a log: always false."""
+        return False
+
+    def void(self, newest: int) -> None:
+        """Nothing waits."""
+
+    def send_urgent(self, frames: Sequence[Frame]) -> bool:  # noqa: ARG002 - as a bus worker
+        """Nothing can be sent to a log: always false."""
+        return False
+
+    def tap(self, taps: Sequence[Tap]) -> None:
+        """Who else is told of every frame from now on."""
+        self._player.tap(taps)
+
+    def use_codec(self, codec: Codec) -> None:
+        """Forget what was heard; see `LogPlayer.use_codec`."""
+        self._player.use_codec(codec)
+
+    def close(self, within_ms: int) -> bool:
+        """End the thread; whether it has ended within a time."""
+        with self._wake:
+            self._closing = True
+            self._wake.notify()
+        return self.wait(within_ms)
+
+    # The operator's wishes; any thread --------------------------------------------------------
+
+    @property
+    def is_playing(self) -> bool:
+        """Whether the log runs."""
+        return self._playing
+
+    @property
+    def is_filling(self) -> bool:
+        """Whether the curves are being filled; the log waits for that."""
+        return self._filling
+
+    @property
+    def last(self) -> ReplayedFrame | None:
+        """The frame that was taken in last."""
+        return self._player.last
+
+    def play(self, *, on: bool) -> None:
+        """Let the log run, or stand still."""
+        with self._wake:
+            self._playing = on
+            self._wake.notify()
+
+    def step(self) -> None:
+        """Take in one frame more."""
+        with self._wake:
+            self._playing = False
+            self._steps += 1
+            self._wake.notify()
+
+    def ask_for(self, at_s: float | None) -> int:
+        """Have a place looked up; ``None``: the moment before this one.
+
+        Returns:
+            Its number, which :attr:`found` tells.
+        """
+        with self._wake:
+            self._asked += 1
+            self._travelling = True
+            self._wanted = self._asked, at_s
+            self._steps = 0
+            self._wake.notify()
+            return self._asked
+
+    def enter(self, number: int) -> bool:
+        """Go to the place that was looked up last, unless another one is wanted by now.
+
+        The reports are made by whoever calls: what is connected to them in the same thread has
+        followed when this returns.
+        """
+        at_hand = self._at_hand
+        if at_hand is None or at_hand[0] != number or number != self._asked:
+            return False
+        self._player.enter(at_hand[1], at_hand[2])
+        self._report(BusState.LOST)
+        self._report(BusState.OPEN)
+        with self._wake:
+            self._filling = self._travelling = False
+            self._wake.notify()
+        return True
+
+    def fill_curves(self) -> None:
+        """Have the curves show what led to this place."""
+        with self._wake:
+            self._filling = True
+            self._wake.notify()
+
+    # The thread -------------------------------------------------------------------------------
+
+    def run(self) -> None:
+        """Play until :meth:`close`."""
+        self._report(BusState.OPENING)
+        intake = self._player.intake
+        with self._player.lock:
+            intake.line.open(intake.codec, None)
+        self._report(BusState.OPEN)
+        try:
+            self._run()
+        except Exception as error:  # noqa: BLE001 - whatever is wrong with a file: it is told
+            self.failed.emit(str(error) or type(error).__name__)
+        self._report(BusState.CLOSED)
+
+    def _run(self) -> None:
+        looked_s = time.monotonic()
+        while True:
+            if not self._playing:
+                self._player.settle()
+            with self._wake:
+                if not (self._closing or self._is_something_to_do()):
+                    plays = self._playing and not self._travelling
+                    self._wake.wait(_TURN_S if plays else None)
+                if self._closing:
+                    return
+                wanted, self._wanted = self._wanted, None
+                steps = 0
+                if not (self._travelling or self._filling):
+                    steps, self._steps = self._steps, 0
+            if wanted is not None:
+                self._look_up(*wanted)
+            # until somebody enters the place that was looked up, nothing is played
+            now_s = time.monotonic()
+            if self._travelling or not self._go_on(steps, min(now_s - looked_s, _LONGEST_TURN_S)):
+                now_s = time.monotonic()
+            looked_s = now_s
+
+    def _is_something_to_do(self) -> bool:
+        here = not self._travelling and (self._filling or self._steps > 0)
+        return self._wanted is not None or here
+
+    def _go_on(self, steps: int, passed_s: float) -> bool:
+        """Do what is to be done here; whether it was playing."""
+        if self._filling:
+            self._fill()
+        elif steps:
+            for _ in range(steps):
+                self._player.step()
+            self.moved.emit()
+        elif self._playing:
+            self._play(passed_s)
+            return True
+        return False
+
+    def _look_up(self, number: int, at_s: float | None) -> None:
+        if at_s is None:
+            at_s = self._player.before()
+        if at_s is None:
+            at_s = self._session.start_s
+        at_s = min(max(at_s, self._session.start_s), self._session.end_s)
+        self._at_hand = number, at_s, self._player.look_up(at_s)
+        self.found.emit(number)
+
+    def _fill(self) -> None:
+        asked = self._asked
+        self._player.fill(lambda: not self._closing and self._asked == asked)
+        with self._wake:
+            if self._asked == asked:
+                self._filling = False
+        self.moved.emit()
+
+    def _play(self, passed_s: float) -> None:
+        asked = self._asked
+        end_s = self._session.end_s
+        until_s = min(self._clock() + passed_s * self.speed, end_s)
+        self._player.play(
+            until_s,
+            self.speed,
+            lambda: self._playing and not self._closing and self._asked == asked,
+        )
+        if self._clock() >= end_s and self._asked == asked:
+            self._playing = False
+            self.moved.emit()
+
+    def _report(self, state: BusState) -> None:
+        self.reported.emit(BusReport(state, self._device, None, self._number))

@@ -1,0 +1,208 @@
+"""A log that is replayed, with a controller of its own that watches it as it watches an arm."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from armui.arm.device import Device, RecordedArm
+from armui.bus.playback.log_clock import LogClock
+from armui.bus.playback.log_worker import FASTEST, SLOWEST, LogWorker
+from armui.control.arm_controller import ArmController
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from contextlib import AbstractContextManager
+    from typing import NoReturn
+
+    from armui.bus.playback.log_cursor import ReplayedFrame
+    from armui.bus.tap import Tap
+    from armui.protocol.codec import Codec
+    from armui.session.frames import Channel
+    from armui.session.session import Session
+
+_FILL_AFTER_MS: Final = 120
+"""Curves are filled when the operator has come to rest somewhere."""
+
+
+class LogReplay(QObject):
+    """Plays a log. There is no bus in it, and no way to one: what is to be sent is refused.
+
+    Args:
+        session: The log; closed by whoever opened it, after :meth:`close`.
+        channel: What is seen of it.
+        arm: What it tells of its arm.
+        name: What the operator knows it by.
+        parent: Qt's.
+
+    Attributes:
+        session, channel: As given.
+        clock: Log time; it moves only with the replay.
+        controller: Watches the log.
+
+    Signals:
+        moved: The replay is elsewhere, or runs or stands still now.
+        failed: The log cannot be read any more; what is wrong.
+    """
+
+    moved = Signal()
+    failed = Signal(str)
+
+    def __init__(
+        self,
+        session: Session,
+        channel: Channel,
+        arm: RecordedArm,
+        name: str,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.session = session
+        self.clock = LogClock(session.start_s)
+        self.channel = channel
+        self._device = Device("replay", name, None, name, listen_only=True, recorded=arm)
+        self._worker: LogWorker | None = None
+        self._going_to: float | None = None
+        self._number = 0
+        self.controller = ArmController(
+            _no_device,
+            clock=self.clock,
+            parent=self,
+            wall=_wall,
+            make_worker=self._make_worker,
+        )
+        self._fill_timer = QTimer(self, singleShot=True, interval=_FILL_AFTER_MS)
+        self._fill_timer.timeout.connect(self._fill)
+
+    def _make_worker(
+        self, device: Device, codec: Codec, number: int, taps: Sequence[Tap]
+    ) -> LogWorker:
+        worker = LogWorker(
+            device, codec, self.session, self.channel, self.clock, number=number, taps=taps
+        )
+        worker.found.connect(self._on_found)
+        worker.moved.connect(self._on_moved)
+        worker.failed.connect(self.failed)
+        self._worker = worker
+        return worker
+
+    def open(self) -> None:
+        """Begin, standing still, at the beginning."""
+        self.controller.connect_device(self._device)
+        self.go_to(self.session.start_s)
+
+    def close(self) -> bool:
+        """End the thread that plays; whether it has ended within two seconds."""
+        self._fill_timer.stop()
+        self._worker = None
+        return self.controller.shutdown()
+
+    # Where it stands --------------------------------------------------------------------------
+
+    @property
+    def position_s(self) -> float:
+        """Log time of what is seen, or of the place that is about to be."""
+        return self.clock() if self._going_to is None else self._going_to
+
+    @property
+    def is_playing(self) -> bool:
+        """Whether the log runs."""
+        return self._worker is not None and self._worker.is_playing
+
+    @property
+    def is_travelling(self) -> bool:
+        """Whether another place is being looked up."""
+        return self._going_to is not None
+
+    @property
+    def is_at_end(self) -> bool:
+        """Whether nothing comes after what is seen."""
+        return self.position_s >= self.session.end_s
+
+    @property
+    def last_frame(self) -> ReplayedFrame | None:
+        """The frame that was taken in last."""
+        return None if self._worker is None else self._worker.last
+
+    @property
+    def speed(self) -> float:
+        """How much log time passes in a second."""
+        return 1.0 if self._worker is None else self._worker.speed
+
+    # The operator's wishes --------------------------------------------------------------------
+
+    def set_speed(self, speed: float) -> None:
+        """From 0.1 to 20 times as fast as it was."""
+        if self._worker is not None:
+            self._worker.speed = min(max(speed, SLOWEST), FASTEST)
+            self.moved.emit()
+
+    def play(self, *, on: bool) -> None:
+        """Let it run, or stand still; at the end it begins anew."""
+        if self._worker is None:
+            return
+        if on and self.is_at_end:
+            self.go_to(self.session.start_s)
+        if on and self._fill_timer.isActive():
+            self._fill()
+        self._worker.play(on=on)
+        self.moved.emit()
+
+    def step(self) -> None:
+        """Stand still, one frame further."""
+        if self._worker is not None:
+            if self._fill_timer.isActive():
+                self._fill()
+            self._worker.step()
+
+    def step_back(self) -> None:
+        """Stand still, at the moment of the frame before."""
+        if self._worker is not None:
+            self._worker.play(on=False)
+            self._going_to = self.position_s
+            self._number = self._worker.ask_for(None)
+
+    def go_to(self, at_s: float) -> None:
+        """Be at another time of the log."""
+        if self._worker is not None:
+            self._fill_timer.stop()
+            self._going_to = min(max(at_s, self.session.start_s), self.session.end_s)
+            self._number = self._worker.ask_for(self._going_to)
+            self.moved.emit()
+
+    # What the thread tells --------------------------------------------------------------------
+
+    def _on_found(self, number: int) -> None:
+        worker = self._worker
+        if worker is None or number != self._number or not worker.enter(number):
+            return
+        self._going_to = None
+        # what an arm is asked when it comes is known here: two looks take all of it in
+        self.controller.tick()
+        self.controller.tick()
+        if worker.is_playing:
+            self._fill()
+        else:
+            self._fill_timer.start()
+        self.moved.emit()
+
+    def _fill(self) -> None:
+        self._fill_timer.stop()
+        if self._worker is not None and self._going_to is None:
+            self._worker.fill_curves()
+
+    def _on_moved(self) -> None:
+        if self._worker is not None and self._going_to is None:
+            self.controller.tick()
+            self.moved.emit()
+
+
+def _wall(at_s: float) -> datetime:
+    """Log time counts from 1970, or from the beginning of the log where nobody noted more."""
+    return datetime.fromtimestamp(at_s).astimezone()
+
+
+def _no_device(_device: Device) -> AbstractContextManager[NoReturn]:
+    raise RuntimeError("a log is replayed: there is no device to open")

@@ -1,0 +1,168 @@
+"""A log of another program, once it is indexed: any place of it is at hand."""
+
+from __future__ import annotations
+
+import contextlib
+import shutil
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from armui.session.foreign.columns import (
+    COLUMNS,
+    LONG_BYTES,
+    LONG_DATA,
+    LONG_ROWS,
+    ORDER,
+    LogIndex,
+    column_path,
+)
+from armui.session.frames import CLASSIC_BYTES, FrameBatch
+from armui.session.session import REMEMBERED, REMEMBERED_IDS
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from numpy.typing import NDArray
+
+    from armui.session.frames import Channel, Damage
+    from armui.session.session import SessionMark
+
+_ROWS: Final = 4_096
+
+
+class IndexedLog:
+    """The columns of a log, seen as a `Session`; they stay on the disk and are read as needed.
+
+    Args:
+        index: What is known of the log.
+        folder: Where its columns lie; removed at `close`, at once where the system lets open files
+            go on without a name.
+    """
+
+    def __init__(self, index: LogIndex, folder: Path) -> None:
+        self._index = index
+        self._folder = folder
+        self._columns: dict[str, NDArray[Any]] = {
+            name: self._map(name, kind) for name, kind in COLUMNS.items()
+        }
+        self._times_s: NDArray[np.float64] = self._columns["times_s"]
+        self._order: NDArray[np.uint32] = self._map(ORDER, np.dtype(np.uint32))
+        self._groups = np.array(index.groups, np.int64)
+        self._long_rows: NDArray[np.uint32] = self._map(LONG_ROWS, np.dtype(np.uint32))
+        self._long_data = self._map(LONG_DATA, np.dtype((np.uint8, (LONG_BYTES,))))
+        self._remove_folder()
+
+    def _map(self, name: str, kind: np.dtype[Any]) -> NDArray[Any]:
+        path = column_path(self._folder, name)
+        if path.stat().st_size == 0:
+            return np.empty((0, *kind.shape), kind.base)
+        flat: NDArray[Any] = np.memmap(path, kind.base, "r")
+        return flat.reshape(-1, *kind.shape)
+
+    def _remove_folder(self) -> None:
+        # Windows refuses this while they are mapped; it is tried again at the end
+        with contextlib.suppress(OSError):
+            shutil.rmtree(self._folder)
+
+    @property
+    def start_s(self) -> float:
+        """Log time of the first frame."""
+        return float(self._times_s[0]) if self._times_s.size else 0.0
+
+    @property
+    def end_s(self) -> float:
+        """Log time of the last frame."""
+        return float(self._times_s[-1]) if self._times_s.size else 0.0
+
+    @property
+    def frames(self) -> int:
+        """How many there are."""
+        return self._index.frames
+
+    @property
+    def channels(self) -> tuple[Channel, ...]:
+        """The channels that occur."""
+        return self._index.channels
+
+    @property
+    def marks(self) -> Sequence[SessionMark]:
+        """What the frames tell, in the order of time."""
+        return self._index.marks
+
+    @property
+    def damages(self) -> Sequence[Damage]:
+        """Damaged places."""
+        return self._index.damages
+
+    @property
+    def damage_count(self) -> int:
+        """All of them."""
+        return self._index.damage_count
+
+    @property
+    def reversed_times(self) -> int:
+        """Frames whose time was before that of the frame in front of them."""
+        return self._index.reversed_times
+
+    @property
+    def cut(self) -> str:
+        """Why the rest of the log was not read; see `LogIndex`."""
+        return self._index.cut
+
+    def frames_between(self, t0_s: float, t1_s: float) -> Iterator[FrameBatch]:
+        """The frames with t0_s <= time < t1_s, in the order of time."""
+        first, behind = (int(each) for each in np.searchsorted(self._times_s, (t0_s, t1_s)))
+        for begin in range(first, behind, _ROWS):
+            yield self._batch(begin, min(begin + _ROWS, behind))
+
+    def snapshot_at(self, t_s: float) -> FrameBatch:
+        """The last frame of each identifier and channel at or before a time; see `Session`."""
+        behind = int(np.searchsorted(self._times_s, t_s, side="right"))
+        rows: list[int] = []
+        ids = self._columns["ids"]
+        for first, end in zip(self._groups[:-1].tolist(), self._groups[1:].tolist(), strict=True):
+            numbers = self._order[first:end]
+            place = int(np.searchsorted(numbers, behind))
+            if place:
+                kept = REMEMBERED if int(ids[numbers[0]]) in REMEMBERED_IDS else 1
+                rows += numbers[max(0, place - kept) : place].tolist()
+        return self._chosen(np.array(sorted(rows), np.int64))
+
+    def _batch(self, begin: int, end: int) -> FrameBatch:
+        first, last = np.searchsorted(self._long_rows, (begin, end)).tolist()
+        return FrameBatch(
+            first=begin,
+            channel_names=self._index.channels,
+            long_data=self._long(range(first, last), begin),
+            **{name: column[begin:end] for name, column in self._columns.items()},
+        )
+
+    def _chosen(self, rows: NDArray[np.int64]) -> FrameBatch:
+        columns = {name: column[rows] for name, column in self._columns.items()}
+        long_data = {}
+        for row in np.flatnonzero(columns["lengths"] > CLASSIC_BYTES).tolist():
+            place = int(np.searchsorted(self._long_rows, rows[row]))
+            if place < self._long_rows.size and self._long_rows[place] == rows[row]:
+                data = self._long_data[place].tobytes()
+                long_data[row] = data[: int(columns["lengths"][row])]
+        return FrameBatch(
+            first=0, channel_names=self._index.channels, long_data=long_data, **columns
+        )
+
+    def _long(self, places: range, begin: int) -> dict[int, bytes]:
+        found = {}
+        for place in places:
+            row = int(self._long_rows[place])
+            length = int(self._columns["lengths"][row])
+            found[row - begin] = self._long_data[place].tobytes()[:length]
+        return found
+
+    def close(self) -> None:
+        """Let go of the columns; their place on the disk becomes free."""
+        empty = np.empty(0)
+        self._columns = {}
+        self._times_s, self._order, self._long_rows = empty, empty, empty  # type: ignore[assignment]
+        self._long_data = empty
+        self._remove_folder()

@@ -1,0 +1,244 @@
+"""Reads a log once, from its beginning to its end, into columns; done by the helper process."""
+
+from __future__ import annotations
+
+import mmap
+import shutil
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.protocol.detect import GenerationDetector
+from armui.protocol.frame import Frame, FrameFlag
+from armui.session.foreign.columns import (
+    COLUMNS,
+    LONG_BYTES,
+    LONG_DATA,
+    LONG_ROWS,
+    MOST_FRAMES,
+    ORDER,
+    PROGRESS,
+    PROGRESS_BYTES,
+    SPARE_BYTES,
+    LogIndex,
+    ReadingProgress,
+    column_path,
+    group_codes,
+)
+from armui.session.foreign.times import straightened
+from armui.session.frames import NOT_OF_THE_ARM, NotALogError
+from armui.session.log_marks import LogFrames, marks_of
+from armui.session.reader import SUFFIXES, LogFile, is_known_kind
+from armui.system.error_text import error_text
+
+if TYPE_CHECKING:
+    from pathlib import Path
+    from typing import BinaryIO
+
+    from numpy.typing import NDArray
+
+    from armui.protocol.generation import Generation
+    from armui.session.frames import Channel, FrameBatch
+    from armui.session.session import SessionMark
+
+_MOST_GROUPS: Final = 4_096
+"""Identifiers told apart; those of a log that has more share the last place."""
+_DISK_EVERY: Final = 256
+"""Batches between two looks at the space that is left."""
+_GENERATION_FRAMES: Final = 6_000
+_MOST_LOOKED_AT: Final = 200_000
+
+_NOT_DATA: Final = FrameFlag.EXTENDED | FrameFlag.REMOTE | FrameFlag.ERROR
+
+
+def index_log(path: Path, folder: Path, most_frames: int = MOST_FRAMES) -> LogIndex:
+    """Read a log into columns.
+
+    Args:
+        path: The log.
+        folder: Where the columns go; `PROGRESS` in it tells meanwhile how far the reading is.
+        most_frames: Further ones are not read.
+
+    Raises:
+        NotALogError: The file cannot be opened, or nothing in it is a frame.
+        OSError: The columns cannot be written.
+    """
+    with LogFile(path) as log, _Columns(folder) as columns, _told_progress(folder) as memory:
+        cut = ""
+        for number, batch in enumerate(log.batches()):
+            columns.add(batch)
+            ReadingProgress(log.position, log.size, columns.frames).write_to(memory)
+            if columns.frames >= most_frames:
+                cut = "frames"
+            elif number % _DISK_EVERY == 0 and _is_disk_full(folder, columns.frames):
+                cut = "disk"
+            if cut:
+                break
+        damages, damage_count = log.damages.since(0), log.damages.count
+    reversed_times = _put_in_order(folder)
+    groups, marks = _order(folder, columns.channels)
+    return LogIndex(
+        frames=columns.frames,
+        channels=columns.channels,
+        groups=groups,
+        long_frames=columns.long_frames,
+        marks=marks,
+        damages=tuple(damages),
+        damage_count=damage_count,
+        reversed_times=reversed_times,
+        cut=cut,
+    )
+
+
+def index_or_reason(path: Path, folder: Path, most_frames: int = MOST_FRAMES) -> LogIndex | Refusal:
+    """The same, or why there is nothing to replay."""
+    name = path.name
+    try:
+        index = index_log(path, folder, most_frames)
+    except NotALogError as error:
+        if isinstance(error.__cause__, OSError):
+            return Refusal(RefusalCode.REPLAY_UNREADABLE, {"name": name, "text": str(error)})
+        if not is_known_kind(path):
+            known = ", ".join(SUFFIXES)
+            return Refusal(RefusalCode.REPLAY_UNKNOWN_KIND, {"name": name, "known": known})
+        return Refusal(RefusalCode.REPLAY_NO_LOG, {"name": name, "text": str(error)})
+    except OSError as error:
+        return Refusal(RefusalCode.REPLAY_NO_DISK, {"text": error_text(error)})
+    return index if index.frames else Refusal(RefusalCode.REPLAY_EMPTY, {"name": name})
+
+
+class _Columns:
+    """The files of the columns, as they grow; use it in a ``with`` statement.
+
+    Attributes:
+        frames, long_frames: Written so far.
+        channels: Met so far.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._files: dict[str, BinaryIO] = {}
+        self.frames = self.long_frames = 0
+        self.channels: tuple[Channel, ...] = ()
+
+    def __enter__(self) -> _Columns:
+        for name in (*COLUMNS, LONG_ROWS, LONG_DATA):
+            self._files[name] = column_path(self._folder, name).open("wb")
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        for file in self._files.values():
+            file.close()
+
+    def add(self, batch: FrameBatch) -> None:
+        """Write the frames of a batch."""
+        for name, kind in COLUMNS.items():
+            column: NDArray[Any] = getattr(batch, name)
+            self._files[name].write(np.ascontiguousarray(column, kind.base).data)
+        for row, data in batch.long_data.items():
+            self._files[LONG_ROWS].write(np.uint32(self.frames + row).tobytes())
+            self._files[LONG_DATA].write(data[:LONG_BYTES].ljust(LONG_BYTES, b"\0"))
+        self.long_frames += len(batch.long_data)
+        self.frames += len(batch)
+        self.channels = batch.channel_names
+
+
+class _told_progress:  # noqa: N801 - used as a function is
+    """The memory where the progress stands, shared with the process that shows it."""
+
+    def __init__(self, folder: Path) -> None:
+        self._path = folder / PROGRESS
+
+    def __enter__(self) -> memoryview:
+        if not self._path.exists():
+            self._path.write_bytes(bytes(PROGRESS_BYTES))
+        with self._path.open("r+b") as file:
+            self._map = mmap.mmap(file.fileno(), PROGRESS_BYTES)
+        self._memory = memoryview(self._map)
+        return self._memory
+
+    def __exit__(self, *_error: object) -> None:
+        self._memory.release()
+        self._map.close()
+
+
+def _is_disk_full(folder: Path, frames: int) -> bool:
+    """Whether what is still to be written for these frames would leave too little to others."""
+    return shutil.disk_usage(folder).free < SPARE_BYTES + frames * (4 + 8)
+
+
+def _read(folder: Path, name: str) -> NDArray[Any]:
+    return np.fromfile(column_path(folder, name), COLUMNS[name].base).reshape(
+        -1, *COLUMNS[name].shape
+    )
+
+
+def _put_in_order(folder: Path) -> int:
+    """Sort the columns by time; how many frames had a time before the one in front of them."""
+    raw_s = _read(folder, "times_s")
+    times_s, backwards = straightened(raw_s, _read(folder, "channels"))
+    if bool((np.diff(times_s) >= 0).all()):
+        if backwards:
+            times_s.tofile(column_path(folder, "times_s"))
+        return backwards
+    order = np.argsort(times_s, kind="stable")
+    times_s[order].tofile(column_path(folder, "times_s"))
+    for name in COLUMNS:
+        if name != "times_s":
+            _read(folder, name)[order].tofile(column_path(folder, name))
+    rows = np.fromfile(column_path(folder, LONG_ROWS), np.uint32)
+    if rows.size:
+        places = np.empty(order.size, np.uint32)
+        places[order] = np.arange(order.size, dtype=np.uint32)
+        moved = places[rows]
+        sequence = np.argsort(moved)
+        data = np.fromfile(column_path(folder, LONG_DATA), np.uint8).reshape(-1, LONG_BYTES)
+        moved[sequence].tofile(column_path(folder, LONG_ROWS))
+        data[sequence].tofile(column_path(folder, LONG_DATA))
+    return backwards
+
+
+def _order(
+    folder: Path, channels: tuple[Channel, ...]
+) -> tuple[tuple[int, ...], tuple[SessionMark, ...]]:
+    """Write the frame numbers by identifier; where each begins, and the marks."""
+    ids, flags, places = (_read(folder, name) for name in ("ids", "flags", "channels"))
+    codes = group_codes(ids, flags, places)
+    known: NDArray[np.uint64] = np.unique(codes)[: _MOST_GROUPS - 1]
+    numbers = np.searchsorted(known, codes).astype(np.uint16)
+    order = np.argsort(numbers, kind="stable").astype(np.uint32)
+    order.tofile(column_path(folder, ORDER))
+    starts = np.searchsorted(numbers, np.arange(len(known) + 2), sorter=order)
+    times_s, payloads = _read(folder, "times_s"), _read(folder, "payloads")
+
+    def rows(channel: Channel, arbitration_id: int) -> Any:
+        code = np.uint64((channels.index(channel) << 35) | arbitration_id)
+        group = int(np.searchsorted(known, code))
+        if group == len(known) or known[group] != code:
+            return None
+        numbers = order[starts[group] : starts[group + 1]]
+        numbers = numbers[(flags[numbers] & FrameFlag.IMPOSSIBLE) == 0]
+        return (times_s[numbers], payloads[numbers]) if numbers.size else None
+
+    generation = _generation(ids, flags, payloads, times_s)
+    marks = marks_of(LogFrames(channels, rows), generation)
+    # a group that nothing is in is none
+    return tuple(dict.fromkeys(starts.tolist())), tuple(marks)
+
+
+def _generation(
+    ids: NDArray[np.uint32],
+    flags: NDArray[np.uint8],
+    payloads: NDArray[np.uint8],
+    times_s: NDArray[np.float64],
+) -> Generation:
+    """Which protocol the frames speak, by their beginning."""
+    detector = GenerationDetector()
+    ordinary = np.flatnonzero((flags[:_MOST_LOOKED_AT] & NOT_OF_THE_ARM) == 0)
+    for count, row in enumerate(ordinary.tolist()):
+        detector.feed(Frame(int(ids[row]), payloads[row].tobytes()), float(times_s[row]))
+        if detector.certain or (count >= _GENERATION_FRAMES and detector.has_evidence):
+            break
+    return detector.verdict().generation

@@ -1,0 +1,241 @@
+"""What the frames of a log tell of faults, stops and commands: the marks on its time line."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from armui.protocol.addressing import OFFSETS, Addressing
+from armui.protocol.codec import Codec
+from armui.protocol.codes import ArmStatusCode, MotorAction, StopCommand
+from armui.protocol.columns import payload_words, signal_column
+from armui.session.session import MarkKind, SessionMark
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from numpy.typing import NDArray
+
+    from armui.protocol.generation import Generation
+    from armui.protocol.layout import MessageLayout
+    from armui.session.frames import Channel
+
+MOST_MARKS: Final = 5_000
+"""Of one sort; a log that holds more is noise, and further ones are left out."""
+SILENT_S: Final = 0.5
+"""An arm not heard for longer is silent, as it is for the program while it is connected."""
+_BURST_S: Final = 0.5
+"""Commands of one sort that follow each other faster are one stream, marked where it begins."""
+
+_AT_WORK: Final = frozenset(
+    {
+        ArmStatusCode.NORMAL,
+        ArmStatusCode.TEACHING_RECORDING,
+        ArmStatusCode.TEACHING_RUNNING,
+        ArmStatusCode.TEACHING_PAUSED,
+    }
+)
+_JOINT_FAULTS: Final = (
+    "Undervoltage",
+    "MotorOvertemperature",
+    "Overcurrent",
+    "DriverOvertemperature",
+    "SensorFault",
+    "CollisionProtection",
+    "DriverFault",
+    "StallProtection",
+)
+"""Bits of 0x261–0x266 that name a fault in one of the generations."""
+_TARGETS: Final = ("JointTarget12", "CartesianTarget1", "MitControl1", "GripperCommand")
+
+
+@dataclass(frozen=True, slots=True)
+class LogFrames:
+    """Where marks are looked for.
+
+    Attributes:
+        channels: The channels of the log.
+        rows: Gives times and payloads, shape (rows, 8), of the data frames of one identifier on one
+            channel; ``None`` where there are none.
+    """
+
+    channels: tuple[Channel, ...]
+    rows: Callable[[Channel, int], tuple[NDArray[np.float64], NDArray[np.uint8]] | None]
+
+
+def marks_of(frames: LogFrames, generation: Generation) -> list[SessionMark]:
+    """Faults with their ends, stops, and where commands begin, in the order of time.
+
+    An entry has "code" and "channel"; what belongs to it stands beside: "status", "joint", "what",
+    "message", and of what lasts "ended_s" in log time, ``None`` where it goes on to the end.
+    """
+    marks: list[SessionMark] = []
+    for channel in frames.channels:
+        for offset in OFFSETS:
+            codec = Codec(generation, Addressing(offset, offset))
+            finder = _Finder(frames, codec, channel)
+            marks += finder.of_status()
+            marks += finder.of_stops()
+            marks += finder.of_targets()
+        finder = _Finder(frames, Codec(generation), channel)
+        marks += finder.of_joints()
+        marks += finder.of_motors()
+        marks += finder.of_silence()
+    return sorted(marks, key=lambda mark: mark.at_s)
+
+
+class _Finder:
+    """Looks for marks on one channel, under one offset of the identifiers."""
+
+    def __init__(self, frames: LogFrames, codec: Codec, channel: Channel) -> None:
+        self._frames = frames
+        self._channel = channel
+        self._ids = {
+            layout.name: (wire_id, layout)
+            for wire_id in range(0x800)
+            if (layout := codec.layout(wire_id)) is not None
+        }
+
+    def words(
+        self, message: str
+    ) -> tuple[NDArray[np.float64], NDArray[np.uint64], MessageLayout] | None:
+        """Times and payloads of a message, ``None`` if there are none."""
+        if message not in self._ids:
+            return None
+        wire_id, layout = self._ids[message]
+        found = self._frames.rows(self._channel, wire_id)
+        if found is None:
+            return None
+        return found[0], payload_words(found[1]), layout
+
+    def of_status(self) -> Iterator[SessionMark]:
+        found = self.words("ArmStatus")
+        if found is None:
+            return
+        times_s, words, layout = found
+        codes = signal_column(words, layout.signals["Status"])
+        for first, behind, code in _runs(codes):
+            if code in _AT_WORK:
+                continue
+            stopped = code == ArmStatusCode.EMERGENCY_STOP
+            kind = MarkKind.STOP if stopped else MarkKind.FAULT
+            yield self._mark(
+                times_s, first, behind, kind, code="stopped" if stopped else "status", status=code
+            )
+        for name, signal in layout.signals.items():
+            for suffix, what in (
+                ("LimitExceeded", "beyond_limit"),
+                ("CommunicationFault", "no_communication"),
+            ):
+                if name.endswith(suffix):
+                    yield from self._flagged(
+                        times_s, signal_column(words, signal), code=what, joint=int(name[1])
+                    )
+
+    def of_joints(self) -> Iterator[SessionMark]:
+        for joint in range(1, 7):
+            found = self.words(f"DriverSlow{joint}")
+            if found is None:
+                continue
+            times_s, words, layout = found
+            for name in _JOINT_FAULTS:
+                if name in layout.signals:
+                    values = signal_column(words, layout.signals[name])
+                    yield from self._flagged(times_s, values, code="joint", joint=joint, what=name)
+
+    def of_stops(self) -> Iterator[SessionMark]:
+        found = self.words("MotionCommand")
+        if found is None:
+            return
+        times_s, words, layout = found
+        stops = signal_column(words, layout.signals["EmergencyStop"])
+        for value, code in (
+            (StopCommand.EMERGENCY_STOP, "stop_sent"),
+            (StopCommand.RESUME, "resume_sent"),
+        ):
+            for place in _bursts(times_s, np.flatnonzero(stops == value)):
+                yield self._mark(times_s, place, None, MarkKind.STOP, code=code)
+        others = np.flatnonzero((stops == StopCommand.NO_ACTION) & (words != 0))
+        for place in _bursts(times_s, others):
+            yield self._mark(times_s, place, None, MarkKind.COMMAND, code="motion_command")
+
+    def of_targets(self) -> Iterator[SessionMark]:
+        for message in _TARGETS:
+            found = self.words(message)
+            if found is not None:
+                times_s = found[0]
+                for place in _bursts(times_s, np.arange(times_s.size)):
+                    yield self._mark(
+                        times_s, place, None, MarkKind.COMMAND, code="target", message=message
+                    )
+
+    def of_motors(self) -> Iterator[SessionMark]:
+        found = self.words("MotorEnable")
+        if found is None:
+            return
+        times_s, words, layout = found
+        actions = signal_column(words, layout.signals["Action"])
+        for action, code in (
+            (MotorAction.ENABLE, "enable_sent"),
+            (MotorAction.DISABLE, "disable_sent"),
+        ):
+            for place in _bursts(times_s, np.flatnonzero(actions == action)):
+                yield self._mark(times_s, place, None, MarkKind.COMMAND, code=code)
+
+    def of_silence(self) -> Iterator[SessionMark]:
+        """Where nothing of the arm is heard for long, whatever offset its identifiers have."""
+        names = [f"DriverFast{joint}" for joint in range(1, 7)]
+        ids = [self._ids[name][0] for name in names]
+        ids += [0x2A1 + offset for offset in OFFSETS]
+        ids += [0x2A5 + offset for offset in OFFSETS]
+        rows = [found[0] for each in ids if (found := self._frames.rows(self._channel, each))]
+        if not rows:
+            return
+        times_s = np.sort(np.concatenate(rows))
+        for place in np.flatnonzero(np.diff(times_s) > SILENT_S)[:MOST_MARKS].tolist():
+            entry = {"code": "silent", "ended_s": float(times_s[place + 1])}
+            yield SessionMark(float(times_s[place]), MarkKind.FAULT, entry | self._where())
+
+    def _flagged(
+        self, times_s: NDArray[np.float64], flags: NDArray[Any], **entry: object
+    ) -> Iterator[SessionMark]:
+        for first, behind, value in _runs(flags):
+            if value:
+                yield self._mark(times_s, first, behind, MarkKind.FAULT, **entry)
+
+    def _mark(
+        self,
+        times_s: NDArray[np.float64],
+        first: int,
+        behind: int | None,
+        kind: MarkKind,
+        **entry: object,
+    ) -> SessionMark:
+        if behind is not None:
+            entry["ended_s"] = float(times_s[behind]) if behind < times_s.size else None
+        return SessionMark(float(times_s[first]), kind, entry | self._where())
+
+    def _where(self) -> dict[str, object]:
+        return {"channel": self._channel}
+
+
+def _runs(values: NDArray[Any]) -> Iterator[tuple[int, int, int]]:
+    """First place, the place behind the last, and the value of each stretch of equal values."""
+    edges = np.flatnonzero(np.diff(values)) + 1
+    edges = edges[: 2 * MOST_MARKS]
+    starts = [0, *edges.tolist()]
+    ends = [*edges.tolist(), values.size]
+    for first, behind in zip(starts, ends, strict=True):
+        if behind > first:
+            yield first, behind, int(values[first])
+
+
+def _bursts(times_s: NDArray[np.float64], places: NDArray[np.int64]) -> list[int]:
+    """Where streams of commands begin."""
+    if places.size == 0:
+        return []
+    began = np.diff(times_s[places], prepend=-np.inf) > _BURST_S
+    begins: list[int] = places[began][:MOST_MARKS].tolist()
+    return begins

@@ -1,0 +1,114 @@
+"""What a log tells of the arms in it, before it is replayed."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from armui.protocol.addressing import OFFSETS
+from armui.protocol.codec import Codec
+from armui.protocol.detect import GenerationDetector
+from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
+from armui.session.frames import NOT_OF_THE_ARM
+
+if TYPE_CHECKING:
+    from armui.session.frames import Channel, FrameBatch
+    from armui.session.session import Session
+
+_STATUS_ID: Final = 0x2A1
+_LOOKED_BACK_S: Final = 3.0
+_FRAMES: Final = 6_000
+"""So many frames of an arm, two seconds of it, tell the generation as well as all of them."""
+_ARM: Final = range(0x251, 0x2D0)
+"""Where the cyclic feedback lies under every offset."""
+
+
+@dataclass(frozen=True, slots=True)
+class ChannelSurvey:
+    """One channel of a log.
+
+    Attributes:
+        channel: As the log names it.
+        arm_ids: How many identifiers of an arm's cyclic feedback occur.
+        generation: Which protocol it speaks, as far as can be told.
+        reason: Why, as the end of a sentence that begins "generation N, because".
+        is_certain: Whether anything tells; if not, the operator should choose.
+        feedback_offset: Added to the identifiers of its feedback (0x470).
+    """
+
+    channel: Channel
+    arm_ids: int
+    generation: Generation
+    reason: str
+    is_certain: bool
+    feedback_offset: int
+
+
+def survey(session: Session) -> tuple[ChannelSurvey, ...]:
+    """Look at the end of a log, which knows every identifier, and at a few seconds of each arm.
+
+    Returns:
+        The channels, that with most of an arm first.
+    """
+    last = session.snapshot_at(math.inf)
+    found = [_channel(session, last, channel) for channel in session.channels]
+    return tuple(sorted(found, key=lambda each: -each.arm_ids))
+
+
+def _channel(session: Session, last: FrameBatch, channel: Channel) -> ChannelSurvey:
+    own = last.channels == last.channel_names.index(channel)
+    rows = np.flatnonzero(own & ((last.flags & NOT_OF_THE_ARM) == 0))
+    known = [
+        row
+        for row in rows.tolist()
+        if int(last.ids[row]) in _ARM and _is_feedback(int(last.ids[row]))
+    ]
+    detector = GenerationDetector()
+    for row in rows.tolist():
+        detector.feed(Frame(int(last.ids[row]), last.data(row)), float(last.times_s[row]))
+    newest_s = max((float(last.times_s[row]) for row in known), default=session.start_s)
+    _look_at(session, channel, newest_s, detector)
+    verdict = detector.verdict()
+    return ChannelSurvey(
+        channel=channel,
+        arm_ids=len({int(last.ids[row]) for row in known}),
+        generation=verdict.generation,
+        reason=verdict.reason,
+        is_certain=detector.has_evidence,
+        feedback_offset=_offset(last, rows.tolist()),
+    )
+
+
+def _is_feedback(arbitration_id: int) -> bool:
+    codec = Codec(Generation.TWO)
+    bases = {arbitration_id, *(arbitration_id - offset for offset in OFFSETS)}
+    return any(codec.layout(base) is not None for base in bases)
+
+
+def _look_at(
+    session: Session, channel: Channel, newest_s: float, detector: GenerationDetector
+) -> None:
+    count = 0
+    for batch in session.frames_between(newest_s - _LOOKED_BACK_S, math.inf):
+        if channel not in batch.channel_names:
+            continue
+        own = batch.channels == batch.channel_names.index(channel)
+        for row in np.flatnonzero(own & ((batch.flags & NOT_OF_THE_ARM) == 0)).tolist():
+            detector.feed(Frame(int(batch.ids[row]), batch.data(row)), float(batch.times_s[row]))
+            count += 1
+            if detector.certain or count >= _FRAMES:
+                return
+
+
+def _offset(last: FrameBatch, rows: list[int]) -> int:
+    """The offset under which 0x2A1 came last."""
+    found = [
+        (float(last.times_s[row]), int(last.ids[row]) - _STATUS_ID)
+        for row in rows
+        if int(last.ids[row]) - _STATUS_ID in OFFSETS
+    ]
+    return max(found)[1] if found else 0

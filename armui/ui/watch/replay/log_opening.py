@@ -1,0 +1,205 @@
+"""Opens a log: read once by a process of its own, while the window shows how far it is."""
+
+from __future__ import annotations
+
+import mmap
+import shutil
+import tempfile
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.session.foreign.columns import PROGRESS, PROGRESS_BYTES, LogIndex, ReadingProgress
+from armui.session.foreign.indexed import IndexedLog
+from armui.session.foreign.indexing import index_or_reason
+from armui.session.frames import NotALogError
+from armui.session.survey import ChannelSurvey, survey
+from armui.system.error_text import error_text
+from armui.system.helper_process import HelperProcess
+from armui.ui.background import Background, Job
+
+if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
+    from armui.session.session import Session
+
+_LOOK_MS: Final = 100
+Opened = tuple["Session", tuple[ChannelSurvey, ...]]
+OpenOwn = Callable[[Path], "Session"]
+
+
+class LogOpening(QObject):
+    """One log that is being opened; may be called off at any time.
+
+    Args:
+        path: The file.
+        background: Where files are looked at.
+        make_helper: Makes the process that reads the log; it is ended when it has, or is called
+            off.
+        open_own: Opens a recording of this program by the index beside it; it raises
+            `NotALogError` for any other log, which is read whole then.
+
+    Signals:
+        progressed: A :class:`ReadingProgress`, now and then.
+        opened: The session, and what its channels tell of their arms.
+        refused: A :class:`Refusal`: it cannot be replayed.
+    """
+
+    progressed = Signal(object)
+    opened = Signal(object, object)
+    refused = Signal(object)
+
+    def __init__(
+        self,
+        path: Path,
+        background: Background,
+        make_helper: Callable[[], Executor] = HelperProcess,
+        parent: QObject | None = None,
+        *,
+        open_own: OpenOwn | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._open_own = open_own
+        self._path = path
+        self._background = background
+        self._helper = make_helper()
+        self._reading = Background(self._helper, None, self)
+        self._folder: Path | None = None
+        self._progress: mmap.mmap | None = None
+        self._job: Job[object] | None = None
+        self._is_over = False
+        self._timer = QTimer(self, interval=_LOOK_MS)
+        self._timer.timeout.connect(self._look)
+
+    def begin(self) -> None:
+        """Open it."""
+        if self._open_own is None:
+            self._prepare()
+        else:
+            self._background.begin_here(
+                Job(self._on_looked_at), _own_session, self._open_own, self._path
+            )
+
+    def _on_looked_at(self, opened: Opened | Refusal | None) -> None:
+        if self._is_over:
+            if isinstance(opened, tuple):
+                self._background.begin_here(Job(lambda _done: None), opened[0].close)
+        elif isinstance(opened, tuple):
+            self._on_opened(opened)
+        else:
+            self._prepare()
+
+    def _prepare(self) -> None:
+        self._background.begin_here(Job(self._on_prepared), _prepare)
+
+    def call_off(self) -> None:
+        """Nobody wants it any more: the process is ended, whatever it is at."""
+        if not self._is_over:
+            self._end()
+            self._background.begin_here(
+                Job(lambda _done: None), _clear_away, self._helper, self._folder
+            )
+
+    def end(self) -> None:
+        """The same, done when this returns: the program ends."""
+        if not self._is_over:
+            self._end()
+            _clear_away(self._helper, self._folder)
+
+    def _end(self) -> None:
+        self._is_over = True
+        self._timer.stop()
+        if self._job is not None:
+            self._job.wanted = False
+        if self._progress is not None:
+            self._progress.close()
+            self._progress = None
+
+    def _on_prepared(self, prepared: tuple[Path, mmap.mmap] | Refusal) -> None:
+        if isinstance(prepared, Refusal):
+            self._refuse(prepared)
+            return
+        self._folder, self._progress = prepared
+        if self._is_over:  # called off meanwhile
+            self._progress.close()
+            self._background.begin_here(
+                Job(lambda _done: None), _clear_away, self._helper, self._folder
+            )
+            return
+        self._timer.start()
+        self._job = Job(self._on_indexed)
+        self._reading.begin(self._job, index_or_reason, self._path, self._folder)
+
+    def _look(self) -> None:
+        if self._progress is not None:
+            self.progressed.emit(ReadingProgress.read_from(self._progress[:PROGRESS_BYTES]))
+
+    def _on_indexed(self, index: object) -> None:
+        if not isinstance(index, LogIndex):
+            self._refuse(index if isinstance(index, Refusal) else self._failed(str(index)))
+            return
+        self._timer.stop()
+        job = Job(self._on_opened)
+        assert self._folder is not None  # noqa: S101 - it was prepared before
+        work = partial(_open, index, self._folder, self._helper)
+        self._background.begin_here(job, work)
+
+    def _on_opened(self, opened: Opened | Refusal) -> None:
+        if isinstance(opened, Refusal):
+            self._refuse(opened)
+        elif self._is_over:
+            self._background.begin_here(Job(lambda _done: None), opened[0].close)
+        else:
+            self._end()
+            self.opened.emit(*opened)
+
+    def _refuse(self, reason: Refusal) -> None:
+        if self._is_over:
+            return
+        self._end()
+        self._background.begin_here(
+            Job(lambda _done: None), _clear_away, self._helper, self._folder
+        )
+        if reason.code == RefusalCode.WORK_FAILED:
+            reason = self._failed(str(reason.params.get("text", "")))
+        self.refused.emit(reason)
+
+    def _failed(self, text: str) -> Refusal:
+        return Refusal(RefusalCode.REPLAY_FAILED, {"name": self._path.name, "text": text})
+
+
+def _own_session(open_own: OpenOwn, path: Path) -> Opened | None:
+    """A recording of this program with what it tells of its arms; ``None``: it is none."""
+    try:
+        session = open_own(path)
+    except NotALogError:
+        return None
+    return (session, survey(session)) if session.frames else None
+
+
+def _prepare() -> tuple[Path, mmap.mmap] | Refusal:
+    """A folder for the columns, and the memory where the progress is told."""
+    try:
+        folder = Path(tempfile.mkdtemp(prefix="armui-replay-"))
+        (folder / PROGRESS).write_bytes(bytes(PROGRESS_BYTES))
+        with (folder / PROGRESS).open("r+b") as file:
+            return folder, mmap.mmap(file.fileno(), PROGRESS_BYTES)
+    except OSError as error:
+        return Refusal(RefusalCode.REPLAY_NO_DISK, {"text": error_text(error)})
+
+
+def _open(index: LogIndex, folder: Path, helper: Executor) -> Opened:
+    helper.shutdown()
+    session = IndexedLog(index, folder)
+    return session, survey(session)
+
+
+def _clear_away(helper: Executor, folder: Path | None) -> None:
+    helper.shutdown()
+    if folder is not None:
+        shutil.rmtree(folder, ignore_errors=True)

@@ -1,0 +1,45 @@
+"""Times of a log as the operator reads them: pure."""
+
+from __future__ import annotations
+
+import contextlib
+from datetime import datetime, timedelta
+from typing import Final
+
+_SINCE_1970_S: Final = 500_000_000.0
+"""A log whose times are smaller (1985) counts from its own beginning."""
+_BEGINNING: Final = datetime(1970, 1, 1)
+
+
+def has_date(start_s: float) -> bool:
+    """Whether a log says when it was recorded, or only since when."""
+    return start_s > _SINCE_1970_S
+
+
+def wall_time(at_s: float) -> datetime:
+    """A log time as date and time; of a log without a date as time since its beginning.
+
+    Times that no calendar has are shown as its beginning: the log is damaged there.
+    """
+    with contextlib.suppress(OverflowError, ValueError, OSError):
+        if has_date(at_s):
+            return datetime.fromtimestamp(at_s).astimezone()
+        return _BEGINNING + timedelta(seconds=at_s)
+    return _BEGINNING
+
+
+def moment(at_s: float) -> str:
+    """A log time with its date, if it has one."""
+    at = wall_time(at_s)
+    text = f"{at:%H:%M:%S}.{at.microsecond // 1000:03d}"
+    return f"{at:%Y-%m-%d} {text}" if has_date(at_s) else text
+
+
+def duration(seconds: float) -> str:
+    """A stretch of a log: ``0:07.250``, ``1:02:03.000``."""
+    milliseconds = max(0, round(seconds * 1e3))
+    whole_s, rest_ms = divmod(milliseconds, 1000)
+    minutes, second = divmod(whole_s, 60)
+    hours, minute = divmod(minutes, 60)
+    head = f"{hours}:{minute:02d}" if hours else f"{minute}"
+    return f"{head}:{second:02d}.{rest_ms:03d}"

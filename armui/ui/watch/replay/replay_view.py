@@ -1,0 +1,266 @@
+"""One recording as if it were live: picture, figures, joints, curves, marks, status, time line."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QSplitter, QTabWidget, QVBoxLayout, QWidget
+
+from armui.protocol.generation import Generation
+from armui.ui.shell.arm_in_view import show_in_view
+from armui.ui.shell.status_bar import StatusBar
+from armui.ui.theme import DARK, colors_of
+from armui.ui.watch.plot_layout import SETS
+from armui.ui.watch.plots_area import PlotsArea
+from armui.ui.watch.replay.joint_table import JointTable
+from armui.ui.watch.replay.log_time import duration, moment, wall_time
+from armui.ui.watch.replay.mark_search import MarkSearch
+from armui.ui.watch.replay.mark_table import MarkTable
+from armui.ui.watch.replay.replay_frame import ReplayFrame
+from armui.ui.watch.replay.time_line import TimeLine
+from armui.ui.watch.replay.transport import SPEEDS, Transport
+from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.translated import Translated
+from armui.viewport import palette as scene_palette
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.control.log_replay import LogReplay
+    from armui.session.frames import Channel
+    from armui.session.survey import ChannelSurvey
+    from armui.ui.background import Background
+    from armui.viewport.view import ArmView
+
+_LOOK_MS: Final = 33
+_PICTURE_PX, _TABS_PX = 480, 900
+
+
+class ReplayView(Translated, QWidget):
+    """Shows one replay; looks at it only while it is shown.
+
+    Args:
+        replay: What is played; closed by whoever opened it.
+        view: The 3D picture.
+        live: The controller of the arm that is connected, for the stop in file choosers.
+        background: Where files are written.
+        name: The file.
+
+    Signals:
+        other_wanted: Another channel, or protocol: a :data:`Channel` and a :class:`Generation`.
+    """
+
+    other_wanted = Signal(object, object)
+
+    def __init__(
+        self,
+        replay: LogReplay,
+        view: ArmView,
+        live: ArmController,
+        background: Background,
+        *,
+        name: str,
+    ) -> None:
+        super().__init__()
+        self.replay = replay
+        self.view = view
+        self._controller = controller = replay.controller
+        controller.telemetry.wall_time = wall_time
+        session = replay.session
+        self._search = MarkSearch(session.marks, replay.channel)
+        self.joints = JointTable(controller)
+        self.curves = PlotsArea(controller.telemetry, live, background)
+        self.curves.board.show_plots(SETS["follow"])
+        self.marks = MarkTable(self._search.marks, (session.start_s, session.end_s))
+        self.tabs = QTabWidget()
+        self.tabs.setObjectName("replay_tabs")
+        self.tabs.setDocumentMode(True)
+        for tab in (self.joints, self.curves, self.marks):
+            self.tabs.addTab(tab, "")
+        self.status = StatusBar(controller, with_notices=False)
+        self.time_line = TimeLine()
+        self.time_line.show_log(session.start_s, session.end_s, self._search.marks)
+        self.transport = Transport()
+        self.note = text_label("replay_note", rank="muted", wraps=True, plain=True)
+        self.channels = QComboBox()
+        self.channels.setObjectName("replay_channel")
+        self.generations = QComboBox()
+        self.generations.setObjectName("replay_generation")
+        self._surveys: tuple[ChannelSurvey, ...] = ()
+        self._lay_out(name)
+        self._connect()
+        self._timer = QTimer(self, interval=_LOOK_MS)
+        self._timer.timeout.connect(self._look)
+        self.retranslate_ui()
+        self._recolor()
+
+    def _lay_out(self, name: str) -> None:
+        splitter = QSplitter(Qt.Orientation.Horizontal)
+        splitter.setChildrenCollapsible(False)
+        splitter.addWidget(self.view)
+        splitter.addWidget(self.tabs)
+        splitter.setStretchFactor(0, 1)
+        splitter.setStretchFactor(1, 0)
+        splitter.setSizes([_PICTURE_PX, _TABS_PX])
+        self._channel_label = text_label(rank="muted", plain=True)
+        self._generation_label = text_label(rank="muted", plain=True)
+        choices = QHBoxLayout()
+        choices.setSpacing(8)
+        choices.addWidget(self.note, 1)
+        for label, box in (
+            (self._channel_label, self.channels),
+            (self._generation_label, self.generations),
+        ):
+            choices.addWidget(label)
+            choices.addWidget(box)
+        below = QVBoxLayout()
+        below.setContentsMargins(12, 6, 12, 10)
+        below.setSpacing(6)
+        below.addWidget(self.time_line)
+        below.addWidget(self.transport)
+        below.addLayout(choices)
+        content = QWidget()
+        inside = QVBoxLayout(content)
+        inside.setContentsMargins(0, 0, 0, 0)
+        inside.setSpacing(0)
+        inside.addWidget(splitter, 1)
+        inside.addWidget(self.status)
+        inside.addLayout(below)
+        self.frame = ReplayFrame(content, name)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.addWidget(self.frame)
+
+    def _connect(self) -> None:
+        replay, transport = self.replay, self.transport
+        transport.play_wanted.connect(lambda: replay.play(on=not replay.is_playing))
+        transport.step_wanted.connect(replay.step)
+        transport.step_back_wanted.connect(replay.step_back)
+        transport.fault_wanted.connect(self._on_fault_wanted)
+        transport.speed_wanted.connect(replay.set_speed)
+        self.time_line.wanted.connect(replay.go_to)
+        self.marks.wanted.connect(replay.go_to)
+        replay.moved.connect(self._look)
+        replay.moved.connect(self.curves.board.draw_soon)
+        self._controller.state_changed.connect(self._show_arm)
+        self._controller.operating_state_changed.connect(self._show_arm)
+        self.channels.activated.connect(self._on_other)
+        self.generations.activated.connect(self._on_other)
+
+    # What can be chosen -----------------------------------------------------------------------
+
+    def offer(self, surveys: tuple[ChannelSurvey, ...], generation: Generation) -> None:
+        """Let the operator choose among the channels and the protocols.
+
+        Args:
+            surveys: What the channels of the log tell.
+            generation: The protocol that is spoken now.
+        """
+        self._surveys = surveys
+        self.channels.clear()
+        for each in surveys:
+            self.channels.addItem("", each.channel)
+        channels = [each.channel for each in surveys]
+        self.channels.setCurrentIndex(channels.index(self.replay.channel))
+        several = len(surveys) > 1
+        self.channels.setVisible(several)
+        self._channel_label.setVisible(several)
+        self.generations.clear()
+        for each_generation in Generation:
+            self.generations.addItem("", each_generation)
+        self.generations.setCurrentIndex(list(Generation).index(generation))
+        self._name_choices()
+
+    def _on_other(self, _place: int) -> None:
+        channel: Channel = self.channels.currentData()
+        self.other_wanted.emit(channel, Generation(self.generations.currentData()))
+
+    def _name_choices(self) -> None:
+        own = next((each for each in self._surveys if each.channel == self.replay.channel), None)
+        for place, each in enumerate(self._surveys):
+            arm = self.tr("arm") if each.arm_ids else self.tr("no arm")
+            text = "—" if each.channel is None else str(each.channel)
+            self.channels.setItemText(place, f"{text} ({arm})")
+        for place in range(self.generations.count()):
+            generation = Generation(self.generations.itemData(place))
+            text = self.tr("generation {number}").format(number=int(generation))
+            told = own is not None and own.is_certain and own.generation is generation
+            text += " " + self.tr("(as the recording tells)") if told else ""
+            self.generations.setItemText(place, text)
+        if own is not None:
+            tip = f"{int(own.generation)}: {own.reason}"
+            self.generations.setToolTip(tip)
+
+    # What is shown ----------------------------------------------------------------------------
+
+    def _look(self) -> None:
+        if not self.isVisible():
+            return
+        replay, session = self.replay, self.replay.session
+        at_s = replay.position_s
+        self.time_line.show_position(at_s)
+        self.marks.show_position(at_s)
+        self.frame.clock.setText(moment(at_s))
+        since, whole = duration(at_s - session.start_s), duration(session.end_s - session.start_s)
+        self.transport.place.setText(f"{since} / {whole}")
+        self.transport.show_playing(playing=replay.is_playing, at_end=replay.is_at_end)
+        self.transport.show_faults(
+            before=self._search.trouble_before(at_s) is not None,
+            after=self._search.next_trouble(at_s) is not None,
+        )
+        speed = min(SPEEDS, key=lambda each: abs(each - replay.speed))
+        if self.transport.speeds.currentIndex() != SPEEDS.index(speed):
+            self.transport.speeds.setCurrentIndex(SPEEDS.index(speed))
+        self._show_frame()
+
+    def _show_frame(self) -> None:
+        """The frame that was taken in last: what stepping goes by."""
+        last = self.replay.last_frame
+        if last is None or self.replay.is_playing:
+            self.transport.frame.setText("")
+            return
+        number = self.tr("Frame {number}").format(number=last.number + 1)
+        text = f"{number}: {last.frame}" if last.number >= 0 else str(last.frame)
+        self.transport.frame.setText(text)
+
+    def _show_arm(self, _news: object = None) -> None:
+        if self.isVisible():
+            controller = self._controller
+            show_in_view(self.view, controller.state, controller.operating_state)
+
+    def _on_fault_wanted(self, way: int) -> None:
+        at_s = self.replay.position_s
+        mark = self._search.next_trouble(at_s) if way > 0 else self._search.trouble_before(at_s)
+        if mark is not None:
+            self.replay.go_to(mark.at_s)
+
+    def retranslate_ui(self) -> None:
+        """Put the words into the operator's language."""
+        for place, title in enumerate(
+            (self.tr("Joint status"), self.tr("Curves"), self.tr("Faults and commands"))
+        ):
+            self.tabs.setTabText(place, title)
+        self._channel_label.setText(self.tr("Channel"))
+        self._generation_label.setText(self.tr("Protocol"))
+        self.channels.setAccessibleName(self._channel_label.text())
+        self.generations.setAccessibleName(self._generation_label.text())
+        self.view.setAccessibleName(self.tr("3D view of the recorded arm"))
+        self._name_choices()
+        self._look()
+
+    def _recolor(self) -> None:
+        dark = colors_of(self) is DARK
+        self.view.set_theme(scene_palette.DARK if dark else scene_palette.LIGHT)
+
+    def showEvent(self, event: object) -> None:
+        """Begin to look."""
+        super().showEvent(event)  # type: ignore[arg-type]
+        self._timer.start()
+        self._look()
+        self._show_arm()
+
+    def hideEvent(self, event: object) -> None:
+        """Look no more; the log stands still."""
+        super().hideEvent(event)  # type: ignore[arg-type]
+        self._timer.stop()
+        self.replay.play(on=False)

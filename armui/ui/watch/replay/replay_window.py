@@ -1,0 +1,342 @@
+"""The window 回放: a log is chosen, read, and shown as if it were live."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QCoreApplication, QSize, Qt
+from PySide6.QtWidgets import QHBoxLayout, QProgressBar, QPushButton, QVBoxLayout, QWidget
+
+from armui.arm.device import RecordedArm
+from armui.control.events import Level
+from armui.session.reader import SUFFIXES
+from armui.system.helper_process import HelperProcess
+from armui.ui import words
+from armui.ui.background import Job
+from armui.ui.dialogs.base import ArmDialog
+from armui.ui.dialogs.files import choose_file
+from armui.ui.watch.replay.live_strip import LiveStrip
+from armui.ui.watch.replay.log_opening import LogOpening
+from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.text_label import text_label
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from concurrent.futures import Executor
+
+    from PySide6.QtGui import QCloseEvent, QKeyEvent
+
+    from armui.arm.refusal import Refusal
+    from armui.control.arm_controller import ArmController
+    from armui.protocol.generation import Generation
+    from armui.session.foreign.columns import ReadingProgress
+    from armui.session.frames import Channel
+    from armui.session.session import Session
+    from armui.session.survey import ChannelSurvey
+    from armui.ui.background import Background
+    from armui.ui.watch.replay.log_opening import OpenOwn
+    from armui.ui.watch.replay.replay_view import ReplayView
+    from armui.viewport.view import ArmView
+
+_SIZE: Final = QSize(1440, 920)
+_MOST_TOLD: Final = 12
+_FIRST_LOOK_S: Final = 0.1
+"""By then an arm has said everything once."""
+
+
+class ReplayWindow(ArmDialog):
+    """Opens one log after another. Its stop and halt are those of the arm that is connected.
+
+    Args:
+        controller: Of the arm that is connected, or may be: never of the log.
+        background: Where files are read and written.
+        make_view: Makes the 3D picture.
+        parent: The main window.
+        make_helper: Makes what reads a log: a process of its own by default.
+        open_own: Opens recordings of this program, which need not be read first.
+
+    Attributes:
+        view: What is shown of the log that is open; ``None``: none is.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        background: Background,
+        make_view: Callable[[], ArmView],
+        parent: QWidget | None = None,
+        *,
+        make_helper: Callable[[], Executor] | None = None,
+        open_own: OpenOwn | None = None,
+    ) -> None:
+        super().__init__(controller, parent)
+        self.setObjectName("replay_window")
+        self.setWindowFlags(Qt.WindowType.Window)
+        self._controller = controller
+        self._background = background
+        self._make_view = make_view
+        self._make_helper = make_helper or HelperProcess
+        self._open_own = open_own
+        self._opening: LogOpening | None = None
+        self._path: Path | None = None
+        self._session: Session | None = None
+        self._surveys: tuple[ChannelSurvey, ...] = ()
+        self.view: ReplayView | None = None
+        self.live_strip = LiveStrip(controller)
+        self.body.addWidget(self.live_strip)
+        self._place = QVBoxLayout()
+        self.body.addLayout(self._place, 1)
+        self._waiting = self._waiting_part()
+        self._place.addWidget(self._waiting, 1)
+        self.message = MessageLine()
+        self.message.setObjectName("replay_message")
+        self.message.hide()
+        self.body.addWidget(self.message)
+        application = QCoreApplication.instance()
+        if application is not None:
+            # a child gets no close event when the main window closes
+            application.aboutToQuit.connect(self.end)
+        self.retranslate_ui()
+        self.resize(_SIZE.boundedTo(self.screen().availableSize()))
+
+    def _waiting_part(self) -> QWidget:
+        """Before a log is open: choose one, or see how far the reading is."""
+        part = QWidget()
+        self._hint = text_label("replay_hint", wraps=True, plain=True)
+        self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.progress = QProgressBar()
+        self.progress.setObjectName("replay_progress")
+        self.progress.setFixedWidth(480)
+        self.choose_button = QPushButton()
+        self.choose_button.setObjectName("replay_choose")
+        self.choose_button.clicked.connect(self.choose)
+        self.cancel_button = QPushButton()
+        self.cancel_button.setObjectName("replay_cancel")
+        self.cancel_button.clicked.connect(self._on_cancel)
+        layout = QVBoxLayout(part)
+        layout.setSpacing(14)
+        layout.addStretch(2)
+        layout.addWidget(self._hint)
+        centre = Qt.AlignmentFlag.AlignHCenter
+        layout.addWidget(self.progress, 0, centre)
+        buttons = QHBoxLayout()
+        buttons.addStretch(1)
+        buttons.addWidget(self.choose_button)
+        buttons.addWidget(self.cancel_button)
+        buttons.addStretch(1)
+        layout.addLayout(buttons)
+        layout.addStretch(3)
+        self.other_button = QPushButton()
+        self.other_button.setObjectName("replay_other")
+        self.other_button.clicked.connect(self.choose)
+        self.footer.addWidget(self.other_button)
+        self.footer.addStretch(1)
+        return part
+
+    # Opening ----------------------------------------------------------------------------------
+
+    def choose(self) -> None:
+        """Let the operator choose a log."""
+        endings = " ".join(f"*{each} *{each}.gz" for each in SUFFIXES)
+        folder = Path.home() if self._path is None else self._path.parent
+        chooser = choose_file(
+            self,
+            self._controller,
+            title=self.tr("Open a recording"),
+            name_filter=self.tr("CAN logs") + f" ({endings})",
+            on_chosen=self.open_log,
+        )
+        chooser.setDirectory(str(folder))
+
+    def open_log(self, path: Path) -> None:
+        """Show this log, in the place of whatever is shown."""
+        self._leave()
+        self._path = path
+        self.message.hide()
+        self._opening = LogOpening(
+            path, self._background, self._make_helper, self, open_own=self._open_own
+        )
+        self._opening.progressed.connect(self._on_progress)
+        self._opening.opened.connect(self._on_opened)
+        self._opening.refused.connect(self._on_refused)
+        self.progress.setRange(0, 0)
+        self._show_waiting()
+        self._opening.begin()
+
+    def _on_progress(self, progress: ReadingProgress) -> None:
+        share = progress.share
+        if share is not None:
+            self.progress.setRange(0, 1000)
+            self.progress.setValue(round(1000 * share))
+        text = self.tr("Reading {name}: {count} frames so far")
+        name = "" if self._path is None else self._path.name
+        self._hint.setText(text.format(name=name, count=f"{progress.frames:,}"))
+
+    def _on_cancel(self) -> None:
+        self._leave()
+        self._show_waiting()
+
+    def _on_refused(self, reason: Refusal) -> None:
+        self._opening = None
+        self._show_waiting()
+        self._say(words.refusal(reason), Level.FAULT)
+
+    def _on_opened(self, session: Session, surveys: tuple[ChannelSurvey, ...]) -> None:
+        self._opening = None
+        self._session, self._surveys = session, surveys
+        first = surveys[0]
+        self._show(first.channel, first.generation, session.start_s + _FIRST_LOOK_S)
+        self._tell_oddities(session)
+
+    # Showing ----------------------------------------------------------------------------------
+
+    def _show(self, channel: Channel, generation: Generation, at_s: float) -> None:
+        """Show a channel of the log that is open, decoded by a protocol, from a place on."""
+        from armui.control.log_replay import LogReplay  # noqa: PLC0415 - with the first log
+        from armui.ui.watch.replay.replay_view import ReplayView  # noqa: PLC0415 - pyqtgraph
+
+        self._end_view()
+        if self._session is None or self._path is None:
+            return
+        own = next(each for each in self._surveys if each.channel == channel)
+        arm = RecordedArm(int(generation), own.feedback_offset)
+        replay = LogReplay(self._session, channel, arm, self._path.name, self)
+        replay.failed.connect(self._on_failed)
+        self.view = ReplayView(
+            replay, self._make_view(), self._controller, self._background, name=self._path.name
+        )
+        self.view.offer(self._surveys, generation)
+        self.view.other_wanted.connect(self._on_other)
+        self._waiting.hide()
+        self._place.addWidget(self.view, 1)
+        self.other_button.show()
+        replay.open()
+        replay.go_to(at_s)
+        self.retranslate_ui()
+
+    def _on_other(self, channel: Channel, generation: Generation) -> None:
+        at_s = 0.0 if self.view is None else self.view.replay.position_s
+        self._show(channel, generation, at_s)
+
+    def _on_failed(self, text: str) -> None:
+        name = "" if self._path is None else self._path.name
+        from armui.arm.refusal import Refusal  # noqa: PLC0415 - for this alone
+        from armui.arm.refusal_codes import RefusalCode  # noqa: PLC0415 - as above
+
+        reason = Refusal(RefusalCode.REPLAY_FAILED, {"name": name, "text": text})
+        self._say(words.refusal(reason), Level.FAULT)
+
+    def _tell_oddities(self, session: Session) -> None:
+        """Say what of the log could not be read, or was put right."""
+        parts = []
+        if session.damage_count:
+            text = self.tr("{count} places of the log could not be read; the rest is shown.")
+            parts.append(text.format(count=f"{session.damage_count:,}"))
+        if session.reversed_times:
+            text = self.tr("{count} frames had a time before the one in front of them: put right.")
+            parts.append(text.format(count=f"{session.reversed_times:,}"))
+        cut = getattr(session, "cut", "")
+        if cut == "frames":
+            text = self.tr("The log is longer: only its first {count} frames are shown.")
+            parts.append(text.format(count=f"{session.frames:,}"))
+        elif cut == "disk":
+            text = self.tr(
+                "The disk for temporary files is full: only the first {count} frames are shown."
+            )
+            parts.append(text.format(count=f"{session.frames:,}"))
+        own = self._surveys[0]
+        if not own.arm_ids:
+            parts.append(self.tr("Nothing in it comes from an arm of this kind."))
+        elif not own.is_certain:
+            parts.append(
+                self.tr("Nothing tells which protocol the arm spoke: choose it below if you know.")
+            )
+        if parts:
+            self._say(" ".join(parts), Level.WARNING)
+            told = [f"{each.place}: {each.reason}" for each in session.damages[:_MOST_TOLD]]
+            self.message.setToolTip("\n".join(told))
+
+    def _say(self, text: str, level: Level) -> None:
+        self.message.show_message(text, level)
+        self.message.setToolTip("")
+        self.message.show()
+
+    def _show_waiting(self) -> None:
+        reading = self._opening is not None
+        self._waiting.show()
+        self.progress.setVisible(reading)
+        self.cancel_button.setVisible(reading)
+        self.choose_button.setVisible(not reading)
+        self.other_button.setVisible(False)
+        name = "" if self._path is None else self._path.name
+        self._hint.setText(
+            self.tr("Reading {name}…").format(name=name)
+            if reading
+            else self.tr(
+                "Choose a CAN log, of this program or of another one. It is shown here as if it "
+                "were live; nothing can be sent."
+            )
+        )
+        self.retranslate_ui()
+
+    # Leaving ----------------------------------------------------------------------------------
+
+    def _leave(self) -> None:
+        """Let go of the log that is open or being opened."""
+        if self._opening is not None:
+            self._opening.call_off()
+            self._opening = None
+        self._end_view()
+        if self._session is not None:
+            session, self._session = self._session, None
+            self._background.begin_here(Job(lambda _done: None), partial(_close, session))
+
+    def _end_view(self) -> None:
+        view, self.view = self.view, None
+        if view is None:
+            return
+        self._place.removeWidget(view)
+        view.hide()
+        view.view.shutdown()
+        view.replay.close()
+        view.deleteLater()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Close the log, too: hidden it would keep its memory and its place on the disk."""
+        self._leave()
+        self._show_waiting()
+        super().closeEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Escape closes nothing here: a log takes a while to open."""
+        if event.key() == Qt.Key.Key_Escape:
+            event.ignore()
+        else:
+            super().keyPressEvent(event)
+
+    def end(self) -> None:
+        """The program ends: nobody else lets go of the log any more."""
+        opening, self._opening = self._opening, None
+        if opening is not None:
+            opening.end()
+        self._end_view()
+        session, self._session = self._session, None
+        if session is not None:
+            session.close()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        title = self.tr("Replay")
+        if self._path is not None and self.view is not None:
+            title = self.tr("Replay – {name}").format(name=self._path.name)
+        self.set_title(title)
+        self.choose_button.setText(self.tr("Choose a recording…"))
+        self.other_button.setText(self.tr("Open another recording…"))
+        self.cancel_button.setText(self.tr("Cancel"))
+        self.live_strip.retranslate_ui()
+
+
+def _close(session: Session) -> None:
+    session.close()

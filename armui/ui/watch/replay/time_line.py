@@ -1,0 +1,277 @@
+"""The time line of a log: faults, stops and commands on it, and where the replay stands."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPen, QPolygonF
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+
+from armui.session.session import MarkKind
+from armui.ui.theme import Colors, colors_of
+from armui.ui.watch.replay.log_time import duration, moment
+from armui.ui.watch.replay.mark_search import end_of
+from armui.ui.widgets.translated import Translated
+from armui.ui.words.log_marks import log_mark
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from PySide6.QtCore import QEvent
+    from PySide6.QtGui import QKeyEvent, QMouseEvent, QPaintEvent, QWheelEvent
+
+    from armui.session.session import SessionMark
+
+_HEIGHT_PX: Final = 62
+_EDGE_PX: Final = 10.0
+_FAULT_ROW: Final = QRectF(0, 6, 0, 9)
+_COMMAND_ROW: Final = QRectF(0, 27, 0, 9)
+_STOP_Y: Final = 21.0
+_LABELS_Y: Final = 40.0
+_NEAR_PX: Final = 5.0
+_MOST_TOLD: Final = 8
+_CLOSEST_S: Final = 0.05
+_WHEEL: Final = 1.25
+_STEP_S: Final = 1.0
+_SMALL_STEP_S: Final = 0.1
+
+
+class TimeLine(Translated, QWidget):
+    """A press goes there, a drag scrubs, the wheel zooms; ← and → go a second, with Shift 0.1 s.
+
+    Signals:
+        wanted: Log time that the operator wants to be at.
+    """
+
+    wanted = Signal(float)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("time_line")
+        self._start_s, self._end_s = 0.0, 1.0
+        self._from_s, self._to_s = 0.0, 1.0
+        self._at_s = 0.0
+        self._marks: Sequence[SessionMark] = ()
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMouseTracking(True)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.retranslate_ui()
+
+    def show_log(self, start_s: float, end_s: float, marks: Sequence[SessionMark]) -> None:
+        """Show a log from its beginning to its end."""
+        self._start_s, self._end_s = start_s, max(end_s, start_s + _CLOSEST_S)
+        self._from_s, self._to_s = self._start_s, self._end_s
+        self._marks = marks
+        self.update()
+
+    def show_position(self, at_s: float) -> None:
+        """The replay is here; a time line that is zoomed in follows."""
+        if at_s == self._at_s:
+            return
+        self._at_s = at_s
+        if not self._from_s <= at_s <= self._to_s:
+            width_s = self._to_s - self._from_s
+            self._show_span(at_s - 0.1 * width_s, width_s)
+        self.update()
+
+    @property
+    def shown_s(self) -> tuple[float, float]:
+        """Log time at its ends."""
+        return self._from_s, self._to_s
+
+    def place_px(self, at_s: float) -> float:
+        """Where a time is."""
+        width_px = max(1.0, self.width() - 2 * _EDGE_PX)
+        return _EDGE_PX + (at_s - self._from_s) / (self._to_s - self._from_s) * width_px
+
+    def time_at(self, x_px: float) -> float:
+        """Which time is at a place."""
+        width_px = max(1.0, self.width() - 2 * _EDGE_PX)
+        share = min(max((x_px - _EDGE_PX) / width_px, 0.0), 1.0)
+        return self._from_s + share * (self._to_s - self._from_s)
+
+    def told_at(self, x_px: float) -> list[str]:
+        """What happened at a place, in words."""
+        near_s = self.time_at(x_px + _NEAR_PX) - self.time_at(x_px)
+        at_s = self.time_at(x_px)
+        found = []
+        for mark in self._marks:
+            ended_s = end_of(mark, self._end_s) or mark.at_s
+            if mark.at_s - near_s <= at_s <= ended_s + near_s:
+                lasting = duration(ended_s - mark.at_s) if ended_s > mark.at_s else ""
+                words = f"{moment(mark.at_s)}  {log_mark(mark)}"
+                found.append(f"{words} ({lasting})" if lasting else words)
+        return found
+
+    def retranslate_ui(self) -> None:
+        """Put the words into the operator's language."""
+        self.setAccessibleName(self.tr("Time line of the recording"))
+        self.update()
+
+    def _recolor(self) -> None:
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        """Three rows and the times."""
+        return QSize(600, _HEIGHT_PX)
+
+    # The operator -----------------------------------------------------------------------------
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Go there."""
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.wanted.emit(self.time_at(event.position().x()))
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Scrub."""
+        if event.buttons() & Qt.MouseButton.LeftButton:
+            self.wanted.emit(self.time_at(event.position().x()))
+
+    def mouseDoubleClickEvent(self, _event: QMouseEvent) -> None:
+        """The whole log again."""
+        self._from_s, self._to_s = self._start_s, self._end_s
+        self.update()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Zoom about the pointer."""
+        steps = event.angleDelta().y() / 120.0
+        whole_s = self._end_s - self._start_s
+        before_s = self._to_s - self._from_s
+        width_s = min(max(before_s * _WHEEL**-steps, _CLOSEST_S), whole_s)
+        at_s = self.time_at(event.position().x())
+        share = (at_s - self._from_s) / before_s
+        self._show_span(at_s - share * width_s, width_s)
+        event.accept()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Go a little way, or to an end."""
+        small = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+        step_s = _SMALL_STEP_S if small else _STEP_S
+        goals = {
+            Qt.Key.Key_Left: self._at_s - step_s,
+            Qt.Key.Key_Right: self._at_s + step_s,
+            Qt.Key.Key_Home: self._start_s,
+            Qt.Key.Key_End: self._end_s,
+        }
+        goal_s = goals.get(Qt.Key(event.key()))
+        if goal_s is None:
+            super().keyPressEvent(event)
+        else:
+            self.wanted.emit(min(max(goal_s, self._start_s), self._end_s))
+
+    def event(self, event: QEvent) -> bool:
+        """Say what is under the pointer."""
+        if isinstance(event, QHelpEvent):
+            lines = self.told_at(event.pos().x())
+            shown = lines[:_MOST_TOLD]
+            if len(lines) > _MOST_TOLD:
+                shown.append("…")
+            text = "\n".join(shown) or moment(self.time_at(event.pos().x()))
+            QToolTip.showText(event.globalPos(), text, self)
+            return True
+        return super().event(event)
+
+    def _show_span(self, from_s: float, width_s: float) -> None:
+        from_s = min(max(from_s, self._start_s), self._end_s - width_s)
+        self._from_s, self._to_s = from_s, from_s + width_s
+        self.update()
+
+    # Drawing ----------------------------------------------------------------------------------
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw it."""
+        colors = colors_of(self)
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        width_px = self.width() - 2 * _EDGE_PX
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(colors.sunken))
+        painter.drawRoundedRect(QRectF(_EDGE_PX - 2, 4, width_px + 4, 34), 4, 4)
+        painter.setBrush(QColor(colors.replay_pale))
+        begin_px = self.place_px(max(self._start_s, self._from_s))
+        here_px = self.place_px(min(max(self._at_s, self._from_s), self._to_s))
+        painter.drawRect(QRectF(begin_px, 4, max(0.0, here_px - begin_px), 34))
+        self._draw_marks(painter, colors)
+        self._draw_times(painter, colors)
+        self._draw_position(painter, colors, here_px)
+        if self.hasFocus():
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(QPen(QColor(colors.replay), 1.0))
+            painter.drawRoundedRect(QRectF(self.rect()).adjusted(1, 1, -1, -1), 4, 4)
+        painter.end()
+
+    def _draw_marks(self, painter: QPainter, colors: Colors) -> None:
+        """Faults as long as they last, stops as triangles, commands as ticks; one a pixel each."""
+        drawn: set[tuple[MarkKind, int]] = set()
+        inks = {
+            MarkKind.FAULT: colors.stop,
+            MarkKind.STOP: colors.stop_strong,
+            MarkKind.COMMAND: colors.accent,
+            MarkKind.NOTE: colors.muted,
+        }
+        for mark in self._marks:
+            ended_s = end_of(mark, self._end_s) or mark.at_s
+            if ended_s < self._from_s or mark.at_s > self._to_s:
+                continue
+            left = max(self.place_px(mark.at_s), _EDGE_PX)
+            right = min(self.place_px(ended_s), self.width() - _EDGE_PX)
+            place = (mark.kind, round(left))
+            if place in drawn and right - left < 1.0:
+                continue
+            drawn.add(place)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(QColor(inks[mark.kind]))
+            if mark.kind is MarkKind.STOP:
+                painter.drawPolygon(_triangle(left))
+            else:
+                row = _FAULT_ROW if mark.kind is MarkKind.FAULT else _COMMAND_ROW
+                width = max(2.0, right - left) if mark.kind is MarkKind.FAULT else 2.0
+                painter.drawRect(QRectF(left, row.top(), width, row.height()))
+
+    def _draw_times(self, painter: QPainter, colors: Colors) -> None:
+        """Times since the beginning, as many as there is room for."""
+        painter.setPen(QColor(colors.muted))
+        metrics = painter.fontMetrics()
+        room_px = metrics.horizontalAdvance(duration(self._end_s - self._start_s)) + 24
+        span_s = self._to_s - self._from_s
+        count = max(1, int((self.width() - 2 * _EDGE_PX) / room_px))
+        step_s = _round_step(span_s / count)
+        first = math.ceil((self._from_s - self._start_s) / step_s)
+        for number in range(first, first + count + 2):
+            since_s = number * step_s
+            x = self.place_px(self._start_s + since_s)
+            text = duration(since_s)
+            text = text.partition(".")[0] if step_s >= 1.0 else text
+            width = metrics.horizontalAdvance(text)
+            left = min(max(x - width / 2, 0.0), self.width() - width)
+            if x > self.width() - _EDGE_PX + 1:
+                break
+            painter.drawLine(QPointF(x, _LABELS_Y - 2), QPointF(x, _LABELS_Y + 1))
+            box = QRectF(left, _LABELS_Y + 1, width + 2, metrics.height())
+            painter.drawText(box, Qt.AlignmentFlag.AlignLeft, text)
+
+    def _draw_position(self, painter: QPainter, colors: Colors, x_px: float) -> None:
+        painter.setPen(QPen(QColor(colors.replay), 2.0))
+        painter.drawLine(QPointF(x_px, 2), QPointF(x_px, 40))
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(colors.replay))
+        painter.drawEllipse(QPointF(x_px, 4), 4.5, 4.5)
+
+
+def _triangle(x_px: float) -> QPolygonF:
+    return QPolygonF(
+        [
+            QPointF(x_px - 5, _STOP_Y - 4),
+            QPointF(x_px + 5, _STOP_Y - 4),
+            QPointF(x_px, _STOP_Y + 4),
+        ]
+    )
+
+
+def _round_step(least_s: float) -> float:
+    """The next longer step that people count in."""
+    steps = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800)
+    longer = next((each for each in steps if each >= least_s), None)
+    return longer if longer is not None else 3600.0 * max(1, math.ceil(least_s / 3600.0))

@@ -1,0 +1,142 @@
+"""Below the time line: play, pause, speed, frame by frame, next fault, and where the replay is."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPushButton, QWidget
+
+from armui.ui.theme import colors_of
+from armui.ui.widgets import icons
+from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.translated import Translated
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+SPEEDS: Final = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 10.0, 20.0)
+_ICON_PX: Final = 18
+_KEYS: Final = {
+    "play": "Space",
+    "step_back": ",",
+    "step": ".",
+    "previous_fault": "Shift+N",
+    "next_fault": "N",
+}
+
+
+class Transport(Translated, QWidget):
+    """Tells what the operator wants; shows what it is told.
+
+    Signals:
+        play_wanted: To run, or to stand still, whichever is not so now.
+        step_wanted: One frame further.
+        step_back_wanted: To the moment before.
+        fault_wanted: To the next fault or stop: 1, or the one before: -1.
+        speed_wanted: How many times as fast as it was.
+    """
+
+    play_wanted = Signal()
+    step_wanted = Signal()
+    step_back_wanted = Signal()
+    fault_wanted = Signal(int)
+    speed_wanted = Signal(float)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._playing = False
+        self._drawn: bool | None = None
+        acts: dict[str, Callable[[], object]] = {
+            "previous_fault": lambda: self.fault_wanted.emit(-1),
+            "step_back": self.step_back_wanted.emit,
+            "play": self.play_wanted.emit,
+            "step": self.step_wanted.emit,
+            "next_fault": lambda: self.fault_wanted.emit(1),
+        }
+        self.buttons = {name: self._button(name, act) for name, act in acts.items()}
+        self.speeds = QComboBox()
+        self.speeds.setObjectName("replay_speed")
+        for speed in SPEEDS:
+            self.speeds.addItem(f"{speed:g}×", speed)
+        self.speeds.setCurrentIndex(SPEEDS.index(1.0))
+        self.speeds.activated.connect(lambda place: self.speed_wanted.emit(SPEEDS[place]))
+        self.place = text_label("replay_place", plain=True)
+        self.frame = text_label("replay_frame", rank="muted", plain=True)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(8)
+        for button in self.buttons.values():
+            row.addWidget(button)
+        row.addWidget(self.speeds)
+        row.addSpacing(12)
+        row.addWidget(self.place)
+        row.addSpacing(12)
+        row.addWidget(self.frame, 1, Qt.AlignmentFlag.AlignRight)
+        self.retranslate_ui()
+        self._recolor()
+
+    def _button(self, name: str, act: Callable[[], object]) -> QPushButton:
+        button = QPushButton()
+        button.setObjectName(f"replay_{name}")
+        button.setAutoDefault(False)
+        button.setIconSize(QSize(_ICON_PX, _ICON_PX))
+        # the window keeps the keys: one that is held plays on in no other control
+        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        button.clicked.connect(lambda _on=False: act())
+        shortcut = QShortcut(QKeySequence(_KEYS[name]), self)
+        shortcut.setContext(Qt.ShortcutContext.WindowShortcut)
+        shortcut.activated.connect(act)
+        return button
+
+    def show_playing(self, *, playing: bool, at_end: bool) -> None:
+        """Whether the log runs, and whether there is anything left of it."""
+        self._playing = playing
+        self.buttons["step"].setEnabled(not at_end)
+        if playing is not self._drawn:
+            self._drawn = playing
+            self._show_play()
+
+    def show_faults(self, *, before: bool, after: bool) -> None:
+        """Whether there is a fault to go to in either direction."""
+        self.buttons["previous_fault"].setEnabled(before)
+        self.buttons["next_fault"].setEnabled(after)
+
+    def retranslate_ui(self) -> None:
+        """Put the words into the operator's language."""
+        self.buttons["previous_fault"].setText(self.tr("Previous fault"))
+        self.buttons["next_fault"].setText(self.tr("Next fault"))
+        self._tell("previous_fault", self.tr("To the fault or stop before"))
+        self._tell("next_fault", self.tr("To the next fault or stop"))
+        self._tell("step_back", self.tr("Stand still, at the moment of the frame before"))
+        self._tell("step", self.tr("Stand still, one frame further"))
+        self.speeds.setAccessibleName(self.tr("Speed of the replay"))
+        self.speeds.setToolTip(
+            self.tr("How many times as fast as it was. Above 4× not every frame is looked at.")
+        )
+        self._show_play()
+
+    def _show_play(self) -> None:
+        button = self.buttons["play"]
+        button.setText(self.tr("Pause") if self._playing else self.tr("Play"))
+        self._tell("play", self.tr("Let the recording run, or stand still"))
+        self._draw("play", "pause" if self._playing else "play")
+        widest = max(
+            button.fontMetrics().horizontalAdvance(word)
+            for word in (self.tr("Pause"), self.tr("Play"))
+        )
+        button.setMinimumWidth(widest + _ICON_PX + 36)
+
+    def _tell(self, name: str, tip: str) -> None:
+        button = self.buttons[name]
+        button.setAccessibleName(button.text() or tip)
+        button.setToolTip(f"{tip} ({_KEYS[name]})")
+
+    def _recolor(self) -> None:
+        self._draw("step_back", "step_back")
+        self._draw("step", "step")
+        self._draw("play", "pause" if self._playing else "play")
+
+    def _draw(self, name: str, icon: str) -> None:
+        self.buttons[name].setIcon(icons.icon(icon, colors_of(self).replay, _ICON_PX))

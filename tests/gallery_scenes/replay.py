@@ -1,0 +1,83 @@
+"""The window 回放 in use."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QDeadlineTimer
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QDialog
+
+from armui.protocol.generation import Generation
+from armui.sim.faults.schedule import Fault
+from armui.ui.watch.replay.replay_window import ReplayWindow
+from tests.app_driver import AppDriver, AtOnce
+from tests.session.recordings import START_S, frames, moving, write
+
+SIZE_PX = (1440, 920)
+_HIT_S = 14.0
+_PICTURE_MS = 60_000
+
+
+def _log() -> Path:
+    """Twenty seconds of an arm that moves, gets hot, is hit, and is stopped."""
+    path = Path(tempfile.gettempdir()) / "armui-gallery" / "2026-09-21 cell 3.blf"
+    if not path.exists():
+        path.parent.mkdir(exist_ok=True)
+        faults = (
+            Fault("motor-overtemperature", 3, 6.0, 7.0),
+            Fault("collision", 2, _HIT_S, _HIT_S + 0.5),
+        )
+        write(path, frames(20.0, faults=faults, asked=moving(Generation.TWO)))
+    return path
+
+
+def _patiently(condition: Callable[[], bool]) -> None:
+    """A process that draws may begin slowly on a busy computer."""
+    deadline = QDeadlineTimer(_PICTURE_MS)
+    while not condition():
+        assert not deadline.hasExpired(), "it never came"
+        QTest.qWait(10)
+
+
+def _window(app_driver: AppDriver, tab: int, since_s: float) -> QDialog:
+    app_driver.window.open_replay()
+    window = app_driver.dialog(ReplayWindow)
+    window.resize(*SIZE_PX)
+    if window.view is None:
+        window._make_helper = AtOnce
+        window.open_log(_log())
+        _patiently(lambda: window.view is not None)
+    view = window.view
+    assert view is not None
+    view.tabs.setCurrentIndex(tab)
+    view.replay.go_to(START_S + since_s)
+    app_driver.wait(lambda: not view.replay.is_travelling)
+    app_driver.wait(lambda: view.curves.board.telemetry.series["JointFeedback12"].count > 1000)
+    app_driver.wait(lambda: view.curves.board.built)
+    view.curves.board.set_span(20.0)
+    view.curves.board.draw(view.curves.board.now_s())
+    _patiently(lambda: view.view.is_settled)
+    return window
+
+
+def joints(app_driver: AppDriver) -> QDialog:
+    return _window(app_driver, 0, _HIT_S + 0.3)
+
+
+def curves(app_driver: AppDriver) -> QDialog:
+    return _window(app_driver, 1, _HIT_S + 2.0)
+
+
+def marks(app_driver: AppDriver) -> QDialog:
+    return _window(app_driver, 2, _HIT_S + 0.01)
+
+
+def beginning(app_driver: AppDriver) -> QDialog:
+    app_driver.window.open_replay()
+    window = app_driver.dialog(ReplayWindow)
+    window.resize(*SIZE_PX)
+    window._on_cancel()
+    return window

@@ -1,0 +1,15 @@
+"""A log that is indexed in the test's own process."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+from armui.session.foreign.columns import MOST_FRAMES
+from armui.session.foreign.indexed import IndexedLog
+from armui.session.foreign.indexing import index_log
+
+
+def open_indexed(path: Path, most_frames: int = MOST_FRAMES) -> IndexedLog:
+    folder = Path(tempfile.mkdtemp(prefix="columns-", dir=path.parent))
+    return IndexedLog(index_log(path, folder, most_frames), folder)
