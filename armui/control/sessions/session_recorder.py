@@ -18,8 +18,8 @@ from armui.control.events import EventCode
 from armui.control.sessions.choices import SessionChoices
 from armui.control.sessions.event_feed import EventFeed
 from armui.control.sessions.progress import RecordingProgress, RingContent
-from armui.control.sessions.recorded_arm import RecordedArm
 from armui.control.sessions.ring_saving import SaveAtFaults
+from armui.control.sessions.sidecar_lines import SidecarLines
 from armui.session.recording.lane import FrameLane
 from armui.session.recording.names import is_name, name_for
 from armui.session.recording.problems import why_not_written
@@ -68,7 +68,7 @@ class SessionRecorder(QObject):
         super().__init__(parent)
         self._context = context
         self._feed = EventFeed(events)
-        self._facts = RecordedArm(context)
+        self._facts = SidecarLines(context)
         self._recent: deque[FedEvent] = deque(maxlen=_MOST_RECENT)
         self._lane = FrameLane()
         self._ring: FrameRing | None = None

@@ -7,9 +7,9 @@ from contextlib import closing
 from typing import TYPE_CHECKING, BinaryIO, Final
 
 from armui import __version__
+from armui.session.exports.exported_arm import NoSuchChannelError, look_at
 from armui.session.exports.frames import ArmFrameReader
 from armui.session.exports.history import History
-from armui.session.exports.recorded_arm import NoSuchChannelError, look_at
 from armui.session.exports.request import (
     ExportCancelledError,
     ExportError,
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
     from pathlib import Path
 
-    from armui.session.exports.recorded_arm import RecordedArm
+    from armui.session.exports.exported_arm import ExportedArm
     from armui.session.exports.request import ExportRequest
     from armui.session.exports.sink import Sink
     from armui.session.exports.source import ExportSource
@@ -111,7 +111,7 @@ class _Export:
 
     def _write(
         self,
-        arm: RecordedArm,
+        arm: ExportedArm,
         batches: Iterator[FrameBatch],
         sink: Sink,
         reader: ArmFrameReader,
@@ -135,7 +135,7 @@ class _Export:
             self._tell(ExportProgress(self._source.done, self._source.frames))
 
     def _report(
-        self, arm: RecordedArm, sink: Sink, reader: ArmFrameReader, history: History
+        self, arm: ExportedArm, sink: Sink, reader: ArmFrameReader, history: History
     ) -> ExportReport:
         return ExportReport(
             items=sink.items,
@@ -154,7 +154,7 @@ class _Export:
         )
 
 
-def _facts(request: ExportRequest, arm: RecordedArm) -> ExportFacts:
+def _facts(request: ExportRequest, arm: ExportedArm) -> ExportFacts:
     words = f"generation {int(arm.codec.generation)}"
     notes = {
         "program": f"armui {__version__}",

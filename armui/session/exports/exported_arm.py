@@ -42,7 +42,7 @@ class NoSuchChannelError(Exception):
     """The log's beginning has no frame of the channel that was asked for; names those it has."""
 
 
-class RecordedArm(NamedTuple):
+class ExportedArm(NamedTuple):
     """What was found out.
 
     Attributes:
@@ -64,7 +64,7 @@ class RecordedArm(NamedTuple):
 
 def look_at(
     batches: Iterator[FrameBatch], wishes: ArmWishes
-) -> tuple[RecordedArm | None, Iterator[FrameBatch]]:
+) -> tuple[ExportedArm | None, Iterator[FrameBatch]]:
     """Reads a log's beginning.
 
     Args:
@@ -95,7 +95,7 @@ def look_at(
     firmware = wishes.firmware or _firmware(pieces)
     geometry = geometry_of(firmware) if firmware else _geometry(pieces, codec)
     start_s = float(looked_at[0].times_s[0])
-    arm = RecordedArm(codec, why, channel, firmware, geometry, start_s)
+    arm = ExportedArm(codec, why, channel, firmware, geometry, start_s)
     return arm, chain(looked_at, batches)
 
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 _DECIMALS: Final = 6
 
 
-class RecordedArm:
+class SidecarLines:
     """Lines for the sidecar, whenever they would say something new.
 
     Args:
