@@ -9075,7 +9075,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>CAN 总线上的每一帧：含义、频率以及由谁发送。</translation>
     </message>
     <message>
-        <source>Sessions</source>
+        <source>Record</source>
         <translation>会话</translation>
     </message>
     <message>

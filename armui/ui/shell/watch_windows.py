@@ -42,7 +42,7 @@ _BUTTONS: Final = (
      QT_TRANSLATE_NOOP(
          "WatchMenu",
          "Every frame on the CAN bus: what it says, how often it comes, who sends it.")),
-    ("sessions", QT_TRANSLATE_NOOP("WatchMenu", "Sessions"),
+    ("sessions", QT_TRANSLATE_NOOP("WatchMenu", "Record"),
      QT_TRANSLATE_NOOP(
          "WatchMenu",
          "Record everything on the bus, save what just happened, replay what was recorded, here or "
