@@ -8575,10 +8575,6 @@ Lead it near its rest pose, then stop recording.</source>
 <context>
     <name>SpeedControl</name>
     <message>
-        <source>This arm&apos;s firmware does not report its speed percentage.</source>
-        <translation>该机械臂的固件不反馈速度百分比。</translation>
-    </message>
-    <message>
         <source>The speed percentage the arm reports</source>
         <translation>机械臂反馈的速度百分比</translation>
     </message>

@@ -101,7 +101,7 @@ def test_figures_of_the_panels(app_driver):
     assert under(window, tool) == ["arm.pose_rx", "own.pose_rx", "other.pose_rx"]
     gripper = panel(app_driver, GripperPanel).findChild(QWidget, "gripper_opening_measured")
     assert under(window, gripper)[0] == "arm.gripper_opening"
-    assert under(window, app_driver.find("arm_speed"))[0] == "arm.speed_percent"
+    assert under(window, app_driver.find("speed_field"))[0] == "arm.speed_percent"
     cells = panel(app_driver, EndLoadPanel)._cells
     keys = {key for cell in cells.values() for key in cell.property("quantities")}
     assert keys <= set(QUANTITIES)

@@ -142,12 +142,12 @@ def test_the_arm_s_own_speed_stands_beside(bar, slider, controller):
     assert slider.measured == 12
 
 
-def test_generation_2_does_not_tell_its_speed(bar, controller):
+def test_nothing_is_shown_of_what_generation_2_does_not_tell(bar, controller):
     own = bar.findChild(ValueLabel, "arm_speed")
     controller.be(operating_state(generation=Generation.TWO))
-    controller.hear(arm_state(speed_percent=None))
-    assert own.text() == "—"
-    assert "does not report" in own.toolTip()
+    assert own.isHidden()
+    controller.be(operating_state(generation=Generation.ONE))
+    assert not own.isHidden()
 
 
 @pytest.mark.parametrize(

@@ -87,7 +87,7 @@ class SpeedControl(Translated, QWidget):
         if not self._slider.isSliderDown():
             self._show_setpoint()
         self._allow(operating_state)
-        self._explain(operating_state.generation)
+        self._show_what_is_told(operating_state.generation)
         self._on_state_changed(self._controller.state)
 
     def _allow(self, operating_state: OperatingState) -> None:
@@ -114,13 +114,11 @@ class SpeedControl(Translated, QWidget):
         self._arm_value.show_text(fmt.percent(percent), stale=stale)
         self._slider.show_measured(None if stale else percent)
 
-    def _explain(self, generation: Generation | None) -> None:
-        if generation is Generation.TWO:
-            tip = self.tr("This arm's firmware does not report its speed percentage.")
-        else:
-            tip = self.tr("The speed percentage the arm reports")
-        self._arm_label.setToolTip(tip)
-        self._arm_value.setToolTip(tip)
+    def _show_what_is_told(self, generation: Generation | None) -> None:
+        """Firmware of generation 2 reports no speed percentage: there is nothing to be shown."""
+        for widget in (self._arm_label, self._arm_value):
+            widget.setVisible(generation is not Generation.TWO)
+            widget.setToolTip(self.tr("The speed percentage the arm reports"))
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
@@ -130,4 +128,4 @@ class SpeedControl(Translated, QWidget):
             widget.setAccessibleName(self.tr("Speed percentage"))
         self._allow(self._controller.operating_state)
         self._arm_value.setAccessibleName(self.tr("Speed percentage reported by the arm"))
-        self._explain(self._controller.operating_state.generation)
+        self._show_what_is_told(self._controller.operating_state.generation)
