@@ -3830,97 +3830,6 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
 </context>
 <context>
-    <name>LogMark</name>
-    <message>
-        <source>Arm status: {status}</source>
-        <translation>机械臂状态：{status}</translation>
-    </message>
-    <message>
-        <source>The arm is in emergency stop</source>
-        <translation>机械臂处于急停</translation>
-    </message>
-    <message>
-        <source>Emergency stop sent</source>
-        <translation>已发送急停</translation>
-    </message>
-    <message>
-        <source>Resume sent</source>
-        <translation>已发送恢复</translation>
-    </message>
-    <message>
-        <source>Motors: enable sent</source>
-        <translation>已发送电机使能</translation>
-    </message>
-    <message>
-        <source>Motors: disable sent</source>
-        <translation>已发送电机失能</translation>
-    </message>
-    <message>
-        <source>Trajectory or drag teaching command sent</source>
-        <translation>已发送轨迹或示教指令</translation>
-    </message>
-    <message>
-        <source>Nothing heard of the arm</source>
-        <translation>未收到机械臂反馈</translation>
-    </message>
-    <message>
-        <source>J{joint}: no communication</source>
-        <translation>J{joint}：通信异常</translation>
-    </message>
-    <message>
-        <source>J{joint}: beyond its angle limit</source>
-        <translation>J{joint}：超过角度限位</translation>
-    </message>
-    <message>
-        <source>Joint targets begin</source>
-        <translation>开始发送关节目标</translation>
-    </message>
-    <message>
-        <source>Pose targets begin</source>
-        <translation>开始发送位姿目标</translation>
-    </message>
-    <message>
-        <source>MIT control begins</source>
-        <translation>开始 MIT 控制</translation>
-    </message>
-    <message>
-        <source>Gripper commands begin</source>
-        <translation>开始发送夹爪指令</translation>
-    </message>
-    <message>
-        <source>J{joint}: supply voltage too low</source>
-        <translation>J{joint}：电源电压过低</translation>
-    </message>
-    <message>
-        <source>J{joint}: motor too hot</source>
-        <translation>J{joint}：电机过温</translation>
-    </message>
-    <message>
-        <source>J{joint}: driver overcurrent</source>
-        <translation>J{joint}：驱动器过流</translation>
-    </message>
-    <message>
-        <source>J{joint}: driver too hot</source>
-        <translation>J{joint}：驱动器过温</translation>
-    </message>
-    <message>
-        <source>J{joint}: sensor abnormal</source>
-        <translation>J{joint}：传感器异常</translation>
-    </message>
-    <message>
-        <source>J{joint}: collision protection</source>
-        <translation>J{joint}：碰撞保护触发</translation>
-    </message>
-    <message>
-        <source>J{joint}: driver error</source>
-        <translation>J{joint}：驱动器错误</translation>
-    </message>
-    <message>
-        <source>J{joint}: stall protection</source>
-        <translation>J{joint}：堵转保护触发</translation>
-    </message>
-</context>
-<context>
     <name>MainWindow</name>
     <message>
         <source>armui – PiPER arm</source>
@@ -3964,32 +3873,6 @@ Lamps give no feedback: this is only what will be sent.</source>
     <message>
         <source>Enter the interface and its channel first.</source>
         <translation>请先输入接口和通道。</translation>
-    </message>
-</context>
-<context>
-    <name>MarkModel</name>
-    <message>
-        <source>Time</source>
-        <translation>时间</translation>
-    </message>
-    <message>
-        <source>Since the beginning</source>
-        <translation>距开始</translation>
-    </message>
-    <message>
-        <source>Lasting</source>
-        <translation>持续</translation>
-    </message>
-    <message>
-        <source>What happened</source>
-        <translation>事件</translation>
-    </message>
-</context>
-<context>
-    <name>MarkTable</name>
-    <message>
-        <source>Faults, stops and commands of the recording</source>
-        <translation>记录中的故障、急停与指令</translation>
     </message>
 </context>
 <context>
@@ -4809,6 +4692,34 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>The events cannot be written to the disk; the newest are kept in memory. {text}</source>
         <translation>事件无法写入磁盘，最新的保留在内存中。{text}</translation>
+    </message>
+    <message>
+        <source>Emergency stop sent</source>
+        <translation>已发送急停</translation>
+    </message>
+    <message>
+        <source>Resume sent</source>
+        <translation>已发送恢复</translation>
+    </message>
+    <message>
+        <source>Motors: enable sent</source>
+        <translation>已发送电机使能</translation>
+    </message>
+    <message>
+        <source>Motors: disable sent</source>
+        <translation>已发送电机失能</translation>
+    </message>
+    <message>
+        <source>Trajectory or drag teaching command sent</source>
+        <translation>已发送轨迹或拖动示教指令</translation>
+    </message>
+    <message>
+        <source>{message} begin</source>
+        <translation>开始发送{message}</translation>
+    </message>
+    <message>
+        <source>Unknown event: {code}</source>
+        <translation>未知事件：{code}</translation>
     </message>
 </context>
 <context>
@@ -7155,6 +7066,24 @@ Lead it near its rest pose, then stop recording.</source>
     </message>
 </context>
 <context>
+    <name>ReplayEventBar</name>
+    <message>
+        <source>Keep the event of the moment that is shown in sight</source>
+        <translation>列表跟随当前回放时刻的事件</translation>
+    </message>
+</context>
+<context>
+    <name>ReplayEvents</name>
+    <message>
+        <source>Events of the recording</source>
+        <translation>记录中的事件</translation>
+    </message>
+    <message>
+        <source>Click: show this moment</source>
+        <translation>单击：跳到该时刻</translation>
+    </message>
+</context>
+<context>
     <name>ReplayFrame</name>
     <message>
         <source>REPLAY · NOT LIVE</source>
@@ -7196,8 +7125,8 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>曲线</translation>
     </message>
     <message>
-        <source>Faults and commands</source>
-        <translation>故障与指令</translation>
+        <source>Events</source>
+        <translation>事件</translation>
     </message>
     <message>
         <source>Channel</source>
@@ -8674,6 +8603,25 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Press to send it</source>
         <translation>按下即发送</translation>
+    </message>
+</context>
+<context>
+    <name>Targets</name>
+    <message>
+        <source>Joint targets</source>
+        <translation>关节目标</translation>
+    </message>
+    <message>
+        <source>Pose targets</source>
+        <translation>位姿目标</translation>
+    </message>
+    <message>
+        <source>MIT commands</source>
+        <translation>MIT 指令</translation>
+    </message>
+    <message>
+        <source>Gripper commands</source>
+        <translation>夹爪指令</translation>
     </message>
 </context>
 <context>

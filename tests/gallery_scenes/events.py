@@ -21,6 +21,12 @@ def live(app_driver: AppDriver) -> None:
         _BEGIN + dt.timedelta(seconds=at_s - 1000.0)
     )
     app_driver.ready()
+    act(app_driver)
+
+
+def act(app_driver: AppDriver) -> None:
+    """What happens once the arm is ready."""
+    controller = app_driver.controller
     controller.motion.set_speed_percent(60)
     controller.motion.send_joints((20.0, 30.0, -30.0, 10.0, 5.0, 15.0))
     app_driver.run(2.5)

@@ -10,10 +10,12 @@ from PySide6.QtCore import QDeadlineTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog
 
+from armui.control.sessions.choices import SessionChoices
 from armui.protocol.generation import Generation
 from armui.sim.faults.schedule import Fault
 from armui.ui.watch.replay.replay_window import ReplayWindow
 from tests.app_driver import AppDriver, AtOnce
+from tests.gallery_scenes.events import act
 from tests.session.recordings import START_S, frames, moving, write
 
 SIZE_PX = (1440, 920)
@@ -71,8 +73,38 @@ def curves(app_driver: AppDriver) -> QDialog:
     return _window(app_driver, 1, _HIT_S + 2.0)
 
 
-def marks(app_driver: AppDriver) -> QDialog:
-    return _window(app_driver, 2, _HIT_S + 0.01)
+def events(app_driver: AppDriver) -> QDialog:
+    window = _window(app_driver, 2, _HIT_S + 0.01)
+    app_driver.wait(lambda: window.view.events.model.rowCount() > 0)
+    return window
+
+
+def own_events(app_driver: AppDriver) -> QDialog:
+    """A recording of this program: who asked for what, what was answered and read back."""
+    sessions = app_driver.controller.sessions
+    folder = Path(tempfile.mkdtemp(prefix="armui-gallery-"))
+    sessions.choose(SessionChoices(folder))
+    assert sessions.start("cell 3") is None
+    act(app_driver)
+    assert sessions.stop() is None
+
+    def is_ended() -> bool:
+        sessions.look()
+        return any(each.code == "session_ended" for each in app_driver.controller.events.entries())
+
+    app_driver.wait(is_ended)
+    app_driver.window.open_replay()
+    window = app_driver.dialog(ReplayWindow)
+    window.resize(*SIZE_PX)
+    window.open_log(folder / "cell 3.blf")
+    _patiently(lambda: window.view is not None and window.view.events.model.rowCount() > 0)
+    view = window.view
+    view.tabs.setCurrentIndex(2)
+    fault = next(each for each in view.events.model.entries() if each.code == "joint_fault")
+    view.replay.go_to(fault.at_s)
+    app_driver.wait(lambda: not view.replay.is_travelling)
+    _patiently(lambda: view.view.is_settled)
+    return window
 
 
 def beginning(app_driver: AppDriver) -> QDialog:

@@ -44,8 +44,8 @@ def noted_live(session, generation, size=7):
     tap.know_generation(generation)
     tap.on_codec(codec)
     known, batch = [], []
-    for frames in session.frames_between(-math.inf, math.inf):
-        for row in frames:
+    for heard in session.frames_between(-math.inf, math.inf):
+        for row in heard:
             batch.append((codec.decode(row.frame), row.time_s, row.frame, 0))
             if len(batch) == size:
                 tap.on_heard(batch)
@@ -117,7 +117,7 @@ def test_a_silence_and_its_end_are_told_as_live(tmp_path):
     assert offline.ended_s == pytest.approx(START_S + 2.3, abs=0.02)
     before, after = (each for each in log.entries() if each.code == "joint_fault")
     assert before.unheard
-    assert before.ended_s == offline.at_s
+    assert before.ended_s == pytest.approx(offline.at_s, abs=0.001)
     assert after.goes_on
     noted = status_changes(session, session.channels[0], Codec(TWO))
     assert noted == noted_live(session, TWO)
@@ -142,8 +142,8 @@ def test_the_host_s_commands_stand_between(tmp_path):
         ({"code": "status", "status": 7}, "Arm: Arm status: Collision"),
         ({"code": "stopped", "status": 1}, "Arm: Arm status: Emergency stop"),
         ({"code": "beyond_limit", "joint": 2}, "Arm: J2 beyond its angle limit"),
-        ({"code": "no_communication", "joint": 2}, "Arm: J2 Communication Abnormal"),
-        (HOT, "Arm: J3 Motor temperature Too hot"),
+        ({"code": "no_communication", "joint": 2}, "Arm: J2 Joint communication: Abnormal"),
+        (HOT, "Arm: J3 Motor temperature: Too hot"),
         ({"code": "stop_sent"}, "Other host: Emergency stop sent"),
         ({"code": "target", "message": "MitControl1"}, "Other host: MIT commands begin"),
         ({"code": "something newer"}, "Program: Unknown event: something newer"),

@@ -44,7 +44,7 @@ def test_a_latched_fault_goes_on_to_the_end(tmp_path):
     session = log_with(tmp_path, "overcurrent")
     told = {mark_text(each): end_of(each, session.end_s) for each in session.marks}
 
-    assert told["Arm: J1 Driver current Overcurrent"] == session.end_s
+    assert told["Arm: J1 Driver current: Overcurrent"] == session.end_s
     assert told["Other host: Motors: enable sent"] is None
     session.close()
 
