@@ -7068,6 +7068,10 @@ Lead it near its rest pose, then stop recording.</source>
 <context>
     <name>ReplayEventBar</name>
     <message>
+        <source>Follow the replay</source>
+        <translation>跟随回放</translation>
+    </message>
+    <message>
         <source>Keep the event of the moment that is shown in sight</source>
         <translation>列表跟随当前回放时刻的事件</translation>
     </message>

@@ -100,7 +100,7 @@ DIALOG_SCENES = (
     DialogScene("replay", "online", replay.joints),
     DialogScene("replay-curves", "online", replay.curves),
     DialogScene("replay-events-foreign", "refused", replay.events),
-    DialogScene("replay-events", "motors", replay.own_events),
+    DialogScene("replay-events", "online", replay.own_events),
     DialogScene("confirm-disable", "refused", dialogs.confirm_disable),
     DialogScene("linkage", "linkage", panels.linkage_question),
     DialogScene("hold-zero", "motors", panels.hold_zero),

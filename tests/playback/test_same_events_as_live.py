@@ -33,10 +33,10 @@ def eventful(rig):
     """A motion that arrives, a fault that begins and ends, a refusal, a stop."""
     rig.controller.motion.send_joints((5.0, 10.0, -10.0, 0.0, 0.0, 0.0))
     rig.run(2.0)
-    overcurrent = fault("joint-communication", 2)
-    rig.node.faults.start(overcurrent)
+    broken = fault("joint-communication", 2)
+    rig.node.faults.start(broken)
     rig.run(0.5)
-    rig.node.faults.end(overcurrent)
+    rig.node.faults.end(broken)
     rig.run(0.5)
     assert rig.controller.motors.resume() is not None
     rig.controller.emergency_stop()
@@ -57,6 +57,7 @@ def recorded(rig, qtbot, tmp_path):
     revision, live = rig.controller.events.snapshot()
     qtbot.waitUntil(partial(_ended, sessions, rig), timeout=10_000)
     (entry,) = list_recordings(sessions.choices.folder)
+    assert entry.path is not None
     session = RecordedSession(entry.path)
     yield session, [each for each in live if each.number > before], revision
     session.close()
@@ -91,7 +92,8 @@ def test_the_same_events_in_the_same_words_and_times(recorded, language, spoken)
             told.lasts, told.unheard, told.goes_on,
         )  # fmt: skip
         found_end, told_end = end_of(found), end_of(told)
-        if told_end is not None:
+        assert (found_end is None) == (told_end is None)
+        if found_end is not None and told_end is not None:
             assert abs(found_end - told_end) <= MILLISECOND
     begun = [each for each in live if each.code == "joint_fault"]
     assert [each.ended_s is not None for each in begun] == [True]

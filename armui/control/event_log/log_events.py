@@ -1,4 +1,4 @@
-"""The events of a log that is replayed: those beside a recording, or what its frames tell."""
+"""The events of a log that is replayed: those kept beside it, or what its frames tell: pure."""
 
 from __future__ import annotations
 

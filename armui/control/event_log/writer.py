@@ -1,4 +1,4 @@
-"""Writes what was observed into an event log: each beginning, what it grew to, and its end."""
+"""Writes what was observed into an event log: each beginning, what it grew to, its end: pure."""
 
 from __future__ import annotations
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QItemSelectionModel, Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QVBoxLayout, QWidget
 
 from armui.telemetry.events import EventLog
 from armui.ui.theme import colors_of
@@ -39,6 +39,8 @@ class ReplayEventBar(EventBar):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         super().retranslate_ui()
+        self.follow.setText(self.tr("Follow the replay"))
+        self._fit_toggles()
         self.follow.setToolTip(self.tr("Keep the event of the moment that is shown in sight"))
 
 
@@ -123,7 +125,7 @@ class ReplayEvents(Translated, QWidget):
         flags = QItemSelectionModel.SelectionFlag
         index = self.model.index(row, 0)
         self.table.selectionModel().setCurrentIndex(index, flags.ClearAndSelect | flags.Rows)
-        self.table.scrollTo(index)
+        self.table.scrollTo(index, QAbstractItemView.ScrollHint.PositionAtCenter)
 
     def _is_here(self, current: int, row: int) -> bool:
         if current == row:
