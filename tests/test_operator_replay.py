@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QComboBox
 from armui.protocol.generation import Generation
 from armui.session.frames import NotALogError
 from armui.sim.faults.schedule import Fault
+from armui.ui.watch.events.event_cells import EventColumn
 from armui.ui.watch.replay import log_opening
 from armui.ui.watch.replay.replay_window import ReplayWindow
 from tests.operator_replay import Replay
@@ -92,7 +93,10 @@ def test_the_time_line_is_pressed_and_scrubbed(replay, log):
     QTest.mousePress(line, Qt.MouseButton.LeftButton, pos=place)
     replay.arrive()
     assert replay.since_s() == pytest.approx(2.2, abs=0.02)
-    assert any("J3: motor too hot" in each for each in line.told_at(line.place_px(START_S + 2.2)))
+    assert any(
+        "J3 Motor temperature: Too hot" in each
+        for each in line.told_at(line.place_px(START_S + 2.2))
+    )
 
     QTest.mouseMove(line, QPoint(round(line.place_px(START_S + 3.5)), 20))
     QTest.mouseRelease(line, Qt.MouseButton.LeftButton, pos=place)
@@ -120,18 +124,88 @@ def test_play_pause_speed_and_frame_by_frame(replay, log):
     assert replay.since_s() < stepped_to
 
 
-def test_the_list_of_marks_leads_there(replay, log):
-    replay.open(log)
-    replay.view.tabs.setCurrentIndex(2)
-    model = replay.view.marks.model
-    told = [model.data(model.index(row, 3)) for row in range(model.rowCount())]
+def rows_of(replay):
+    """What stands in the tab 事件: time, who, what."""
+    model = replay.view.events.model
+    columns = (EventColumn.BEGIN, EventColumn.WHO, EventColumn.TEXT)
+    return [
+        tuple(model.data(model.index(row, column)) for column in columns)
+        for row in range(model.rowCount())
+    ]
 
-    assert "Motors: enable sent" in told
-    assert "J3: motor too hot" in told
-    row = told.index("J3: motor too hot")
-    replay.view.marks.table.clicked.emit(model.index(row, 0))
+
+def show_events(replay):
+    replay.view.tabs.setCurrentIndex(2)
+    replay.driver.wait(lambda: replay.view.events.model.rowCount() > 0)
+    return [(who, text) for _time, who, text in rows_of(replay)]
+
+
+def test_a_click_on_an_event_leads_there(replay, log):
+    replay.open(log)
+    told = show_events(replay)
+    events = replay.view.events
+
+    assert ("Other host", "Motors: enable sent") in told
+    row = told.index(("Arm", "J3 Motor temperature: Too hot"))
+    events.table.clicked.emit(events.model.index(row, 0))
     replay.arrive()
     assert replay.since_s() == pytest.approx(2.0, abs=0.1)
+    assert events.table.currentIndex().row() == row
+    assert events.detail.text().startswith("J3 Motor temperature: Too hot\nsince 2026-09-21 ")
+
+
+def test_the_event_of_the_moment_is_lit_and_follows(replay, log):
+    replay.open(log)
+    told = show_events(replay)
+    events = replay.view.events
+    replay.replay.go_to(START_S + 3.9)
+    replay.arrive()
+    replay.driver.wait(lambda: events.table.currentIndex().row() == len(told) - 1)
+
+    replay.replay.go_to(START_S + 2.5)
+    replay.arrive()
+    lit = events.table.currentIndex().row()
+    assert events.model.entry(lit).at_s <= START_S + 2.5 < events.model.entry(lit + 1).at_s
+
+    events.bar.follow.setChecked(False)
+    replay.replay.go_to(START_S + 3.9)
+    replay.arrive()
+    assert events.table.currentIndex().row() == lit
+    events.bar.follow.setChecked(True)
+    assert events.table.currentIndex().row() == len(told) - 1
+
+    # before the first event nothing is lit
+    replay.replay.go_to(replay.replay.session.start_s)
+    replay.arrive()
+    first_s = events.model.entry(0).at_s
+    assert (events.table.currentIndex().row() == -1) == (first_s > replay.replay.position_s + 1e-4)
+
+
+def test_events_are_filtered_as_live(replay, log):
+    replay.open(log)
+    told = show_events(replay)
+    events = replay.view.events
+    levels = events.bar.levels
+    levels.setCurrentIndex(levels.findText("Faults"))
+    levels.activated.emit(levels.currentIndex())
+
+    assert 0 < events.model.rowCount() < len(told)
+    assert {who for _time, who, _text in rows_of(replay)} == {"Arm"}
+    assert events.bar.count.text() == f"{events.model.rowCount()} of {len(told)}"
+    replay.replay.go_to(START_S + 3.9)
+    replay.arrive()
+    assert events.table.currentIndex().row() == events.model.rowCount() - 1
+
+
+def test_jumps_are_no_lost_connection(replay, log):
+    replay.open(log)
+    for since_s in (1.0, 3.0, 2.0):
+        replay.replay.go_to(START_S + since_s)
+        replay.arrive()
+
+    codes = {each.code for each in replay.replay.controller.events.entries()}
+    assert not codes & {"link_lost", "reconnected"}
+    assert "connected" in codes
 
 
 def test_the_curves_have_the_times_of_the_log(replay, log):

@@ -22,7 +22,7 @@ from armui.control.authority import Authority
 from armui.control.authority_watch import AuthorityWatch
 from armui.control.context import Context
 from armui.control.controller_parts import ControllerParts
-from armui.control.events import LEVELS, Event, EventCode
+from armui.control.events import LEVELS, LINK_BREAKS, Event, EventCode
 from armui.control.link.connection import Connection
 from armui.control.link.device_finder import DeviceFinder
 from armui.control.link.link_watch import LinkWatch
@@ -266,7 +266,8 @@ class ArmController(ControllerParts):
         elif code == EventCode.CONNECT_FAILED:
             self._timer.stop()
             self._forget_arm()
-        self._notice(code, device=report.device, reason=report.problem)
+        if report.device.recorded is None or code not in LINK_BREAKS:  # a log is jumped in
+            self._notice(code, device=report.device, reason=report.problem)
         self._refresh()
         self.recovery.advance()
 

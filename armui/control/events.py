@@ -13,7 +13,7 @@ from typing import Final
 
 from armui.telemetry.events import Level
 
-__all__ = ["LEVELS", "Event", "EventCode", "Level"]
+__all__ = ["LEVELS", "LINK_BREAKS", "Event", "EventCode", "Level"]
 
 
 @unique
@@ -145,6 +145,9 @@ class EventCode(StrEnum):
     CHANNEL_SHARED = "channel_shared"  # device, count
     REFUSED = "refused"  # reason
 
+
+LINK_BREAKS: Final = frozenset({EventCode.LINK_LOST, EventCode.RECONNECTED})
+"""A device that went, and came back."""
 
 LEVELS: Final[Mapping[EventCode, Level]] = {
     EventCode.SENT_JOINTS: Level.INFO,

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import enum
-from typing import TYPE_CHECKING, Final, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Final, NamedTuple, Protocol, runtime_checkable
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
+
+    import numpy as np
+    from numpy.typing import NDArray
 
     from armui.session.frames import Channel, Damage, FrameBatch
 
@@ -98,3 +101,27 @@ class Session(Protocol):
 
     def close(self) -> None:
         """Let go of files and memory; nothing may be asked afterwards."""
+
+
+class DataRows(NamedTuple):
+    """All data frames of one identifier on one channel, in the order of time.
+
+    Attributes:
+        numbers: Within the whole session, shape (rows,).
+        times_s: Log time, shape (rows,).
+        lengths: Bytes of the payloads, shape (rows,).
+        payloads: Zeros behind the end of shorter ones, shape (rows, 8).
+    """
+
+    numbers: NDArray[np.int64]
+    times_s: NDArray[np.float64]
+    lengths: NDArray[np.uint8]
+    payloads: NDArray[np.uint8]
+
+
+@runtime_checkable
+class HasDataRows(Protocol):
+    """A `Session` that has the frames of each identifier at hand."""
+
+    def data_rows(self, channel: Channel, arbitration_id: int) -> DataRows | None:
+        """The frames with 11-bit identifiers that carry data; ``None`` where there are none."""

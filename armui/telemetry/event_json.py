@@ -59,7 +59,19 @@ def from_json(text: str) -> EventEntry:
     if len(text) > LONGEST:
         raise ValueError(f"a line of {len(text)} characters; events have {LONGEST} at most")
     try:
-        return _entry(json.loads(text))
+        return from_record(json.loads(text))
+    except RecursionError as error:
+        raise ValueError(f"no event: {type(error).__name__}: {error}") from error
+
+
+def from_record(record: Mapping[str, Any]) -> EventEntry:
+    """An event from the JSON values of its line.
+
+    Raises:
+        ValueError: It is none, or says something impossible.
+    """
+    try:
+        return _entry(record)
     except (AttributeError, KeyError, TypeError, OverflowError, RecursionError) as error:
         raise ValueError(f"no event: {type(error).__name__}: {error}") from error
 

@@ -17,10 +17,16 @@ _BEGIN = dt.datetime(2026, 1, 15, 9, 30, 12, 480_000, tzinfo=dt.timezone(dt.time
 def live(app_driver: AppDriver) -> None:
     """Connect, move, a driver that cuts out, recovery, a stop that is undone by hand."""
     controller = app_driver.controller
-    controller._wall = controller.happenings._wall = lambda at_s: (
+    controller._wall = controller.happenings._writer._wall = lambda at_s: (
         _BEGIN + dt.timedelta(seconds=at_s - 1000.0)
     )
     app_driver.ready()
+    act(app_driver)
+
+
+def act(app_driver: AppDriver) -> None:
+    """What happens once the arm is ready."""
+    controller = app_driver.controller
     controller.motion.set_speed_percent(60)
     controller.motion.send_joints((20.0, 30.0, -30.0, 10.0, 5.0, 15.0))
     app_driver.run(2.5)

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import tempfile
+import time
 from collections.abc import Callable
+from datetime import datetime
 from pathlib import Path
 
 from PySide6.QtCore import QDeadlineTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog
 
+from armui.control.sessions.choices import SessionChoices
 from armui.protocol.generation import Generation
 from armui.sim.faults.schedule import Fault
 from armui.ui.watch.replay.replay_window import ReplayWindow
 from tests.app_driver import AppDriver, AtOnce
+from tests.gallery_scenes.events import act
 from tests.session.recordings import START_S, frames, moving, write
 
 SIZE_PX = (1440, 920)
@@ -42,7 +46,7 @@ def _patiently(condition: Callable[[], bool]) -> None:
         QTest.qWait(10)
 
 
-def _window(app_driver: AppDriver, tab: int, since_s: float) -> QDialog:
+def _window(app_driver: AppDriver, tab: int, since_s: float) -> ReplayWindow:
     app_driver.window.open_replay()
     window = app_driver.dialog(ReplayWindow)
     window.resize(*SIZE_PX)
@@ -71,8 +75,54 @@ def curves(app_driver: AppDriver) -> QDialog:
     return _window(app_driver, 1, _HIT_S + 2.0)
 
 
-def marks(app_driver: AppDriver) -> QDialog:
-    return _window(app_driver, 2, _HIT_S + 0.01)
+def events(app_driver: AppDriver) -> QDialog:
+    window = _window(app_driver, 2, _HIT_S + 0.01)
+    view = window.view
+    assert view is not None
+    app_driver.wait(lambda: view.events.model.rowCount() > 0)
+    return window
+
+
+def _own_recording(app_driver: AppDriver) -> Path:
+    """An arm that moves, has a fault, is recovered, and is stopped."""
+    controller, sessions = app_driver.controller, app_driver.controller.sessions
+    zero_s = time.time() - app_driver.time_s
+    controller._wall = controller.happenings._writer._wall = lambda at_s: datetime.fromtimestamp(
+        zero_s + at_s
+    ).astimezone()
+    folder = Path(tempfile.mkdtemp(prefix="armui-gallery-"))
+    sessions.choose(SessionChoices(folder))
+    assert sessions.start("cell 3") is None
+    assert controller.motors.enable() is None
+    app_driver.run_until(lambda: controller.operating_state.cannot_move is None)
+    act(app_driver)
+    assert sessions.stop() is None
+
+    def is_ended() -> bool:
+        sessions.look()
+        return "session_ended" in app_driver.codes()
+
+    app_driver.wait(is_ended)
+    return folder / "cell 3.blf"
+
+
+def own_events(app_driver: AppDriver) -> QDialog:
+    """A recording of this program: who asked for what, what was answered and read back."""
+    app_driver.window.open_replay()
+    window = app_driver.dialog(ReplayWindow)
+    window.resize(*SIZE_PX)
+    if window.view is None:
+        window.open_log(_own_recording(app_driver))
+        _patiently(lambda: window.view is not None)
+    view = window.view
+    assert view is not None
+    _patiently(lambda: view.events.model.rowCount() > 0)
+    view.tabs.setCurrentIndex(2)
+    fault = next(each for each in view.events.model.entries() if each.code == "joint_fault")
+    view.replay.go_to(fault.at_s)
+    app_driver.wait(lambda: not view.replay.is_travelling)
+    _patiently(lambda: view.view.is_settled)
+    return window
 
 
 def beginning(app_driver: AppDriver) -> QDialog:

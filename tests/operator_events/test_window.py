@@ -140,7 +140,7 @@ def test_a_menu_narrows_and_widens(events):
 def test_the_chosen_row_stays_chosen_when_others_go(events):
     events.click(events.row(HOT))
     events.choose(events.menu(events.row(HOT)), "Only this kind")
-    assert [each.code for each in events.window.chosen()] == ["joint_fault"]
+    assert [each.code for each in events.window.table.chosen()] == ["joint_fault"]
     assert HOT in events.window.detail.text()
 
 
@@ -252,7 +252,7 @@ def test_the_notice_in_the_status_bar_leads_to_its_entry(eventful):
     notice = eventful.read("notice_label")
     eventful.click("notice_label")
     window = eventful.dialog(EventWindow)
-    (entry,) = window.chosen()
+    (entry,) = window.table.chosen()
     assert entry.code == "refused"
     assert notice.endswith(window.detail.text().splitlines()[0])
 
@@ -263,7 +263,7 @@ def test_a_problem_of_the_program_is_an_event(eventful):
 
     eventful.window.show_problem(Refusal(RefusalCode.SETTINGS_IN_USE, {"path": "x"}))
     eventful.click("notice_label")
-    (entry,) = eventful.dialog(EventWindow).chosen()
+    (entry,) = eventful.dialog(EventWindow).table.chosen()
     assert (entry.code, entry.kind) == ("problem", EventKind.PROGRAM)
 
 
@@ -271,7 +271,7 @@ def test_an_entry_that_a_filter_hides_is_shown_all_the_same(events):
     events.search("no such thing")
     events.driver.controller.motion.go_home()
     events.driver.click("notice_label")
-    (entry,) = events.window.chosen()
+    (entry,) = events.window.table.chosen()
     assert entry.code == "refused"
     assert events.bar.search.text() == ""
 

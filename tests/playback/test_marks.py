@@ -7,7 +7,7 @@ import pytest
 from armui.session.session import MarkKind, SessionMark
 from armui.ui.watch.replay.log_time import duration, has_date, moment
 from armui.ui.watch.replay.mark_search import MarkSearch, end_of
-from armui.ui.words.log_marks import log_mark
+from armui.ui.watch.replay.mark_text import mark_text
 from tests.playback.logs import log_with
 
 
@@ -42,10 +42,10 @@ def test_what_lasts_has_an_end_and_a_moment_has_none():
 
 def test_a_latched_fault_goes_on_to_the_end(tmp_path):
     session = log_with(tmp_path, "overcurrent")
-    told = {log_mark(each): end_of(each, session.end_s) for each in session.marks}
+    told = {mark_text(each): end_of(each, session.end_s) for each in session.marks}
 
-    assert told["J1: driver overcurrent"] == session.end_s
-    assert told["Motors: enable sent"] is None
+    assert told["Arm: J1 Driver current: Overcurrent"] == session.end_s
+    assert told["Other host: Motors: enable sent"] is None
     session.close()
 
 

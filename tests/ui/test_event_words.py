@@ -41,6 +41,8 @@ FIGURES: dict[ObservedCode, dict[str, object]] = {
     ObservedCode.ANSWERED: {"index": "0x71"},
     ObservedCode.PROBLEM: {"reason": Refusal(RefusalCode.LINK_LOST)},
     ObservedCode.NOT_KEPT: {"text": "No space left on device"},
+    ObservedCode.LOGGED_TARGETS: {"message": "MitControl1"},
+    ObservedCode.UNKNOWN_MARK: {"code": "another_planet"},
 }
 
 

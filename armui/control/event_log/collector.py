@@ -17,12 +17,12 @@ from armui.control.event_log.commands import (
 )
 from armui.control.event_log.followed import Followed, FollowedCommands
 from armui.control.event_log.heard import StatusTap
-from armui.control.event_log.observed import EventChange, EventPhase, ObservedCode
+from armui.control.event_log.observed import ObservedCode
 from armui.control.event_log.observer import EventObserver
+from armui.control.event_log.writer import EventWriter
 from armui.control.events import Event, EventCode
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand
 from armui.telemetry.events import (
-    REPEAT_S,
     Asker,
     EventEntry,
     EventKind,
@@ -38,9 +38,6 @@ if TYPE_CHECKING:
     from armui.control.safety.recovery import Recovery
     from armui.protocol.codec import Message
 
-_MOST_KEYS: Final = 1_000
-_FLOWS_S: Final = 1.0
-"""What a held button or a slider sends comes faster than this."""
 _SETS_OUT_S: Final = 1.0
 """A jog that has sent nothing by then never will."""
 _CUT_LEVELS: Final = {End.REPLACED: Level.INFO, End.CANCELLED: Level.INFO}
@@ -71,13 +68,12 @@ class EventCollector:
     ) -> None:
         self.log = EventLog()
         self._context = context
-        self._wall = wall
+        self._writer = EventWriter(self.log, wall)
         self._player = player
         self._recovery = recovery
         self._tap = StatusTap()
         self._observer = EventObserver()
         self._followed = FollowedCommands()
-        self._numbers: dict[Hashable, tuple[int, int]] = {}
         self._lasting: dict[EventCode, int] = {}
         self._run_point = 0
         self._told: tuple[Event, int] | None = None
@@ -124,7 +120,7 @@ class EventCollector:
         """The arm is gone: what went on was not heard to end."""
         self._take_in()
         for change in self._observer.forget(self._context.clock()):
-            self._on_change(change)
+            self._writer.write(change)
         for followed in self._followed.motions():
             self._end_motion(followed, End.FORGOTTEN)
         self._followed.forget()
@@ -237,42 +233,7 @@ class EventCollector:
             self._tap.take(), connection.newest, connection.traffic, self._context.clock()
         )
         for change in changes:
-            self._on_change(change)
-
-    def _on_change(self, change: EventChange) -> None:
-        if change.code is None:
-            self._go_on(change)
-            return
-        entry = self._add(
-            change.code,
-            change.kind,
-            change.who,
-            change.level,
-            at_s=change.at_s,
-            params=change.params,
-            count=change.count,
-            lasts=change.phase is EventPhase.BEGAN,
-            fold=None if change.phase is EventPhase.HAPPENED else (change.code, change.key),
-        )
-        self._numbers.pop(change.key, None)
-        self._numbers[change.key] = entry.number, entry.count - change.count
-        if len(self._numbers) > _MOST_KEYS:
-            del self._numbers[next(iter(self._numbers))]
-
-    def _go_on(self, change: EventChange) -> None:
-        known = self._numbers.get(change.key)
-        if known is None:
-            return
-        number, counted_before = known
-        changes: dict[str, Any] = {"count": counted_before + change.count}
-        if change.phase is EventPhase.ENDED:
-            del self._numbers[change.key]
-            changes |= {"ended_s": change.at_s, "unheard": change.unheard}
-        if change.params:
-            changes["params"] = change.params
-        if change.count > 1:
-            changes["last_s"] = change.at_s
-        self.log.change(number, **changes)
+            self._writer.write(change)
 
     def _add(
         self,
@@ -286,15 +247,4 @@ class EventCollector:
         **more: Any,
     ) -> EventEntry:
         at_s = self._context.clock() if at_s is None else at_s
-        wall = self._wall(at_s) if wall is None else wall
-        flows = code in STREAMS or code == ObservedCode.MOTION
-        return self.log.add(
-            within_s=_FLOWS_S if flows else REPEAT_S,
-            at_s=at_s,
-            wall=wall,
-            level=level,
-            kind=kind,
-            who=who,
-            code=str(code),
-            **more,
-        )
+        return self._writer.add(code, kind, who, level, at_s=at_s, wall=wall, **more)

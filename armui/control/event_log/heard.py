@@ -21,7 +21,8 @@ GAP: Final = "gap"
 RATE: Final = "rate"
 """How many status frames a second came."""
 
-_RATE_SPAN_S: Final = 2.0
+RATE_SPAN_S: Final = 2.0
+"""Over so long they are counted."""
 _MOST_WAITING: Final = 5_000
 
 DRIVERS: Final[Mapping[str, int]] = {f"DriverSlow{joint}": joint for joint in JOINTS}
@@ -173,7 +174,7 @@ class StatusTap:
             self._counted_s, self._count = at_s, 0
             return
         self._count += 1
-        if at_s - counted_s >= _RATE_SPAN_S:
+        if at_s - counted_s >= RATE_SPAN_S:
             self._changes.append(Heard(at_s, RATE, {"hz": self._count / (at_s - counted_s)}))
             self._counted_s, self._count = at_s, 0
 

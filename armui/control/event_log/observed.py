@@ -33,6 +33,13 @@ class ObservedCode(StrEnum):
     ANSWERED = "answered"  # index
     PROBLEM = "problem"  # reason
     NOT_KEPT = "not_kept"  # text
+    LOGGED_STOP = "logged_stop"  # this and those below: what a host says in a foreign log
+    LOGGED_RESUME = "logged_resume"
+    LOGGED_ENABLE = "logged_enable"
+    LOGGED_DISABLE = "logged_disable"
+    LOGGED_MOTION_COMMAND = "logged_motion_command"
+    LOGGED_TARGETS = "logged_targets"  # message
+    UNKNOWN_MARK = "unknown_mark"  # code
 
 
 class EventPhase(Enum):

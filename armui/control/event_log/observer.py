@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from armui.arm.other_hosts import OtherTraffic
     from armui.arm.state import ArmState
 
-_DRIVER_FAULTS: Final[Mapping[str, tuple[Item, Word]]] = {
+DRIVER_FAULTS: Final[Mapping[str, tuple[Item, Word]]] = {
     "Undervoltage": (Item.SUPPLY_VOLTAGE, Word.TOO_LOW),
     "MotorOvertemperature": (Item.MOTOR_TEMPERATURE, Word.TOO_HOT),
     "Overcurrent": (Item.DRIVER_CURRENT, Word.OVERCURRENT),
@@ -32,7 +32,7 @@ _DRIVER_FAULTS: Final[Mapping[str, tuple[Item, Word]]] = {
 }
 """The rows of the table 关节状态 and their words, by the bit that says so."""
 
-_STATUS_LEVELS: Final[Mapping[int, Level]] = {
+STATUS_LEVELS: Final[Mapping[int, Level]] = {
     ArmStatusCode.TEACHING_RECORDING: Level.INFO,
     ArmStatusCode.TEACHING_RUNNING: Level.INFO,
     ArmStatusCode.TEACHING_PAUSED: Level.INFO,
@@ -165,7 +165,7 @@ class EventObserver:
         for key in [key for key in self._going_on if _is_another_status(key, status)]:
             yield from self._end(key, at_s)
         if status != ArmStatusCode.NORMAL:
-            level = _STATUS_LEVELS.get(status, Level.FAULT)
+            level = STATUS_LEVELS.get(status, Level.FAULT)
             change = _fault(
                 ("status", status), at_s, ObservedCode.ARM_STATUS, {"status": status}, level
             )
@@ -187,7 +187,7 @@ class EventObserver:
     def _on_driver(
         self, joint: int, values: Mapping[str, float], at_s: float
     ) -> Iterator[EventChange]:
-        for flag, (item, word) in _DRIVER_FAULTS.items():
+        for flag, (item, word) in DRIVER_FAULTS.items():
             if flag in values:
                 fault = _joint_fault(joint, item, word, at_s)
                 yield from self._follow(fault, on=values[flag] == 1)

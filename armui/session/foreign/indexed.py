@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from armui.protocol.frame import FrameFlag
 from armui.session.foreign.columns import (
     COLUMNS,
     LONG_BYTES,
@@ -19,7 +20,7 @@ from armui.session.foreign.columns import (
     column_path,
 )
 from armui.session.frames import CLASSIC_BYTES, FrameBatch
-from armui.session.session import REMEMBERED, REMEMBERED_IDS
+from armui.session.session import REMEMBERED, REMEMBERED_IDS, DataRows
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     from armui.session.session import SessionMark
 
 _ROWS: Final = 4_096
+_NOT_DATA: Final = FrameFlag.EXTENDED | FrameFlag.REMOTE | FrameFlag.ERROR
 
 
 class IndexedLog:
@@ -129,6 +131,26 @@ class IndexedLog:
                 kept = REMEMBERED if int(ids[numbers[0]]) in REMEMBERED_IDS else 1
                 rows += numbers[max(0, place - kept) : place].tolist()
         return self._chosen(np.array(sorted(rows), np.int64))
+
+    def data_rows(self, channel: Channel, arbitration_id: int) -> DataRows | None:
+        """All data frames of one identifier on one channel; ``None`` where there are none."""
+        columns, order = self._columns, self._order
+        if channel not in self.channels or not order.size:
+            return None
+        place = self.channels.index(channel)
+        groups = list(zip(self._groups[:-1].tolist(), self._groups[1:].tolist(), strict=True))
+        for first, end in groups:
+            row = int(order[first])
+            here = columns["ids"][row] == arbitration_id and columns["channels"][row] == place
+            if here and not columns["flags"][row] & _NOT_DATA:
+                numbers = order[first:end].astype(np.int64)
+                # the last group holds whatever there was no room for
+                own = columns["ids"][numbers] == arbitration_id
+                own &= (columns["flags"][numbers] & (_NOT_DATA | FrameFlag.IMPOSSIBLE)) == 0
+                numbers = numbers[own & (columns["channels"][numbers] == place)]
+                chosen = [columns[name][numbers] for name in ("times_s", "lengths", "payloads")]
+                return DataRows(numbers, *chosen) if numbers.size else None
+        return None
 
     def _batch(self, begin: int, end: int) -> FrameBatch:
         first, last = np.searchsorted(self._long_rows, (begin, end)).tolist()

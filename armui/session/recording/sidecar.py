@@ -96,6 +96,8 @@ def marks_of(lines: Sequence[Mapping[str, Any]]) -> list[SessionMark]:
 
 _TIMES: Final = ("at_s", "ended_s", "last_s")
 """Of an event, by the program's clock."""
+_OUTCOMES: Final = ("answer", "result")
+"""What became of it: each has its own time."""
 
 
 def _shift_s(first: Mapping[str, Any]) -> float:
@@ -112,4 +114,9 @@ def _shifted(entry: Mapping[str, Any], by_s: float) -> dict[str, Any]:
         for name in _TIMES
         if isinstance(entry.get(name), int | float)
     }
-    return {**entry, **times}
+    outcomes = {
+        name: _shifted(entry[name], by_s)
+        for name in _OUTCOMES
+        if isinstance(entry.get(name), dict) and by_s
+    }
+    return {**entry, **times, **outcomes}

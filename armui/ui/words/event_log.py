@@ -54,6 +54,15 @@ _OBSERVED: Final[Mapping[str, object]] = {
         "Observed",
         "The events cannot be written to the disk; the newest are kept in memory. {text}",
     ),
+    ObservedCode.LOGGED_STOP: QT_TRANSLATE_NOOP("Observed", "Emergency stop sent"),
+    ObservedCode.LOGGED_RESUME: QT_TRANSLATE_NOOP("Observed", "Resume sent"),
+    ObservedCode.LOGGED_ENABLE: QT_TRANSLATE_NOOP("Observed", "Motors: enable sent"),
+    ObservedCode.LOGGED_DISABLE: QT_TRANSLATE_NOOP("Observed", "Motors: disable sent"),
+    ObservedCode.LOGGED_MOTION_COMMAND: QT_TRANSLATE_NOOP(
+        "Observed", "Trajectory or drag teaching command sent"
+    ),
+    ObservedCode.LOGGED_TARGETS: QT_TRANSLATE_NOOP("Observed", "{message} begin"),
+    ObservedCode.UNKNOWN_MARK: QT_TRANSLATE_NOOP("Observed", "Unknown event: {code}"),
 }
 OBSERVED_CODES: Final = frozenset(_OBSERVED)
 """What there is a sentence for."""
@@ -73,6 +82,12 @@ _ENDS: Final[Mapping[str, object]] = {
     End.MOVED_AWAY.name: QT_TRANSLATE_NOOP("MotionEnd", "the arm stands elsewhere"),
     End.NOT_SENT.name: QT_TRANSLATE_NOOP("MotionEnd", "its frames did not get out"),
     End.FORGOTTEN.name: QT_TRANSLATE_NOOP("MotionEnd", "disconnected"),
+}
+_TARGETS: Final[Mapping[str, object]] = {
+    "JointTarget12": QT_TRANSLATE_NOOP("Targets", "Joint targets"),
+    "CartesianTarget1": QT_TRANSLATE_NOOP("Targets", "Pose targets"),
+    "MitControl1": QT_TRANSLATE_NOOP("Targets", "MIT commands"),
+    "GripperCommand": QT_TRANSLATE_NOOP("Targets", "Gripper commands"),
 }
 _FRAME_KINDS: Final[Mapping[str, object]] = {
     InvalidFrameKind.UNKNOWN_ID.name: QT_TRANSLATE_NOOP("FrameKind", "unknown identifier"),
@@ -199,5 +214,6 @@ _FIGURES: Final[Mapping[str, Mapping[str, Callable[[Any], str]]]] = {
     ObservedCode.MOTION_CUT: {"end": lambda name: _translated("MotionEnd", _ENDS, name)},
     ObservedCode.PROBLEM: {"reason": _reason},
     ObservedCode.NOT_KEPT: {"text": str},
+    ObservedCode.LOGGED_TARGETS: {"message": lambda name: _translated("Targets", _TARGETS, name)},
 }
 """How the figures of a sentence are put into words."""

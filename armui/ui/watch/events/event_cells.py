@@ -77,9 +77,15 @@ def search_text(entry: EventEntry) -> str:
     return " ".join([*parts, entry.code]).casefold()
 
 
-def details(entry: EventEntry) -> list[str]:
-    """All there is to say of an event, line by line."""
-    begin, last = f"{entry.wall:%Y-%m-%d} {clock_text(entry, entry.at_s)}", entry.newest_s
+def details(entry: EventEntry, *, dated: bool = True) -> list[str]:
+    """All there is to say of an event, line by line.
+
+    Args:
+        entry: It.
+        dated: Whether the day is known; a log may only tell times since its beginning.
+    """
+    begin, last = clock_text(entry, entry.at_s), entry.newest_s
+    begin = f"{entry.wall:%Y-%m-%d} {begin}" if dated else begin
     when = begin
     if entry.ended_s is not None:
         text = QCoreApplication.translate("EventTable", "{begin} until {end} ({seconds} s)")

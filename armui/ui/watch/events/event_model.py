@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, Final
 
@@ -88,6 +88,17 @@ class EventModel(QAbstractTableModel):
         row = bisect_left(self._shown, number, key=_number)
         there = row < len(self._shown) and self._shown[row].number == number
         return row if there else None
+
+    def row_at(self, at_s: float) -> int | None:
+        """The last row at or before a time, of a log in the order of time; ``None``: no row."""
+        row = bisect_right(self._shown, at_s, key=_begin_s) - 1
+        return row if row >= 0 else None
+
+    def show_log(self, log: EventLog) -> None:
+        """Show another log."""
+        self._log = log
+        self._texts.clear()
+        self._rebuild()
 
     def follow(self) -> bool:
         """Take in what is new; whether anything was."""
@@ -239,3 +250,7 @@ class EventModel(QAbstractTableModel):
 
 def _number(entry: EventEntry) -> int:
     return entry.number
+
+
+def _begin_s(entry: EventEntry) -> float:
+    return entry.at_s

@@ -6,40 +6,28 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPoint, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QMenu, QTableView, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QMenu, QWidget
 
-from armui.telemetry.events import Asker, EventKind
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.theme import colors_of
 from armui.ui.watch.events.event_bar import EventBar
-from armui.ui.watch.events.event_cells import EventColumn, column_title, details
+from armui.ui.watch.events.event_cells import details
 from armui.ui.watch.events.event_export import EventExport
 from armui.ui.watch.events.event_model import EventModel
+from armui.ui.watch.events.event_table import EventTable
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
-from armui.ui.words import event_log as words
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QHideEvent, QShowEvent
 
     from armui.control.arm_controller import ArmController
     from armui.control.events import Level
-    from armui.telemetry.events import EventEntry
     from armui.ui.background import Background
     from armui.ui.watch.events.event_filter import EventFilter
 
 _SIZE: Final = QSize(1120, 720)
 _LOOK_MS: Final = 200
-_ROW_PX: Final = 28
-_SAMPLES: Final = {
-    EventColumn.BEGIN: "00:00:00.000",
-    EventColumn.END: "00:00:00.000",
-    EventColumn.ANSWER: "✓ 00.00 s",
-    EventColumn.RESULT: "✓ 00.00 s",
-    EventColumn.COUNT: "× 00,000",
-}
-_SIGN_PX: Final = 26
-_PAD_PX: Final = 22
 
 
 class EventWindow(ArmDialog):
@@ -67,7 +55,8 @@ class EventWindow(ArmDialog):
         self.model = EventModel(controller.events, colors_of(self))
         self.bar = EventBar()
         self.export = EventExport(controller, background, self)
-        self._build_table()
+        self.table = EventTable(self.model)
+        self.table.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.detail = text_label("event_detail", wraps=True, plain=True)
         self.detail.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.detail.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
@@ -82,27 +71,6 @@ class EventWindow(ArmDialog):
         self._connect()
         self.retranslate_ui()
         self.resize(_SIZE.boundedTo(self.screen().availableSize()))
-
-    def _build_table(self) -> None:
-        self.table = QTableView()
-        self.table.setObjectName("event_table")
-        self.table.setModel(self.model)
-        self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
-        self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.table.setShowGrid(False)
-        self.table.setAlternatingRowColors(True)
-        self.table.setTabKeyNavigation(False)
-        self.table.setWordWrap(False)
-        self.table.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
-        down = self.table.verticalHeader()
-        down.hide()
-        down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
-        down.setDefaultSectionSize(_ROW_PX)
-        across = self.table.horizontalHeader()
-        across.setHighlightSections(False)
-        across.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        across.setSectionResizeMode(EventColumn.TEXT, QHeaderView.ResizeMode.Stretch)
 
     def _connect(self) -> None:
         self.bar.filter_changed.connect(self._on_filter)
@@ -150,17 +118,8 @@ class EventWindow(ArmDialog):
         self.table.selectionModel().setCurrentIndex(index, flags.ClearAndSelect | flags.Rows)
         self.table.scrollTo(index, QAbstractItemView.ScrollHint.PositionAtCenter)
 
-    def chosen(self) -> list[EventEntry]:
-        """The rows that are selected, from top to bottom."""
-        rows = sorted(index.row() for index in self.table.selectionModel().selectedRows())
-        return [self.model.entry(row) for row in rows]
-
-    def _current(self) -> EventEntry | None:
-        index = self.table.selectionModel().currentIndex()
-        return self.model.entry(index.row()) if index.isValid() else None
-
     def _show_detail(self) -> None:
-        entry = self._current()
+        entry = self.table.current()
         text = "" if entry is None else "\n".join(details(entry))
         if self.detail.text() != text:
             self.detail.setText(text)
@@ -173,7 +132,7 @@ class EventWindow(ArmDialog):
     # What the operator does -------------------------------------------------------------------
 
     def _on_filter(self, wanted: EventFilter) -> None:
-        current = self._current()
+        current = self.table.current()
         self.model.set_filter(wanted)
         row = None if current is None else self.model.row_of(current.number)
         if row is not None:
@@ -200,7 +159,7 @@ class EventWindow(ArmDialog):
 
     def copy_chosen(self) -> None:
         """Put the selected rows into the clipboard."""
-        entries = self.chosen()
+        entries = self.table.chosen()
         if entries:
             self.export.copy(entries)
 
@@ -244,27 +203,13 @@ class EventWindow(ArmDialog):
         self.table.setAccessibleName(self.tr("Events"))
         self.table.setToolTip(self.tr("Double-click: show the moment in the curves"))
         self.model.retranslate()
-        self._fit_columns()
+        self.table.fit_columns()
+        self.detail.setMinimumHeight(4 * self.detail.fontMetrics().lineSpacing() + 8)
         self._show_count()
         self._show_detail()
 
     def _recolor(self) -> None:
         self.model.recolor(colors_of(self))
-
-    def _fit_columns(self) -> None:
-        """Wide enough for every word there is, so that nothing moves while events come."""
-        metrics, across = self.table.fontMetrics(), self.table.horizontalHeader()
-        texts = {
-            **{column: [sample] for column, sample in _SAMPLES.items()},
-            EventColumn.KIND: [words.event_kind(kind) for kind in EventKind],
-            EventColumn.WHO: [words.asker(who) for who in Asker],
-        }
-        for column, samples in texts.items():
-            widest = max(metrics.horizontalAdvance(t) for t in (*samples, column_title(column)))
-            sign = _SIGN_PX if column is EventColumn.BEGIN else 0
-            across.resizeSection(column, widest + sign + _PAD_PX)
-        height = 4 * self.detail.fontMetrics().lineSpacing() + 8
-        self.detail.setMinimumHeight(height)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Catch up."""

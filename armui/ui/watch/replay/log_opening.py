@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import mmap
 import shutil
-import tempfile
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -22,6 +21,7 @@ from armui.session.survey import ChannelSurvey, survey
 from armui.system.error_text import error_text
 from armui.system.helper_process import HelperProcess
 from armui.ui.background import Background, Job
+from armui.ui.watch.replay.column_folders import make_folder, remove_leftovers
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -185,7 +185,8 @@ def _own_session(open_own: OpenOwn, path: Path) -> Opened | None:
 def _prepare() -> tuple[Path, mmap.mmap] | Refusal:
     """A folder for the columns, and the memory where the progress is told."""
     try:
-        folder = Path(tempfile.mkdtemp(prefix="armui-replay-"))
+        remove_leftovers()
+        folder = make_folder()
         (folder / PROGRESS).write_bytes(bytes(PROGRESS_BYTES))
         with (folder / PROGRESS).open("r+b") as file:
             return folder, mmap.mmap(file.fileno(), PROGRESS_BYTES)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import contextlib
-from datetime import datetime, timedelta
+from datetime import UTC, datetime, timedelta
 from typing import Final
 
 _SINCE_1970_S: Final = 500_000_000.0
 """A log whose times are smaller (1985) counts from its own beginning."""
-_BEGINNING: Final = datetime(1970, 1, 1)
+_BEGINNING: Final = datetime(1970, 1, 1, tzinfo=UTC)
 
 
 def has_date(start_s: float) -> bool:

@@ -1,4 +1,4 @@
-"""One recording as if it were live: picture, figures, joints, curves, marks, status, time line."""
+"""One recording as if it were live: picture, figures, joints, curves, events, status, time line."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from armui.ui.watch.plots_area import PlotsArea
 from armui.ui.watch.replay.joint_table import JointTable
 from armui.ui.watch.replay.log_time import duration, moment, wall_time
 from armui.ui.watch.replay.mark_search import MarkSearch
-from armui.ui.watch.replay.mark_table import MarkTable
+from armui.ui.watch.replay.replay_events import ReplayEvents
 from armui.ui.watch.replay.replay_frame import ReplayFrame
 from armui.ui.watch.replay.time_line import TimeLine
 from armui.ui.watch.replay.transport import SPEEDS, Transport
@@ -71,11 +71,11 @@ class ReplayView(Translated, QWidget):
         self.joints = JointTable(controller)
         self.curves = PlotsArea(controller.telemetry, live, background)
         self.curves.board.show_plots(SETS["follow"])
-        self.marks = MarkTable(self._search.marks, (session.start_s, session.end_s))
+        self.events = ReplayEvents(live, background)
         self.tabs = QTabWidget()
         self.tabs.setObjectName("replay_tabs")
         self.tabs.setDocumentMode(True)
-        for tab in (self.joints, self.curves, self.marks):
+        for tab in (self.joints, self.curves, self.events):
             self.tabs.addTab(tab, "")
         self.status = StatusBar(controller, with_notices=False)
         self.time_line = TimeLine()
@@ -139,7 +139,7 @@ class ReplayView(Translated, QWidget):
         transport.fault_wanted.connect(self._on_fault_wanted)
         transport.speed_wanted.connect(replay.set_speed)
         self.time_line.wanted.connect(replay.go_to)
-        self.marks.wanted.connect(replay.go_to)
+        self.events.wanted.connect(replay.go_to)
         replay.moved.connect(self._look)
         replay.moved.connect(self.curves.board.draw_soon)
         self._controller.state_changed.connect(self._show_arm)
@@ -199,7 +199,7 @@ class ReplayView(Translated, QWidget):
         replay, session = self.replay, self.replay.session
         at_s = replay.position_s
         self.time_line.show_position(at_s)
-        self.marks.show_position(at_s)
+        self.events.show_position(at_s)
         self.frame.clock.setText(moment(at_s))
         since, whole = duration(at_s - session.start_s), duration(session.end_s - session.start_s)
         self.transport.place.setText(f"{since} / {whole}")
@@ -237,7 +237,7 @@ class ReplayView(Translated, QWidget):
     def retranslate_ui(self) -> None:
         """Put the words into the operator's language."""
         for place, title in enumerate(
-            (self.tr("Joint status"), self.tr("Curves"), self.tr("Faults and commands"))
+            (self.tr("Joint status"), self.tr("Curves"), self.tr("Events"))
         ):
             self.tabs.setTabText(place, title)
         self._channel_label.setText(self.tr("Channel"))

@@ -10,6 +10,8 @@ from PySide6.QtCore import QCoreApplication, QSize, Qt
 from PySide6.QtWidgets import QHBoxLayout, QProgressBar, QPushButton, QVBoxLayout, QWidget
 
 from armui.arm.device import RecordedArm
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
 from armui.session.reader import SUFFIXES
 from armui.system.helper_process import HelperProcess
@@ -19,6 +21,7 @@ from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.files import choose_file
 from armui.ui.watch.replay.live_strip import LiveStrip
 from armui.ui.watch.replay.log_opening import LogOpening
+from armui.ui.watch.replay.log_time import wall_time
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
 
@@ -28,13 +31,13 @@ if TYPE_CHECKING:
 
     from PySide6.QtGui import QKeyEvent
 
-    from armui.arm.refusal import Refusal
     from armui.control.arm_controller import ArmController
     from armui.protocol.generation import Generation
     from armui.session.foreign.columns import ReadingProgress
     from armui.session.frames import Channel
     from armui.session.session import Session
     from armui.session.survey import ChannelSurvey
+    from armui.telemetry.events import EventLog
     from armui.ui.background import Background
     from armui.ui.watch.replay.log_opening import OpenOwn
     from armui.ui.watch.replay.replay_view import ReplayView
@@ -83,6 +86,7 @@ class ReplayWindow(ArmDialog):
         self._path: Path | None = None
         self._session: Session | None = None
         self._surveys: tuple[ChannelSurvey, ...] = ()
+        self._events: Job[EventLog] | None = None
         self.view: ReplayView | None = None
         self.live_strip = LiveStrip(controller)
         self.body.addWidget(self.live_strip)
@@ -212,9 +216,26 @@ class ReplayWindow(ArmDialog):
         self._waiting.hide()
         self._place.addWidget(self.view, 1)
         self.other_button.show()
+        self._find_events(self.view, arm)
         replay.open()
         replay.go_to(at_s)
         self.retranslate_ui()
+
+    def _find_events(self, view: ReplayView, arm: RecordedArm) -> None:
+        """Have the events of what is shown read, or found in its frames."""
+        from armui.control.event_log.log_events import log_events  # noqa: PLC0415 - with a log
+
+        def show(found: EventLog | Refusal) -> None:
+            self._events = None
+            if isinstance(found, Refusal):
+                self._say(words.refusal(found), Level.FAULT)
+            else:
+                view.events.show_log(found)
+
+        self._events = Job(show)
+        replay = view.replay
+        work = partial(log_events, replay.session, replay.channel, arm, wall_time)
+        self._background.begin_here(self._events, work)
 
     def _on_other(self, channel: Channel, generation: Generation) -> None:
         at_s = 0.0 if self.view is None else self.view.replay.position_s
@@ -222,9 +243,6 @@ class ReplayWindow(ArmDialog):
 
     def _on_failed(self, text: str) -> None:
         name = "" if self._path is None else self._path.name
-        from armui.arm.refusal import Refusal  # noqa: PLC0415 - for this alone
-        from armui.arm.refusal_codes import RefusalCode  # noqa: PLC0415 - as above
-
         reason = Refusal(RefusalCode.REPLAY_FAILED, {"name": name, "text": text})
         self._say(words.refusal(reason), Level.FAULT)
 
@@ -294,6 +312,8 @@ class ReplayWindow(ArmDialog):
             self._background.begin_here(Job(lambda _done: None), partial(_close, session))
 
     def _end_view(self) -> None:
+        if self._events is not None:
+            self._events.wanted, self._events = False, None
         view, self.view = self.view, None
         if view is None:
             return

@@ -13,8 +13,8 @@ from armui.session.session import MarkKind
 from armui.ui.theme import Colors, colors_of
 from armui.ui.watch.replay.log_time import duration, moment
 from armui.ui.watch.replay.mark_search import end_of
+from armui.ui.watch.replay.mark_text import mark_text
 from armui.ui.widgets.translated import Translated
-from armui.ui.words.log_marks import log_mark
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -101,7 +101,7 @@ class TimeLine(Translated, QWidget):
             ended_s = end_of(mark, self._end_s) or mark.at_s
             if mark.at_s - near_s <= at_s <= ended_s + near_s:
                 lasting = duration(ended_s - mark.at_s) if ended_s > mark.at_s else ""
-                words = f"{moment(mark.at_s)}  {log_mark(mark)}"
+                words = f"{moment(mark.at_s)}  {mark_text(mark)}"
                 found.append(f"{words} ({lasting})" if lasting else words)
         return found
 

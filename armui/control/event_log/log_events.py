@@ -1,0 +1,171 @@
+"""The events of a log that is replayed: those kept beside it, or what its frames tell: pure."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import fields
+from datetime import datetime
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.joint_status import Item, Word
+from armui.arm.other_hosts import OtherTraffic
+from armui.arm.state import ArmState
+from armui.control.event_log.observed import ObservedCode
+from armui.control.event_log.observer import DRIVER_FAULTS, STATUS_LEVELS, EventObserver
+from armui.control.event_log.writer import EventWriter
+from armui.control.events import LEVELS, EventCode
+from armui.protocol.addressing import Addressing
+from armui.protocol.codec import Codec
+from armui.protocol.codes import ArmStatusCode
+from armui.protocol.generation import Generation
+from armui.session.session import HasDataRows, MarkKind
+from armui.telemetry.event_json import from_record
+from armui.telemetry.events import MOST_ENTRIES, Asker, EventEntry, EventKind, EventLog, Level
+
+if TYPE_CHECKING:
+    from armui.arm.device import RecordedArm
+    from armui.session.frames import Channel
+    from armui.session.session import Session, SessionMark
+
+Wall = Callable[[float], datetime]
+_COMMANDS: Final[Mapping[str, tuple[ObservedCode, Level]]] = {
+    "stop_sent": (ObservedCode.LOGGED_STOP, Level.WARNING),
+    "resume_sent": (ObservedCode.LOGGED_RESUME, Level.INFO),
+    "enable_sent": (ObservedCode.LOGGED_ENABLE, Level.INFO),
+    "disable_sent": (ObservedCode.LOGGED_DISABLE, Level.INFO),
+    "motion_command": (ObservedCode.LOGGED_MOTION_COMMAND, Level.INFO),
+    "target": (ObservedCode.LOGGED_TARGETS, Level.INFO),
+}
+_STATUS: Final = frozenset({"status", "stopped", "beyond_limit", "no_communication", "joint"})
+"""Marks of what the arm says of itself."""
+_OF_ARM: Final = EventKind.FAULT, Asker.ARM
+_COMMAND: Final = EventKind.COMMAND, Asker.OTHER_HOST
+_LINK: Final = EventKind.LINK, Asker.PROGRAM
+_BY_PROGRAM: Final = EventKind.PROGRAM, Asker.PROGRAM
+
+
+def log_events(session: Session, channel: Channel, arm: RecordedArm, wall: Wall) -> EventLog:
+    """Everything that happened, in the order of time; this may take a second.
+
+    Beside a recording of this program stand its events, as they were told live. Of any other log
+    the arm's frames are looked at as they would be live; commands and silences are its marks.
+
+    Args:
+        session: The log.
+        channel: What is seen of it.
+        arm: What it tells of its arm.
+        wall: What the clock on the wall showed at a log time.
+    """
+    marks = [each for each in session.marks if each.entry.get("channel", channel) == channel]
+    entries: list[EventEntry] = []
+    if isinstance(session, HasDataRows):
+        marks = [each for each in marks if each.entry.get("code") not in _STATUS]
+        entries = _heard(session, channel, arm, wall)
+    entries += [entry_of(each, wall) for each in marks]
+    return _log_of(entries)
+
+
+def entry_of(mark: SessionMark, wall: Wall) -> EventEntry:
+    """A mark as an event: as it was written down, or in the words that it has live."""
+    if "number" in mark.entry:
+        try:
+            return from_record(mark.entry)
+        except ValueError:
+            return _unknown(mark, wall)
+    code = str(mark.entry.get("code", ""))
+    if mark.entry.get("kind") == "lost":
+        params = {"count": mark.entry.get("count", 0)}
+        lost = EventCode.SESSION_FRAMES_LOST
+        return _entry(mark, wall, lost, _BY_PROGRAM, params=params, level=LEVELS[lost])
+    if code in _COMMANDS:
+        logged, level = _COMMANDS[code]
+        params = {"message": mark.entry["message"]} if "message" in mark.entry else {}
+        return _entry(mark, wall, logged, _COMMAND, params=params, level=level)
+    if code == "silent":
+        offline = EventCode.OFFLINE
+        return _entry(mark, wall, offline, _LINK, params={}, level=LEVELS[offline])
+    return _fault(mark, wall, code) or _unknown(mark, wall)
+
+
+def _fault(mark: SessionMark, wall: Wall, code: str) -> EventEntry | None:
+    """What the arm says is wrong, in the words of live."""
+    told, joint = mark.entry, mark.entry.get("joint")
+    level = Level.FAULT
+    if code in {"status", "stopped"}:
+        status = told.get("status", int(ArmStatusCode.EMERGENCY_STOP))
+        level = STATUS_LEVELS.get(int(str(status)), Level.FAULT)
+        observed, params = ObservedCode.ARM_STATUS, {"status": status}
+    elif code == "beyond_limit":
+        observed, params, level = ObservedCode.BEYOND_LIMIT, {"joint": joint}, Level.WARNING
+    elif code == "no_communication":
+        observed, params = _row(joint, Item.COMMUNICATION, Word.ABNORMAL)
+    elif code == "joint" and told.get("what") in DRIVER_FAULTS:
+        observed, params = _row(joint, *DRIVER_FAULTS[str(told["what"])])
+    else:
+        return None
+    return _entry(mark, wall, observed, _OF_ARM, params=params, level=level)
+
+
+def _row(joint: object, item: Item, word: Word) -> tuple[ObservedCode, dict[str, object]]:
+    return ObservedCode.JOINT_FAULT, {"joint": joint, "item": item.name, "word": word.name}
+
+
+def _unknown(mark: SessionMark, wall: Wall) -> EventEntry:
+    """A newer program's, or a damaged line's: it is shown as it stands there."""
+    params = {"code": str(mark.entry.get("code", mark.entry.get("kind", "?")))}
+    faults = {MarkKind.FAULT, MarkKind.STOP}
+    level = Level.FAULT if mark.kind in faults else Level.INFO
+    return _entry(mark, wall, ObservedCode.UNKNOWN_MARK, _BY_PROGRAM, params=params, level=level)
+
+
+def _entry(
+    mark: SessionMark,
+    wall: Wall,
+    code: EventCode | ObservedCode,
+    by: tuple[EventKind, Asker],
+    *,
+    params: Mapping[str, object],
+    level: Level,
+) -> EventEntry:
+    ended_s = mark.entry.get("ended_s")
+    return EventEntry(
+        number=0,
+        at_s=mark.at_s,
+        wall=wall(mark.at_s),
+        level=level,
+        kind=by[0],
+        who=by[1],
+        code=str(code),
+        params=params,
+        lasts="ended_s" in mark.entry,
+        ended_s=float(ended_s) if isinstance(ended_s, int | float) else None,
+    )
+
+
+def _heard(
+    session: HasDataRows, channel: Channel, arm: RecordedArm, wall: Wall
+) -> list[EventEntry]:
+    """What the event log of a program that was connected would say of the arm."""
+    from armui.control.event_log.log_status import MOST, status_changes  # noqa: PLC0415 - numpy
+
+    offset = arm.feedback_offset
+    codec = Codec(Generation(arm.generation), Addressing(offset))
+    noted = status_changes(session, channel, codec)
+    log = EventLog(MOST)
+    writer = EventWriter(log, wall)
+    end_s = noted[-1].at_s if noted else 0.0
+    for change in EventObserver().observe(noted, ArmState(), OtherTraffic(), end_s):
+        writer.write(change)
+    return log.entries()
+
+
+_FIELDS: Final = tuple(each.name for each in fields(EventEntry) if each.name != "number")
+
+
+def _log_of(entries: Iterable[EventEntry]) -> EventLog:
+    """Numbered in the order of time."""
+    ordered = sorted(entries, key=lambda each: each.at_s)
+    log = EventLog(max(len(ordered), MOST_ENTRIES))
+    for entry in ordered:
+        log.add(**{name: getattr(entry, name) for name in _FIELDS})
+    return log

@@ -1,0 +1,90 @@
+"""Writes what was observed into an event log: each beginning, what it grew to, its end: pure."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable
+from datetime import datetime
+from typing import Any, Final
+
+from armui.control.event_log.commands import STREAMS
+from armui.control.event_log.observed import EventChange, EventPhase, ObservedCode
+from armui.telemetry.events import REPEAT_S, Asker, EventEntry, EventKind, EventLog, Level
+
+_MOST_KEYS: Final = 1_000
+_FLOWS_S: Final = 1.0
+"""What a held button or a slider sends comes faster than this."""
+
+
+class EventWriter:
+    """Knows which entry belongs to what goes on; the same for an arm and for a log.
+
+    Args:
+        log: What has happened.
+        wall: What the clock on the wall showed at a time of the log.
+    """
+
+    def __init__(self, log: EventLog, wall: Callable[[float], datetime]) -> None:
+        self._log = log
+        self._wall = wall
+        self._numbers: dict[Hashable, tuple[int, int]] = {}
+
+    def add(
+        self,
+        code: str,
+        kind: EventKind,
+        who: Asker,
+        level: Level,
+        *,
+        at_s: float,
+        wall: datetime | None = None,
+        **more: Any,
+    ) -> EventEntry:
+        """An event; ``more`` are further fields of `EventEntry`, and ``fold`` of `EventLog.add`."""
+        wall = self._wall(at_s) if wall is None else wall
+        flows = code in STREAMS or code == ObservedCode.MOTION
+        return self._log.add(
+            within_s=_FLOWS_S if flows else REPEAT_S,
+            at_s=at_s,
+            wall=wall,
+            level=level,
+            kind=kind,
+            who=who,
+            code=str(code),
+            **more,
+        )
+
+    def write(self, change: EventChange) -> None:
+        """Something was observed."""
+        if change.code is None:
+            self._go_on(change)
+            return
+        entry = self.add(
+            change.code,
+            change.kind,
+            change.who,
+            change.level,
+            at_s=change.at_s,
+            params=change.params,
+            count=change.count,
+            lasts=change.phase is EventPhase.BEGAN,
+            fold=None if change.phase is EventPhase.HAPPENED else (change.code, change.key),
+        )
+        self._numbers.pop(change.key, None)
+        self._numbers[change.key] = entry.number, entry.count - change.count
+        if len(self._numbers) > _MOST_KEYS:
+            del self._numbers[next(iter(self._numbers))]
+
+    def _go_on(self, change: EventChange) -> None:
+        known = self._numbers.get(change.key)
+        if known is None:
+            return
+        number, counted_before = known
+        changes: dict[str, Any] = {"count": counted_before + change.count}
+        if change.phase is EventPhase.ENDED:
+            del self._numbers[change.key]
+            changes |= {"ended_s": change.at_s, "unheard": change.unheard}
+        if change.params:
+            changes["params"] = change.params
+        if change.count > 1:
+            changes["last_s"] = change.at_s
+        self._log.change(number, **changes)

@@ -1,0 +1,79 @@
+"""The table of events: its columns, as wide as their words."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
+
+from armui.telemetry.events import Asker, EventKind
+from armui.ui.watch.events.event_cells import EventColumn, column_title
+from armui.ui.words import event_log as words
+
+if TYPE_CHECKING:
+    from armui.telemetry.events import EventEntry
+    from armui.ui.watch.events.event_model import EventModel
+
+_ROW_PX: Final = 28
+_SAMPLES: Final = {
+    EventColumn.BEGIN: "00:00:00.000",
+    EventColumn.END: "00:00:00.000",
+    EventColumn.ANSWER: "✓ 00.00 s",
+    EventColumn.RESULT: "✓ 00.00 s",
+    EventColumn.COUNT: "× 00,000",
+}
+_SIGN_PX: Final = 26
+_PAD_PX: Final = 22
+
+
+class EventTable(QTableView):
+    """Shows events.
+
+    Args:
+        model: The events.
+    """
+
+    def __init__(self, model: EventModel) -> None:
+        super().__init__()
+        self._events = model
+        self.setObjectName("event_table")
+        self.setModel(model)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setShowGrid(False)
+        self.setAlternatingRowColors(True)
+        self.setTabKeyNavigation(False)
+        self.setWordWrap(False)
+        down = self.verticalHeader()
+        down.hide()
+        down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        down.setDefaultSectionSize(_ROW_PX)
+        across = self.horizontalHeader()
+        across.setHighlightSections(False)
+        across.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        across.setSectionResizeMode(EventColumn.TEXT, QHeaderView.ResizeMode.Stretch)
+
+    def chosen(self) -> list[EventEntry]:
+        """The rows that are selected, from top to bottom."""
+        rows = sorted(index.row() for index in self.selectionModel().selectedRows())
+        return [self._events.entry(row) for row in rows]
+
+    def current(self) -> EventEntry | None:
+        """The row that was chosen last."""
+        index = self.selectionModel().currentIndex()
+        return self._events.entry(index.row()) if index.isValid() else None
+
+    def fit_columns(self) -> None:
+        """Wide enough for every word there is, so that nothing moves while events come."""
+        metrics, across = self.fontMetrics(), self.horizontalHeader()
+        texts = {
+            **{column: [sample] for column, sample in _SAMPLES.items()},
+            EventColumn.KIND: [words.event_kind(kind) for kind in EventKind],
+            EventColumn.WHO: [words.asker(who) for who in Asker],
+        }
+        for column, samples in texts.items():
+            widest = max(metrics.horizontalAdvance(t) for t in (*samples, column_title(column)))
+            sign = _SIGN_PX if column is EventColumn.BEGIN else 0
+            across.resizeSection(column, widest + sign + _PAD_PX)

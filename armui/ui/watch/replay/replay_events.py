@@ -1,0 +1,200 @@
+"""The events of a recording: the same rows and words as live; a click goes there."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QItemSelectionModel, Qt, QTimer, Signal
+from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtWidgets import QAbstractItemView, QVBoxLayout, QWidget
+
+from armui.telemetry.events import EventLog
+from armui.ui.theme import colors_of
+from armui.ui.watch.events.event_bar import EventBar
+from armui.ui.watch.events.event_cells import details
+from armui.ui.watch.events.event_export import EventExport
+from armui.ui.watch.events.event_model import EventModel
+from armui.ui.watch.events.event_table import EventTable
+from armui.ui.watch.replay.log_time import has_date
+from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.translated import Translated
+
+if TYPE_CHECKING:
+    from PySide6.QtCore import QModelIndex
+
+    from armui.control.arm_controller import ArmController
+    from armui.control.events import Level
+    from armui.telemetry.events import EventEntry
+    from armui.ui.background import Background
+
+_HERE_S: Final = 1e-4
+"""An event this near is the one the operator has gone to."""
+_DETAIL_LINES: Final = 4
+
+
+class ReplayEventBar(EventBar):
+    """What is followed here is the replay."""
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        super().retranslate_ui()
+        self.follow.setText(self.tr("Follow the replay"))
+        self._fit_toggles()
+        self.follow.setToolTip(self.tr("Keep the event of the moment that is shown in sight"))
+
+
+class ReplayEvents(Translated, QWidget):
+    """Shows the events; the one that the replay has passed last is lit.
+
+    Args:
+        live: The controller of the arm that is connected, for the stop in file choosers.
+        background: Where files are written.
+
+    Signals:
+        wanted: Log time that the operator wants to be at.
+    """
+
+    wanted = Signal(float)
+
+    def __init__(
+        self, live: ArmController, background: Background, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._at_s = 0.0
+        self.model = EventModel(EventLog(), colors_of(self))
+        self.bar = ReplayEventBar()
+        self.table = EventTable(self.model)
+        self.table.setObjectName("replay_events")
+        self.export = EventExport(live, background, self)
+        self.detail = text_label("replay_event_detail", wraps=True, plain=True)
+        self.detail.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.detail.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
+        self.message = MessageLine()
+        self.message.hide()
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(8, 8, 8, 6)
+        for widget, stretch in (
+            (self.bar, 0),
+            (self.table, 1),
+            (self.detail, 0),
+            (self.message, 0),
+        ):
+            layout.addWidget(widget, stretch)
+        self._connect()
+        self.retranslate_ui()
+
+    def _connect(self) -> None:
+        self.bar.filter_changed.connect(self.model.set_filter)
+        self.bar.follow_changed.connect(self._on_follow)
+        self.bar.save_wanted.connect(self._on_save)
+        self.export.said.connect(self._say)
+        self.table.clicked.connect(self._on_chosen)
+        self.table.activated.connect(self._on_chosen)
+        self.table.selectionModel().currentRowChanged.connect(self._show_detail)
+        self.table.verticalScrollBar().actionTriggered.connect(self._on_scrolled)
+        self.model.modelReset.connect(self._on_reset)
+        self.model.dataChanged.connect(self._show_detail)
+        copy = QShortcut(QKeySequence(QKeySequence.StandardKey.Copy), self.table)
+        copy.setContext(Qt.ShortcutContext.WidgetShortcut)
+        copy.activated.connect(self.copy_chosen)
+
+    def show_log(self, log: EventLog) -> None:
+        """Show what happened, in the order of time."""
+        self.model.show_log(log)
+
+    # Where the replay is ----------------------------------------------------------------------
+
+    def show_position(self, at_s: float) -> None:
+        """The replay is here."""
+        self._at_s = at_s
+        if self.isVisible() and self.bar.follow.isChecked():
+            self._light()
+
+    def _light(self) -> None:
+        """Choose the event that was passed last, and bring it into sight."""
+        row = self.model.row_at(self._at_s + _HERE_S)
+        current = self.table.currentIndex().row()
+        if row is None:
+            if current >= 0:
+                self.table.setCurrentIndex(self.model.index(-1, -1))
+                self.table.clearSelection()
+            return
+        if current >= 0 and self._is_here(current, row):
+            return  # several happened at one moment: the operator has chosen among them
+        flags = QItemSelectionModel.SelectionFlag
+        index = self.model.index(row, 0)
+        self.table.selectionModel().setCurrentIndex(index, flags.ClearAndSelect | flags.Rows)
+        self.table.scrollTo(index, QAbstractItemView.ScrollHint.PositionAtCenter)
+
+    def _is_here(self, current: int, row: int) -> bool:
+        if current == row:
+            return True
+        lit_s, last_s = self.model.entry(current).at_s, self.model.entry(row).at_s
+        return current < row and last_s - lit_s <= _HERE_S
+
+    def _on_reset(self) -> None:
+        self.bar.show_count(self.model.rowCount(), self.model.kept)
+        if self.bar.follow.isChecked():
+            self._light()
+        self._show_detail()
+
+    def _show_detail(self) -> None:
+        entry = self.table.current()
+        lines = [] if entry is None else details(entry, dated=has_date(entry.at_s))
+        text = "\n".join(lines)
+        if self.detail.text() != text:
+            self.detail.setText(text)
+
+    # What the operator does -------------------------------------------------------------------
+
+    def _on_chosen(self, index: QModelIndex) -> None:
+        self.wanted.emit(self.model.entry(index.row()).at_s)
+
+    def _on_follow(self, on: bool) -> None:
+        if on:
+            self._light()
+
+    def _on_scrolled(self) -> None:
+        """The operator looks at something else; what is shown then stays."""
+        QTimer.singleShot(0, self, self._follow_what_is_seen)
+
+    def _follow_what_is_seen(self) -> None:
+        seen = (
+            self.table.viewport()
+            .rect()
+            .intersects(self.table.visualRect(self.table.currentIndex()))
+        )
+        self.bar.follow.setChecked(seen)
+
+    def copy_chosen(self) -> None:
+        """Put the selected rows into the clipboard."""
+        entries: list[EventEntry] = self.table.chosen()
+        if entries:
+            self.export.copy(entries)
+
+    def _on_save(self, kind: str) -> None:
+        if kind == "copy":
+            self.export.copy(self.model.entries())
+        else:
+            self.export.save(kind, self.model.entries())
+
+    def _say(self, text: str, level: Level) -> None:
+        self.message.show_message(text, level)
+        self.message.show()
+
+    # Appearance -------------------------------------------------------------------------------
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.table.setAccessibleName(self.tr("Events of the recording"))
+        self.table.setToolTip(self.tr("Click: show this moment"))
+        self.model.retranslate()
+        self.table.fit_columns()
+        height = _DETAIL_LINES * self.detail.fontMetrics().lineSpacing() + 8
+        self.detail.setFixedHeight(height)
+        self.bar.show_count(self.model.rowCount(), self.model.kept)
+        self._show_detail()
+
+    def _recolor(self) -> None:
+        self.model.recolor(colors_of(self))

@@ -1,0 +1,72 @@
+"""Folders that killed programs left are removed, and no others."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import tempfile
+import time
+
+import pytest
+
+from armui.ui.watch.replay.column_folders import make_folder, remove_leftovers
+
+HOUR_S, MONTH_S = 3600.0, 30 * 86_400.0
+
+
+@pytest.fixture(autouse=True)
+def _own_place(tmp_path, monkeypatch):
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+
+
+@pytest.fixture(scope="module")
+def ended():
+    """The number of a process that lives no more."""
+    process = subprocess.Popen([sys.executable, "-c", ""])
+    process.wait()
+    return process.pid
+
+
+def folder(place, name, age_s):
+    made = place / name
+    made.mkdir()
+    (made / "times_s.column").write_bytes(bytes(800))
+    at_s = time.time() - age_s
+    os.utime(made, (at_s, at_s))
+    return made
+
+
+@pytest.mark.skipif(os.name != "posix", reason="elsewhere files in use protect themselves")
+def test_what_a_living_program_uses_stays(tmp_path):
+    ours = make_folder()
+    old = folder(tmp_path, f"armui-replay-{os.getpid()}-abcd", HOUR_S)
+
+    assert remove_leftovers() == 0
+    assert ours.is_dir()
+    assert old.is_dir()
+
+
+def test_what_a_killed_program_left_is_removed(tmp_path, ended):
+    left = folder(tmp_path, f"armui-replay-{ended}-abcd", HOUR_S)
+    nameless = folder(tmp_path, "armui-replay-abcd1234", MONTH_S)
+
+    assert remove_leftovers() == 2
+    assert not left.exists()
+    assert not nameless.exists()
+
+
+def test_what_is_young_or_not_ours_stays(tmp_path, ended):
+    stay = [
+        folder(tmp_path, f"armui-replay-{ended}-young", 5.0),
+        folder(tmp_path, "armui-replay-abcd1234", HOUR_S),
+        folder(tmp_path, "armui-replay-my own notes", MONTH_S),
+        folder(tmp_path, f"other-{ended}-abcd", MONTH_S),
+    ]
+    target = folder(tmp_path, "kept", MONTH_S)
+    link = tmp_path / f"armui-replay-{ended}-link"
+    link.symlink_to(target)
+    (tmp_path / f"armui-replay-{ended}-file").write_bytes(b"")
+
+    assert remove_leftovers() == 0
+    assert all(each.is_dir() for each in (*stay, target))
