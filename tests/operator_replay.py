@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
+from armui.ui.watch.recordings.sessions_window import SessionsWindow
 from armui.ui.watch.replay import replay_window
 from armui.ui.watch.replay.replay_window import ReplayWindow
 from armui.viewport import view as viewport_view
@@ -29,13 +30,14 @@ class StillView(FakeView):
 
 
 class Replay:
-    """The window, opened by its button; logs are read by whoever asks, or by a helper."""
+    """The window, opened from that of the recordings; whoever asks reads the logs, or a helper."""
 
     def __init__(self, driver: Any, monkeypatch: Any, helper: Any = AtOnce) -> None:
         self.driver = driver
         monkeypatch.setattr(replay_window, "HelperProcess", helper)
         monkeypatch.setattr(viewport_view, "ArmView", StillView)
-        driver.click("replay_button")
+        driver.click("sessions_button")
+        driver.click(driver.dialog(SessionsWindow).other_button)
         self.window = driver.dialog(ReplayWindow)
 
     @property

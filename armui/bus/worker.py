@@ -65,6 +65,7 @@ class BusWorker(QThread):
 
     Attributes:
         samples: Every joint feedback, while somebody wants them.
+        released: Set once the device is closed for good.
 
     Signals:
         reported: A :class:`BusReport`, whenever the state of the device changes.
@@ -102,6 +103,7 @@ class BusWorker(QThread):
         self._received = ReceiveClock(clock, stamped=device.interface in STAMPED)
         self.samples = self._intake.samples
         self._closing = threading.Event()
+        self.released = threading.Event()
 
     @property
     def idle(self) -> bool:
@@ -163,6 +165,12 @@ class BusWorker(QThread):
 
     def run(self) -> None:
         """Open, use, and after a loss reopen the device until :meth:`close`."""
+        try:
+            self._run()
+        finally:
+            self.released.set()
+
+    def _run(self) -> None:
         self._report(BusState.OPENING)
         was_open = False
         while not self._closing.is_set():

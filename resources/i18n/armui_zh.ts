@@ -7613,8 +7613,16 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>会话记录</translation>
     </message>
     <message>
-        <source>Open</source>
-        <translation>打开</translation>
+        <source>Replay</source>
+        <translation>回放</translation>
+    </message>
+    <message>
+        <source>Replay another log…</source>
+        <translation>回放其他日志…</translation>
+    </message>
+    <message>
+        <source>Any CAN log, also of another program, is shown as if it were live.</source>
+        <translation>任何 CAN 日志（包括其他程序的）都可以像实时一样显示。</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -9067,20 +9075,12 @@ Afterwards the motors must be enabled again.</source>
         <translation>CAN 总线上的每一帧：含义、频率以及由谁发送。</translation>
     </message>
     <message>
-        <source>Sessions</source>
+        <source>Record</source>
         <translation>会话</translation>
     </message>
     <message>
-        <source>Record everything on the bus, save what just happened, and open what was recorded.</source>
-        <translation>记录总线上的全部内容，保存刚才发生的事，打开已有记录。</translation>
-    </message>
-    <message>
-        <source>Replay</source>
-        <translation>回放</translation>
-    </message>
-    <message>
-        <source>Shows a recording, of this program or of another one, as if it were live.</source>
-        <translation>像实时一样显示本程序或其他程序的记录。</translation>
+        <source>Record everything on the bus, save what just happened, replay what was recorded, here or by another program.</source>
+        <translation>记录总线上的一切，保存刚才发生的事，回放本程序或其他程序的记录。</translation>
     </message>
 </context>
 </TS>

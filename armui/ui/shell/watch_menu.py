@@ -48,8 +48,9 @@ class WatchMenu(Translated, QWidget):
         for place, entry in enumerate(entries):
             button = QToolButton()
             button.setObjectName(f"{entry.key}_button")
+            button.setProperty("half", True)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            button.setIconSize(QSize(20, 20))
+            button.setIconSize(QSize(18, 18))
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             button.clicked.connect(lambda _on=False, entry=entry: entry.open_window())
             row, column = divmod(place, _COLUMNS)

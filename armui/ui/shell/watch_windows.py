@@ -45,14 +45,11 @@ _BUTTONS: Final = (
      QT_TRANSLATE_NOOP(
          "WatchMenu",
          "Every frame on the CAN bus: what it says, how often it comes, who sends it.")),
-    ("sessions", QT_TRANSLATE_NOOP("WatchMenu", "Sessions"),
+    ("sessions", QT_TRANSLATE_NOOP("WatchMenu", "Record"),
      QT_TRANSLATE_NOOP(
          "WatchMenu",
-         "Record everything on the bus, save what just happened, and open what was recorded.")),
-    ("replay", QT_TRANSLATE_NOOP("WatchMenu", "Replay"),
-     QT_TRANSLATE_NOOP(
-         "WatchMenu",
-         "Shows a recording, of this program or of another one, as if it were live.")),
+         "Record everything on the bus, save what just happened, replay what was recorded, here or "
+         "by another program.")),
 )
 # fmt: on
 """Icon, name and purpose of each window, row by row."""
@@ -98,7 +95,6 @@ class WatchWindows:
             "events": self.show_events,
             "bus": self.open_bus_monitor,
             "sessions": self.open_sessions,
-            "replay": self.open_replay,
         }
         return tuple(
             WatchEntry(key, str(title), str(tip), openers[key]) for key, title, tip in _BUTTONS
@@ -165,6 +161,7 @@ class WatchWindows:
         def make() -> QDialog:
             window = SessionsWindow(self._controller, self._background, self._store, self._window)
             window.open_wanted.connect(self.open_replay)
+            window.other_wanted.connect(self.open_replay)
             window.export_wanted.connect(self.open_export)
             return window
 

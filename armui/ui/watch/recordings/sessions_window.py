@@ -76,10 +76,12 @@ class SessionsWindow(ArmDialog):
 
     Signals:
         open_wanted: The path of a recording to be replayed.
+        other_wanted: A log from elsewhere is to be replayed.
         export_wanted: The path of a recording to be exported.
     """
 
     open_wanted = Signal(object)
+    other_wanted = Signal()
     export_wanted = Signal(object)
 
     def __init__(
@@ -125,9 +127,10 @@ class SessionsWindow(ArmDialog):
     def _make_buttons(self) -> None:
         self.open_button, self.rename_button = QPushButton(), QPushButton()
         self.delete_button, self.folder_button = QPushButton(), QPushButton()
-        self.export_button = QPushButton()
+        self.export_button, self.other_button = QPushButton(), QPushButton()
         for name, button, act in (
             ("session_open", self.open_button, self._open_chosen),
+            ("session_open_other", self.other_button, self._open_other),
             ("session_export", self.export_button, self._export_chosen),
             ("session_rename", self.rename_button, self._edit_name),
             ("session_delete", self.delete_button, self._delete),
@@ -151,12 +154,17 @@ class SessionsWindow(ArmDialog):
         self.footer.addWidget(self.rename_button)
         self.footer.addWidget(self.delete_button)
         self.footer.addStretch(1)
+        self.footer.addWidget(self.other_button)
         self.footer.addWidget(self.folder_button)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self.set_title(self.tr("Session recordings"))
-        self.open_button.setText(self.tr("Open"))
+        self.open_button.setText(self.tr("Replay"))
+        self.other_button.setText(self.tr("Replay another log…"))
+        self.other_button.setToolTip(
+            self.tr("Any CAN log, also of another program, is shown as if it were live.")
+        )
         self.export_button.setText(self.tr("Export…"))
         self.export_button.setToolTip(self.tr("As ROS 2 messages in MCAP, as CSV or as Parquet."))
         self.rename_button.setText(self.tr("Rename"))
@@ -257,6 +265,9 @@ class SessionsWindow(ArmDialog):
         chosen = self.chosen()
         if len(chosen) == 1 and chosen[0].path is not None:
             self.open_wanted.emit(chosen[0].path)
+
+    def _open_other(self) -> None:
+        self.other_wanted.emit()
 
     def _export_chosen(self) -> None:
         chosen = self.chosen()

@@ -51,6 +51,7 @@ class ReplayFrame(Translated, QWidget):
         banner.addWidget(self.name, 1)
         banner.addWidget(self.clock)
         holder = QWidget()
+        holder.setObjectName("replay_banner")
         holder.setFixedHeight(_BANNER_PX)
         holder.setLayout(banner)
         layout = QVBoxLayout(self)
@@ -72,9 +73,6 @@ class ReplayFrame(Translated, QWidget):
         ratio = self.devicePixelRatioF()
         self._icon.setPixmap(icons.pixmap("replay", ink, _ICON_PX, ratio))
         for label in (self.word, self.name, self.clock):
-            colored = label.palette()
-            colored.setColor(label.foregroundRole(), QColor(ink))
-            label.setPalette(colored)
             label.setFont(scaled_font(self, _WORD_SCALE, bold=label is not self.name))
 
     def paintEvent(self, _event: QPaintEvent) -> None:

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from concurrent.futures import Executor
 
-    from PySide6.QtGui import QCloseEvent, QKeyEvent
+    from PySide6.QtGui import QKeyEvent
 
     from armui.arm.refusal import Refusal
     from armui.control.arm_controller import ArmController
@@ -303,11 +303,11 @@ class ReplayWindow(ArmDialog):
         view.replay.close()
         view.deleteLater()
 
-    def closeEvent(self, event: QCloseEvent) -> None:
+    def done(self, result: int) -> None:
         """Close the log, too: hidden it would keep its memory and its place on the disk."""
         self._leave()
         self._show_waiting()
-        super().closeEvent(event)
+        super().done(result)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Escape closes nothing here: a log takes a while to open."""
