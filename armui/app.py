@@ -18,7 +18,6 @@ from PySide6.QtWidgets import QApplication
 
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.control.arm_controller import ArmController
-from armui.control.event_log.keeper import EventKeeper
 from armui.control.part_failure import end_motion_of
 from armui.protocol.generation import Generation
 from armui.settings import Choices, Settings, SettingsStore, default_path
@@ -39,6 +38,7 @@ if TYPE_CHECKING:
 
     import can
 
+    from armui.control.event_log.keeper import EventKeeper
     from armui.control.link.neighbours import Neighbours
     from armui.control.sessions.choices import SessionChoices
     from armui.viewport.client import PictureClient
@@ -113,15 +113,22 @@ class Program:
         self._relay.failed.connect(self._on_failed)
         self._failure_handler = FailureHandler(self._relay.failed.emit)
         logging.getLogger("armui").addHandler(self._failure_handler)
-        self._event_keeper = None
-        if events is not None:
-            self._event_keeper = EventKeeper(controller.happenings, events, files or workers)
+        self._event_keeper: EventKeeper | None = None
         self._neighbours: Neighbours | None = None
+        # once the window stands
+        if events is not None:
+            keep = partial(self._keep_events, events, files or workers)
+            QTimer.singleShot(0, self._relay, keep)
         if meeting_place is not None:
             meet = partial(self._meet, store.path, meeting_place)
-            QTimer.singleShot(0, self._relay, meet)  # once the window stands
+            QTimer.singleShot(0, self._relay, meet)
         for problem in store.problems:
             self.window.show_problem(problem)
+
+    def _keep_events(self, folder: Path, files: Executor) -> None:
+        from armui.control.event_log.keeper import EventKeeper  # noqa: PLC0415 - faster start
+
+        self._event_keeper = EventKeeper(self.controller.happenings, folder, files)
 
     def _meet(self, settings: Path, place: Path) -> None:
         from armui.control.link.neighbours import Neighbours  # noqa: PLC0415 - faster start

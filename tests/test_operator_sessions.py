@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QWidget
 
 from armui.session.recording.recorded_session import RecordedSession
 from armui.ui.dialogs.files import FileDialog
@@ -57,11 +58,11 @@ class Sessions:
 
 def test_a_session_is_recorded_and_listed(sessions):
     driver, window = sessions.driver, sessions.window
-    mark = driver.find("recording_mark")
-    assert not mark.isVisible()
+    assert driver.window.findChild(QWidget, "recording_mark") is None
     assert window.recording.state_label.text() == "Not recording"
 
     driver.click(window.recording.record_button)
+    mark = driver.find("recording_mark")
     assert mark.isVisible()
     driver.run(3.2)
     sessions.until(lambda: (sessions.recorder.progress() or window).frames > 1000)

@@ -9,10 +9,9 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from datetime import datetime
 from types import MappingProxyType
-from typing import Final
+from typing import Final, NamedTuple
 
 from armui.arm.limits import JOINTS
 from armui.arm.state import ArmState, DriverFast, DriverSlow, Reading, Status
@@ -73,8 +72,7 @@ class StatusVerdict(enum.Enum):
     OFFLINE = enum.auto()
 
 
-@dataclass(frozen=True, slots=True)
-class Worst:
+class Worst(NamedTuple):
     """The worst of the six states.
 
     Attributes:
@@ -86,8 +84,7 @@ class Worst:
     joints: tuple[int, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class StatusCell:
+class StatusCell(NamedTuple):
     """One item of one joint.
 
     Attributes:

@@ -11,7 +11,7 @@ from datetime import datetime
 from enum import StrEnum, unique
 from typing import Final
 
-from armui.telemetry.events import Level
+from armui.telemetry.event_level import Level
 
 __all__ = ["LEVELS", "LINK_BREAKS", "Event", "EventCode", "Level"]
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import enum
 from dataclasses import dataclass, field
 from datetime import datetime
+from typing import NamedTuple
 
 from armui.arm.device import Device
 from armui.arm.limits import FACTORY_LIMITS, JointLimits
@@ -71,8 +72,7 @@ class Busy(enum.Enum):
     ZEROING = "zeroing"
 
 
-@dataclass(frozen=True, slots=True)
-class OtherHostReport:
+class OtherHostReport(NamedTuple):
     """Another host that moves the arm.
 
     Attributes:

@@ -5,35 +5,62 @@ from __future__ import annotations
 import contextlib
 import logging
 import queue
+import threading
 from collections.abc import Iterator
-from logging.handlers import QueueHandler, QueueListener, RotatingFileHandler
 from pathlib import Path
 from typing import Final
 
 from armui.system.failures import Repeats
 
 NAME: Final = "armui.log"
-_MOST_BYTES: Final = 1_000_000
-_OLD_FILES: Final = 4
 _MOST_WAITING: Final = 1000
-"""Records that wait for a slow disk; later ones are lost, never waited for."""
+"""Lines that wait for a slow disk; later ones are lost, never waited for."""
 _FORMAT: Final = "%(asctime)s %(levelname)s %(name)s [%(threadName)s] %(message)s"
 
 
-class _Unhurried(QueueHandler):
-    """Hands records over and never waits; where nobody takes them they are lost."""
+class UnhurriedHandler(logging.Handler):
+    """Hands lines over and never waits; where nobody takes them they are lost.
 
-    def enqueue(self, record: logging.LogRecord) -> None:
-        with contextlib.suppress(queue.Full):
-            self.queue.put_nowait(record)
+    Attributes:
+        lines: What waits; ``None`` is the end.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.lines: queue.Queue[str | None] = queue.Queue(_MOST_WAITING)
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Put its line into the queue."""
+        try:
+            self.lines.put_nowait(self.format(record))
+        except queue.Full:
+            pass
+        except Exception:  # noqa: BLE001 - what cannot be put into words
+            self.handleError(record)
 
     def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802 - logging's name
         """A log that fails is no reason to say more."""
 
 
-class _Quiet(RotatingFileHandler):
-    def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802 - logging's name
-        """A disk that is full, or a file another program holds: the log goes on when it can."""
+class _LogThread(threading.Thread):
+    """Writes what it finds in a queue, until the end."""
+
+    def __init__(self, path: Path, lines: queue.Queue[str | None]) -> None:
+        super().__init__(name="log", daemon=True)
+        self._path = path
+        self._lines = lines
+
+    def run(self) -> None:
+        line = self._lines.get()
+        if line is None:
+            return
+        from armui.system.rotating_file import RotatingFile  # noqa: PLC0415 - most starts log nothing
+
+        with contextlib.closing(RotatingFile(self._path)) as file:
+            while line is not None:
+                file.add(line)
+                self._lines.task_done()
+                line = self._lines.get()
 
 
 @contextlib.contextmanager
@@ -52,25 +79,24 @@ def log_to(folder: Path) -> Iterator[Path | None]:
     path = folder / NAME
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        file = _Quiet(path, maxBytes=_MOST_BYTES, backupCount=_OLD_FILES, encoding="utf-8")
+        path.open("a", encoding="utf-8").close()
     except (OSError, ValueError):
         yield None
         return
-    file.setFormatter(logging.Formatter(_FORMAT))
-    records: queue.Queue[logging.LogRecord] = queue.Queue(_MOST_WAITING)
-    handler = _Unhurried(records)
+    handler = UnhurriedHandler()
+    handler.setFormatter(logging.Formatter(_FORMAT))
     handler.addFilter(Repeats())
-    listener = QueueListener(records, file)
+    thread = _LogThread(path, handler.lines)
     logger = logging.getLogger("armui")
     level = logger.level
     logger.setLevel(logging.INFO)
     logger.addHandler(handler)
-    listener.start()
+    thread.start()
     try:
         yield path
     finally:
         logger.removeHandler(handler)
         logger.setLevel(level)
         with contextlib.suppress(queue.Full):
-            listener.stop()
-        file.close()
+            handler.lines.put_nowait(None)
+            thread.join()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import enum
 import threading
 from collections import OrderedDict
 from collections.abc import Hashable, Mapping
@@ -11,21 +10,26 @@ from datetime import datetime, timedelta
 from enum import StrEnum, unique
 from typing import Any, Final
 
+from armui.telemetry.event_level import Level
+
+__all__ = [
+    "MOST_ENTRIES",
+    "REPEATS_SPAN_S",
+    "REPEAT_S",
+    "Asker",
+    "EventEntry",
+    "EventKind",
+    "EventLog",
+    "EventOutcome",
+    "Level",
+]
+
 MOST_ENTRIES: Final = 10_000
 """Some 20 MB where each is a motion with its figures and its end; the oldest make room."""
 REPEAT_S: Final = 10.0
 """What happens again within this time is counted, not listed anew."""
 REPEATS_SPAN_S: Final = 60.0
 """Repeats are counted for so long; then they are listed anew, or one line would hide a day."""
-
-
-class Level(enum.Enum):
-    """How grave an event is."""
-
-    INFO = enum.auto()
-    DONE = enum.auto()
-    WARNING = enum.auto()
-    FAULT = enum.auto()
 
 
 @unique

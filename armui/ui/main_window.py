@@ -8,12 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QCloseEvent, QContextMenuEvent, QShowEvent
-from PySide6.QtWidgets import (
-    QHBoxLayout,
-    QSplitter,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QHBoxLayout, QSplitter, QVBoxLayout, QWidget
 
 from armui.arm.state import ArmState
 from armui.control.devices.joint_monitor import JointMonitor
@@ -110,7 +105,8 @@ class MainWindow(Translated, QWidget):
         self._preview_bar = PreviewBar()
         self._preview = PathPreview(view, self._preview_bar, self)
         self._view_region = ViewRegion(view, self._preview_bar)
-        self._status_bar = StatusBar(controller, marks=self._watch.marks())
+        self._status_bar = StatusBar(controller)
+        self._watch.show_marks_in(self._status_bar)
         self._lay_out()
         self._connect()
         self.resize(_FIRST_SIZE.boundedTo(self.screen().availableSize()))

@@ -8,9 +8,8 @@ from __future__ import annotations
 
 import enum
 import string
-from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Final
+from typing import Final, NamedTuple
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QColor, QFont, QFontDatabase, QPalette
@@ -27,8 +26,7 @@ class Theme(enum.StrEnum):
     SYSTEM = "system"
 
 
-@dataclass(frozen=True, slots=True)
-class Colors:
+class Colors(NamedTuple):
     """The colours of one theme, as ``#rrggbb``.
 
     Attributes:
@@ -243,4 +241,4 @@ def palette(colors: Colors) -> QPalette:
 def style_sheet(colors: Colors) -> str:
     """The style sheet ``theme.qss`` with the colours of a theme in it."""
     template = string.Template((_HERE / "theme.qss").read_text(encoding="utf-8"))
-    return template.substitute(asdict(colors), icons=(_HERE / "icons").as_posix())
+    return template.substitute(colors._asdict(), icons=(_HERE / "icons").as_posix())

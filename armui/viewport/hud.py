@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPixmap
@@ -21,8 +21,7 @@ _GAP_PX = 18.0
 _BACKDROP_OPACITY = 0.72
 
 
-@dataclass(frozen=True)
-class HudValues:
+class HudValues(NamedTuple):
     """What the figures say; None: never heard from the arm.
 
     Attributes:

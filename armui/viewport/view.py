@@ -173,12 +173,12 @@ class ArmView(QWidget):
         angles = None if angles_deg is None else tuple(angles_deg)
         shown = self._state.angles_deg if look_alike(angles, self._state.angles_deg) else angles
         self._show(replace(self._state, angles_deg=shown, gripper_mm=gripper_mm, stale=stale))
-        self._set_hud(replace(self._hud, angles_deg=angles, angles_stale=stale))
+        self._set_hud(self._hud._replace(angles_deg=angles, angles_stale=stale))
 
     def set_pose(self, pose: Sequence[float] | None, stale: bool = False) -> None:
         """Show the measured end pose: X, Y, Z in mm, RX, RY, RZ in degrees; None: never heard."""
         self._set_hud(
-            replace(self._hud, pose=None if pose is None else tuple(pose), pose_stale=stale)
+            self._hud._replace(pose=None if pose is None else tuple(pose), pose_stale=stale)
         )
 
     def set_theme(self, palette: ScenePalette) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final
+from typing import Final, NamedTuple
 
 from armui.system.paths import URDF
 from armui.viewport.camera import HOME_CAMERA, OrbitCamera
@@ -15,8 +15,7 @@ _SAME_ANGLE_DEG: Final = 0.005
 """Less moves nothing by a pixel: an arm at rest that reports the last digit is not drawn anew."""
 
 
-@dataclass(frozen=True)
-class PickRequest:
+class PickRequest(NamedTuple):
     """A question which link is seen at a pixel; `serial` tells two questions at one place apart."""
 
     serial: int
@@ -24,8 +23,7 @@ class PickRequest:
     y_px: float
 
 
-@dataclass(frozen=True)
-class RobotChoice:
+class RobotChoice(NamedTuple):
     """The URDF file to show; `serial` makes the same file, repaired, load again."""
 
     path: Path

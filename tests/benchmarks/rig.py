@@ -7,7 +7,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
@@ -22,6 +22,7 @@ from armui.bus.worker import Opener
 from armui.control.arm_controller import ArmController
 from armui.control.operating_state import LinkState
 from armui.settings import SettingsStore
+from armui.system.clock import steady_s
 from armui.system.helper_process import HelperProcess
 from tests.benchmarks.other_arm import BUS
 from tests.waiting import wait_until
@@ -60,11 +61,17 @@ def all_cores_busy() -> Iterator[None]:
 
 
 @contextmanager
-def window(app: QApplication, folder: Path, open_bus: Opener, device: Device) -> Iterator[Program]:
+def window(
+    app: QApplication,
+    folder: Path,
+    open_bus: Opener,
+    device: Device,
+    clock: Callable[[], float] = steady_s,
+) -> Iterator[Program]:
     """The program as the operator has it, connected, with the picture on the screen."""
     before = sys.getswitchinterval()
     sys.setswitchinterval(_SWITCH_INTERVAL_S)
-    controller = ArmController(open_bus)
+    controller = ArmController(open_bus, clock=clock)
     store = SettingsStore(folder / "settings.json")
     program = Program(app, store, controller, HelperProcess(), folder / "trajectories")
     program.window.resize(1520, 800)  # leaves 900×700 and a little more to the picture

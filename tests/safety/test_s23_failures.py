@@ -3,8 +3,6 @@
 import logging
 import sys
 import threading
-from logging.handlers import QueueHandler
-from queue import Queue
 from typing import Any
 
 import pytest
@@ -16,7 +14,7 @@ from armui.control.motion.jog_path import JointJog
 from armui.start import StartOptions
 from armui.system import failures
 from armui.system.helper_process import HelperProcess
-from armui.system.log_file import log_to
+from armui.system.log_file import UnhurriedHandler, log_to
 
 
 class Breaks(QObject):
@@ -102,9 +100,8 @@ def test_the_log_rotates(tmp_path):
             logging.getLogger("armui.test").warning("%d %s", number, "x" * 20_000)
             if number % 100 == 99:
                 handler = logging.getLogger("armui").handlers[-1]
-                assert isinstance(handler, QueueHandler)
-                assert isinstance(handler.queue, Queue)
-                handler.queue.join()
+                assert isinstance(handler, UnhurriedHandler)
+                handler.lines.join()
     names = sorted(path.name for path in tmp_path.iterdir())
     assert names == ["armui.log", *(f"armui.log.{n}" for n in (1, 2, 3, 4))]
     assert sum(path.stat().st_size for path in tmp_path.iterdir()) < 5_100_000

@@ -47,7 +47,7 @@ def test_text_can_be_read(colors, ink, ground):
 
 def test_only_stop_colours_are_red():
     for colors in (LIGHT, DARK):
-        for name in colors.__dataclass_fields__:
+        for name in colors._fields:
             color = QColor(getattr(colors, name))
             red = color.hslHue() in {*range(18), *range(342, 360)} and color.hslSaturationF() > 0.35
             assert red == (name.startswith("stop")), name

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
@@ -76,7 +75,7 @@ class JointMonitor(QObject):
         cell = self._history.cell(self._controller.state, self.generation, item, joint)
         if self._controller.operating_state.link is LinkState.ONLINE:
             return cell
-        return replace(cell, stale=cell.word is not None or cell.value is not None)
+        return cell._replace(stale=cell.word is not None or cell.value is not None)
 
     def _follow(self, _news: ArmState | OperatingState | None = None) -> None:
         state, generation = self._controller.state, self.generation

@@ -5,8 +5,7 @@ from __future__ import annotations
 import math
 from collections import deque
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Final
+from typing import Final, NamedTuple
 
 from armui.arm.limits import FACTORY_LIMITS, plausible
 from armui.arm.refusal import Refusal
@@ -22,8 +21,7 @@ _BRAKING: Final = 0.95
 """A joint that gets slower is on its way to the speed it was told."""
 
 
-@dataclass(frozen=True, slots=True)
-class _Sample:
+class _Sample(NamedTuple):
     at_s: float
     joints_deg: tuple[float, ...]
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
@@ -60,7 +59,6 @@ class StatusBar(Translated, QWidget):
 
     Args:
         controller: Tells what happens and how the arm is.
-        marks: What else is shown in it, at the left.
         with_notices: Whether what happened last is told; of a log its time line tells.
 
     Signals:
@@ -75,7 +73,6 @@ class StatusBar(Translated, QWidget):
         controller: ArmController,
         parent: QWidget | None = None,
         *,
-        marks: Sequence[QWidget] = (),
         with_notices: bool = True,
     ) -> None:
         super().__init__(parent)
@@ -94,11 +91,9 @@ class StatusBar(Translated, QWidget):
         self._labels = {
             name: QLabel() for name in ("control", "arm", "mode", "teaching", "reached", "joints")
         }
-        layout = QHBoxLayout(self)
+        self._layout = layout = QHBoxLayout(self)
         layout.setContentsMargins(14, 6, 14, 6)
         layout.setSpacing(8)
-        for mark in marks:
-            layout.addWidget(mark)
         layout.addWidget(self._notice_icon)
         layout.addWidget(self._notice_label, 1)
         layout.addSpacing(16)
@@ -120,6 +115,10 @@ class StatusBar(Translated, QWidget):
         controller.state_changed.connect(self._on_state_changed)
         controller.operating_state_changed.connect(self._on_operating_state_changed)
         self.retranslate_ui()
+
+    def add_mark(self, mark: QWidget) -> None:
+        """Show something more in it, at the left."""
+        self._layout.insertWidget(0, mark)
 
     # -- notice -------------------------------------------------------------------------------
 

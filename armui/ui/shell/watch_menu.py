@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import Final
+from typing import Final, NamedTuple
 
 from PySide6.QtCore import QCoreApplication, QSize, Qt
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QToolButton, QWidget
@@ -16,8 +15,7 @@ from armui.ui.widgets.translated import Translated
 _COLUMNS: Final = 2
 
 
-@dataclass(frozen=True, slots=True)
-class WatchEntry:
+class WatchEntry(NamedTuple):
     """One window.
 
     Attributes:

@@ -9,12 +9,15 @@ from typing import TYPE_CHECKING, Final, Protocol, runtime_checkable
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 from PySide6.QtWidgets import QDialog, QWidget
 
+from armui.control.events import EventCode
 from armui.ui.shell.watch_menu import WatchEntry
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
+    from armui.control.events import Event
     from armui.settings import SettingsStore
     from armui.ui.background import Background
+    from armui.ui.shell.status_bar import StatusBar
 
 
 @runtime_checkable
@@ -83,6 +86,7 @@ class WatchWindows:
         self._open = open_window
         self._store = store
         self._robot = robot
+        self._marked = False
 
     def entries(self) -> tuple[WatchEntry, ...]:
         """The buttons below the menu."""
@@ -163,13 +167,19 @@ class WatchWindows:
 
         self._open("sessions", make)
 
-    def marks(self) -> tuple[QWidget, ...]:
-        """What the status bar shows of them while it goes on."""
-        from armui.ui.watch.recordings.recording_mark import RecordingMark  # noqa: PLC0415 - as above
+    def show_marks_in(self, bar: StatusBar) -> None:
+        """Have the status bar show what goes on of them; made with the first recording."""
 
-        mark = RecordingMark(self._controller)
-        mark.clicked.connect(self.open_sessions)
-        return (mark,)
+        def on_noticed(event: Event) -> None:
+            if event.code == EventCode.SESSION_STARTED and not self._marked:
+                from armui.ui.watch.recordings.recording_mark import RecordingMark  # noqa: PLC0415 - as above
+
+                self._marked = True
+                mark = RecordingMark(self._controller.sessions, bar)
+                mark.clicked.connect(self.open_sessions)
+                bar.add_mark(mark)
+
+        self._controller.noticed.connect(on_noticed)
 
     def open_replay(self, path: Path | None = None) -> None:
         """Show a log in the window 回放; without one the operator chooses there.

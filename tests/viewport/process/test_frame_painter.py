@@ -51,7 +51,7 @@ def test_an_unchanged_state_is_not_drawn_again(rig):
     [
         {"width_px": 200},
         {"camera": STATE.camera.orbit(5.0, 0.0)},
-        {"palette": replace(STATE.palette, background="#101010")},
+        {"palette": STATE.palette._replace(background="#101010")},
         {"gripper_mm": 70.0},
         {"stale": True},
         {"highlighted_joint": 2},

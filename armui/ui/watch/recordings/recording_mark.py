@@ -7,14 +7,12 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtWidgets import QToolButton, QWidget
 
-from armui.control.events import Event, EventCode
 from armui.ui.theme import colors_of
 from armui.ui.watch.recordings import figures
 from armui.ui.widgets import icons
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
     from armui.control.sessions.session_recorder import SessionRecorder
 
 _ICON_PX: Final = 14
@@ -25,13 +23,12 @@ class RecordingMark(Translated, QToolButton):
     """A red dot and the time; a click opens the window of the recordings.
 
     Args:
-        controller: Tells when a recording begins.
+        sessions: Records them.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+    def __init__(self, sessions: SessionRecorder, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._controller = controller
-        self._sessions: SessionRecorder | None = None
+        self._sessions = sessions
         self.setObjectName("recording_mark")
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setIconSize(QSize(_ICON_PX, _ICON_PX))
@@ -40,10 +37,10 @@ class RecordingMark(Translated, QToolButton):
         self.setFixedHeight(self.fontMetrics().height() + 2)  # the bar keeps its height
         self._timer = QTimer(self, interval=_LOOK_MS)
         self._timer.timeout.connect(self._show_time)
-        controller.noticed.connect(self._on_noticed)
         self._recolor()
         self.retranslate_ui()
-        self.hide()
+        sessions.changed.connect(self._on_changed)
+        self._on_changed()
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
@@ -54,15 +51,8 @@ class RecordingMark(Translated, QToolButton):
     def _recolor(self) -> None:
         self.setIcon(icons.icon("record", colors_of(self).stop, _ICON_PX))
 
-    def _on_noticed(self, event: Event) -> None:
-        """Nothing is asked of what records before it does."""
-        if event.code == EventCode.SESSION_STARTED and self._sessions is None:
-            self._sessions = self._controller.sessions
-            self._sessions.changed.connect(self._on_changed)
-            self._on_changed()
-
     def _on_changed(self) -> None:
-        recording = self._sessions is not None and self._sessions.recording
+        recording = self._sessions.recording
         self.setVisible(recording)
         if recording:
             self._timer.start()
@@ -71,7 +61,7 @@ class RecordingMark(Translated, QToolButton):
             self._timer.stop()
 
     def _show_time(self) -> None:
-        progress = None if self._sessions is None else self._sessions.progress()
+        progress = self._sessions.progress()
         if progress is not None:
             text = figures.length(progress.elapsed_s)
             self.setText(f" {text}")

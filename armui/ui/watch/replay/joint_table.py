@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt
@@ -36,7 +35,7 @@ class RecordedJoints(JointMonitor):
 
     def cell(self, item: Item, joint: int) -> StatusCell:
         """One cell of the table."""
-        return replace(super().cell(item, joint), since=None)
+        return super().cell(item, joint)._replace(since=None)
 
 
 class JointTable(Translated, QWidget):
