@@ -59,6 +59,7 @@ class Sessions:
 def test_a_session_is_recorded_and_listed(sessions):
     driver, window = sessions.driver, sessions.window
     assert driver.window.findChild(QWidget, "recording_mark") is None
+    height = driver.find("status_bar").height()
     assert window.recording.state_label.text() == "Not recording"
 
     driver.click(window.recording.record_button)
@@ -71,6 +72,7 @@ def test_a_session_is_recorded_and_listed(sessions):
     assert window.recording.figures_label.text().startswith("0:03 · ")
     mark._show_time()
     assert mark.text().strip() == "0:03"
+    assert driver.find("status_bar").height() == height
 
     driver.click(window.recording.record_button)
     sessions.until(lambda: sessions.column(SessionColumn.STATE) == ["whole"])

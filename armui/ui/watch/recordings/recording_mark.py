@@ -34,7 +34,7 @@ class RecordingMark(Translated, QToolButton):
         self.setIconSize(QSize(_ICON_PX, _ICON_PX))
         self.setAutoRaise(True)
         self.setProperty("narrow", True)
-        self.setFixedHeight(self.fontMetrics().height() + 2)  # the bar keeps its height
+        self.setFixedHeight(self.fontMetrics().height())  # the bar keeps its height
         self._timer = QTimer(self, interval=_LOOK_MS)
         self._timer.timeout.connect(self._show_time)
         self._recolor()
