@@ -26,6 +26,7 @@ from tests.arm_rig_bus import ArmBus, HostBus
 
 STEP_S = 0.02
 TIMEOUT_MS = 5000
+_LOSS_MS = 1000
 _POLL_S = 0.0005
 _REST_S = 0.1
 
@@ -124,6 +125,7 @@ class ArmRig:
         while not at_rest:
             # asked each time: what happens meanwhile may close the device
             if self._adrift:
+                self._until_the_loss_is_told()
                 return
             at_rest = self._bus_rests() and self.controller._connection.idle
             QCoreApplication.processEvents()
@@ -138,6 +140,14 @@ class ArmRig:
             time.sleep(_POLL_S)  # it is being opened
             return False
         return bus.rest(_REST_S)
+
+    def _until_the_loss_is_told(self) -> None:
+        """The bus thread finds out by itself that its adapter is gone."""
+        deadline = QDeadlineTimer(_LOSS_MS)
+        gone = {LinkState.NO_DEVICE, LinkState.LOST}
+        while self.controller.operating_state.link not in gone and not deadline.hasExpired():
+            QCoreApplication.processEvents()
+            time.sleep(_POLL_S)
 
     @property
     def _adrift(self) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, Protocol, runtime_checkable
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QObject
 from PySide6.QtWidgets import QDialog, QWidget
 
 from armui.control.events import EventCode
@@ -55,7 +55,7 @@ _BUTTONS: Final = (
 """Icon, name and purpose of each window, row by row."""
 
 
-class WatchWindows:
+class WatchWindows(QObject):
     """Opens them, and what one shows at the wish of another.
 
     Args:
@@ -79,6 +79,7 @@ class WatchWindows:
         store: SettingsStore,
         robot: Callable[[], Path | None] = lambda: None,
     ) -> None:
+        super().__init__(window)
         self._controller = controller
         self._settings = settings
         self._background = background
@@ -86,7 +87,7 @@ class WatchWindows:
         self._open = open_window
         self._store = store
         self._robot = robot
-        self._marked = False
+        self._bar: StatusBar | None = None
 
     def entries(self) -> tuple[WatchEntry, ...]:
         """The buttons below the menu."""
@@ -169,17 +170,17 @@ class WatchWindows:
 
     def show_marks_in(self, bar: StatusBar) -> None:
         """Have the status bar show what goes on of them; made with the first recording."""
+        self._bar = bar
+        self._controller.noticed.connect(self._on_noticed)
 
-        def on_noticed(event: Event) -> None:
-            if event.code == EventCode.SESSION_STARTED and not self._marked:
-                from armui.ui.watch.recordings.recording_mark import RecordingMark  # noqa: PLC0415 - as above
+    def _on_noticed(self, event: Event) -> None:
+        if event.code == EventCode.SESSION_STARTED and self._bar is not None:
+            from armui.ui.watch.recordings.recording_mark import RecordingMark  # noqa: PLC0415 - as above
 
-                self._marked = True
-                mark = RecordingMark(self._controller.sessions, bar)
-                mark.clicked.connect(self.open_sessions)
-                bar.add_mark(mark)
-
-        self._controller.noticed.connect(on_noticed)
+            bar, self._bar = self._bar, None
+            mark = RecordingMark(self._controller.sessions, bar)
+            mark.clicked.connect(self.open_sessions)
+            bar.add_mark(mark)
 
     def open_replay(self, path: Path | None = None) -> None:
         """Show a log in the window 回放; without one the operator chooses there.
