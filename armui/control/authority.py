@@ -45,7 +45,7 @@ _CANCEL_WITHIN_S: Final = 1.0
 """After a cancel the arm is measured at rest within this time."""
 _OURS: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})
 _PLANNED: Final = frozenset({MoveMode.MOVE_P, MoveMode.MOVE_J, MoveMode.MOVE_L, MoveMode.MOVE_C})
-_MOVING_FRESH_S: Final = 0.1
+_MOVING_FRESH_S: Final = 0.05
 """The angles of a moving arm are none to set out from when they are older."""
 
 

@@ -154,8 +154,8 @@ def test_what_is_held_back_by_nobody_knows_which_command_has_no_target(arm):
     assert arm.authority.why_held().code == RefusalCode.PLAN_PAUSED
 
 
-@pytest.mark.parametrize(("age_s", "known"), [(0.1, True), (0.12, False)])
-def test_the_angles_of_a_moving_arm_are_known_for_a_tenth_of_a_second(arm, age_s, known):
+@pytest.mark.parametrize(("age_s", "known"), [(0.04, True), (0.06, False)])
+def test_the_angles_of_a_moving_arm_are_known_for_a_twentieth_of_a_second(arm, age_s, known):
     arm.turn(5)
     arm.silent.add("joints")
     arm.now_s = round(arm.now_s, 2)

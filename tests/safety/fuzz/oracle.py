@@ -31,6 +31,8 @@ _NEAR_DEG: Final = 0.75
 _JOG_AHEAD_DEG: Final = 20.0
 _TOOL_MM: Final = 15.0
 _POSE_MM: Final = 1.0
+_PLACES: Final = 4
+"""Looks ago: a moving arm's angles may be 0.05 s old, heard a step before."""
 
 
 class Kind(enum.Enum):
@@ -104,7 +106,7 @@ class Oracle:
         self.violation: Violation | None = None
         self._asked = Asked(Kind.NOTHING, 0.0)
         self._mixed = False
-        self._places_deg: deque[SixValues] = deque(maxlen=2)
+        self._places_deg: deque[SixValues] = deque(maxlen=_PLACES)
         self._unconnected_s = -1e9
         self._ours_deg: SixValues | None = None
         self._other_s = -1e9
@@ -118,7 +120,7 @@ class Oracle:
     # What the operator does ----------------------------------------------------------------------
 
     def bases(self) -> list[SixValues]:
-        """Where a step pressed now may start from: what is measured is two steps old at most."""
+        """Where a step pressed now may start from: our own target, or what was measured of late."""
         here = [*self._places_deg, self._world.firmware.joints_deg]
         return here if self._ours_deg is None else [*here, self._ours_deg]
 

@@ -11,9 +11,12 @@ from armui.control.arm_controller import ArmController
 from armui.control.authority import Authority
 from armui.control.motion.joint_motion import Motion
 from armui.control.safety.other_command import OtherCommand
+from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.sim.firmware import Firmware
 from tests.safety.fuzz.runner import Failure, run, shrink
 from tests.safety.fuzz.script import Action, script
+from tests.safety.fuzz.traffic import Sender, Traffic
 
 A = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
 B = (-30.0, 60.0, -60.0, 0.0, 0.0, 0.0)
@@ -144,3 +147,18 @@ def test_a_failure_says_what_was_seen(qapp, monkeypatch):
     assert isinstance(failure, Failure)
     assert failure.index == 1
     assert "after a motion frame of another host" in failure.violation.text
+
+
+# Who said what ----------------------------------------------------------------------------------
+
+
+def test_a_lost_frame_is_not_taken_for_the_equal_one_after_it():
+    firmware = Firmware(Generation.TWO)
+    traffic = Traffic(firmware, lambda: 0.0)
+    lost, between = Frame(0x151, bytes([1, 1, 30, 0, 0, 0, 0, 0])), Frame(0x121, bytes(8))
+    traffic.note(Sender.US, lost)
+    traffic.note(Sender.OTHER, between)
+    traffic.note(Sender.OTHER, lost)
+    assert traffic._sender_of(between).sender is Sender.OTHER
+    assert traffic._sender_of(lost).sender is Sender.OTHER
+    assert traffic._sender_of(lost).sender is Sender.NOBODY

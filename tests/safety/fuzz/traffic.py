@@ -125,9 +125,12 @@ class Traffic:
         now_s = self._clock()
         while self._pending and now_s - self._pending[0].at_s > _KEPT_S:
             self._pending.popleft()
-        for said in self._pending:
+        for place, said in enumerate(self._pending):
             if said.frame == frame:
-                self._pending.remove(said)
+                # the bus keeps the order: what was said before and has not come got lost, and an
+                # equal frame that comes later is not that one
+                for _ in range(place + 1):
+                    self._pending.popleft()
                 return said
         return Said(now_s, Sender.NOBODY, frame)
 
