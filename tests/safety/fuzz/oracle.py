@@ -31,6 +31,8 @@ _NEAR_DEG: Final = 0.75
 _JOG_AHEAD_DEG: Final = 20.0
 _TOOL_MM: Final = 15.0
 _POSE_MM: Final = 1.0
+_TAKEN_S: Final = 0.4
+"""Until then after a target was asked for, no feedback tells that the arm never heard it."""
 _PLACES: Final = 4
 """Looks ago: a moving arm's angles may be 0.05 s old, heard a step before."""
 
@@ -121,8 +123,14 @@ class Oracle:
 
     def bases(self) -> list[SixValues]:
         """Where a step pressed now may start from: our own target, or what was measured of late."""
-        here = [*self._places_deg, self._world.firmware.joints_deg]
-        return here if self._ours_deg is None else [*here, self._ours_deg]
+        bases = [*self._places_deg, self._world.firmware.joints_deg]
+        if self._ours_deg is not None:
+            bases.append(self._ours_deg)
+        asked = self._asked
+        fresh = asked.cancelled is None and self._world.time_s - asked.at_s < _TAKEN_S
+        if fresh and asked.goal_deg is not None:
+            bases.append(asked.goal_deg)
+        return bases
 
     def ask(self, asked: Asked) -> None:
         """The operator has asked for something that may move the arm."""
@@ -220,7 +228,7 @@ class Oracle:
         """The other host has said something; what another arm listens to is no concern of ours."""
         frame, world = said.frame, self._world
         identifier = base_id(frame.arbitration_id)
-        to_arm = frame.arbitration_id - identifier == world.firmware.addressing.control_offset
+        to_arm = said.to_arm  # the frame itself may have moved the arm to other identifiers
         if to_arm and is_motion(frame) and world.hears:
             self._other_s, self._taken_over = said.at_s, False
         if identifier in (0x470, 0x471, 0x475) or (to_arm and 0x150 <= identifier <= 0x15F):
