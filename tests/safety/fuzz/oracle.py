@@ -7,15 +7,15 @@ what another host's frame has begun.
 
 from __future__ import annotations
 
-import enum
 from collections import deque
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import Any, Final
 
 from armui.control.events import EventCode
 from armui.control.operating_state import LinkState, StopState
 from armui.sim.mechanics.powered_joints import SixValues
+from tests.safety.fuzz.asked import Asked, Kind, Violation
 from tests.safety.fuzz.traffic import Said, Sender, Started, base_id, is_motion
 from tests.safety.fuzz.world import World
 
@@ -37,61 +37,7 @@ _PLACES: Final = 4
 """Looks ago: a moving arm's angles may be 0.05 s old, heard a step before."""
 
 
-class Kind(enum.Enum):
-    """What the operator asked for."""
-
-    NOTHING = "nothing"
-    STEP = "a joint step"
-    TOOL_STEP = "a tool step"
-    JOINTS = "six angles"
-    POSE = "a pose"
-    JOG = "a held jog"
-    RUN = "a run"
-    CONTINUE = "继续"
-    TEACHING = "drag teaching"
-
-
 _LASTING: Final = frozenset({Kind.JOG, Kind.RUN, Kind.TEACHING})
-
-
-@dataclass(slots=True)
-class Asked:
-    """The last thing the operator asked for that may move the arm.
-
-    Attributes:
-        kind: What it was.
-        at_s: When.
-        goal_deg, pose: Where it leads, as far as it says.
-        joint, delta: Of a step: what is to turn, and by how much.
-        bases: Where a step may start from: the arm, and our own target while it stands.
-        cancelled: What has ended it.
-        over_jog: Whether a jog was still held when it was asked for.
-    """
-
-    kind: Kind
-    at_s: float
-    goal_deg: SixValues | None = None
-    pose: SixValues | None = None
-    joint: int | None = None
-    delta: float = 0.0
-    bases: list[SixValues] = field(default_factory=list)
-    cancelled: str | None = None
-    over_jog: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class Violation:
-    """Something that must not be.
-
-    Attributes:
-        promise: Its number in safety.md, or «exception».
-        key: What tells it from other violations: the same in each shrunk run.
-        text: What was seen, with its figures.
-    """
-
-    promise: str
-    key: str
-    text: str
 
 
 class Oracle:
