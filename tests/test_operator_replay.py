@@ -18,6 +18,7 @@ from armui.ui.watch.events.event_cells import EventColumn
 from armui.ui.watch.replay import log_opening
 from armui.ui.watch.replay.replay_window import ReplayWindow
 from tests.operator_replay import Replay
+from tests.playback.logs import as_own
 from tests.session.indexed import open_indexed
 from tests.session.recordings import START_S, frames, greeting, write
 
@@ -378,4 +379,19 @@ def test_a_recording_of_this_program_is_opened_by_its_index(app_driver, monkeypa
 
     assert [each.name for each in asked] == ["yesterday.blf", "ours.blf"]
     assert replay.replay.session.frames > 1000
+    replay.window.close()
+
+
+def test_a_recording_by_the_command_has_its_events_and_marks(app_driver, monkeypatch, log):
+    session = open_indexed(log)
+    own = as_own(log.parent, session)
+    expected = len(session.marks)
+    session.close()
+    replay = Replay(app_driver, monkeypatch)
+    replay.open(log.parent / "own" / f"{own.name}.blf")
+
+    app_driver.wait(lambda: replay.view.events.model.rowCount() > 3)
+    assert replay.replay.session.marks == []
+    assert len(replay.view.time_line._marks) == expected
+    assert replay.view.transport.buttons["next_fault"].isEnabled()
     replay.window.close()

@@ -25,10 +25,14 @@ from armui.ui.widgets.translated import Translated
 from armui.viewport import palette as scene_palette
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from armui.control.arm_controller import ArmController
     from armui.control.log_replay import LogReplay
     from armui.session.frames import Channel
+    from armui.session.session import SessionMark
     from armui.session.survey import ChannelSurvey
+    from armui.telemetry.events import EventLog
     from armui.ui.background import Background
     from armui.viewport.view import ArmView
 
@@ -192,6 +196,14 @@ class ReplayView(Translated, QWidget):
             self.generations.setToolTip(tip)
 
     # What is shown ----------------------------------------------------------------------------
+
+    def show_events(self, log: EventLog, marks: Sequence[SessionMark]) -> None:
+        """Show what happened, and its moments on the time line."""
+        self.events.show_log(log)
+        if marks is not self.replay.session.marks:
+            self._search = MarkSearch(marks, self.replay.channel)
+            self.time_line.show_marks(self._search.marks)
+        self._look()
 
     def _look(self) -> None:
         if not self.isVisible():
