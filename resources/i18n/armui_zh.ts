@@ -7137,6 +7137,10 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>（由记录判定）</translation>
     </message>
     <message>
+        <source>Loading: {percent} %</source>
+        <translation>正在载入：{percent} %</translation>
+    </message>
+    <message>
         <source>Frame {number}</source>
         <translation>第 {number} 帧</translation>
     </message>

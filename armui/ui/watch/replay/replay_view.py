@@ -11,6 +11,7 @@ from armui.protocol.generation import Generation
 from armui.ui.shell.arm_in_view import show_in_view
 from armui.ui.shell.status_bar import StatusBar
 from armui.ui.theme import DARK, colors_of
+from armui.ui.watch.curves_item import Missing
 from armui.ui.watch.plot_layout import SETS
 from armui.ui.watch.plots_area import PlotsArea
 from armui.ui.watch.replay.joint_table import JointTable
@@ -223,7 +224,22 @@ class ReplayView(Translated, QWidget):
         speed = min(SPEEDS, key=lambda each: abs(each - replay.speed))
         if self.transport.speeds.currentIndex() != SPEEDS.index(speed):
             self.transport.speeds.setCurrentIndex(SPEEDS.index(speed))
+        self._see_to_curves(at_s)
         self._show_frame()
+
+    def _see_to_curves(self, at_s: float) -> None:
+        """Have read what they show, and say what is not there yet."""
+        board = self.curves.board
+        seen = board.isVisible()
+        shown_s = board.edge_s() + board.frame.shown.begin_s
+        self.replay.want_curves(at_s - shown_s if seen else 0.0)
+        loading = self.replay.loading
+        if loading is None or not seen:
+            board.show_missing(None)
+            return
+        begin_s, end_s, share = loading
+        text = self.tr("Loading: {percent} %").format(percent=round(100.0 * share))
+        board.show_missing(Missing(begin_s, end_s, text))
 
     def _show_frame(self) -> None:
         """The frame that was taken in last: what stepping goes by."""
