@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import threading
 from concurrent.futures import Future
 from pathlib import Path
 
@@ -12,7 +11,6 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox
 
-from armui.bus.playback import curve_history, log_player
 from armui.protocol.generation import Generation
 from armui.session.frames import NotALogError
 from armui.sim.faults.schedule import Fault
@@ -20,7 +18,6 @@ from armui.ui.watch.events.event_cells import EventColumn
 from armui.ui.watch.replay import log_opening
 from armui.ui.watch.replay.replay_window import ReplayWindow
 from tests.operator_replay import Replay
-from tests.playback.logs import as_own
 from tests.session.indexed import open_indexed
 from tests.session.recordings import START_S, frames, greeting, write
 
@@ -382,51 +379,3 @@ def test_a_recording_of_this_program_is_opened_by_its_index(app_driver, monkeypa
     assert [each.name for each in asked] == ["yesterday.blf", "ours.blf"]
     assert replay.replay.session.frames > 1000
     replay.window.close()
-
-
-def test_a_recording_by_the_command_has_its_events_and_marks(app_driver, monkeypatch, log):
-    session = open_indexed(log)
-    own = as_own(log.parent, session)
-    expected = len(session.marks)
-    session.close()
-    replay = Replay(app_driver, monkeypatch)
-    replay.open(log.parent / "own" / f"{own.name}.blf")
-
-    app_driver.wait(lambda: replay.view.events.model.rowCount() > 3)
-    assert replay.replay.session.marks == []
-    assert len(replay.view.time_line._marks) == expected
-    assert replay.view.transport.buttons["next_fault"].isEnabled()
-    replay.window.close()
-
-
-def test_zoomed_out_curves_are_loaded_and_say_so_meanwhile(replay, log, monkeypatch):
-    monkeypatch.setattr(log_player, "FILLED_S", 0.5)
-    go_on = threading.Event()
-    reading = curve_history.CurveHistory._goes_on
-    monkeypatch.setattr(
-        curve_history.CurveHistory,
-        "_goes_on",
-        lambda history, at_s: go_on.wait(10) and reading(history, at_s),
-    )
-    replay.open(log)
-    view = replay.view
-    board, angles = view.curves.board, replay.replay.controller.telemetry.series["JointFeedback12"]
-    view.tabs.setCurrentWidget(view.curves)
-    replay.replay.go_to(START_S + 3.0)
-    replay.arrive()
-    replay.driver.wait(lambda: angles.count > 0)
-    assert angles.samples(0, START_S + 2.4).size == 0
-    assert board._missing is None
-
-    board.set_span(1800.0)
-    replay.driver.wait(lambda: board._missing is not None)
-    assert board._missing.text == "Loading: 0 %"
-    assert board._missing.begin_s == pytest.approx(START_S, abs=0.1)
-    assert board._missing.end_s == pytest.approx(START_S + 2.5, abs=0.1)
-    replay.driver.wait(lambda: board.panes[0].graph.curves._missing == board._missing)
-
-    go_on.set()
-    replay.driver.wait(lambda: board._missing is None)
-    assert angles.samples(0, START_S + 0.2).size > 10
-    view.tabs.setCurrentWidget(view.joints)  # what is not seen is not read
-    replay.driver.wait(lambda: not replay.replay._worker._wants_history)

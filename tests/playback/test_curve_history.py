@@ -10,6 +10,7 @@ import pytest
 
 from armui.arm.device import RecordedArm
 from armui.bus.playback import curve_history, log_player
+from armui.bus.playback.log_cursor import LogCursor
 from armui.control.log_replay import LogReplay
 from armui.protocol.generation import Generation
 from armui.telemetry.quantities import BUS, RECORDS
@@ -35,6 +36,13 @@ def log(tmp_path):
     session = log_with(tmp_path, "overcurrent", seconds=3.0)
     yield session
     session.close()
+
+
+def reading(player, event):
+    """What reads the rest; the event is set when it has."""
+    history = player.player.read_history(event.set)
+    assert history is not None
+    return history
 
 
 def samples(telemetry):
@@ -65,7 +73,7 @@ def test_history_is_what_playing_from_the_beginning_would_have_shown(log, speed)
     player.go_to(at_s)
     player.player.fill(lambda: True)
     read = threading.Event()
-    history = player.player.read_history(read.set)
+    history = reading(player, read)
     player.play_to(log.end_s, speed)  # meanwhile it goes on
     assert read.wait(10)
     assert player.telemetry.series["JointFeedback12"].samples(0, at_s - 0.6).size == 0
@@ -81,7 +89,7 @@ def test_what_comes_after_is_added_to_it(log):
     player.go_to(log.start_s + 1.5)
     player.player.fill(lambda: True)
     read = threading.Event()
-    history = player.player.read_history(read.set)
+    history = reading(player, read)
     assert read.wait(10)
     player.player.take_history(history, lambda: True)
     before = player.telemetry.series["JointFeedback12"].count
@@ -98,7 +106,7 @@ def test_elsewhere_it_is_not_taken(log):
     player.go_to(log.start_s + 1.5)
     player.player.fill(lambda: True)
     read = threading.Event()
-    history = player.player.read_history(read.set)
+    history = reading(player, read)
     assert read.wait(10)
     player.go_to(log.start_s + 2.5)
     player.player.fill(lambda: True)
@@ -113,9 +121,9 @@ def test_a_log_that_cannot_be_read_any_more_leaves_what_is_near(log, monkeypatch
     player.go_to(log.start_s + 1.5)
     player.player.fill(lambda: True)
     kept = samples(player.telemetry)
-    monkeypatch.setattr(curve_history.LogCursor, "columns_between", lambda *_: 1 / 0)
+    monkeypatch.setattr(LogCursor, "columns_between", lambda *_: 1 / 0)
     over = threading.Event()
-    history = player.player.read_history(over.set)
+    history = reading(player, over)
     assert over.wait(10)
     assert history.is_over
     assert not history.is_whole
@@ -216,7 +224,7 @@ def test_the_bus_load_goes_on_over_the_join(tmp_path):
     player.go_to(log.start_s + 1.5)
     player.player.fill(lambda: True)
     read = threading.Event()
-    history = player.player.read_history(read.set)
+    history = reading(player, read)
     assert read.wait(10)
     player.player.take_history(history, lambda: True)
     player.play_to(log.end_s, 20.0)
