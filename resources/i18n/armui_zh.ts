@@ -4463,6 +4463,14 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>录制完成：{count} 个采样，{seconds} 秒</translation>
     </message>
     <message>
+        <source>Also saved as MF4: {name}.mf4</source>
+        <translation>已另存为 MF4：{name}.mf4</translation>
+    </message>
+    <message>
+        <source>No .mf4 file of {name}: {reason} The recording is whole as .blf.</source>
+        <translation>{name} 未生成 .mf4 文件：{reason} .blf 记录完整无缺。</translation>
+    </message>
+    <message>
         <source>Device open: {device}</source>
         <translation>设备已打开：{device}</translation>
     </message>
@@ -5636,8 +5644,16 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>最近几分钟始终保留在内存中。</translation>
     </message>
     <message>
+        <source>Making the .mf4 file of {name}…</source>
+        <translation>正在生成 {name} 的 .mf4 文件…</translation>
+    </message>
+    <message>
         <source>Opening the file…</source>
         <translation>正在打开文件…</translation>
+    </message>
+    <message>
+        <source>Recorded as .blf; the .mf4 file is made of it at the end.</source>
+        <translation>先记录为 .blf，结束后由它生成 .mf4 文件。</translation>
     </message>
     <message>
         <source>{length} · {frames} frames · {size} · {rate}/s</source>
@@ -6997,6 +7013,10 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>当前没有在记录会话，无需停止。</translation>
     </message>
     <message>
+        <source>MF4 needs the package asammdf (pip install asammdf).</source>
+        <translation>MF4 需要 asammdf 软件包（pip install asammdf）。</translation>
+    </message>
+    <message>
         <source>The last minutes are being saved already. Wait a moment.</source>
         <translation>最近几分钟的内容正在保存，请稍候。</translation>
     </message>
@@ -7115,6 +7135,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>(as the recording tells)</source>
         <translation>（由记录判定）</translation>
+    </message>
+    <message>
+        <source>Loading: {percent} %</source>
+        <translation>正在载入：{percent} %</translation>
     </message>
     <message>
         <source>Frame {number}</source>
