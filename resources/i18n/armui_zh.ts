@@ -926,7 +926,14 @@
     </message>
 </context>
 <context>
-    <name>ColumnsDialog</name>
+    <name>ColumnsOffer</name>
+    <message>
+        <source>Import by columns…</source>
+        <translation>按列导入…</translation>
+    </message>
+</context>
+<context>
+    <name>ColumnsPage</name>
     <message>
         <source>Importing {count} rows…</source>
         <translation>正在导入 {count} 行…</translation>
@@ -982,13 +989,6 @@
     <message>
         <source>; {count} further columns are left out</source>
         <translation>；另有 {count} 列未显示</translation>
-    </message>
-</context>
-<context>
-    <name>ColumnsOffer</name>
-    <message>
-        <source>Import by columns…</source>
-        <translation>按列导入…</translation>
     </message>
 </context>
 <context>
@@ -1465,9 +1465,43 @@
         <source>Check</source>
         <translation>检查</translation>
     </message>
+    <message>
+        <source>Jog</source>
+        <translation>点动</translation>
+    </message>
 </context>
 <context>
-    <name>EditorWindow</name>
+    <name>EditorHint</name>
+    <message>
+        <source>Insert current pose</source>
+        <translation>插入当前位姿</translation>
+    </message>
+    <message>
+        <source>Enter a point</source>
+        <translation>手动输入一点</translation>
+    </message>
+    <message>
+        <source>No points yet</source>
+        <translation>还没有点</translation>
+    </message>
+    <message>
+        <source>Bring the arm to the first point, by the jog buttons or by hand, and insert where it is. Or enter a point as figures. Then the next one.</source>
+        <translation>用点动按钮或用手把机械臂带到第一个点，再插入当前位姿；也可以直接输入数值。</translation>
+    </message>
+</context>
+<context>
+    <name>EditorJog</name>
+    <message>
+        <source>Insert current pose</source>
+        <translation>插入当前位姿</translation>
+    </message>
+    <message>
+        <source>Makes a point of where the arm is now, after the chosen row.</source>
+        <translation>在所选行之后，把机械臂当前位姿插入为一个点。</translation>
+    </message>
+</context>
+<context>
+    <name>EditorPage</name>
     <message>
         <source>Note</source>
         <translation>备注</translation>
@@ -1479,22 +1513,6 @@
     <message>
         <source>These changes were not saved when the program ended. Save them, or undo them.</source>
         <translation>程序结束时这些更改未保存。请保存，或撤销。</translation>
-    </message>
-    <message>
-        <source>Not found</source>
-        <translation>未找到</translation>
-    </message>
-    <message>
-        <source>{place} of {count}</source>
-        <translation>第 {place} 处，共 {count} 处</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>替换</translation>
-    </message>
-    <message>
-        <source>{count} replaced</source>
-        <translation>已替换 {count} 处</translation>
     </message>
     <message>
         <source>Ended at row {row}. {reason}</source>
@@ -2254,6 +2272,25 @@
     </message>
 </context>
 <context>
+    <name>Finder</name>
+    <message>
+        <source>Not found</source>
+        <translation>未找到</translation>
+    </message>
+    <message>
+        <source>{place} of {count}</source>
+        <translation>第 {place} 处，共 {count} 处</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>{count} replaced</source>
+        <translation>已替换 {count} 处</translation>
+    </message>
+</context>
+<context>
     <name>Finding</name>
     <message>
         <source>There is nothing to run. Add points, or record.</source>
@@ -2979,7 +3016,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
     <message>
         <source>X, Y and Z of the base, from the middle of its foot</source>
-        <translation>基座坐标系的 X、Y、Z 轴，原点在底座中心</translation>
+        <translation>基坐标系的 X、Y、Z 轴，原点在底座中心</translation>
     </message>
 </context>
 <context>
@@ -3033,6 +3070,44 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>outside its table: {signals}</source>
         <translation>超出取值表：{signals}</translation>
+    </message>
+</context>
+<context>
+    <name>JogBox</name>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Base axes</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
+        <source>Tool axes</source>
+        <translation>工具坐标系</translation>
+    </message>
+    <message>
+        <source>Step of − and +</source>
+        <translation>− 和 + 的步长</translation>
+    </message>
+    <message>
+        <source>How far one press of − or + moves</source>
+        <translation>每按一次 − 或 + 移动多少</translation>
+    </message>
+</context>
+<context>
+    <name>JogCell</name>
+    <message>
+        <source>{name} minus</source>
+        <translation>{name} 减</translation>
+    </message>
+    <message>
+        <source>{name} plus</source>
+        <translation>{name} 加</translation>
+    </message>
+    <message>
+        <source>Measured {name}</source>
+        <translation>测得的 {name}</translation>
     </message>
 </context>
 <context>
@@ -3626,7 +3701,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
-    <name>LibraryWindow</name>
+    <name>LibraryPage</name>
     <message>
         <source>“{name}” is not saved yet. Open it and save it first.</source>
         <translation>“{name}”尚未保存，请先打开并保存。</translation>
@@ -4738,6 +4813,40 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
 </context>
 <context>
+    <name>PageBar</name>
+    <message>
+        <source>the panel</source>
+        <translation>面板</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Back to {where} (Esc)</source>
+        <translation>返回{where} (Esc)</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>独立窗口</translation>
+    </message>
+    <message>
+        <source>Takes this page out into a window of its own, for a second screen.</source>
+        <translation>把本页移到独立窗口，例如放到第二块屏幕上。</translation>
+    </message>
+</context>
+<context>
+    <name>PageWindow</name>
+    <message>
+        <source>Put back</source>
+        <translation>放回</translation>
+    </message>
+    <message>
+        <source>Puts this page back beside the 3D picture.</source>
+        <translation>把本页放回 3D 画面旁边。</translation>
+    </message>
+</context>
+<context>
     <name>Parameter</name>
     <message>
         <source>Max. angle</source>
@@ -5676,7 +5785,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
 </context>
 <context>
-    <name>RecordingWindow</name>
+    <name>RecordingPage</name>
     <message>
         <source>Recording</source>
         <translation>录制</translation>
@@ -7259,15 +7368,62 @@ Lead it near its rest pose, then stop recording.</source>
     </message>
 </context>
 <context>
-    <name>RunStrip</name>
+    <name>RunBar</name>
+    <message>
+        <source>A run is under way.</source>
+        <translation>正在运行。</translation>
+    </message>
     <message>
         <source>Checking…</source>
         <translation>正在检查…</translation>
     </message>
     <message>
-        <source>{name}: point {row} of {count}</source>
-        <translation>{name}：第 {row}/{count} 点</translation>
+        <source>Go on from row {row}</source>
+        <translation>从第 {row} 行继续</translation>
     </message>
+    <message>
+        <source>Send</source>
+        <translation>发送</translation>
+    </message>
+    <message>
+        <source>Call off</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Once</source>
+        <translation>单次</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>多次</translation>
+    </message>
+    <message>
+        <source>In a loop</source>
+        <translation>循环</translation>
+    </message>
+    <message>
+        <source>How often</source>
+        <translation>运行次数</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Of each point&apos;s own speed</source>
+        <translation>相对于各点自身速度的百分比</translation>
+    </message>
+    <message>
+        <source>From row</source>
+        <translation>起始行</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>单步运行</translation>
+    </message>
+</context>
+<context>
+    <name>RunStrip</name>
     <message>
         <source>cycle {cycle} of {cycles}</source>
         <translation>第 {cycle}/{cycles} 次</translation>
@@ -7309,12 +7465,20 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>因故障结束</translation>
     </message>
     <message>
-        <source>Go on from row {row}</source>
-        <translation>从第 {row} 行继续</translation>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Puts this line away; the run is over.</source>
+        <translation>收起此行；运行已结束。</translation>
     </message>
     <message>
         <source>Next step</source>
         <translation>下一步</translation>
+    </message>
+    <message>
+        <source>point {row} of {count}</source>
+        <translation>第 {row}/{count} 点</translation>
     </message>
     <message>
         <source>Continue</source>
@@ -7325,44 +7489,8 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>暂停</translation>
     </message>
     <message>
-        <source>Send</source>
-        <translation>发送</translation>
-    </message>
-    <message>
         <source>End run</source>
         <translation>结束运行</translation>
-    </message>
-    <message>
-        <source>Once</source>
-        <translation>单次</translation>
-    </message>
-    <message>
-        <source>Times</source>
-        <translation>多次</translation>
-    </message>
-    <message>
-        <source>In a loop</source>
-        <translation>循环</translation>
-    </message>
-    <message>
-        <source>How often</source>
-        <translation>运行次数</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>速度</translation>
-    </message>
-    <message>
-        <source>Of each point&apos;s own speed</source>
-        <translation>相对于各点自身速度的百分比</translation>
-    </message>
-    <message>
-        <source>From row</source>
-        <translation>起始行</translation>
-    </message>
-    <message>
-        <source>Step by step</source>
-        <translation>单步运行</translation>
     </message>
 </context>
 <context>
