@@ -7,8 +7,8 @@ from PySide6.QtTest import QTest
 from armui.protocol.codes import MoveMode
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
-from armui.ui.trajectory.editor.editor_window import EditorWindow
-from armui.ui.trajectory.library.library_window import LibraryWindow
+from armui.ui.trajectory.editor.editor_page import EditorPage
+from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.viewport.path_picture import NOTHING
 
 OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
@@ -25,8 +25,8 @@ class Operator:
         points = tuple(Waypoint(MoveMode.MOVE_J, target) for target in targets)
         Library(app_driver.library_folder).save(Trajectory("Test", points=points))
         app_driver.click("library_button")
-        app_driver.dialog(LibraryWindow).open_trajectory("Test")
-        self.editor = app_driver.dialog(EditorWindow)
+        app_driver.page(LibraryPage).open_trajectory("Test")
+        self.editor = app_driver.page(EditorPage)
         app_driver.wait(self.editor.isActiveWindow)
 
     def check(self):

@@ -39,7 +39,7 @@ _RUNS: Final = frozenset(
 _REPLAYS: Final = frozenset(
     {
         *("armui.control.run.replayer", "armui.control.run.replay"),
-        "armui.ui.trajectory.recording.recording_window",
+        "armui.ui.trajectory.recording.recording_page",
     }
 )
 _SINGLE_MOTIONS: Final = frozenset(
