@@ -33,6 +33,14 @@ class PathPicture:
     rows: tuple[int, ...]
     bad_rows: frozenset[int] = frozenset()
 
+    def outermost_m(self) -> tuple[tuple[float, float, float], ...]:
+        """The places that reach furthest in each direction, for a view that shows all of it."""
+        places = self.places_mm if len(self.places_mm) else self.marks_mm
+        if not len(places):
+            return ()
+        chosen = {int(way) for way in (*places.argmin(axis=0), *places.argmax(axis=0))}
+        return tuple((x / 1e3, y / 1e3, z / 1e3) for x, y, z in places[sorted(chosen)].tolist())
+
 
 @dataclass(frozen=True)
 class Preview:
@@ -42,11 +50,39 @@ class Preview:
         path: the tool's path, or None.
         selected_row: the row whose mark stands out, or None.
         ghost_deg: where a second, transparent arm stands; six joint angles as on the bus.
+        current_row: the row the arm is on its way to while the trajectory runs, or None.
     """
 
     path: PathPicture | None = None
     selected_row: int | None = None
     ghost_deg: tuple[float, ...] | None = None
+    current_row: int | None = None
+
+
+@dataclass(frozen=True)
+class Trail:
+    """Where the tool has been, and where it was asked to be; the newest place last.
+
+    Attributes:
+        driven: places in the base frame, three 32-bit floats each, mm.
+        commanded: likewise, of the setpoints that were sent.
+    """
+
+    driven: bytes = b""
+    commanded: bytes = b""
+
+
+@dataclass(frozen=True)
+class Reach:
+    """What the tool's reach is worked out from.
+
+    Attributes:
+        limits_deg: of each joint, the lowest and the highest angle.
+        tool_m: the tool centre point in the flange.
+    """
+
+    limits_deg: tuple[tuple[float, float], ...]
+    tool_m: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
 NOTHING = Preview()
