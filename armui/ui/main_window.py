@@ -105,7 +105,9 @@ class MainWindow(Translated, QWidget):
         self._joint_status_button = JointStatusButton(self._joint_monitor)
         self._preview_bar = PreviewBar()
         self._preview = PathPreview(view, self._preview_bar, self)
-        self._picture = PictureWork(controller, view, preferences, background, self)
+        self._picture = PictureWork(
+            controller, view, preferences, background, preview=self._preview, window=self
+        )
         self._view_region = ViewRegion(view, self._preview_bar, self._picture)
         self._status_bar = StatusBar(controller)
         self._watch.show_marks_in(self._status_bar)
@@ -271,6 +273,7 @@ class MainWindow(Translated, QWidget):
             window = LibraryWindow(self._controller, background, library, self)
             link = PreviewLink(window, self._preview)
             self._view.mark_picked.connect(link.on_mark_picked)
+            self._view.finding_picked.connect(link.on_finding_picked)
             return window
 
         self._open("library", make)

@@ -15,6 +15,23 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 
+@dataclass(frozen=True)
+class FindingMark:
+    """Something that a check has found, where it would happen.
+
+    Attributes:
+        place_mm: in the base frame.
+        is_error: whether it forbids a run; else it is a warning.
+        row: the row it concerns, from 0; None: the whole.
+        text: for the operator.
+    """
+
+    place_mm: tuple[float, float, float]
+    is_error: bool
+    row: int | None
+    text: str
+
+
 @dataclass(frozen=True, eq=False)
 class PathPicture:
     """A path of the tool with its points; compared by identity, for it is never changed.
@@ -25,6 +42,8 @@ class PathPicture:
         marks_mm: (k, 3) the points of the trajectory.
         rows: the row of each mark, from 0.
         bad_rows: rows in which a check found an error.
+        findings: what the check has found, where it would happen.
+        is_numbered: whether the numbers of the rows stand at the marks.
     """
 
     places_mm: Array
@@ -32,14 +51,18 @@ class PathPicture:
     marks_mm: Array
     rows: tuple[int, ...]
     bad_rows: frozenset[int] = frozenset()
+    findings: tuple[FindingMark, ...] = ()
+    is_numbered: bool = True
 
     def outermost_m(self) -> tuple[tuple[float, float, float], ...]:
         """The places that reach furthest in each direction, for a view that shows all of it."""
-        places = self.places_mm if len(self.places_mm) else self.marks_mm
-        if not len(places):
-            return ()
-        chosen = {int(way) for way in (*places.argmin(axis=0), *places.argmax(axis=0))}
-        return tuple((x / 1e3, y / 1e3, z / 1e3) for x, y, z in places[sorted(chosen)].tolist())
+        outermost: list[tuple[float, float, float]] = []
+        for places in (self.places_mm, self.marks_mm):
+            if len(places):
+                chosen = {int(way) for way in (*places.argmin(axis=0), *places.argmax(axis=0))}
+                outermost += [(x, y, z) for x, y, z in places[sorted(chosen)].tolist()]
+        outermost += [finding.place_mm for finding in self.findings]
+        return tuple((x / 1e3, y / 1e3, z / 1e3) for x, y, z in outermost)
 
 
 @dataclass(frozen=True)

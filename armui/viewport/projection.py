@@ -43,14 +43,14 @@ class Projection:
     def pixel(self, place_m: Vector) -> tuple[float, float] | None:
         """Where a place is seen, inside the picture or not; ``None`` behind the eye."""
         across, up, towards = self.relative(place_m)
-        scale_px = self._scale_px(towards)
+        scale_px = self.scale_px(towards)
         if scale_px is None:
             return None
         return self.width_px / 2.0 + across * scale_px, self.height_px / 2.0 - up * scale_px
 
     def pixels_a_metre(self, place_m: Vector) -> float:
         """How many pixels a metre across the line of sight is there; 0 behind the eye."""
-        return self._scale_px(self.relative(place_m)[2]) or 0.0
+        return self.scale_px(self.relative(place_m)[2]) or 0.0
 
     def ray(self, x_px: float, y_px: float) -> Ray:
         """The line of everything that is seen at a pixel."""
@@ -79,7 +79,8 @@ class Projection:
             x * self._outward[0] + y * self._outward[1] + z * self._outward[2],
         )
 
-    def _scale_px(self, towards_m: float) -> float | None:
+    def scale_px(self, towards_m: float) -> float | None:
+        """How many pixels a metre is, so much nearer to the eye than the focus."""
         distance_m = self.camera.distance_m
         if self.camera.orthographic:
             return self._size_px / distance_m

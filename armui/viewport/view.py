@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QPointF, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QPointF, Qt, Signal
+from PySide6.QtGui import QHelpEvent
+from PySide6.QtWidgets import QToolTip
 
 from armui.arm.limits import JOINTS
-from armui.viewport.camera import ViewDirection
 from armui.viewport.camera_input import Drag, press_key, turn_wheel
-from armui.viewport.fitting import Box, Room
 from armui.viewport.look_alike import look_alike
+from armui.viewport.looking_view import LookingView
 from armui.viewport.palette import LIGHT, ScenePalette
-from armui.viewport.picture_view import PictureView
+from armui.viewport.path_overlay import PathOverlay
 from armui.viewport.projection import Projection
-from armui.viewport.robot_shape import IDENTITY, RobotShape, composed, pose_rows
+from armui.viewport.robot_shape import IDENTITY, composed, pose_rows
 from armui.viewport.stroke_painter import paint_strokes
 from armui.viewport.strokes import joint_range, tool_frame
 from armui.viewport.view_state import BUILT_IN_ROBOT, PickRequest, RobotChoice, ViewState
-from armui.viewport.viewpoint import ViewMode, Viewpoint
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -28,32 +28,20 @@ if TYPE_CHECKING:
     from PySide6.QtGui import QHideEvent, QKeyEvent, QMouseEvent, QPainter, QWheelEvent
     from PySide6.QtWidgets import QWidget
 
-    from armui.viewport.camera import OrbitCamera
     from armui.viewport.client import PictureClient
     from armui.viewport.path_picture import Preview, Reach, Trail
 
-_REST_MS: Final = 700
-"""An arm that has not moved for so long is at rest: the camera may come nearer."""
 
-
-_GLANCE_MS: Final = 80
-"""So often it is looked whether a moving arm is still in the picture."""
-
-
-class ArmView(PictureView):
+class ArmView(LookingView):
     """The arm in 3D with the measured figures over it.
 
     Left drag turns, middle drag or shift with left drag moves, the wheel zooms, a double click on
     a link picks its joint. With the focus: arrow keys turn, + and − zoom, Home resets.
 
-    To begin with, the arm fills the room it has, and the camera steps back when the arm would
-    leave it, or come behind the figures. Once the operator has moved the picture, it stays where
-    it was put; a view chosen, `fit` or `reset_view` brings that back.
-
     Signals:
         joint_picked: a link was double-clicked; its joint number, 1–6.
         mark_picked: a point of the previewed path was clicked; its row, from 0.
-        view_changed: how the arm is looked at has changed, by whomever.
+        finding_picked: the sign of a finding was clicked, a `FindingMark`.
 
     Args:
         robot: URDF file to begin with; None: the project's own arm.
@@ -63,7 +51,7 @@ class ArmView(PictureView):
 
     joint_picked = Signal(int)
     mark_picked = Signal(int)
-    view_changed = Signal()
+    finding_picked = Signal(object)
 
     def __init__(
         self,
@@ -74,50 +62,16 @@ class ArmView(PictureView):
         parent: QWidget | None = None,
     ) -> None:
         choice = BUILT_IN_ROBOT if robot is None else RobotChoice(robot)
-        self._viewpoint = Viewpoint()
-        self._shape: RobotShape | None = None
         self._drag = Drag()
         self._pick_serial = 0
-        self._corner, self._strip_px = Box(0.0, 0.0, 0.0, 0.0), 0.0
         self._tool = IDENTITY
         self._shows_tool = False
         self._range: tuple[int, tuple[float, float]] | None = None
+        self._path_overlay = PathOverlay()
         super().__init__(choice, palette, client, parent)
         self._client.joint_picked.connect(self._on_joint_picked)
         self._client.mark_picked.connect(self.mark_picked)
-        self._client.robot_shown.connect(self._on_robot_shown)
-        self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
-        self._rest.timeout.connect(self._on_rest)
-        self._glance = QTimer(self, singleShot=True, interval=_GLANCE_MS)
-        self._glance.timeout.connect(self._on_glance)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        if self._client.shape is not None:
-            self._on_robot_shown(self._client.shape)
-
-    @property
-    def is_settled(self) -> bool:
-        """Whether the picture on the screen shows the newest state, with smooth edges."""
-        return not self._glance.isActive() and super().is_settled
-
-    @property
-    def camera(self) -> OrbitCamera:
-        """Where the arm is seen from."""
-        return self._state.camera
-
-    @property
-    def mode(self) -> ViewMode:
-        """Who moves the camera."""
-        return self._viewpoint.mode
-
-    @property
-    def projection(self) -> Projection:
-        """From places to the widget's pixels and back, by the camera of now."""
-        return Projection(self._state.camera, self.width(), self.height())
-
-    @property
-    def shape(self) -> RobotShape | None:
-        """The robot in the picture, once it is known."""
-        return self._shape
 
     @property
     def highlighted_joint(self) -> int | None:
@@ -208,91 +162,7 @@ class ArmView(PictureView):
             self._range = wanted
             self.update()
 
-    # how it is looked at ----------------------------------------------------------------------
-
-    def reset_view(self) -> None:
-        """The first view again."""
-        self._viewpoint.reset()
-        self._take_camera()
-
-    def fit(self) -> None:
-        """Show all of the arm as large as the room allows."""
-        self._viewpoint.fit()
-        self._take_camera()
-
-    def look_from(self, direction: ViewDirection) -> None:
-        """Look from a direction at all of the arm."""
-        self._viewpoint.look_from(direction)
-        self._take_camera()
-
-    def follow_tool(self, *, wanted: bool) -> None:
-        """Keep the tool in the middle, or show all of the arm again."""
-        self._viewpoint.follow(wanted=wanted)
-        self._take_camera()
-
-    def set_orthographic(self, *, wanted: bool) -> None:
-        """Show parallel lines as such, or with perspective."""
-        if wanted != self._viewpoint.camera.orthographic:
-            self._viewpoint.set_orthographic(wanted=wanted)
-            self._take_camera()
-
-    def set_covered(self, corner: Box, strip_px: float) -> None:
-        """Say what lies over the picture, so that the arm stands beside it.
-
-        Args:
-            corner: Buttons at the bottom right.
-            strip_px: How wide the buttons along the right edge are.
-        """
-        self._corner, self._strip_px = corner, strip_px
-        self._resized()
-        self._show(self._state)
-
-    def _resized(self) -> None:
-        frame = self._hud_painter.frame(self.font())
-        figures = Box(0.0, 0.0, frame.right(), frame.bottom())
-        self._take_arm(self._state)
-        room = Room(self.width(), self.height(), figures, self._corner, self._strip_px)
-        self._viewpoint.take_room(room)
-        self._state = replace(self._state, camera=self._viewpoint.camera)
-
-    def _on_robot_shown(self, shape: RobotShape) -> None:
-        self._shape = shape
-        self._viewpoint.take_shape(shape)
-        self._take_camera()
-
-    def _on_rest(self) -> None:
-        if self.isVisible():
-            self._viewpoint.come_to_rest()
-            self._take_camera()
-
-    def _look_at(self, state: ViewState) -> None:
-        """Show a state in which the arm or its ghost may stand elsewhere."""
-        moved = state.angles_deg is not self._state.angles_deg
-        moved = moved or state.preview.ghost_deg != self._state.preview.ghost_deg
-        if moved and self.isVisible():
-            self._rest.start()
-            if self.mode is ViewMode.FOLLOW or not self._glance.isActive():
-                self._glance.start()
-                self._take_arm(state)
-                state = replace(state, camera=self._viewpoint.camera)
-        self._show(state)
-
-    def _take_arm(self, state: ViewState) -> None:
-        ghost_deg = state.preview.ghost_deg
-        self._viewpoint.take_arm(state.angles_deg, state.gripper_mm or 0.0, ghost_deg)
-
-    def _on_glance(self) -> None:
-        if self.isVisible():
-            self._take_arm(self._state)
-            self._show(replace(self._state, camera=self._viewpoint.camera))
-
-    def _take_camera(self) -> None:
-        self._show(replace(self._state, camera=self._viewpoint.camera))
-        self.view_changed.emit()
-
-    def _is_worth_showing(self, shown: ViewState) -> bool:
-        """The first picture was drawn before it was known how large the robot is."""
-        return shown.camera == self._state.camera
+    # ------------------------------------------------------------------------------------------
 
     def _on_joint_picked(self, number: int | None) -> None:
         self.highlight_joint(number)
@@ -302,11 +172,12 @@ class ArmView(PictureView):
     # over the picture -------------------------------------------------------------------------
 
     def _paint_over(self, painter: QPainter, shown: ViewState) -> None:
+        projection = Projection(shown.camera, self.width(), self.height())
+        palette = shown.palette
+        self._path_overlay.paint(painter, shown.preview, projection, palette)
         shape, angles_deg = self._shape, shown.angles_deg
         if shape is None or angles_deg is None:
             return
-        projection = Projection(shown.camera, self.width(), self.height())
-        palette = shown.palette
         if self._range is not None:
             number, limits_deg = self._range
             strokes = joint_range(shape, angles_deg, number, limits_deg, palette)
@@ -326,6 +197,16 @@ class ArmView(PictureView):
         self._drag.forget()
         self._viewpoint.hold(held=False)
 
+    def event(self, event: QEvent) -> bool:
+        """The tooltip of a sign says what was found."""
+        if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
+            at = QPointF(event.pos())
+            preview = self._state.preview
+            finding = self._path_overlay.finding_at(preview, self.projection, at)
+            QToolTip.showText(event.globalPos(), "" if finding is None else finding.text, self)
+            return True
+        return super().event(event)
+
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """A drag begins."""
         self._drag.press(event)
@@ -341,7 +222,13 @@ class ArmView(PictureView):
         clicked = self._drag.release(event)
         self._viewpoint.hold(held=False)
         self._take_camera()
-        if clicked is not None and self._state.preview.path is not None:
+        preview = self._state.preview
+        if clicked is None or preview.path is None:
+            return
+        finding = self._path_overlay.finding_at(preview, self.projection, clicked)
+        if finding is not None:
+            self.finding_picked.emit(finding)
+        else:
             self._show(replace(self._state, mark_pick=self._question(clicked)))
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
@@ -369,11 +256,3 @@ class ArmView(PictureView):
         if camera is None:
             super().keyPressEvent(event)
         self._look_through(camera)
-
-    def _look_through(self, camera: OrbitCamera | None) -> None:
-        if camera is None:
-            return
-        before = self._state.camera
-        turned = (camera.focus_m, camera.distance_m) == (before.focus_m, before.distance_m)
-        self._viewpoint.move_by_hand(camera, only_turned=turned)
-        self._take_camera()

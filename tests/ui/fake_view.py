@@ -16,6 +16,7 @@ class FakeView(QWidget):
     joint_picked = Signal(int)
     mark_picked = Signal(int)
     load_failed = Signal(object)
+    finding_picked = Signal(object)
     view_changed = Signal()
 
     def __init__(self) -> None:
@@ -25,6 +26,7 @@ class FakeView(QWidget):
         self.palette_shown: Any = None
         self.robot: Any = None
         self.resets = 0
+        self.shape: Any = None
         self.mode = ViewMode.FIT
         self.looked_from: list[Any] = []
         self.is_current = False

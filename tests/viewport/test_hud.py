@@ -125,7 +125,7 @@ def test_digits_of_any_font_stand_in_cells_of_one_width(qapp, monkeypatch):
     proportional.frame(QFont())
     assert not proportional._is_tabular
     assert proportional._width_px("111.111") == proportional._width_px("888.888")
-    drawn = {}
+    drawn: dict[str, list[QPointF]] = {}
     for text in ("-111.111", "-888.888"):
         places = drawn[text] = []
         painter = type("P", (), {"drawText": lambda _self, at, _text, into=places: into.append(at)})

@@ -7,18 +7,22 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QApplication, QWidget
 
+from armui.control.run.progress import OVER
 from armui.ui.panels.jogging.joint_row import JointRow
 from armui.ui.picture.picture_export import PictureExport
 from armui.ui.picture.picture_note import PictureNote
+from armui.ui.picture.trail_keeper import TrailKeeper
 from armui.ui.picture.view_bar import ViewBar
 from armui.viewport.camera import ViewDirection
 from armui.viewport.path_picture import Reach
 
 if TYPE_CHECKING:
+    from armui.arm.state import ArmState
     from armui.control.arm_controller import ArmController
     from armui.control.operating_state import OperatingState
     from armui.settings import Settings, SettingsStore
     from armui.ui.background import Background
+    from armui.ui.trajectory.preview.path_preview import PathPreview
     from armui.viewport.view import ArmView
 
 _MM = 0.001
@@ -32,6 +36,7 @@ class PictureWork(QObject):
         view: Shows the arm.
         preferences: What was chosen of the picture.
         background: Writes files.
+        preview: Shows the path of a trajectory.
         window: The main window.
 
     Attributes:
@@ -45,11 +50,14 @@ class PictureWork(QObject):
         view: ArmView,
         preferences: SettingsStore,
         background: Background,
+        *,
+        preview: PathPreview,
         window: QWidget,
     ) -> None:
         super().__init__(window)
         self._controller = controller
         self._view = view
+        self._preview = preview
         self.bar = ViewBar(view, preferences)
         self.note = PictureNote()
         self._export = PictureExport(controller, view, background, window)
@@ -63,7 +71,10 @@ class PictureWork(QObject):
         view.look_from(ViewDirection(preferences.settings.picture_direction))
         self._unsubscribe = preferences.subscribe(self._on_settings)
         self.destroyed.connect(self._unsubscribe)
+        self._trail = TrailKeeper(controller, view, preferences.settings.picture_trail_s)
+        self._trail_s = preferences.settings.picture_trail_s
         controller.operating_state_changed.connect(self._on_operating_state)
+        controller.state_changed.connect(self._on_state)
         application = QApplication.instance()
         if isinstance(application, QApplication):
             application.focusChanged.connect(self._on_focus)
@@ -72,7 +83,18 @@ class PictureWork(QObject):
         if settings.tool != self._tool:
             self._tool = settings.tool
             self._view.set_tool(settings.tool)
+            self._trail.clear()
             self._show_reach()
+        if settings.picture_trail_s != self._trail_s:
+            self._trail_s = settings.picture_trail_s
+            self._trail.set_length(self._trail_s)
+
+    def _on_state(self, state: ArmState) -> None:
+        self._trail.follow(state)
+        if self._preview.name is not None:
+            progress = self._controller.player.progress
+            under_way = progress.phase not in OVER and progress.name == self._preview.name
+            self._preview.light_row(progress.index if under_way else None)
 
     def _on_operating_state(self, _state: OperatingState) -> None:
         if self._reach.isChecked():

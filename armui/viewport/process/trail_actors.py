@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from armui.viewport.path_picture import Trail
 
 _MM = 0.001
-_DRIVEN_PX, _COMMANDED_PX = 4.0, 2.0
+_DRIVEN_PX, _COMMANDED_PX = 7.0, 2.0
 _OLDEST_SHARE = 0.12
 """Of its colour is left to the oldest place; the rest is the background's."""
 
