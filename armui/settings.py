@@ -28,6 +28,7 @@ from armui.system.error_text import error_text
 
 Language = Literal["zh", "en"]
 ThemeName = Literal["light", "dark", "system"]
+PictureDirection = Literal["iso", "front", "side", "top"]
 SessionFormat = Literal[".blf", ".asc", ".log", ".mf4"]
 
 _MOST_BYTES: Final = 1_000_000
@@ -41,6 +42,8 @@ _LOCK_S: Final = 0.05
 JOG_STEP_MIN_DEG: Final = 0.001
 """The resolution of an angle on the bus."""
 JOG_STEP_MAX_DEG: Final = 30.0
+
+TRAIL_LONGEST_S: Final = 600
 
 ROTATE_MIN_MB: Final = 1
 ROTATE_MAX_MB: Final = 4000
@@ -63,6 +66,10 @@ class Choices(TypedDict, total=False):
     session_format: SessionFormat
     session_rotate_mb: int
     session_save_at_faults: bool
+    picture_direction: PictureDirection
+    picture_orthographic: bool
+    picture_tool_frame: bool
+    picture_trail_s: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +87,10 @@ class Settings:
         session_format: The suffix of their files.
         session_rotate_mb: A file that is as large is followed by another.
         session_save_at_faults: The last minutes are saved by themselves at a fault or a stop.
+        picture_direction: From where the 3D picture shows the arm to begin with.
+        picture_orthographic: It is drawn without perspective.
+        picture_tool_frame: It shows the axes of the tool centre point.
+        picture_trail_s: So many seconds of the tool's way are shown in it; 0: none.
     """
 
     language: Language = "zh"
@@ -92,6 +103,10 @@ class Settings:
     session_format: SessionFormat = ".blf"
     session_rotate_mb: int = 100
     session_save_at_faults: bool = False
+    picture_direction: PictureDirection = "iso"
+    picture_orthographic: bool = False
+    picture_tool_frame: bool = True
+    picture_trail_s: int = 15
 
 
 Subscriber = Callable[[Settings], None]
@@ -115,8 +130,12 @@ def check(name: str, value: object) -> Refusal | None:
         "urdf_path": value is None or _is_path(value),
         "session_folder": value is None or _is_path(value),
         "session_format": value in get_args(SessionFormat),
-        "session_rotate_mb": _is_rotate_mb(value),
+        "session_rotate_mb": _is_whole(value, ROTATE_MIN_MB, ROTATE_MAX_MB),
         "session_save_at_faults": isinstance(value, bool),
+        "picture_direction": value in get_args(PictureDirection),
+        "picture_orthographic": isinstance(value, bool),
+        "picture_tool_frame": isinstance(value, bool),
+        "picture_trail_s": _is_whole(value, 0, TRAIL_LONGEST_S),
     }
     if allowed.get(name, False):
         return None
@@ -143,10 +162,8 @@ def _is_path(value: object) -> bool:
     return True
 
 
-def _is_rotate_mb(value: object) -> bool:
-    if isinstance(value, bool) or not isinstance(value, int):
-        return False
-    return ROTATE_MIN_MB <= value <= ROTATE_MAX_MB
+def _is_whole(value: object, least: int, most: int) -> bool:
+    return isinstance(value, int) and not isinstance(value, bool) and least <= value <= most
 
 
 def _check_jog_step(value: object) -> Refusal | None:

@@ -17,6 +17,7 @@ from armui.control.operating_state import OperatingState, StopState
 from armui.ui.background import Background
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.panels.jogging.motion_panel import MotionPanel
+from armui.ui.picture.picture_work import PictureWork
 from armui.ui.shell.arm_in_view import show_in_view
 from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
 from armui.ui.shell.failure_line import FailureLine
@@ -106,7 +107,10 @@ class MainWindow(Translated, QWidget):
         self._joint_status_button = JointStatusButton(self._joint_monitor)
         self._preview_bar = PreviewBar()
         self._preview = PathPreview(view, self._preview_bar, self)
-        self._view_region = ViewRegion(view, self._preview_bar)
+        self._picture = PictureWork(
+            controller, view, preferences, background, preview=self._preview, window=self
+        )
+        self._view_region = ViewRegion(view, self._preview_bar, self._picture)
         self._keeper = LayoutKeeper(preferences.path, background, self)
         self._workspace = Workspace(controller, self._keeper, self)
         self._pages = PageArea()

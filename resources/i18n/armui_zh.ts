@@ -7667,7 +7667,23 @@ Lead it near its rest pose, then stop recording.</source>
         <source>saving at faults and stops</source>
         <translation>故障或急停时自动保存</translation>
     </message>
-</context>
+<message>
+        <source>view of the 3D picture</source>
+        <translation>3D 画面的视角</translation>
+    </message>
+    <message>
+        <source>3D picture without perspective</source>
+        <translation>3D 画面的平行投影</translation>
+    </message>
+    <message>
+        <source>tool frame in the 3D picture</source>
+        <translation>3D 画面中的工具坐标系</translation>
+    </message>
+    <message>
+        <source>way of the tool in the 3D picture</source>
+        <translation>3D 画面中的末端轨迹</translation>
+    </message>
+    </context>
 <context>
     <name>SettingsDialog</name>
     <message>
@@ -9421,5 +9437,133 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Step by step</source>
         <translation>单步运行</translation>
+    </message>
+</context><context><name>PictureExport</name><message>
+        <source>Picture copied</source>
+        <translation>画面已复制</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>保存画面</translation>
+    </message>
+    <message>
+        <source>There is no picture of now to be taken: wait until it is drawn.</source>
+        <translation>当前画面尚未绘制完成，请稍候再试。</translation>
+    </message>
+    <message>
+        <source>Not saved: {path}. {reason}</source>
+        <translation>未保存：{path}。{reason}</translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation>已保存：{path}</translation>
+    </message>
+</context><context><name>ViewBar</name><message>
+        <source>Front view</source>
+        <translation>前视图</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from where it points to</source>
+        <translation>从机械臂正前方观察</translation>
+    </message>
+    <message>
+        <source>Side view</source>
+        <translation>侧视图</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from its right side</source>
+        <translation>从机械臂右侧观察</translation>
+    </message>
+    <message>
+        <source>Top view</source>
+        <translation>俯视图</translation>
+    </message>
+    <message>
+        <source>Looks down on the arm</source>
+        <translation>从上方观察机械臂</translation>
+    </message>
+    <message>
+        <source>Oblique view</source>
+        <translation>轴测视图</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from the front right and above</source>
+        <translation>从右前上方观察机械臂</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>适合窗口</translation>
+    </message>
+    <message>
+        <source>Shows all of the arm as large as the room allows</source>
+        <translation>在可用空间内尽量大地显示整个机械臂</translation>
+    </message>
+    <message>
+        <source>Follow the tool</source>
+        <translation>跟随末端</translation>
+    </message>
+    <message>
+        <source>Keeps the tool centre point in the middle</source>
+        <translation>使工具中心点保持在画面中央</translation>
+    </message>
+    <message>
+        <source>Without perspective</source>
+        <translation>平行投影</translation>
+    </message>
+    <message>
+        <source>Parallel lines look parallel: lengths can be compared</source>
+        <translation>平行线保持平行，可比较长度</translation>
+    </message>
+    <message>
+        <source>Tool frame</source>
+        <translation>工具坐标系</translation>
+    </message>
+    <message>
+        <source>Shows the axes of the tool centre point</source>
+        <translation>显示工具中心点的坐标轴</translation>
+    </message>
+    <message>
+        <source>Workspace</source>
+        <translation>工作空间</translation>
+    </message>
+    <message>
+        <source>Shows how far the tool centre point can reach</source>
+        <translation>显示工具中心点可到达的范围</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>保存画面…</translation>
+    </message>
+    <message>
+        <source>Writes the picture with its figures to a file</source>
+        <translation>将画面连同数值保存为文件</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>复制画面</translation>
+    </message>
+    <message>
+        <source>Puts the picture with its figures into the clipboard</source>
+        <translation>将画面连同数值复制到剪贴板</translation>
+    </message>
+    <message>
+        <source>Way of the tool</source>
+        <translation>末端轨迹</translation>
+    </message>
+    <message>
+        <source>Last {seconds} s of motion</source>
+        <translation>最近 {seconds} 秒的运动</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Views, and what is drawn in the picture</source>
+        <translation>视角以及画面中显示的内容</translation>
     </message>
 </context></TS>
