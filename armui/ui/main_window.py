@@ -15,6 +15,7 @@ from armui.control.devices.joint_monitor import JointMonitor
 from armui.control.motion.motion_command import Mover
 from armui.control.operating_state import OperatingState, StopState
 from armui.system.helper_process import FileThread
+from armui.ui.actions.window_actions import WindowActions
 from armui.ui.background import Background
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.panels.jogging.motion_panel import MotionPanel
@@ -107,6 +108,9 @@ class MainWindow(Translated, QWidget):
         self._view_region = ViewRegion(view, self._preview_bar)
         self._status_bar = StatusBar(controller)
         self._watch.show_marks_in(self._status_bar)
+        self._actions = WindowActions(self, controller, preferences, background)
+        self._actions.offer(self._diagnosis, self._watch)
+        self._status_bar.add_mark(self._actions.button)
         self._lay_out()
         self._connect()
         self.resize(_FIRST_SIZE.boundedTo(self.screen().availableSize()))

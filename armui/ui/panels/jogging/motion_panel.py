@@ -15,6 +15,7 @@ from armui.control.arm_controller import ArmController
 from armui.control.events import Event, EventCode
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.keys import keys_of
 from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.jog_panel import JogPanel
 from armui.ui.panels.jogging.joint_row import JointRow
@@ -29,7 +30,7 @@ _KEYS: Final = tuple(
     (f"J{joint}", plus, minus)
     for joint, plus, minus in zip(JOINTS, "QWERTY", "ASDFGH", strict=True)
 )
-_HOME_KEY, _LOAD_KEY, _SEND_KEY = "Ctrl+Shift+H", "Ctrl+L", "Ctrl+Return"
+_HOME_KEY, _LOAD_KEY, _SEND_KEY = (keys_of(f"motion.{act}") for act in ("home", "load", "send"))
 
 
 class MotionPanel(JogPanel):

@@ -24,7 +24,7 @@ from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.panels.panel import Panel
 from armui.ui.panels.parameters import parameter_message
-from armui.ui.panels.parameters.parameter_buttons import SAVE_KEY, ParameterButtons
+from armui.ui.panels.parameters.parameter_buttons import CANCEL_KEY, SAVE_KEY, ParameterButtons
 from armui.ui.panels.parameters.setting_cell import SettingCell
 from armui.ui.widgets.buttons import caption, named
 from armui.ui.widgets.card import scrolled
@@ -343,7 +343,10 @@ class ParameterPanel(Panel):
         enable_or_explain(buttons.edit, no_way, change)
         give_up = self.tr("Shows what the arm holds again.")
         enable_or_explain(
-            buttons.cancel, answer if self._saving.running else "", give_up, key="Esc"
+            buttons.cancel,
+            answer if self._saving.running else "",
+            give_up,
+            key=CANCEL_KEY,
         )
         send = self.tr("Sends what was changed, reads it back and compares.")
         enable_or_explain(
