@@ -39,6 +39,7 @@ from armui.ui.theme import DARK, colors_of
 from armui.ui.trajectory.preview.path_preview import PathPreview
 from armui.ui.trajectory.preview.preview_bar import PreviewBar
 from armui.ui.widgets.curve_menu import offer_curves
+from armui.ui.widgets.keeps_focus import KeepsFocus
 from armui.ui.widgets.translated import Translated
 from armui.viewport import palette as scene_palette
 
@@ -57,7 +58,7 @@ _FIRST_SIZE: Final = QSize(1440, 900)
 _PANEL_WIDTH_PX: Final = 440
 
 
-class MainWindow(Translated, QWidget):
+class MainWindow(Translated, KeepsFocus, QWidget):
     """Shows the arm and takes the operator's wishes; knows nothing of the bus.
 
     Args:
@@ -109,8 +110,7 @@ class MainWindow(Translated, QWidget):
         self._status_bar = StatusBar(controller)
         self._watch.show_marks_in(self._status_bar)
         self._actions = WindowActions(self, controller, preferences, background)
-        self._actions.offer(self._diagnosis, self._watch)
-        self._status_bar.add_mark(self._actions.button)
+        self._status_bar.add_mark(self._actions.offer(self._diagnosis, self._watch))
         self._lay_out()
         self._connect()
         self.resize(_FIRST_SIZE.boundedTo(self.screen().availableSize()))

@@ -308,10 +308,6 @@
         <translation>从起点经中点运动到终点。部分固件不支持圆弧。</translation>
     </message>
     <message>
-        <source>Arc by three poses</source>
-        <translation>三点圆弧</translation>
-    </message>
-    <message>
         <source>Capture start</source>
         <translation>记录起点</translation>
     </message>
@@ -3433,6 +3429,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>键盘点动</translation>
     </message>
     <message>
+        <source>Jogging is not possible now.</source>
+        <translation>现在不能点动。</translation>
+    </message>
+    <message>
         <source>Hold the space bar; each press of a key is one step.</source>
         <translation>按住空格键，每按一次方向键走一步。</translation>
     </message>
@@ -5392,6 +5392,17 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
 </context>
 <context>
+    <name>PoseExtras</name>
+    <message>
+        <source>Arc by three poses</source>
+        <translation>三点圆弧</translation>
+    </message>
+    <message>
+        <source>Tool centre point</source>
+        <translation>工具中心点</translation>
+    </message>
+</context>
+<context>
     <name>PoseRow</name>
     <message>
         <source>Moves along {axis} while it is held; let go to stop.</source>
@@ -6058,10 +6069,6 @@ Lead it near its rest pose, then stop recording.</source>
 <context>
     <name>RecoveryStep</name>
     <message>
-        <source>No arm is connected.</source>
-        <translation>未连接机械臂。</translation>
-    </message>
-    <message>
         <source>The device is being opened.</source>
         <translation>正在打开设备。</translation>
     </message>
@@ -6264,6 +6271,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>A stop is outstanding: it goes out once the CAN device is back. Cut the arm&apos;s power if it moves.</source>
         <translation>有一次急停未完成：CAN 设备恢复后立即发出。若机械臂在运动，请切断其电源。</translation>
+    </message>
+    <message>
+        <source>No arm is connected. Connect one, or the simulated arm to try everything out.</source>
+        <translation>未连接机械臂。请连接机械臂，或先用仿真机械臂试用全部功能。</translation>
     </message>
     <message>
         <source>A stop is outstanding, and the arm is away. Cut its power if it moves, or connect to it and press the emergency stop.</source>

@@ -49,8 +49,8 @@ class WindowActions(QObject):
         self._background = background
         self._doings: dict[str, Doing] = {}
         self._opened: dict[str, QDialog] = {}
-        self.button = CommandsButton()
-        self.button.clicked.connect(self.open_palette)
+        self._button = CommandsButton()
+        self._button.clicked.connect(self.open_palette)
         openers: dict[str, Doing] = {
             "palette": self.open_palette,
             "guide": self.open_guide,
@@ -62,14 +62,15 @@ class WindowActions(QObject):
             shortcut.setAutoRepeat(False)
             shortcut.activated.connect(openers[name])
 
-    def offer(self, diagnosis: DiagnosisDialogs, watch: WatchWindows) -> None:
-        """Offer what these windows do and no button in the main window."""
+    def offer(self, diagnosis: DiagnosisDialogs, watch: WatchWindows) -> CommandsButton:
+        """Offer what these windows do and no button in the main window; the palette's button."""
         self._doings |= {
             "window.diagnosis": diagnosis.open_doctor,
             "window.about_arm": diagnosis.open_about_arm,
             "window.export": watch.open_export,
             "replay.open": watch.open_replay,
         }
+        return self._button
 
     # -- windows ------------------------------------------------------------------------------
 

@@ -228,7 +228,7 @@ class GripperPanel(Panel):
         enable_or_explain(self._acts["zero"], why_not, use)
 
     def _show_message(self) -> None:
-        refusal = self._refusal or self._operating_state.cannot_enable
+        refusal = self._refusal or self._unless_told(self._operating_state.cannot_enable)
         if refusal is None and self._event is None:
             refusal = self._travel.refusal() or self._effort.refusal()
         if refusal is not None and refusal.code == RefusalCode.BUSY and self._refusal is None:

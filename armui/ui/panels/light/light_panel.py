@@ -211,7 +211,8 @@ class LightPanel(Panel):
         enable_or_explain(self._confirm, why_not, use, key=_CONFIRM_KEY)
 
     def _show_message(self) -> None:
-        self._say(self._refusal or self._operating_state.cannot_set_lamps or self._first_wrong())
+        standing = self._unless_told(self._operating_state.cannot_set_lamps)
+        self._say(self._refusal or standing or self._first_wrong())
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

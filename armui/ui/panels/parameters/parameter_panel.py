@@ -100,6 +100,7 @@ class ParameterPanel(Panel):
         self._buttons.save.clicked.connect(self._on_save)
         self._settings.changed.connect(self._on_settings_changed)
         self._controller.operating_state_changed.connect(self._on_operating_state_changed)
+        self._controller.step_changed.connect(self._on_step_changed)
 
     # -- what a panel of its own adds ---------------------------------------------------------
 
@@ -356,7 +357,7 @@ class ParameterPanel(Panel):
     def _show_message(self) -> None:
         occupied = self._controller.operating_state.occupied if self._draft.editing else None
         said = parameter_message.message(
-            refusal=self._refusal or self._why_not_here() or occupied,
+            refusal=self._refusal or self._unless_told(self._why_not_here()) or occupied,
             draft=self._draft,
             state=self._controller.state,
             cell=self._settings.cell,
