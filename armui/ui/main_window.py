@@ -14,6 +14,7 @@ from armui.arm.state import ArmState
 from armui.control.devices.joint_monitor import JointMonitor
 from armui.control.motion.motion_command import Mover
 from armui.control.operating_state import OperatingState, StopState
+from armui.ui.actions.window_actions import WindowActions
 from armui.ui.background import Background
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.panels.jogging.motion_panel import MotionPanel
@@ -45,6 +46,7 @@ from armui.ui.theme import DARK, colors_of
 from armui.ui.trajectory.preview.path_preview import PathPreview
 from armui.ui.trajectory.preview.preview_bar import PreviewBar
 from armui.ui.widgets.curve_menu import offer_curves
+from armui.ui.widgets.keeps_focus import KeepsFocus
 from armui.ui.widgets.translated import Translated
 from armui.viewport import palette as scene_palette
 
@@ -62,7 +64,7 @@ if TYPE_CHECKING:
 _FIRST_SIZE: Final = QSize(1440, 900)
 
 
-class MainWindow(Translated, QWidget):
+class MainWindow(Translated, KeepsFocus, QWidget):
     """Shows the arm and takes the operator's wishes; knows nothing of the bus.
 
     Args:
@@ -129,6 +131,8 @@ class MainWindow(Translated, QWidget):
         )
         self._status_bar = StatusBar(controller)
         self._watch.show_marks_in(self._status_bar)
+        self._actions = WindowActions(self, controller, preferences, background)
+        self._status_bar.add_mark(self._actions.offer(self._diagnosis, self._watch))
         self._lay_out()
         self._connect()
         WindowLayout(self._keeper, self, self._work_area, _FIRST_SIZE)

@@ -3326,7 +3326,11 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <source>Click here to jog by keys.</source>
         <translation>点击此处后可用键盘点动。</translation>
     </message>
-</context>
+<message>
+        <source>Jogging is not possible now.</source>
+        <translation>现在不能点动。</translation>
+    </message>
+    </context>
 <context>
     <name>LeaveQuestion</name>
     <message>
@@ -6140,7 +6144,11 @@ Lead it near its rest pose, then stop recording.</source>
         <source>A stop is outstanding: the arm was away and has not confirmed it. Press the emergency stop to send it now, or withdraw it.</source>
         <translation>有一次急停未完成：机械臂曾离线，没有确认。按急停立即发送，或撤回。</translation>
     </message>
-</context>
+<message>
+        <source>No arm is connected. Connect one, or the simulated arm to try everything out.</source>
+        <translation>未连接机械臂。请连接机械臂，或先用仿真机械臂试用全部功能。</translation>
+    </message>
+    </context>
 <context>
     <name>Refusal</name>
     <message>
@@ -9565,5 +9573,233 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Views, and what is drawn in the picture</source>
         <translation>视角以及画面中显示的内容</translation>
+    </message>
+</context><context><name>Action</name><message>
+        <source>Enable or disable all motors</source>
+        <translation>全部电机使能或失能</translation>
+    </message>
+    <message>
+        <source>Joint status</source>
+        <translation>关节状态</translation>
+    </message>
+    <message>
+        <source>Session recordings</source>
+        <translation>会话记录</translation>
+    </message>
+    <message>
+        <source>Replay a recording</source>
+        <translation>回放会话记录</translation>
+    </message>
+    <message>
+        <source>Export a recording</source>
+        <translation>导出会话记录</translation>
+    </message>
+    <message>
+        <source>Back up, compare, restore parameters</source>
+        <translation>参数备份、比较、恢复</translation>
+    </message>
+    <message>
+        <source>Language: Chinese or English</source>
+        <translation>语言：中文或英文</translation>
+    </message>
+    <message>
+        <source>Theme: light or dark</source>
+        <translation>主题：浅色或深色</translation>
+    </message>
+    <message>
+        <source>User guide</source>
+        <translation>使用指南</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>快捷键</translation>
+    </message>
+    <message>
+        <source>Close the program</source>
+        <translation>退出程序</translation>
+    </message>
+    <message>
+        <source>MOVE P: to the pose</source>
+        <translation>MOVE P 运动到位姿</translation>
+    </message>
+    <message>
+        <source>MOVE L: on a straight line to the pose</source>
+        <translation>MOVE L 直线运动到位姿</translation>
+    </message>
+    <message>
+        <source>MOVE C: along the arc</source>
+        <translation>MOVE C 沿圆弧运动</translation>
+    </message>
+    <message>
+        <source>Master arm (teaching input arm)</source>
+        <translation>主臂（示教输入臂）</translation>
+    </message>
+    <message>
+        <source>Slave arm (motion output arm)</source>
+        <translation>从臂（运动输出臂）</translation>
+    </message>
+    <message>
+        <source>Pause the planned motion</source>
+        <translation>暂停规划轨迹</translation>
+    </message>
+    <message>
+        <source>Continue the held motion</source>
+        <translation>继续被保持的运动</translation>
+    </message>
+    <message>
+        <source>Terminate the planned motion</source>
+        <translation>终止规划轨迹</translation>
+    </message>
+    <message>
+        <source>Target of</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Lamps of</source>
+        <translation>灯光</translation>
+    </message>
+    <message>
+        <source>Press Edit in the panel first.</source>
+        <translation>请先在该面板中按“编辑”。</translation>
+    </message>
+</context><context><name>CommandPalette</name><message>
+        <source>Nothing is called so. Chinese, English, pinyin and initials are found.</source>
+        <translation>没有这样的名称。可按中文、英文、拼音或拼音首字母查找。</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Name, pinyin or initials, in Chinese or English</source>
+        <translation>名称、拼音或首字母，中英文均可</translation>
+    </message>
+    <message>
+        <source>Search for a command</source>
+        <translation>查找命令</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>找到的命令</translation>
+    </message>
+</context><context><name>CommandsButton</name><message>
+        <source>Commands</source>
+        <translation>命令</translation>
+    </message>
+</context><context><name>Place</name><message>
+        <source>In every window</source>
+        <translation>所有窗口</translation>
+    </message>
+    <message>
+        <source>Main window</source>
+        <translation>主窗口</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D 视图</translation>
+    </message>
+    <message>
+        <source>Jogging by keys</source>
+        <translation>键盘点动</translation>
+    </message>
+    <message>
+        <source>Panels with parameters</source>
+        <translation>参数面板</translation>
+    </message>
+    <message>
+        <source>Trajectory editor</source>
+        <translation>轨迹编辑器</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>回放</translation>
+    </message>
+</context><context><name>PoseExtras</name><message>
+        <source>Arc by three poses</source>
+        <translation>三点圆弧</translation>
+    </message>
+    <message>
+        <source>Tool centre point</source>
+        <translation>工具中心点</translation>
+    </message>
+</context><context><name>Shortcut</name><message>
+        <source>Command palette: find every function by its name</source>
+        <translation>命令面板：按名称查找任何功能</translation>
+    </message>
+    <message>
+        <source>User guide, at the place where you are</source>
+        <translation>使用指南，打开当前所在处的章节</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>本列表</translation>
+    </message>
+    <message>
+        <source>Pause, go on</source>
+        <translation>暂停、继续</translation>
+    </message>
+    <message>
+        <source>Copy the chosen rows</source>
+        <translation>复制所选行</translation>
+    </message>
+    <message>
+        <source>Play, pause</source>
+        <translation>播放、暂停</translation>
+    </message>
+    <message>
+        <source>One frame back</source>
+        <translation>后退一帧</translation>
+    </message>
+    <message>
+        <source>One frame on</source>
+        <translation>前进一帧</translation>
+    </message>
+    <message>
+        <source>Halt: ends any motion, the motors keep their power</source>
+        <translation>停住：结束任何运动，电机保持通电</translation>
+    </message>
+    <message>
+        <source>To the next control; with Shift to the one before</source>
+        <translation>到下一个控件；加 Shift 到上一个</translation>
+    </message>
+    <message>
+        <source>Close the dialog</source>
+        <translation>关闭对话框</translation>
+    </message>
+    <message>
+        <source>With Space held: J1 to J6 up, down</source>
+        <translation>按住空格：J1 至 J6 增、减</translation>
+    </message>
+    <message>
+        <source>With Space held: X, Y, Z of the tool</source>
+        <translation>按住空格：末端 X、Y、Z</translation>
+    </message>
+    <message>
+        <source>With Space held: RX, RY, RZ of the tool</source>
+        <translation>按住空格：末端 RX、RY、RZ</translation>
+    </message>
+    <message>
+        <source>Edit the points of the chosen trajectory</source>
+        <translation>编辑所选轨迹的点</translation>
+    </message>
+    <message>
+        <source>On the time line: through the recording</source>
+        <translation>在时间轴上：在记录中移动</translation>
+    </message>
+</context><context><name>ShortcutList</name><message>
+        <source>Keyboard shortcuts</source>
+        <translation>快捷键</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context><context><name>WindowActions</name><message>
+        <source>The arm is not stopped.</source>
+        <translation>机械臂未处于急停。</translation>
+    </message>
+    <message>
+        <source>There is no next step now.</source>
+        <translation>现在没有下一步。</translation>
     </message>
 </context></TS>

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from armui.ui.trajectory.editor.editor_window import EditorWindow
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from armui.control.run.progress import Run
+from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.viewport.camera import ViewDirection
 from tests.app_driver import AppDriver
 from tests.gallery_scenes import arm
@@ -41,9 +41,9 @@ def reach(app_driver: AppDriver) -> None:
     app_driver.find("view_bar").view_actions["reach"].trigger()
 
 
-def _checked(app_driver: AppDriver, name: str) -> EditorWindow:
+def _checked(app_driver: AppDriver, name: str) -> EditorPage:
     library(app_driver).open_trajectory(name)
-    window = app_driver.dialog(EditorWindow)
+    window = app_driver.page(EditorPage)
     app_driver.wait(window.isActiveWindow)
     QTest.keyClick(window, Qt.Key.Key_E, Qt.KeyboardModifier.ControlModifier)
     return window
