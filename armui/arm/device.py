@@ -18,10 +18,12 @@ class RecordedArm:
     Attributes:
         generation: Which protocol it speaks.
         feedback_offset: Added to the identifiers of its feedback (0x470).
+        firmware: The version it names, as ``S-V1.8-5``; "" where it names none.
     """
 
     generation: int
     feedback_offset: int = 0
+    firmware: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,6 +13,7 @@ from armui.kinematics.forward import flange_transforms
 from armui.kinematics.geometry import Geometry
 from armui.protocol.addressing import OFFSETS, Addressing
 from armui.protocol.codec import Codec
+from armui.protocol.firmware_version import FirmwareVersion
 from armui.protocol.version import VERSION_ID, find_version
 from armui.session.detection import detect_generation
 from armui.session.exports.frames import ArmFrameReader
@@ -91,8 +92,8 @@ def look_at(
     channel = _channel(looked_at, wishes.channel)
     pieces = list(ArmFrameReader(channel).pieces(looked_at))
     addressing = _addressing(pieces)
-    codec = Codec(generation, addressing)
     firmware = wishes.firmware or _firmware(pieces)
+    codec = Codec(generation, addressing, FirmwareVersion.parse(firmware))
     geometry = geometry_of(firmware) if firmware else _geometry(pieces, codec)
     start_s = float(looked_at[0].times_s[0])
     arm = ExportedArm(codec, why, channel, firmware, geometry, start_s)
