@@ -11,8 +11,8 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Final
 
-from armui.arm.geometries import geometry_of
 from armui.arm.limits import JOINTS
+from armui.arm.models import ModelData, model_data
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec, InvalidFrame, InvalidFrameKind
@@ -30,6 +30,7 @@ from armui.protocol.codes import (
 )
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
 from armui.sim.condition import Condition
 from armui.sim.faults.protection import Protection
 from armui.sim.feedback.feedback import Feedback
@@ -60,6 +61,7 @@ class Firmware(Readings):
 
     Attributes:
         generation: The protocol it speaks.
+        model: Which arm of the family it is, as data.
         kinematics: Of the geometry its version has.
         condition: Modes, flags and faults, as 0x2A1 tells them.
         mechanics: Joints and motors.
@@ -85,6 +87,7 @@ class Firmware(Readings):
         seed: int = 0,
         joints_deg: Sequence[float] = (0.0,) * JOINT_COUNT,
         version: str = "S-V1.8-5",
+        model: PiperModel = PiperModel.PIPER,
         flash: Flash | None = None,
     ) -> None:
         """An arm just switched on: motors off, standby, supported where it lies.
@@ -94,9 +97,11 @@ class Firmware(Readings):
             seed: Of the little noise there is; the same seed and calls give the same frames.
             joints_deg: Where it lies, joint 1 first, counted from the factory's zeros.
             version: What it answers to 0x4AF (generation 2).
+            model: Which arm of the family it is.
             flash: Where its settings are kept; without it they end with this object.
         """
         self.generation = generation
+        self.model: ModelData = model_data(model)
         self.flash: Flash = flash or MemoryFlash()
         self.settings = self.flash.load()
         self.condition = Condition()
@@ -110,7 +115,7 @@ class Firmware(Readings):
         self.ignored: Counter[InvalidFrameKind] = Counter()
         self.unsupported: Counter[str] = Counter()
         self._version = version
-        self.kinematics = Kinematics(geometry_of(version))
+        self.kinematics = Kinematics(self.model.geometry_of(version))
         self._silent = False
         self._off = False
         self._now_ns = 0
