@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from typing import Final
 
 from armui.arm.limits import JOINTS
-from armui.arm.models import ModelData, model_data
+from armui.arm.models import model_data
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec, InvalidFrame, InvalidFrameKind
@@ -61,7 +61,6 @@ class Firmware(Readings):
 
     Attributes:
         generation: The protocol it speaks.
-        model: Which arm of the family it is, as data.
         kinematics: Of the geometry its version has.
         condition: Modes, flags and faults, as 0x2A1 tells them.
         mechanics: Joints and motors.
@@ -101,9 +100,9 @@ class Firmware(Readings):
             flash: Where its settings are kept; without it they end with this object.
         """
         self.generation = generation
-        self.model: ModelData = model_data(model)
+        data = model_data(model)
         self.flash: Flash = flash or MemoryFlash()
-        self.settings = self.flash.load()
+        self.settings = self.flash.load(model)
         self.condition = Condition()
         zeros_deg = self.settings.zeros_deg
         self.mechanics = Mechanics(
@@ -115,7 +114,7 @@ class Firmware(Readings):
         self.ignored: Counter[InvalidFrameKind] = Counter()
         self.unsupported: Counter[str] = Counter()
         self._version = version
-        self.kinematics = Kinematics(self.model.geometry_of(version))
+        self.kinematics = Kinematics(data.geometry_of(version))
         self._silent = False
         self._off = False
         self._now_ns = 0
@@ -137,6 +136,7 @@ class Firmware(Readings):
             self.mechanics,
             self.condition,
             self._schedule,
+            model=data,
             flash=self.flash,
             forget=self._moves.forget,
         )
@@ -148,7 +148,7 @@ class Firmware(Readings):
             "LinkageSetting": self._linkage_setting,
             "MotorEnable": self._motor_enable,
             "BusSilence": self._bus_silence,
-            "FirmwareVersion": self._firmware_version,
+            "FirmwareVersion": lambda asked: version_frames(self._codec, asked, self._version),
         }
 
     @property
@@ -398,6 +398,3 @@ class Firmware(Readings):
     def _bus_silence(self, signals: Signals) -> list[Frame]:
         self._silent = signals["Mode"] != SilenceMode.LEAVE_SILENCE
         return []
-
-    def _firmware_version(self, signals: Signals) -> list[Frame]:
-        return version_frames(self._codec, signals, self._version)
