@@ -131,7 +131,12 @@ _LINK: Final = frozenset(
     }
 )
 _OTHER_HOST: Final = frozenset({E.OTHER_HOST_MOVES, E.LEADER_ARM_MOVES, E.OTHER_HOST_GONE})
-_STATUS: Final = frozenset({E.GENERATION, E.LIMITS_READ, E.LIMITS_MISSING, E.LIMITS_CORRUPT})
+_STATUS: Final = frozenset(
+    {
+        *(E.GENERATION, E.LIMITS_READ, E.LIMITS_MISSING, E.LIMITS_CORRUPT),
+        *(E.MODEL_OTHER, E.MODEL_NONE),
+    }
+)
 _PROGRAM: Final = frozenset(
     {
         *(E.PART_FAILED, E.SETTINGS_SHARED, E.CHANNEL_SHARED),
