@@ -11,8 +11,8 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Final
 
-from armui.arm.geometries import geometry_of
 from armui.arm.limits import JOINTS
+from armui.arm.models import model_data
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec, InvalidFrame, InvalidFrameKind
@@ -30,6 +30,7 @@ from armui.protocol.codes import (
 )
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
 from armui.sim.condition import Condition
 from armui.sim.faults.protection import Protection
 from armui.sim.feedback.feedback import Feedback
@@ -85,6 +86,7 @@ class Firmware(Readings):
         seed: int = 0,
         joints_deg: Sequence[float] = (0.0,) * JOINT_COUNT,
         version: str = "S-V1.8-5",
+        model: PiperModel = PiperModel.PIPER,
         flash: Flash | None = None,
     ) -> None:
         """An arm just switched on: motors off, standby, supported where it lies.
@@ -94,11 +96,13 @@ class Firmware(Readings):
             seed: Of the little noise there is; the same seed and calls give the same frames.
             joints_deg: Where it lies, joint 1 first, counted from the factory's zeros.
             version: What it answers to 0x4AF (generation 2).
+            model: Which arm of the family it is.
             flash: Where its settings are kept; without it they end with this object.
         """
         self.generation = generation
+        data = model_data(model)
         self.flash: Flash = flash or MemoryFlash()
-        self.settings = self.flash.load()
+        self.settings = self.flash.load(model)
         self.condition = Condition()
         zeros_deg = self.settings.zeros_deg
         self.mechanics = Mechanics(
@@ -110,7 +114,7 @@ class Firmware(Readings):
         self.ignored: Counter[InvalidFrameKind] = Counter()
         self.unsupported: Counter[str] = Counter()
         self._version = version
-        self.kinematics = Kinematics(geometry_of(version))
+        self.kinematics = Kinematics(data.geometry_of(version))
         self._silent = False
         self._off = False
         self._now_ns = 0
@@ -132,6 +136,7 @@ class Firmware(Readings):
             self.mechanics,
             self.condition,
             self._schedule,
+            model=data,
             flash=self.flash,
             forget=self._moves.forget,
         )
@@ -143,7 +148,7 @@ class Firmware(Readings):
             "LinkageSetting": self._linkage_setting,
             "MotorEnable": self._motor_enable,
             "BusSilence": self._bus_silence,
-            "FirmwareVersion": self._firmware_version,
+            "FirmwareVersion": lambda asked: version_frames(self._codec, asked, self._version),
         }
 
     @property
@@ -393,6 +398,3 @@ class Firmware(Readings):
     def _bus_silence(self, signals: Signals) -> list[Frame]:
         self._silent = signals["Mode"] != SilenceMode.LEAVE_SILENCE
         return []
-
-    def _firmware_version(self, signals: Signals) -> list[Frame]:
-        return version_frames(self._codec, signals, self._version)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-from armui.arm.limits import FACTORY_LIMITS, JointLimits
+from armui.arm.limits import JointLimits
+from armui.arm.models import ModelData
 from armui.protocol.addressing import Addressing
 from armui.sim.condition import Condition
 from armui.sim.feedback.schedule import FeedbackSchedule
@@ -19,6 +20,7 @@ class SettingsApplier:
     """Keeps the arm's parts and its flash in step with its settings.
 
     Attributes:
+        model: Which arm it is.
         stops: Where the metal ends, joint 1 first, whatever limits and zeros were set.
     """
 
@@ -29,10 +31,12 @@ class SettingsApplier:
         condition: Condition,
         schedule: FeedbackSchedule,
         *,
+        model: ModelData,
         flash: Flash,
         forget: Callable[[], None],
     ) -> None:
         """Takes care of the parts of one arm; `forget` drops the targets it has."""
+        self.model = model
         self._settings = settings
         self._flash = flash
         self._body = mechanics
@@ -40,7 +44,7 @@ class SettingsApplier:
         self._schedule = schedule
         self._forget = forget
         self._hanging_kg: float | None = None
-        self.stops: tuple[JointLimits, ...] = FACTORY_LIMITS
+        self.stops: tuple[JointLimits, ...] = model.limits
         self._refresh()
 
     @property
@@ -56,7 +60,7 @@ class SettingsApplier:
 
     def restart(self) -> None:
         """Goes on with the settings that the flash holds."""
-        self._settings.take_over(self._flash.load())
+        self._settings.take_over(self._flash.load(self.model.model))
         self._schedule.end_motion = False
         self._refresh()
 
@@ -103,5 +107,5 @@ class SettingsApplier:
         weight.payload_kg = told_kg if self._hanging_kg is None else self._hanging_kg
         self.stops = tuple(
             replace(each, min_deg=each.min_deg - zero, max_deg=each.max_deg - zero)
-            for each, zero in zip(FACTORY_LIMITS, zeros_deg, strict=True)
+            for each, zero in zip(self.model.limits, zeros_deg, strict=True)
         )
