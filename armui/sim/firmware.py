@@ -28,6 +28,7 @@ from armui.protocol.codes import (
     TeachingState,
     TrajectoryCommand,
 )
+from armui.protocol.firmware_version import RECOMMENDED, FirmwareVersion, quirks_of
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.sim.condition import Condition
@@ -42,6 +43,7 @@ from armui.sim.mechanics.hand_guiding import HandGuiding
 from armui.sim.mechanics.mechanics import Mechanics
 from armui.sim.mechanics.powered_joints import JOINT_COUNT, SixValues
 from armui.sim.mechanics.unpowered_joints import UnpoweredJoints
+from armui.sim.motion.mit import DirectControl
 from armui.sim.motion.moves import Moves
 from armui.sim.motion.teaching import SimulatedTeaching
 from armui.sim.parameters.flash import Flash, MemoryFlash
@@ -110,6 +112,7 @@ class Firmware(Readings):
         self.ignored: Counter[InvalidFrameKind] = Counter()
         self.unsupported: Counter[str] = Counter()
         self._version = version
+        self.quirks = quirks_of(FirmwareVersion.parse(version) or RECOMMENDED)
         self.kinematics = Kinematics(geometry_of(version))
         self._silent = False
         self._off = False
@@ -121,7 +124,10 @@ class Firmware(Readings):
         self.teaching = SimulatedTeaching(
             self.mechanics, self.condition, self.settings, self.hand_guiding
         )
-        self._moves = Moves(self.mechanics, self.condition, self.settings, self.kinematics)
+        direct = DirectControl(self.mechanics, self.condition, self.quirks, (1.0,) * JOINT_COUNT)
+        self._moves = Moves(
+            self.mechanics, self.condition, self.settings, self.kinematics, direct
+        )
         self.protection = Protection(
             self.mechanics, self.drivers, self.condition, self.settings, self._moves.cut_short
         )

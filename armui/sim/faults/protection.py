@@ -12,7 +12,6 @@ from typing import Final
 from armui.sim.condition import Condition
 from armui.sim.faults.alarms import CUTS_POWER, Alarm
 from armui.sim.mechanics.drivers import Drivers
-from armui.sim.mechanics.gravity import PAYLOADS_KG, Weight
 from armui.sim.mechanics.mechanics import Mechanics
 from armui.sim.mechanics.powered_joints import JOINT_COUNT
 from armui.sim.mechanics.unpowered_joints import UnpoweredJoints
@@ -73,13 +72,12 @@ class Protection:
         if any(self._blocked):
             self._find_stall()
         weight = self._body.weight
-        told_kg = PAYLOADS_KG[self._settings.load]
-        if weight.payload_kg == told_kg and not any(weight.pushes_nm):
+        if weight.payload_kg == weight.told_kg and not any(weight.pushes_nm):
             if self._condition.alarms.collision:
                 self._compare((0.0,) * JOINT_COUNT)
             return
         positions_deg = self._body.positions_deg
-        expected = Weight(weight.zeros_deg, told_kg).torques_nm(positions_deg)
+        expected = weight.expected_nm(positions_deg)
         real = weight.torques_nm(positions_deg)
         self._compare(a - b for a, b in zip(real, expected, strict=True))
 

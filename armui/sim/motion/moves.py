@@ -29,9 +29,10 @@ class Moves:
         condition: Condition,
         settings: ArmSettingsRecord,
         kinematics: Kinematics,
+        direct: DirectControl,
     ) -> None:
         self._body = mechanics
-        self._direct = DirectControl(mechanics, condition)
+        self._direct = direct
         self._travel = MotionExecutor(mechanics, condition, settings)
         self._joints = JointMoves(self._travel, condition, settings, self._direct.follow)
         self._tool = ToolMotions(self._travel, condition, settings, kinematics)

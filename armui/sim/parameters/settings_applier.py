@@ -100,6 +100,7 @@ class SettingsApplier:
         zeros_deg, weight = self._settings.zeros_deg, self._body.weight
         told_kg = PAYLOADS_KG[self._settings.load]
         weight.zeros_deg = zeros_deg
+        weight.told_kg = told_kg
         weight.payload_kg = told_kg if self._hanging_kg is None else self._hanging_kg
         self.stops = tuple(
             replace(each, min_deg=each.min_deg - zero, max_deg=each.max_deg - zero)
