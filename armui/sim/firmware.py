@@ -11,7 +11,6 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Final
 
-from armui.arm.geometries import geometry_of
 from armui.arm.limits import JOINTS
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.addressing import Addressing
@@ -28,9 +27,11 @@ from armui.protocol.codes import (
     TeachingState,
     TrajectoryCommand,
 )
-from armui.protocol.firmware_version import RECOMMENDED, FirmwareVersion, quirks_of
+from armui.protocol.firmware_version import RECOMMENDED
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
+from armui.sim.arm_type import ArmType
 from armui.sim.condition import Condition
 from armui.sim.faults.protection import Protection
 from armui.sim.feedback.feedback import Feedback
@@ -62,6 +63,7 @@ class Firmware(Readings):
 
     Attributes:
         generation: The protocol it speaks.
+        type: Which arm it is: model and firmware version.
         kinematics: Of the geometry its version has.
         condition: Modes, flags and faults, as 0x2A1 tells them.
         mechanics: Joints and motors.
@@ -87,6 +89,7 @@ class Firmware(Readings):
         seed: int = 0,
         joints_deg: Sequence[float] = (0.0,) * JOINT_COUNT,
         version: str = "S-V1.8-5",
+        model: PiperModel = PiperModel.PIPER,
         flash: Flash | None = None,
     ) -> None:
         """An arm just switched on: motors off, standby, supported where it lies.
@@ -96,24 +99,24 @@ class Firmware(Readings):
             seed: Of the little noise there is; the same seed and calls give the same frames.
             joints_deg: Where it lies, joint 1 first, counted from the factory's zeros.
             version: What it answers to 0x4AF (generation 2).
+            model: Which arm of the family it is.
             flash: Where its settings are kept; without it they end with this object.
         """
         self.generation = generation
+        self.type = ArmType.of(model, version)
         self.flash: Flash = flash or MemoryFlash()
         self.settings = self.flash.load()
         self.condition = Condition()
         zeros_deg = self.settings.zeros_deg
         self.mechanics = Mechanics(
             (float(angle) - zero for angle, zero in zip(joints_deg, zeros_deg, strict=True)),
-            Weight(),
+            Weight(self.type.links),
         )
-        self.drivers = Drivers(seed)
+        self.drivers = Drivers(seed, self.type.nm_per_ampere)
         self.gripper = SimulatedGripper(generation, self.settings)
         self.ignored: Counter[InvalidFrameKind] = Counter()
         self.unsupported: Counter[str] = Counter()
-        self._version = version
-        self.quirks = quirks_of(FirmwareVersion.parse(version) or RECOMMENDED)
-        self.kinematics = Kinematics(geometry_of(version))
+        self.kinematics = Kinematics(self.type.geometry)
         self._silent = False
         self._off = False
         self._now_ns = 0
@@ -124,7 +127,7 @@ class Firmware(Readings):
         self.teaching = SimulatedTeaching(
             self.mechanics, self.condition, self.settings, self.hand_guiding
         )
-        direct = DirectControl(self.mechanics, self.condition, self.quirks, (1.0,) * JOINT_COUNT)
+        direct = DirectControl(self.mechanics, self.condition, self.type)
         self._moves = Moves(
             self.mechanics, self.condition, self.settings, self.kinematics, direct
         )
@@ -401,4 +404,4 @@ class Firmware(Readings):
         return []
 
     def _firmware_version(self, signals: Signals) -> list[Frame]:
-        return version_frames(self._codec, signals, self._version)
+        return version_frames(self._codec, signals, self.type.version)

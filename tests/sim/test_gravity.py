@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from armui.arm.limits import FACTORY_LIMITS
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.sim.mechanics.gravity import gravity_torques_nm
+from tests.family import PIPER
 
 poses = st.tuples(*(st.floats(j.min_deg, j.max_deg) for j in FACTORY_LIMITS))
 HAND_N = 9.81 * 0.6
@@ -20,7 +21,7 @@ HAND_N = 9.81 * 0.6
 @given(poses)
 def test_joint_5_feels_the_hand_as_the_flange_moves(pose: tuple[float, ...]) -> None:
     """The hand's centre of mass lies on the line from wrist to flange, 60 of 91 mm out."""
-    kinematics, bend = Kinematics(), 1e-3
+    kinematics, bend = Kinematics(PIPER), 1e-3
     up = [*pose[:4], pose[4] + bend, pose[5]]
     down = [*pose[:4], pose[4] - bend, pose[5]]
     rise_m = (kinematics.forward(up).z_mm - kinematics.forward(down).z_mm) / 1e3

@@ -10,11 +10,11 @@ import pytest
 
 from armui.arm.limits import FACTORY_LIMITS
 from armui.sim.mechanics.joint_dynamics import DriverLaw, JointDynamics, JointLosses
-from armui.sim.mechanics.links import PIPER_LINKS
+from armui.sim.mechanics.links import piper_links
 from armui.sim.mechanics.rigid_body import RigidBody
 
 TICK_S = 0.005
-BODY = RigidBody(PIPER_LINKS)
+BODY = RigidBody(piper_links())
 STOPS = (
     np.radians([each.min_deg for each in FACTORY_LIMITS]),
     np.radians([each.max_deg for each in FACTORY_LIMITS]),

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from armui.arm.limits import FACTORY_LIMITS
 from armui.sim.mechanics.gravity import DOWN_BY_MOUNTING
-from armui.sim.mechanics.links import PIPER_LINKS
+from armui.sim.mechanics.links import piper_links
 from armui.sim.mechanics.rigid_body import ROTOR_INERTIAS_KG_M2, RigidBody
 
 poses = st.tuples(*(st.floats(j.min_deg, j.max_deg) for j in FACTORY_LIMITS)).map(np.radians)
@@ -22,7 +22,7 @@ NUDGES = 1e-5 * np.eye(6)
 @given(poses, st.sampled_from(list(DOWN_BY_MOUNTING.values())), st.sampled_from([0.0, 1.5]))
 @settings(max_examples=30, deadline=None)
 def test_gravity_is_the_slope_of_the_potential_energy(pose, down, payload_kg) -> None:
-    body = RigidBody(PIPER_LINKS, payload_kg)
+    body = RigidBody(piper_links(), payload_kg)
     slope = [
         (body.potential_energy_j(pose + each, down) - body.potential_energy_j(pose - each, down))
         / 2e-5
@@ -37,7 +37,7 @@ def test_gravity_is_the_slope_of_the_potential_energy(pose, down, payload_kg) ->
 @settings(max_examples=30, deadline=None)
 def test_the_bias_is_that_of_lagrange(pose, turning) -> None:
     """d/dt (M·v) − ½ ∂(v·M·v)/∂q + ∂V/∂q, with numeric derivatives."""
-    body = RigidBody(PIPER_LINKS, 0.75)
+    body = RigidBody(piper_links(), 0.75)
     _, bias = body.equation(pose, turning)
     ahead, _ = body.equation(pose + 1e-5 * turning, turning)
     behind, _ = body.equation(pose - 1e-5 * turning, turning)
@@ -54,7 +54,7 @@ def test_the_bias_is_that_of_lagrange(pose, turning) -> None:
 @given(poses)
 @settings(max_examples=30, deadline=None)
 def test_the_mass_matrix_is_symmetric_and_above_the_rotors(pose) -> None:
-    mass, _ = RigidBody(PIPER_LINKS).equation(pose, np.zeros(6))
+    mass, _ = RigidBody(piper_links()).equation(pose, np.zeros(6))
     assert mass == pytest.approx(mass.T, abs=1e-12)
     assert np.linalg.eigvalsh(mass - np.diag(ROTOR_INERTIAS_KG_M2)).min() > -1e-12
 
@@ -65,7 +65,7 @@ def test_the_shoulder_turns_the_stretched_arm_with_the_inertia_of_its_masses() -
     Each link's mass times its distance² from the shoulder, and its own inertia across the line.
     """
     pose = np.radians((0, 172.22, 102.78 - 270.0, 0, 0, 0))
-    mass, _ = RigidBody(PIPER_LINKS).equation(pose, np.zeros(6))
+    mass, _ = RigidBody(piper_links()).equation(pose, np.zeros(6))
     at_points = (
         1.16 * (0.21852**2 + 0.00861**2)
         + 0.5 * ((0.28503 + 0.14808) ** 2 + (0.02198 + 0.01999 - 0.02198) ** 2)
@@ -80,13 +80,13 @@ def test_the_shoulder_turns_the_stretched_arm_with_the_inertia_of_its_masses() -
 def test_a_payload_at_the_flange_is_a_point_mass() -> None:
     """1.5 kg 0.091 m out from joint 5: m·l² more inertia."""
     pose = np.zeros(6)
-    empty, loaded = (RigidBody(PIPER_LINKS, kg).equation(pose, pose)[0] for kg in (0.0, 1.5))
+    empty, loaded = (RigidBody(piper_links(), kg).equation(pose, pose)[0] for kg in (0.0, 1.5))
     assert loaded[4, 4] - empty[4, 4] == pytest.approx(1.5 * 0.091**2, rel=1e-9)
     assert loaded[5, 5] == pytest.approx(empty[5, 5], abs=1e-9)
 
 
 def test_a_mounting_turns_gravity_and_nothing_else() -> None:
-    body, pose = RigidBody(PIPER_LINKS), np.radians((20, 90, -60, 10, 20, 30))
+    body, pose = RigidBody(piper_links()), np.radians((20, 90, -60, 10, 20, 30))
     torques = {
         mounting: body.gravity_torques_nm(pose, down)
         for mounting, down in DOWN_BY_MOUNTING.items()

@@ -71,12 +71,12 @@ class Cartesian:
         Older firmware counts joints 2 and 3 from other zeros, and an arm of generation 1 tells no
         version: its own pose does.
         """
+        from armui.arm.models import model_data  # noqa: PLC0415 - see above
         from armui.kinematics.arm_kinematics import Kinematics  # noqa: PLC0415 - see above
-        from armui.kinematics.geometry import Geometry  # noqa: PLC0415 - see above
 
         state = self._context.state()
         if self._model is None or not self._fits(self._model, state):
-            models = [Kinematics(geometry) for geometry in Geometry]
+            models = [Kinematics(geometry) for geometry in model_data().geometries]
             fitting = [model for model in models if self._fits(model, state)]
             self._model = (fitting or models)[0]
         return self._model

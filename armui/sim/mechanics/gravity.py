@@ -10,7 +10,7 @@ from typing import Final
 import numpy as np
 
 from armui.protocol.codes import EndLoad, Mounting
-from armui.sim.mechanics.links import PIPER_LINKS
+from armui.sim.mechanics.links import piper_links
 from armui.sim.mechanics.rigid_body import DOWN, RigidBody, RigidLink
 
 PAYLOADS_KG: Final = {EndLoad.EMPTY: 0.0, EndLoad.HALF: 0.75, EndLoad.FULL: 1.5}
@@ -38,7 +38,7 @@ class Weight:
         pushes_nm: What something outside adds to each joint's torque.
     """
 
-    links: tuple[RigidLink, ...] = PIPER_LINKS
+    links: tuple[RigidLink, ...] = field(default_factory=piper_links)
     zeros_deg: Sequence[float] = field(default_factory=lambda: (0.0,) * 6)
     payload_kg: float = 0.0
     told_kg: float = 0.0

@@ -18,7 +18,7 @@ from typing import Final
 
 from armui.arm.limits import JOINTS
 from armui.protocol.codes import ControlMode, MitMode, MoveMode
-from armui.protocol.firmware_version import FirmwareQuirks
+from armui.sim.arm_type import ArmType
 from armui.sim.condition import Condition
 from armui.sim.mechanics.driver_loop import DriverSetpoint
 from armui.sim.mechanics.mechanics import Mechanics
@@ -35,25 +35,11 @@ triangle of 1.2 rad/s by 0.089 rad, as a user measured."""
 class DirectControl:
     """Joints that follow setpoints in their drivers, without a plan."""
 
-    def __init__(
-        self,
-        mechanics: Mechanics,
-        condition: Condition,
-        quirks: FirmwareQuirks,
-        torque_scale: SixValues,
-    ) -> None:
-        """Controls the drivers of one arm.
-
-        Args:
-            mechanics: Its joints.
-            condition: Its modes.
-            quirks: What its firmware does.
-            torque_scale: Torque at the output for 1 N·m in a MIT frame, joint 1 first.
-        """
+    def __init__(self, mechanics: Mechanics, condition: Condition, arm_type: ArmType) -> None:
         self._body = mechanics
         self._condition = condition
-        self._quirks = quirks
-        self._torque_scale = torque_scale
+        self._quirks = arm_type.quirks
+        self._torque_scale = arm_type.mit_torque_scale
 
     def mode_word(self, signals: dict[str, float]) -> None:
         """Takes a 0x151 that the arm has accepted; its modes are in the condition already."""
