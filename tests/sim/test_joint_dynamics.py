@@ -11,7 +11,7 @@ import pytest
 from armui.arm.limits import FACTORY_LIMITS
 from armui.sim.mechanics.joint_dynamics import DriverLaw, JointDynamics, JointLosses
 from armui.sim.mechanics.links import piper_links
-from armui.sim.mechanics.rigid_body import RigidBody
+from armui.sim.mechanics.rigid_body import DOWN, RigidBody
 
 TICK_S = 0.005
 BODY = RigidBody(piper_links())
@@ -33,6 +33,11 @@ def law(driven: list[int], **values: float) -> DriverLaw:
     return made
 
 
+def step(dynamics, told, joints, speeds, stops=WIDE, dt_s=TICK_S, down=DOWN):
+    """One step of the simulated arm's own length."""
+    return dynamics.advance(BODY, told, joints, speeds, stops_rad=stops, dt_s=dt_s, down=down)
+
+
 def response(inertia: float, kp: float, kd: float, step: float) -> Callable[[float], float]:
     """The closed form of inertia·q̈ + kd·q̇ + kp·(q − step) = 0 from rest at 0."""
     root = np.roots((inertia, kd, kp)).astype(complex)
@@ -40,9 +45,7 @@ def response(inertia: float, kp: float, kd: float, step: float) -> Callable[[flo
         raise ValueError("critically damped: choose other gains")
     first = -step * root[1] / (root[1] - root[0])
     second = step * root[0] / (root[1] - root[0])
-    return lambda t: float(
-        (step + first * np.exp(root[0] * t) + second * np.exp(root[1] * t)).real
-    )
+    return lambda t: float((step + first * np.exp(root[0] * t) + second * np.exp(root[1] * t)).real)
 
 
 @pytest.mark.parametrize("index", [0, 3, 5])
@@ -51,20 +54,22 @@ def response(inertia: float, kp: float, kd: float, step: float) -> Callable[[flo
 )
 def test_a_step_of_one_joint_is_the_closed_form_of_its_gains(index, kp, kd) -> None:
     """Joints that carry no weight, the others held: within 2 % of the step at every tick."""
-    joints, speeds, step = LEANING.copy(), np.zeros(6), 0.2
+    joints, speeds, width = LEANING.copy(), np.zeros(6), 0.2
     level = np.zeros(3) if index else np.array((0.0, 0.0, -1.0))  # wrists without weight
     inertia = float(BODY.equation(joints, speeds)[0][index, index])
-    expected = response(inertia, kp, kd, step)
+    expected = response(inertia, kp, kd, width)
     start = joints[index]
-    target = law([index], positions_rad=start + step, kp=kp, kd=kd)
+    target = law([index], positions_rad=start + width, kp=kp, kd=kd)
     dynamics = JointDynamics(LOSSLESS)
     worst = 0.0
     for tick in range(1, 201):
-        joints, speeds = dynamics.advance(BODY, target, joints, speeds, WIDE, TICK_S, level)
+        joints, speeds = dynamics.advance(
+            BODY, target, joints, speeds, stops_rad=WIDE, dt_s=TICK_S, down=level
+        )
         worst = max(worst, abs(joints[index] - start - expected(tick * TICK_S)))
         if tick * TICK_S * kd / inertia > 12.0:
             break
-    assert worst < 0.02 * step
+    assert worst < 0.02 * width
     assert np.delete(joints, index) == pytest.approx(np.delete(LEANING, index))
 
 
@@ -75,7 +80,7 @@ def test_speed_and_torque_setpoints_count_as_the_law_has_it() -> None:
     joints, speeds = np.zeros(6), np.zeros(6)
     dynamics = JointDynamics(losses)
     for _ in range(200):
-        joints, speeds = dynamics.advance(BODY, target, joints, speeds, WIDE, TICK_S)
+        joints, speeds = step(dynamics, target, joints, speeds)
     # 2·(1 − v) + 0.6 = 0.5·v + 0.1
     assert speeds[5] == pytest.approx(2.5 / 2.5, rel=1e-3)
 
@@ -86,7 +91,9 @@ def test_a_falling_arm_without_losses_keeps_its_energy_nearly_and_with_them_lose
         energy = first = BODY.potential_energy_j(joints)
         dynamics, limp = JointDynamics(losses), law(list(range(6)))
         for _ in range(60):
-            joints, speeds = dynamics.advance(BODY, limp, joints, speeds, WIDE, TICK_S)
+            joints, speeds = dynamics.advance(
+                BODY, limp, joints, speeds, stops_rad=WIDE, dt_s=TICK_S
+            )
             now = BODY.potential_energy_j(joints) + BODY.kinetic_energy_j(joints, speeds)
             assert now <= max(energy, first) + gains
             energy = now
@@ -101,7 +108,7 @@ def test_an_arm_let_go_falls_to_its_stops_and_stays() -> None:
     joints, speeds = LEANING.copy(), np.zeros(6)
     dynamics, limp = JointDynamics(), law(list(range(6)))
     for _ in range(800):
-        joints, speeds = dynamics.advance(BODY, limp, joints, speeds, STOPS, TICK_S)
+        joints, speeds = step(dynamics, limp, joints, speeds, stops=STOPS)
         assert (joints >= STOPS[0] - 1e-12).all()
         assert (joints <= STOPS[1] + 1e-12).all()
     assert (speeds == 0.0).all()
@@ -113,7 +120,9 @@ def test_less_torque_than_the_friction_turns_nothing_and_a_little_more_does() ->
         joints, speeds = np.zeros(6), np.zeros(6)
         dynamics, push = JointDynamics(), law([5], torques_nm=torque_nm)
         for _ in range(100):
-            joints, speeds = dynamics.advance(BODY, push, joints, speeds, WIDE, TICK_S)
+            joints, speeds = dynamics.advance(
+                BODY, push, joints, speeds, stops_rad=WIDE, dt_s=TICK_S
+            )
         assert bool(joints[5] > 0.0) is moves
 
 
@@ -122,12 +131,12 @@ def test_a_driver_gives_no_more_than_its_motor_has() -> None:
     dynamics, far = JointDynamics(), law([0], positions_rad=2.0, kp=500.0, kd=5.0)
     fastest = 0.0
     for _ in range(100):
-        joints, speeds = dynamics.advance(BODY, far, joints, speeds, WIDE, TICK_S)
+        joints, speeds = step(dynamics, far, joints, speeds)
         assert abs(dynamics.torques_nm[0]) <= 32.0
         fastest = max(fastest, speeds[0])
     assert 4.0 < fastest < 6.0
     for _ in range(100):
-        joints, speeds = dynamics.advance(BODY, far, joints, speeds, WIDE, TICK_S)
+        joints, speeds = step(dynamics, far, joints, speeds)
     assert joints[0] == pytest.approx(2.0, abs=0.001)
 
 
@@ -138,7 +147,7 @@ def test_the_stiffest_gains_are_stable_at_any_step(dt_s) -> None:
     stiff.positions_rad[2] = -0.5
     dynamics = JointDynamics()
     for _ in range(math.ceil(2.0 / dt_s)):
-        joints, speeds = dynamics.advance(BODY, stiff, joints, speeds, STOPS, dt_s)
+        joints, speeds = step(dynamics, stiff, joints, speeds, stops=STOPS, dt_s=dt_s)
     assert joints == pytest.approx((0.5, 0.5, -0.5, 0.5, 0.5, 0.5), abs=0.02)
     assert np.abs(speeds).max() < 1e-3
 
@@ -151,7 +160,9 @@ def test_nearly_nothing_in_every_field_never_makes_a_joint_faster() -> None:
     dynamics = JointDynamics()
     energy = BODY.kinetic_energy_j(joints, speeds)
     for _ in range(400):
-        joints, speeds = dynamics.advance(BODY, nearly, joints, speeds, WIDE, TICK_S, level)
+        joints, speeds = dynamics.advance(
+            BODY, nearly, joints, speeds, stops_rad=WIDE, dt_s=TICK_S, down=level
+        )
         now = BODY.kinetic_energy_j(joints, speeds)
         assert now <= energy + 1e-12
         energy = now

@@ -88,8 +88,7 @@ def test_a_payload_at_the_flange_is_a_point_mass() -> None:
 def test_a_mounting_turns_gravity_and_nothing_else() -> None:
     body, pose = RigidBody(piper_links()), np.radians((20, 90, -60, 10, 20, 30))
     torques = {
-        mounting: body.gravity_torques_nm(pose, down)
-        for mounting, down in DOWN_BY_MOUNTING.items()
+        mounting: body.gravity_torques_nm(pose, down) for mounting, down in DOWN_BY_MOUNTING.items()
     }
     level, left, right, upside_down = torques.values()
     assert upside_down == pytest.approx(-level)

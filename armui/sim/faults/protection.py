@@ -6,9 +6,10 @@ the collision levels: the higher the level, the more torque is put down to other
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import Final
 
+from armui.arm.limits import JOINTS
 from armui.sim.condition import Condition
 from armui.sim.faults.alarms import CUTS_POWER, Alarm
 from armui.sim.mechanics.drivers import Drivers
@@ -17,6 +18,7 @@ from armui.sim.mechanics.powered_joints import JOINT_COUNT
 from armui.sim.mechanics.unpowered_joints import UnpoweredJoints
 from armui.sim.parameters.settings import ArmSettingsRecord
 
+_NS_PER_S: Final = 1_000_000_000
 LOWEST_V: Final = 20.0
 HOT_C: Final = 80.0
 COOL_C: Final = 75.0
@@ -66,6 +68,21 @@ class Protection:
     def may_power(self, index: int) -> bool:
         """Whether a motor may be switched on: nothing keeps its driver off."""
         return not self._condition.alarms.of(index) & CUTS_POWER
+
+    def watch(self, names: Collection[str], periods_ns: Mapping[str, int]) -> None:
+        """Lets the drivers measure before frames are made, and looks at what they measure.
+
+        Args:
+            names: Of the frames.
+            periods_ns: How often the frames of each name are made.
+        """
+        self.watch_torques()
+        self._drivers.measure(self._body)
+        for joint in JOINTS:
+            name = f"DriverSlow{joint}"
+            if name in names:
+                self._drivers.warm(joint - 1, periods_ns[name] / _NS_PER_S)
+                self.watch_driver(joint - 1)
 
     def watch_torques(self) -> None:
         """Looks for stalled joints and collisions."""

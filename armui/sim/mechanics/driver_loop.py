@@ -116,13 +116,13 @@ class DriverLoop:
             ),
             np.radians(positions_deg) + zeros_rad,
             self._speeds_rad_s,
-            (
+            stops_rad=(
                 np.radians([stop.min_deg for stop in stops]) + zeros_rad,
                 np.radians([stop.max_deg for stop in stops]) + zeros_rad,
             ),
-            dt_s,
-            weight.down,
-            np.array(weight.pushes_nm),
+            dt_s=dt_s,
+            down=weight.down,
+            pushes_nm=np.array(weight.pushes_nm),
         )
         self._speeds_rad_s = speeds
         self.torques_nm = tuple(self._dynamics.torques_nm.tolist())
@@ -156,9 +156,7 @@ class DriverLoop:
             return law
         torques = law.torques_nm.copy()
         torques[carrying] -= np.array(self._weight.expected_nm(positions_deg))[carrying]
-        return DriverLaw(
-            law.positions_rad, law.speeds_rad_s, law.kp, law.kd, torques, law.driven
-        )
+        return DriverLaw(law.positions_rad, law.speeds_rad_s, law.kp, law.kd, torques, law.driven)
 
 
 def _same(one: SixValues, other: SixValues) -> bool:

@@ -1,4 +1,4 @@
-"""What gravity and other loads do to the joints: the arm's masses, its payload, how it is mounted."""
+"""What loads the joints: the arm's masses, its payload, how it is mounted, pushes from outside."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ DOWN_BY_MOUNTING: Final = {
     Mounting.LEVEL: DOWN,
     Mounting.ON_THE_LEFT_SIDE: (0.0, 1.0, 0.0),
     Mounting.ON_THE_RIGHT_SIDE: (0.0, -1.0, 0.0),
-    4: (0.0, 0.0, 1.0),
+    Mounting.UPSIDE_DOWN: (0.0, 0.0, 1.0),
 }
 """Where things fall, in the base frame; an arm on its left side has its Y axis below."""
 

@@ -1,10 +1,10 @@
 """How driven joints move through time: motors, friction, stops, and the arm's own mass.
 
 The equation of motion is solved for the speeds at the end of each step by the trapezoidal rule,
-with gains and viscous friction inside the rule: stiff gains stay stable, and no damping is added that
-the drivers did not ask for. Mass and gravity are worked out anew once in `LONGEST_STEP_S`; within it
-the steps are as short as the stiffest joint needs. Dry friction and stops are bounded impulses: a
-joint stands as long as what pushes it is less than they can hold.
+with gains and viscous friction inside the rule: stiff gains stay stable, and no damping is added
+that the drivers did not ask for. Mass and gravity are worked out anew once in `LONGEST_STEP_S`;
+within it the steps are as short as the stiffest joint needs. Dry friction and stops are bounded
+impulses: a joint stands as long as what pushes it is less than they can hold.
 """
 
 from __future__ import annotations
@@ -15,8 +15,11 @@ from dataclasses import dataclass, field
 from typing import Final
 
 import numpy as np
+import numpy.typing as npt
 
 from armui.sim.mechanics.rigid_body import DOWN, RigidBody, Values
+
+Flags = npt.NDArray[np.bool_]
 
 LONGEST_STEP_S: Final = 0.005
 _MOST_STEPS: Final = 8
@@ -64,7 +67,7 @@ class DriverLaw:
     kp: Values = field(default_factory=lambda: np.zeros(6))
     kd: Values = field(default_factory=lambda: np.zeros(6))
     torques_nm: Values = field(default_factory=lambda: np.zeros(6))
-    driven: Values = field(default_factory=lambda: np.zeros(6, dtype=bool))
+    driven: Flags = field(default_factory=lambda: np.zeros(6, dtype=bool))
 
 
 class JointDynamics:
@@ -89,6 +92,7 @@ class JointDynamics:
         law: DriverLaw,
         joints_rad: Values,
         speeds_rad_s: Values,
+        *,
         stops_rad: tuple[Values, Values],
         dt_s: float,
         down: Sequence[float] = DOWN,
@@ -212,7 +216,7 @@ class _Interval:
         """What the drivers give in a step, from the joints at its start and their mean speeds."""
         return self._told - self._law.kp * joints - self._braking * mean_speeds
 
-    def solve(self, moves: Values, right: Values) -> Values:
+    def solve(self, moves: Flags, right: Values) -> Values:
         """The speeds after a step of the joints that move; the others stand."""
         pattern = moves.tobytes()
         inverse = self._inverses.get(pattern)
@@ -221,7 +225,7 @@ class _Interval:
         speeds: Values = inverse @ right
         return speeds
 
-    def saturated(self, over: Values, torques_nm: Values) -> _Interval:
+    def saturated(self, over: Flags, torques_nm: Values) -> _Interval:
         """The same with fixed torques of some drivers instead of their law."""
         law = self._law
         fixed = DriverLaw(
@@ -234,14 +238,14 @@ class _Interval:
         )
         return _Interval(self._mass, self._load, fixed, self._viscous, self.dt_s)
 
-    def hit(self, speeds: Values, hits: Values) -> Values:
+    def hit(self, speeds: Values, hits: npt.NDArray[np.intp]) -> Values:
         """The speeds after joints have hit their stops: these stand, the others feel the blow."""
         blows = _inverse_of(self._mass, self.driven)[:, hits]
         struck: Values = speeds - blows @ np.linalg.solve(blows[hits], speeds[hits])
         return struck
 
 
-def _inverse_of(matrix: Values, rows: Values) -> Values:
+def _inverse_of(matrix: Values, rows: Flags) -> Values:
     """The inverse within some rows and columns, 0 elsewhere."""
     inverse = np.zeros_like(matrix)
     chosen = np.flatnonzero(rows)

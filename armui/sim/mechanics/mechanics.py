@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from typing import Protocol
 
 from armui.arm.limits import JointLimits
 from armui.sim.mechanics.driver_loop import LIMP, DriverLoop, DriverSetpoint
@@ -10,7 +11,34 @@ from armui.sim.mechanics.gravity import Weight
 from armui.sim.mechanics.hand_guiding import HandGuiding
 from armui.sim.mechanics.powered_joints import JOINT_COUNT, STANDSTILL, JointMotion, SixValues
 from armui.sim.mechanics.unpowered_joints import LimpJoints, UnpoweredJoints
-from armui.sim.motion.tool_plan import PathMotion
+
+
+class JointPath(Protocol):
+    """A motion of all joints that knows for itself how fast it goes.
+
+    Attributes:
+        positions_deg: Where the joints are.
+        speeds_deg_s: How fast they turn.
+        accelerations_deg_s2: How their speeds change.
+        moving: Whether the joints turn, or are about to.
+    """
+
+    @property
+    def positions_deg(self) -> SixValues: ...  # noqa: D102 - above
+    @property
+    def speeds_deg_s(self) -> SixValues: ...  # noqa: D102 - above
+    @property
+    def accelerations_deg_s2(self) -> SixValues: ...  # noqa: D102 - above
+    @property
+    def moving(self) -> bool: ...  # noqa: D102 - above
+
+    def run(self, share: float) -> None:
+        """Goes on with a share of its speed; 0 brakes."""
+        ...
+
+    def advance(self, dt_s: float) -> None:
+        """Lets time pass."""
+        ...
 
 
 class Mechanics:
@@ -29,7 +57,7 @@ class Mechanics:
     def __init__(self, positions_deg: Iterable[float], weight: Weight | None = None) -> None:
         self.weight = weight or Weight()
         self._motion = JointMotion(positions_deg)
-        self._path: PathMotion | None = None
+        self._path: JointPath | None = None
         self._hand: HandGuiding | None = None
         self._loop = DriverLoop(self.weight)
         self._sag_deg: SixValues = STANDSTILL
@@ -127,7 +155,7 @@ class Mechanics:
         self._path = None
         self._motion.move_to(targets_deg, speeds_deg_s, accelerations_deg_s2)
 
-    def follow(self, path: PathMotion) -> None:
+    def follow(self, path: JointPath) -> None:
         """Moves all joints along a path that begins at their setpoints; it says how fast."""
         self._take_up()
         self._path = path
@@ -211,9 +239,7 @@ class Mechanics:
         """Lets the planner drive the joints that gave way or followed setpoints."""
         if self._loop:
             self._loop.void()
-            self._motion.carry(
-                self._without_sag(self.positions_deg), self.speeds_deg_s, STANDSTILL
-            )
+            self._motion.carry(self._without_sag(self.positions_deg), self.speeds_deg_s, STANDSTILL)
 
     def _holds(self, index: int) -> bool:
         return self.powered[index] and index not in self._limp and index not in self._loop

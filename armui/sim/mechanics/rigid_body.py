@@ -7,7 +7,8 @@ their centres of mass move with each joint, and from that the joint-space equati
 
 Masses and centres of mass come from the model. Its inertia tensors cannot be used (they are not
 those of the stated masses), so each link is taken for a uniform solid cylinder that lies along the
-line from its joint to the next; the rotor of each motor adds its own inertia, turned up by the gear.
+line from its joint to the next. The rotor of each motor adds its own inertia, multiplied by the
+gear.
 """
 
 from __future__ import annotations
@@ -95,9 +96,7 @@ class RigidBody:
         self._mass_roots = np.sqrt(self._masses)[:, None, None]
         self._moved = np.tril(np.ones((count, count)))[..., None]
 
-    def gravity_torques_nm(
-        self, joints_rad: Values, down: Sequence[float] = DOWN
-    ) -> Values:
+    def gravity_torques_nm(self, joints_rad: Values, down: Sequence[float] = DOWN) -> Values:
         """The torque with which gravity turns each joint; positive towards larger angles.
 
         Args:
@@ -184,13 +183,13 @@ class RigidBody:
         return lever
 
     def _tips(self) -> Values:
-        """(6, 3): from each joint to the next in the link's own frame; the last ends at the flange."""
+        """(6, 3): from each joint to the next, in the link's own frame; the last is the flange."""
         tips = np.zeros((len(self._steps), 3))
         tips[:-1] = self._steps[1:, :, 0]
         return tips
 
     def _hang(self, payload_kg: float) -> Values:
-        """Adds a point mass at the last frame's origin; the inertia it adds about the new centre."""
+        """Adds a point mass at the flange; the inertia that adds about the new centre of mass."""
         mass_kg = float(self._masses[-1])
         centre = self._centres[-1, :, 0].copy()
         whole_kg = mass_kg + payload_kg
@@ -203,7 +202,8 @@ class RigidBody:
 
 def _crosses(vectors: Values) -> Values:
     """(n, 3, 3) matrices of the cross products with (n, 3) vectors."""
-    return (vectors @ _CROSS).reshape(-1, 3, 3)
+    matrices: Values = (vectors @ _CROSS).reshape(-1, 3, 3)
+    return matrices
 
 
 def _cylinder(mass_kg: float, tip_m: Values) -> Values:

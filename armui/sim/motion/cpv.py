@@ -1,7 +1,7 @@
 """CPV control (MOVE CPV, from S-V1.8-1): each joint for itself, by position or speed.
 
-Frames 0x181–0x186 write and read a joint's target and parameters; every write and read is answered
-under the same identifier with the value in force. What the maker does not publish is assumed: the
+Frames 0x181–0x186 write and read a joint's target and parameters; a read is answered under the
+same identifier. What the maker does not publish is assumed: the
 values from the factory, that joint limits bound what a joint is told, that the loop gains change
 nothing (the profile is followed exactly), and that zero learning leaves the zero where it is.
 """
@@ -90,7 +90,8 @@ class JointProfile:
         Args:
             dt_s: How much.
             top: Highest speed on the way to a position.
-            speeding_up, slowing: Highest accelerations.
+            speeding_up: Highest acceleration.
+            slowing: Highest deceleration.
             limits: A speed ends in time before them; a joint beyond one may come back.
         """
         low, high = min(limits.min_deg, self.angle), max(limits.max_deg, self.angle)
@@ -213,6 +214,7 @@ class CpvControl:
         self._motion = CpvMotion(settings)
         self._primed = [False] * JOINT_COUNT
         self._in_cpv = False
+        self._asked: list[tuple[int, CpvKind]] = []
         self.learned = 0
 
     def mode_changed(self) -> None:
@@ -224,28 +226,31 @@ class CpvControl:
         elif was_in_cpv and not self._in_cpv:
             self._motion.run(0.0)
 
-    def take(self, codec: Codec, name: str, signals: dict[str, float]) -> list[Frame] | None:
-        """The answers to a frame of CPV; None when it is none, or its firmware has none.
-
-        Args:
-            codec: The arm's.
-            name: Of the message.
-            signals: What it says.
-        """
+    def take(self, name: str, signals: dict[str, float]) -> bool:
+        """Takes a frame of CPV; whether it was one that this firmware knows."""
         if name not in NAMES or not self._quirks.has_cpv:
-            return None
+            return False
         action, kind = signals["Action"], CpvKind(int(signals["Kind"]))
-        if action == CpvAction.ANSWER:
-            return []
         if kind is CpvKind.ZERO_LEARNING:
             self.learned += action == CpvAction.WRITE
-            return []
-        index = NAMES.index(name)
-        values = self._motion.values[index]
-        if action == CpvAction.WRITE:
-            self._write(index, kind, signals[_SIGNALS[kind]])
-        answer = {"Action": CpvAction.ANSWER, "Kind": kind, _SIGNALS[kind]: values[kind]}
-        return [codec.encode(name, **answer)]
+        elif action == CpvAction.WRITE:
+            self._write(NAMES.index(name), kind, signals[_SIGNALS[kind]])
+        elif action == CpvAction.READ:
+            self._asked.append((NAMES.index(name), kind))
+        return True
+
+    def answers(self, codec: Codec) -> list[Frame]:
+        """The answers to what has been read."""
+        asked, self._asked = self._asked, []
+        return [
+            codec.encode(
+                NAMES[index],
+                Action=CpvAction.ANSWER,
+                Kind=kind,
+                **{_SIGNALS[kind]: self._motion.values[index][kind]},
+            )
+            for index, kind in asked
+        ]
 
     def _write(self, index: int, kind: CpvKind, value: float) -> None:
         if kind in _POSITIVE and value <= 0.0:
@@ -275,5 +280,3 @@ class CpvControl:
             and condition.control_mode is ControlMode.CAN_CONTROL
             and condition.move_mode is MoveMode.MOVE_CPV
         )
-
-
