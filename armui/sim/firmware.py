@@ -371,7 +371,7 @@ class Firmware(Readings):
 
     def _gripper_command(self, signals: Signals) -> list[Frame]:
         if not self.condition.stopped:
-            self.gripper.command(signals)
+            self.gripper.command(signals, knows_angles=self._codec.quirks.has_gripper_angle)
         return []
 
     def _linkage_setting(self, signals: Signals) -> list[Frame]:

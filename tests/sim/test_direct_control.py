@@ -284,7 +284,7 @@ def test_a_plain_mode_word_in_high_follow_lets_the_arm_fall() -> None:
     assert abs(arm.joints_deg[2] - LEANING[2]) > 5.0
     fallen = arm.joints_deg
     tell(arm, *target(*fallen))
-    arm.step(1.0)
+    arm.step(3.0)
     assert arm.joints_deg == pytest.approx(fallen, abs=0.01)
 
 
