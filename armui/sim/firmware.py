@@ -81,7 +81,7 @@ class Firmware(Readings):
         feedback_stopped: Whether the arm, broken, tells nothing unless asked.
         drivers_tell: Whether 0x251–0x266 go on while it is a teaching input, as on some arms.
         ignored: How many frames were not understood, by kind.
-        unsupported: How many ask for the transfer of trajectories: its check sum is undocumented.
+        unsupported: How many ask for what it does not do: transfer of trajectories, zero learning.
     """
 
     def __init__(
@@ -130,7 +130,12 @@ class Firmware(Readings):
             self.mechanics, self.condition, self.settings, self.hand_guiding
         )
         self._moves = Moves(
-            self.mechanics, self.condition, self.settings, self.kinematics, self.type
+            self.mechanics,
+            self.condition,
+            self.settings,
+            self.kinematics,
+            self.type,
+            unsupported=self.unsupported,
         )
         self.protection = Protection(
             self.mechanics, self.drivers, self.condition, self.settings, self._moves.cut_short
@@ -146,25 +151,8 @@ class Firmware(Readings):
             flash=self.flash,
             forget=self._moves.forget,
         )
-        self._linkage = LinkageControl(
-            generation,
-            self.mechanics,
-            self.condition,
-            self.settings,
-            self.hand_guiding,
-            flash=self.flash,
-            forget=self._moves.forget,
-            speak=self._speak,
-        )
-        self._motion_commands = MotionCommandHandler(
-            generation,
-            self.mechanics,
-            self.condition,
-            self._moves,
-            self.teaching,
-            enter=self._enter,
-            unsupported=self.unsupported,
-        )
+        self._linkage = LinkageControl(self, forget=self._moves.forget, speak=self._speak)
+        self._motion_commands = MotionCommandHandler(self, self._moves, self._enter)
         self._linkage.take_effect()
         self.bugs = FirmwareBugs(bugs, self, self._linkage.set)
         self._handlers: dict[str, Callable[[Signals], list[Frame]]] = {

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Final
+from typing import Final, Protocol
 
 from armui.protocol.codes import ControlMode, LeaderZero, LinkageRole
 from armui.protocol.frame import Frame
@@ -21,6 +21,17 @@ _TO_ZERO_SHARE: Final = 0.2
 """Share of the joints' highest speeds with which a leader goes to its zero."""
 
 
+class _Arm(Protocol):
+    """The parts of the arm that a role touches."""
+
+    generation: Generation
+    mechanics: Mechanics
+    condition: Condition
+    settings: ArmSettingsRecord
+    hand_guiding: HandGuiding
+    flash: Flash
+
+
 class LinkageControl:
     """Makes an arm a teaching input or a motion output.
 
@@ -28,36 +39,20 @@ class LinkageControl:
         leader: What a teaching input sends; None while it is none.
     """
 
-    def __init__(
-        self,
-        generation: Generation,
-        mechanics: Mechanics,
-        condition: Condition,
-        settings: ArmSettingsRecord,
-        hand_guiding: HandGuiding,
-        *,
-        flash: Flash,
-        forget: Callable[[], None],
-        speak: Callable[[], None],
-    ) -> None:
+    def __init__(self, arm: _Arm, *, forget: Callable[[], None], speak: Callable[[], None]) -> None:
         """Looks after one arm's role.
 
         Args:
-            generation: The protocol it speaks.
-            mechanics: Its joints.
-            condition: Its modes.
-            settings: What it keeps.
-            hand_guiding: The hand it gives way to as a leader.
-            flash: Keeps the setting.
+            arm: Has the role.
             forget: Drops the targets it has.
             speak: Takes over the identifiers that the settings ask for.
         """
-        self._generation = generation
-        self._body = mechanics
-        self._condition = condition
-        self._settings = settings
-        self._hand = hand_guiding
-        self._flash = flash
+        self._generation = arm.generation
+        self._body = arm.mechanics
+        self._condition = arm.condition
+        self._settings = arm.settings
+        self._hand = arm.hand_guiding
+        self._flash = arm.flash
         self._forget = forget
         self._speak = speak
         self._waits = False

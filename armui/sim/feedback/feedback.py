@@ -120,8 +120,7 @@ class Feedback:
         gripper = self._arm.gripper
         return self._cache.frame(
             "GripperFeedback",
-            Opening=gripper.travel,
-            Angle=gripper.travel,
+            **gripper.place,
             Speed=math.radians(abs(gripper.speed)),
             Torque=gripper.torque_nm,
             Enabled=gripper.enabled,

@@ -160,6 +160,10 @@ class Mechanics:
         self._take_up()
         self._path = path
 
+    def follows(self, path: JointPath) -> bool:
+        """Whether the joints move along this very path."""
+        return self._path is path
+
     def brake(self, accelerations_deg_s2: Sequence[float]) -> None:
         """Brings a motion to its end as fast as the joints allow, along a path where it has one.
 

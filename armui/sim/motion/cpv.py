@@ -9,6 +9,7 @@ nothing (the profile is followed exactly), and that zero learning leaves the zer
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Sequence
 from typing import Final
 
@@ -196,9 +197,6 @@ class CpvControl:
     The first position written to a joint after CPV was entered does nothing: it takes effect when
     it comes a second time. The signs of the targets are those of the firmware and the model, also
     where they are wrong.
-
-    Attributes:
-        learned: How often zero learning was asked for, which the simulated arm does not do.
     """
 
     def __init__(
@@ -207,15 +205,25 @@ class CpvControl:
         condition: Condition,
         settings: ArmSettingsRecord,
         quirks: FirmwareQuirks,
+        unsupported: Counter[str],
     ) -> None:
+        """Controls one arm.
+
+        Args:
+            mechanics: Its joints.
+            condition: Its modes.
+            settings: What it keeps.
+            quirks: What its firmware does.
+            unsupported: Counts what the arm understands but does not do.
+        """
         self._body = mechanics
         self._condition = condition
         self._quirks = quirks
         self._motion = CpvMotion(settings)
         self._primed = [False] * JOINT_COUNT
         self._in_cpv = False
+        self._unsupported = unsupported
         self._asked: list[tuple[int, CpvKind]] = []
-        self.learned = 0
 
     def mode_changed(self) -> None:
         """Takes a mode word whose modes are in the condition already."""
@@ -223,7 +231,7 @@ class CpvControl:
         was_in_cpv, self._in_cpv = self._in_cpv, condition.obeys(MoveMode.MOVE_CPV)
         if self._in_cpv and not was_in_cpv:
             self._primed = [False] * JOINT_COUNT
-        elif was_in_cpv and not self._in_cpv:
+        elif was_in_cpv and not self._in_cpv and self._body.follows(self._motion):
             self._motion.run(0.0)
 
     def take(self, name: str, signals: dict[str, float]) -> bool:
@@ -232,7 +240,7 @@ class CpvControl:
             return False
         action, kind = signals["Action"], CpvKind(int(signals["Kind"]))
         if kind is CpvKind.ZERO_LEARNING:
-            self.learned += action == CpvAction.WRITE
+            self._unsupported["zero learning"] += 1
         elif action == CpvAction.WRITE:
             self._write(NAMES.index(name), kind, signals[_SIGNALS[kind]])
         elif action == CpvAction.READ:
@@ -262,7 +270,7 @@ class CpvControl:
             self._primed[index] = True
             return
         motion = self._motion
-        if not motion.moving:
+        if not self._body.follows(motion):
             motion.start_from(self._body.setpoints_deg)
         if kind is CpvKind.POSITION_TARGET:
             motion.go_to(index, self._quirks.cpv_position_signs[index] * value)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
-from typing import Final
+from typing import Final, Protocol
 
 from armui.protocol.codes import ControlMode, StopCommand, TeachingState, TrajectoryCommand
 from armui.protocol.generation import Generation
@@ -18,38 +18,34 @@ from armui.sim.motion.teaching import SimulatedTeaching
 _ALL_INDICES: Final = range(JOINT_COUNT)
 
 
+class _Arm(Protocol):
+    """The parts of the arm that the commands touch."""
+
+    generation: Generation
+    mechanics: Mechanics
+    condition: Condition
+    teaching: SimulatedTeaching
+    unsupported: Counter[str]
+
+
 class MotionCommandHandler:
     """Obeys 0x150."""
 
-    def __init__(
-        self,
-        generation: Generation,
-        mechanics: Mechanics,
-        condition: Condition,
-        moves: Moves,
-        teaching: SimulatedTeaching,
-        *,
-        enter: Callable[[ControlMode], None],
-        unsupported: Counter[str],
-    ) -> None:
+    def __init__(self, arm: _Arm, moves: Moves, enter: Callable[[ControlMode], None]) -> None:
         """Commands one arm.
 
         Args:
-            generation: The protocol it speaks.
-            mechanics: Its joints.
-            condition: Its modes.
+            arm: Obeys.
             moves: Its motions.
-            teaching: Its drag teaching.
             enter: Puts it in a control mode.
-            unsupported: Counts what the arm understands but does not do.
         """
-        self._generation = generation
-        self._body = mechanics
-        self._condition = condition
+        self._generation = arm.generation
+        self._body = arm.mechanics
+        self._condition = arm.condition
+        self._teaching = arm.teaching
+        self._unsupported = arm.unsupported
         self._moves = moves
-        self._teaching = teaching
         self._enter = enter
-        self._unsupported = unsupported
 
     def take(self, signals: dict[str, float]) -> bool:
         """Obeys one command; whether it asks for an answer."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable
 from typing import Final
 
@@ -38,10 +39,22 @@ class Moves:
         settings: ArmSettingsRecord,
         kinematics: Kinematics,
         arm_type: ArmType,
+        *,
+        unsupported: Counter[str],
     ) -> None:
+        """Moves one arm.
+
+        Args:
+            mechanics: Its joints.
+            condition: Its modes.
+            settings: What it keeps.
+            kinematics: Of its geometry.
+            arm_type: Which arm it is.
+            unsupported: Counts what the arm understands but does not do.
+        """
         self._body = mechanics
         self._direct = DirectControl(mechanics, condition, arm_type)
-        self.cpv = CpvControl(mechanics, condition, settings, arm_type.quirks)
+        self.cpv = CpvControl(mechanics, condition, settings, arm_type.quirks, unsupported)
         self._travel = MotionExecutor(mechanics, condition, settings)
         self._joints = JointMoves(self._travel, condition, settings, self._direct.follow)
         self._tool = ToolMotions(self._travel, condition, settings, kinematics)
