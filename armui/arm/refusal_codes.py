@@ -123,6 +123,7 @@ class RefusalCode(StrEnum):
     MESH_MISSING = "mesh_missing"
     MESH_UNREADABLE = "mesh_unreadable"
     MODEL_DIFFERS = "model_differs"
+    MODEL_OTHER = "model_other"
     MOVED_SINCE_CHECK = "moved_since_check"  # value
     NAME_EMPTY = "name_empty"
     NAME_TAKEN = "name_taken"

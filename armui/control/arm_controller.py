@@ -276,6 +276,7 @@ class ArmController(ControllerParts):
         self._link_watch.arm_came()
         self._authority.end(End.SILENT)
         self.settings.forget()
+        self.model_watch.forget()
 
     def _forget_arm(self) -> None:
         self._parts.forget()

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from armui.control.event_log.collector import EventCollector
     from armui.control.link.bus_access import BusAccess
     from armui.control.link.dropped_frames import DroppedFrames
+    from armui.control.link.model_watch import ModelWatch
     from armui.control.motion.cartesian import Cartesian
     from armui.control.motion.jogging import Jogging
     from armui.control.motion.planned_motion import PlannedMotion
@@ -235,6 +236,13 @@ class ControllerParts(QObject):
         return self.happenings.log
 
     @cached_property
+    def model_watch(self) -> ModelWatch:
+        """Compares the chosen model with what the arm tells."""
+        from armui.control.link.model_watch import ModelWatch
+
+        return ModelWatch(self._context)
+
+    @cached_property
     def _dropped_frames(self) -> DroppedFrames:
         from armui.control.link.dropped_frames import DroppedFrames
 
@@ -257,6 +265,7 @@ class ControllerParts(QObject):
             self.teaching,
             self.planned_motion,
             self._dropped_frames,
+            self.model_watch,
             self.happenings,
         )
 

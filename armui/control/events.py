@@ -31,6 +31,8 @@ class EventCode(StrEnum):
     SENT_ARC = "sent_arc"
     STEPPED_TOOL = "stepped_tool"  # axis, step with its unit
     SENT_SPEED = "sent_speed"  # percent
+    MODEL_OTHER = "model_other"  # chosen, fits
+    MODEL_NONE = "model_none"  # chosen
     SPEED_WAITS = "speed_waits"  # percent
     OTHER_HOST_MOVES = "other_host_moves"  # frames
     LEADER_ARM_MOVES = "leader_arm_moves"  # frames
@@ -161,6 +163,8 @@ LEVELS: Final[Mapping[EventCode, Level]] = {
     EventCode.SENT_ARC: Level.INFO,
     EventCode.STEPPED_TOOL: Level.INFO,
     EventCode.SENT_SPEED: Level.INFO,
+    EventCode.MODEL_OTHER: Level.WARNING,
+    EventCode.MODEL_NONE: Level.WARNING,
     EventCode.SPEED_WAITS: Level.WARNING,
     EventCode.OTHER_HOST_MOVES: Level.WARNING,
     EventCode.LEADER_ARM_MOVES: Level.WARNING,

@@ -84,7 +84,8 @@ def joints_of(
     joints[..., 4] = np.degrees(bend_rad)
     joints[..., 5] = np.degrees(roll_rad)
     joints[np.isnan(upper) | lost] = math.nan
-    return wrapped_deg(joints - _MIDDLES) + _MIDDLES
+    wrapped: Matrix = wrapped_deg(joints - _MIDDLES) + _MIDDLES
+    return wrapped
 
 
 def square_deg(geometry: Geometry, targets: Matrix) -> Matrix:

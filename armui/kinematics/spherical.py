@@ -57,7 +57,8 @@ def arm_joints(
     angles[..., 1] = np.degrees(-upper) - shoulder_zero
     angles[..., 2] = np.degrees(lean - fore + upper) - elbow_zero
     angles[np.isnan(upper)] = math.nan
-    return wrapped_deg(angles - _ARM) + _ARM
+    wrapped: Matrix = wrapped_deg(angles - _ARM) + _ARM
+    return wrapped
 
 
 def hand_orientations(geometry: Geometry, arms_deg: Matrix, targets: Matrix) -> Matrix:

@@ -14,6 +14,7 @@ import can
 
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
 from armui.sim.faults.schedule import FAULTS, Fault, FaultError, FaultParameter, read_fault
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
@@ -44,6 +45,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=_version,
         metavar="VERSION",
         help=f"what it answers when asked for its version, generation 2 only ({_VERSION})",
+    )
+    parser.add_argument(
+        "--model",
+        type=PiperModel,
+        choices=list(PiperModel),
+        default=PiperModel.PIPER,
+        metavar="MODEL",
+        help=f"which arm of the family it is: {', '.join(PiperModel)} ({PiperModel.PIPER})",
     )
     parser.add_argument(
         "--flash",
@@ -79,7 +88,7 @@ def run(options: argparse.Namespace) -> int:
         return EXIT_CANNOT_BEGIN
     flash: Flash = options.flash or MemoryFlash()
     if options.offset is not None:
-        settings = flash.load()
+        settings = flash.load(options.model)
         settings.linkage = settings.linkage._replace(
             feedback_offset=options.offset, control_offset=options.offset
         )
@@ -88,6 +97,7 @@ def run(options: argparse.Namespace) -> int:
         Generation(options.generation),
         seed=options.seed,
         version=options.firmware or _VERSION,
+        model=options.model,
         flash=flash,
     )
     return run_arm(

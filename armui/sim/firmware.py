@@ -109,7 +109,7 @@ class Firmware(Readings):
         self.generation = generation
         self.type = ArmType.of(model, version)
         self.flash: Flash = flash or MemoryFlash()
-        self.settings = self.flash.load()
+        self.settings = self.flash.load(model)
         self.condition = Condition()
         zeros_deg = self.settings.zeros_deg
         self.mechanics = Mechanics(
@@ -147,7 +147,7 @@ class Firmware(Readings):
             self.mechanics,
             self.condition,
             self._schedule,
-            self.type.quirks,
+            self.type,
             flash=self.flash,
             forget=self._moves.forget,
         )
@@ -163,7 +163,7 @@ class Firmware(Readings):
             "LeaderZero": self._leader_zero,
             "MotorEnable": self._motor_enable,
             "BusSilence": self._bus_silence,
-            "FirmwareVersion": self._firmware_version,
+            "FirmwareVersion": lambda asked: version_frames(self._codec, asked, self.type.version),
         }
 
     @property
@@ -384,6 +384,3 @@ class Firmware(Readings):
     def _bus_silence(self, signals: Signals) -> list[Frame]:
         self._silent = signals["Mode"] != SilenceMode.LEAVE_SILENCE
         return []
-
-    def _firmware_version(self, signals: Signals) -> list[Frame]:
-        return version_frames(self._codec, signals, self.type.version)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-from armui.arm.limits import FACTORY_LIMITS, JointLimits
+from armui.arm.limits import JointLimits
 from armui.protocol.addressing import Addressing
 from armui.protocol.codes import Mounting
-from armui.protocol.firmware_version import FirmwareQuirks
+from armui.sim.arm_type import ArmType
 from armui.sim.condition import Condition
 from armui.sim.feedback.schedule import FeedbackSchedule
 from armui.sim.mechanics.gravity import DOWN_BY_MOUNTING, PAYLOADS_KG
@@ -21,6 +21,7 @@ class SettingsApplier:
     """Keeps the arm's parts and its flash in step with its settings.
 
     Attributes:
+        model: Which arm it is.
         stops: Where the metal ends, joint 1 first, whatever limits and zeros were set.
     """
 
@@ -30,13 +31,14 @@ class SettingsApplier:
         mechanics: Mechanics,
         condition: Condition,
         schedule: FeedbackSchedule,
-        quirks: FirmwareQuirks,
+        arm_type: ArmType,
         *,
         flash: Flash,
         forget: Callable[[], None],
     ) -> None:
         """Takes care of the parts of one arm; `forget` drops the targets it has."""
-        self._quirks = quirks
+        self.model = arm_type.model
+        self._quirks = arm_type.quirks
         self._settings = settings
         self._flash = flash
         self._body = mechanics
@@ -44,8 +46,8 @@ class SettingsApplier:
         self._schedule = schedule
         self._forget = forget
         self._hanging_kg: float | None = None
-        self._slips_deg = [0.0] * len(FACTORY_LIMITS)
-        self.stops: tuple[JointLimits, ...] = FACTORY_LIMITS
+        self._slips_deg = [0.0] * len(self.model.limits)
+        self.stops: tuple[JointLimits, ...] = self.model.limits
         self._refresh()
 
     @property
@@ -69,7 +71,7 @@ class SettingsApplier:
 
     def restart(self) -> None:
         """Goes on with the settings that the flash holds."""
-        self._settings.take_over(self._flash.load())
+        self._settings.take_over(self._flash.load(self.model.model))
         self._schedule.end_motion = False
         self._refresh()
 
@@ -150,5 +152,5 @@ class SettingsApplier:
         weight.payload_kg = told_kg if self._hanging_kg is None else self._hanging_kg
         self.stops = tuple(
             replace(each, min_deg=each.min_deg - zero, max_deg=each.max_deg - zero)
-            for each, zero in zip(FACTORY_LIMITS, zeros_deg, strict=True)
+            for each, zero in zip(self.model.limits, zeros_deg, strict=True)
         )

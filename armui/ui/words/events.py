@@ -47,6 +47,15 @@ _NOTICES: Final[Mapping[EventCode, object]] = {
     EventCode.OTHER_HOST_GONE: QT_TRANSLATE_NOOP(
         "Notice", "Nobody else controls the arm any more."
     ),
+    EventCode.MODEL_OTHER: QT_TRANSLATE_NOOP(
+        "Notice",
+        "Connected as a {chosen}, but the pose it reports is that of a {fits}. Connect it as a "
+        "{fits}.",
+    ),
+    EventCode.MODEL_NONE: QT_TRANSLATE_NOOP(
+        "Notice",
+        "The pose the arm reports fits its angles in no model of the family, {chosen} included.",
+    ),
     EventCode.TAKEN_OVER: QT_TRANSLATE_NOOP("Notice", "Taken over: this program may move the arm."),
     EventCode.CANCEL_UNHEEDED: QT_TRANSLATE_NOOP(
         "Notice",

@@ -183,6 +183,12 @@ _REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "The pose the arm reports does not fit its joint angles: the program cannot compute its "
         "way. Check the joints' zeros; the joints can still be moved one by one.",
     ),
+    RefusalCode.MODEL_OTHER: QT_TRANSLATE_NOOP(
+        "Refusal",
+        "This arm was connected as a {chosen}, but the pose it reports is that of a {fits}: the "
+        "program would compute with the wrong lengths. Connect it as a {fits}; until then the "
+        "joints can be moved one by one.",
+    ),
     RefusalCode.TOOL_NOT_POSSIBLE: QT_TRANSLATE_NOOP(
         "Refusal",
         "Tool centre point: {value} is not possible. Enter lengths up to {maximum} mm and angles "
