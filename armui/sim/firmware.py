@@ -163,7 +163,7 @@ class Firmware(Readings):
             "LeaderZero": self._leader_zero,
             "MotorEnable": self._motor_enable,
             "BusSilence": self._bus_silence,
-            "FirmwareVersion": lambda asked: version_frames(self._codec, asked, self.type.version),
+            "FirmwareVersion": lambda asked: version_frames(self._codec, asked, self.type),
         }
 
     @property

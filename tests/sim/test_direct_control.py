@@ -92,7 +92,7 @@ def test_there_is_no_watchdog_and_joint_limits_do_not_bound_a_setpoint() -> None
     tell(arm, "474#0601F4FE0C7FFF00")  # J6: 50.0°, −50.0°, speed as it is
     assert arm.settings.limits[5].max_deg == 50.0
     tell(arm, setpoint(6, 80.0, **STIFF))
-    arm.step(60.0)
+    arm.step(6.0)
     assert arm.joints_deg[5] == pytest.approx(80.0, abs=0.1)
     assert arm.status.name == "NORMAL"
 

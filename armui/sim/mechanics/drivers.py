@@ -11,11 +11,14 @@ from typing import Final
 
 import numpy as np
 
+from armui.sim.mechanics.joint_dynamics import JointLosses
 from armui.sim.mechanics.mechanics import Mechanics
 from armui.sim.mechanics.powered_joints import JOINT_COUNT, STANDSTILL, SixValues
 
 _INERTIA_KG_M2: Final = (0.25, 0.30, 0.12, 0.02, 0.02, 0.01)
 _FRICTION_NM_S_RAD: Final = (0.8, 0.8, 0.8, 0.3, 0.3, 0.3)
+
+_PEAK_NM: Final = JointLosses().peak_nm
 
 SUPPLY_V: Final = 24.0
 _SUPPLY_NOISE_V: Final = 0.1
@@ -98,8 +101,10 @@ class Drivers:
             for i in range(JOINT_COUNT)
         )
         self.currents_a = tuple(
-            torque / ratio
-            for torque, ratio in zip(self._torques_nm, self._nm_per_ampere, strict=True)
+            min(max(torque, -most), most) / ratio
+            for torque, ratio, most in zip(
+                self._torques_nm, self._nm_per_ampere, _PEAK_NM, strict=True
+            )
         )
 
     def warm(self, index: int, dt_s: float) -> None:

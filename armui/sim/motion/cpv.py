@@ -117,12 +117,13 @@ class JointProfile:
         self.angle = there
 
     def _approach(self, goal: float, top: float, slowing: float, dt_s: float) -> float:
-        """The speed now with which it can still stand at the goal."""
+        """The speed at the end of this step with which it can still stand at the goal."""
         way = goal - self.angle
-        # what is left after this step has to be enough to brake in
+        # what is left after this step, at the mean of both speeds, has to be enough to brake in
+        left = max(abs(way) - math.copysign(self.speed, self.speed * way) * dt_s / 2.0, 0.0)
         reach = slowing * dt_s / 2.0
-        speed = math.sqrt(reach * reach + 2.0 * slowing * abs(way)) - reach
-        return math.copysign(min(speed, top, abs(way) / dt_s), way)
+        speed = math.sqrt(reach * reach + 2.0 * slowing * left) - reach
+        return math.copysign(min(speed, top), way)
 
 
 class CpvMotion:
