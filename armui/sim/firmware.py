@@ -163,7 +163,9 @@ class Firmware(Readings):
             "LeaderZero": self._leader_zero,
             "MotorEnable": self._motor_enable,
             "BusSilence": self._bus_silence,
-            "FirmwareVersion": lambda asked: version_frames(self._codec, asked, self.type),
+            "FirmwareVersion": lambda asked: version_frames(
+                self._codec, asked, self.type.version, self.type.model.model
+            ),
         }
 
     @property
@@ -384,3 +386,7 @@ class Firmware(Readings):
     def _bus_silence(self, signals: Signals) -> list[Frame]:
         self._silent = signals["Mode"] != SilenceMode.LEAVE_SILENCE
         return []
+
+    def _firmware_version(self, signals: Signals) -> list[Frame]:
+        arm_type = self.type
+        return version_frames(self._codec, signals, arm_type.version, arm_type.model.model)

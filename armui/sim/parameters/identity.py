@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from typing import Final
 
+from armui.arm.models import model_data
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
-from armui.sim.arm_type import ArmType
+from armui.protocol.piper_model import PiperModel
 
 _REQUEST: Final = 1
 _FRAME_LENGTH: Final = 8
@@ -27,11 +28,11 @@ _NODE_NUMBER: Final = (76, "15")
 _NODE_TYPE: Final = "ARM_MC"
 
 
-def identity_text(arm_type: ArmType) -> bytes:
+def identity_text(version: str, model: PiperModel) -> bytes:
     """The 88 bytes of the answer, padded with zeros."""
     text = bytearray(_LENGTH)
-    types = arm_type.model.node_types
-    software = arm_type.version.ljust(_SOFTWARE_LENGTH, "\0") + _DATE
+    types = model_data(model).node_types
+    software = version.ljust(_SOFTWARE_LENGTH, "\0") + _DATE
     for at, words in (
         _HARDWARE,
         _BATCH,
@@ -44,17 +45,20 @@ def identity_text(arm_type: ArmType) -> bytes:
     return bytes(text[:_LENGTH])
 
 
-def version_frames(codec: Codec, signals: dict[str, float], arm_type: ArmType) -> list[Frame]:
+def version_frames(
+    codec: Codec, signals: dict[str, float], version: str, model: PiperModel = PiperModel.PIPER
+) -> list[Frame]:
     """The answer cut into frames; a neighbour's answer is no question.
 
     Args:
         codec: The arm's.
         signals: Of the 0x4AF that was heard.
-        arm_type: Says which model and version answers.
+        version: As `S-V1.8-9`.
+        model: The arm.
     """
     if signals["Byte0"] != _REQUEST:
         return []
-    text = identity_text(arm_type)
+    text = identity_text(version, model)
     chunks = [text[start : start + _FRAME_LENGTH] for start in range(0, len(text), _FRAME_LENGTH)]
     return [
         codec.encode("FirmwareVersion", **{f"Byte{i}": byte for i, byte in enumerate(chunk)})
