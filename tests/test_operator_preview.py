@@ -144,7 +144,7 @@ class SeenView:
     """A picture that is seen, of the project's own arm."""
 
     def __init__(self):
-        self.shape = shape_of(load_robot(URDF / "piper.urdf"))
+        self.shape = shape_of(load_robot(URDF / "piper" / "piper.urdf"))
         self.trails = []
         self.seen = True
 

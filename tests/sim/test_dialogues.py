@@ -199,7 +199,7 @@ DIALOGUES = {
         > 477#0400000000000000
         < 47E#96640A0000000000
     """),
-    # H-V1.2-1, 10, ARM_MC, S-V1.8-5 260316, 15, each at its place in 88 bytes
+    # H-V1.2-1 at 0, batch 10 at 16, ARM_MC at 32, S-V1.8-9 at 60, 250925 at 68, node 15 at 76
     "firmware version": ((TWO,), """
         > 4AF#0100000000000000
         < 4AF#482D56312E322D31
@@ -210,8 +210,8 @@ DIALOGUES = {
         < 4AF#0000000000000000
         < 4AF#0000000000000000
         < 4AF#00000000532D5631
-        < 4AF#2E382D3532363033
-        < 4AF#3136000031350000
+        < 4AF#2E382D3932353039
+        < 4AF#3235000031350000
         < 4AF#0000000000000000
     """),
     "another arm's version is no question": ((TWO,), """

@@ -23,7 +23,7 @@ POSES = [
 
 @pytest.fixture(scope="module")
 def robot():
-    return load_robot(URDF / "piper.urdf")
+    return load_robot(URDF / "piper" / "piper.urdf")
 
 
 @pytest.mark.parametrize("pose", POSES)
