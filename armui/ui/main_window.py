@@ -17,6 +17,7 @@ from armui.control.operating_state import OperatingState, StopState
 from armui.system.helper_process import FileThread
 from armui.ui.background import Background
 from armui.ui.dialogs.confirm import confirm
+from armui.ui.gamepad.gamepad_strip import GamepadStrip
 from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.shell.arm_in_view import show_in_view
 from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
@@ -142,6 +143,7 @@ class MainWindow(Translated, QWidget):
         work = QVBoxLayout()
         work.setSpacing(0)
         work.addWidget(RecoveryLine(self._controller, self.open_connect_dialog))
+        work.addWidget(GamepadStrip(self._controller, self._preferences))
         work.addWidget(splitter, 1)
         middle.addLayout(work, 1)
 

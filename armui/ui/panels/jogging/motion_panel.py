@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Final
 
 from PySide6.QtCore import Qt
@@ -53,6 +54,7 @@ class MotionPanel(JogPanel):
             write_step=fmt.short_angle,
         )
         self._jogged: int | None = None
+        self._steered: frozenset[int] = frozenset()
         self._target_head = text_label(rank="muted")
         self._measured_head = text_label(rank="muted")
         self._rows = [JointRow(j, self._operating_state.limits[j - 1]) for j in JOINTS]
@@ -135,6 +137,16 @@ class MotionPanel(JogPanel):
         if setpoint_deg is not None and joint is not None:
             self._rows[joint - 1].show_target(setpoint_deg[joint - 1])
 
+    def _follow_device(self) -> None:
+        """The same for the joints that a gamepad turns, and once more when it has ended."""
+        jog, before = self._controller.jogging.steered, self._steered
+        moving = frozenset() if jog is None or jog.frame else _moving(jog.rates)
+        self._steered = before | moving if jog is not None else frozenset()
+        setpoint_deg = self._controller.motion.setpoint_deg
+        if setpoint_deg is not None:
+            for joint in before | moving:
+                self._rows[joint - 1].show_target(setpoint_deg[joint - 1])
+
     def _on_home(self) -> None:
         self._accepted(self._controller.motion.go_home())
 
@@ -171,9 +183,10 @@ class MotionPanel(JogPanel):
 
     def _on_state_changed(self, state: ArmState) -> None:
         self._fill_once()
+        self._follow_device()
         if self.isVisible():
             self._show_measured(state)
-            if self._controller.jogging.active:
+            if self._controller.jogging.active and not self._steered:
                 self._show_jogged()
 
     def _show_measured(self, state: ArmState) -> None:
@@ -245,3 +258,7 @@ class MotionPanel(JogPanel):
         caption(self._load, self.tr("Load"), key=_LOAD_KEY)
         caption(self._send, self.tr("Send"), key=_SEND_KEY)
         super().retranslate_ui()
+
+
+def _moving(rates: Sequence[float]) -> frozenset[int]:
+    return frozenset(joint for joint, rate in zip(JOINTS, rates, strict=True) if rate)
