@@ -46,6 +46,10 @@ def test_a_change_is_there_in_the_next_run(path: Path) -> None:
         "session_format": ".blf",
         "session_rotate_mb": 100,
         "session_save_at_faults": False,
+        "gamepad": False,
+        "gamepad_mode": "joint",
+        "gamepad_one_axis": True,
+        "gamepad_buttons": {},
     }
 
 

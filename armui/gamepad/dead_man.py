@@ -48,7 +48,7 @@ class Loss(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Hold:
+class DeviceHold:
     """A hold at a moment.
 
     Attributes:
@@ -69,7 +69,7 @@ class DeadMan:
     """
 
     def __init__(self) -> None:
-        self.hold = Hold()
+        self.hold = DeviceHold()
         self._seen_up = False
         self._axis: int | None = None
         self._reference: DeviceState | None = None
@@ -83,7 +83,7 @@ class DeadMan:
         now_s: float,
         *,
         one_axis: bool,
-    ) -> Hold:
+    ) -> DeviceHold:
         """Look at the device.
 
         Args:
@@ -96,44 +96,46 @@ class DeadMan:
         self._watch_hand(state, now_s)
         if buttons.dead_man not in state.buttons:
             self._seen_up = True
-            self.hold = Hold()
+            self.hold = DeviceHold()
         elif not self._seen_up:
-            self.hold = Hold(HoldPhase.SPENT)  # held since before anybody looked
+            self.hold = DeviceHold(HoldPhase.SPENT)  # held since before anybody looked
         elif self.hold.phase is not HoldPhase.SPENT:
             self.hold = self._held(state, mode, now_s, one_axis=one_axis)
         else:
-            self.hold = Hold(HoldPhase.SPENT)
+            self.hold = DeviceHold(HoldPhase.SPENT)
         return self.hold
 
     def spend(self) -> None:
         """Take the hold away, if there is one: only a new press begins another."""
         if self.hold.phase is not HoldPhase.UP:
-            self.hold = Hold(HoldPhase.SPENT)
+            self.hold = DeviceHold(HoldPhase.SPENT)
 
     def let_go(self) -> None:
         """The dead-man button was let go, however shortly."""
         self._seen_up = True
-        self.hold = Hold()
+        self.hold = DeviceHold()
 
-    def _held(self, state: DeviceState, mode: JogMode, now_s: float, *, one_axis: bool) -> Hold:
+    def _held(
+        self, state: DeviceState, mode: JogMode, now_s: float, *, one_axis: bool
+    ) -> DeviceHold:
         if state.silent:
-            return Hold(HoldPhase.SPENT, lost=Loss.SILENT)
+            return DeviceHold(HoldPhase.SPENT, lost=Loss.SILENT)
         if now_s - self._moved_s >= UNATTENDED_S:
-            return Hold(HoldPhase.SPENT, lost=Loss.UNATTENDED)
+            return DeviceHold(HoldPhase.SPENT, lost=Loss.UNATTENDED)
         asked = deflections(state, mode)
         dead_zone = DEAD_ZONES[state.info.kind]
         if centred(asked, dead_zone):
             self._axis = None
-            return Hold(HoldPhase.READY)
+            return DeviceHold(HoldPhase.READY)
         if self.hold.phase in {HoldPhase.UP, HoldPhase.OFF_CENTRE}:
-            return Hold(HoldPhase.OFF_CENTRE)
+            return DeviceHold(HoldPhase.OFF_CENTRE)
         rates = tuple(shaped(each, dead_zone) for each in asked)
         if one_axis:
             rates = self._only_one(rates)
         if not any(rates):  # the one axis that may move is at rest again, and others are not
-            return Hold(HoldPhase.OFF_CENTRE)
+            return DeviceHold(HoldPhase.OFF_CENTRE)
         share = speed_share(state)
-        return Hold(HoldPhase.MOVING, tuple(share * rate for rate in rates))
+        return DeviceHold(HoldPhase.MOVING, tuple(share * rate for rate in rates))
 
     def _only_one(self, rates: Sequence[float]) -> tuple[float, ...]:
         if self._axis is None:

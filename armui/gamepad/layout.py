@@ -26,7 +26,7 @@ class JogMode(StrEnum):
     TOOL = "tool"
 
 
-class Source(NamedTuple):
+class AxisSource(NamedTuple):
     """What moves one axis of the arm: an axis of the device, or two of its buttons.
 
     Attributes:
@@ -41,27 +41,27 @@ class Source(NamedTuple):
     minus: str = ""
 
 
-_CROSS_UP: Final = Source(plus="dpad_up", minus="dpad_down")
-_CROSS_SIDE: Final = Source(plus="dpad_right", minus="dpad_left")
+_CROSS_UP: Final = AxisSource(plus="dpad_up", minus="dpad_down")
+_CROSS_SIDE: Final = AxisSource(plus="dpad_right", minus="dpad_left")
 _PAD_TOOL: Final = (
-    Source("left_y", -1),
-    Source("left_x", -1),
-    Source("right_y", -1),
+    AxisSource("left_y", -1),
+    AxisSource("left_x", -1),
+    AxisSource("right_y", -1),
     _CROSS_SIDE,
     _CROSS_UP,
-    Source("right_x", -1),
+    AxisSource("right_x", -1),
 )
 _PAD_JOINTS: Final = (
-    Source("left_x", -1),
-    Source("left_y", -1),
-    Source("right_y", -1),
-    Source("right_x", -1),
+    AxisSource("left_x", -1),
+    AxisSource("left_y", -1),
+    AxisSource("right_y", -1),
+    AxisSource("right_x", -1),
     _CROSS_UP,
     _CROSS_SIDE,
 )
-_MOUSE: Final = tuple(Source(axis) for axis in ("x", "y", "z", "rx", "ry", "rz"))
+_MOUSE: Final = tuple(AxisSource(axis) for axis in ("x", "y", "z", "rx", "ry", "rz"))
 
-SOURCES: Final[Mapping[DeviceKind, Mapping[JogMode, tuple[Source, ...]]]] = {
+SOURCES: Final[Mapping[DeviceKind, Mapping[JogMode, tuple[AxisSource, ...]]]] = {
     DeviceKind.GAMEPAD: {
         JogMode.JOINT: _PAD_JOINTS,
         JogMode.BASE: _PAD_TOOL,
@@ -149,7 +149,7 @@ def deflections(state: DeviceState, mode: JogMode) -> tuple[float, ...]:
     return tuple(_deflection(state, source) for source in SOURCES[state.info.kind][mode])
 
 
-def _deflection(state: DeviceState, source: Source) -> float:
+def _deflection(state: DeviceState, source: AxisSource) -> float:
     if source.axis:
         return source.sign * state.axes.get(source.axis, 0.0)
     return float((source.plus in state.buttons) - (source.minus in state.buttons))

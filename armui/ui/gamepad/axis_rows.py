@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QWidget
 
 from armui.gamepad.device_state import DeviceKind, DeviceState
@@ -40,11 +41,12 @@ class AxisRows(Translated, QWidget):
                 grid.addWidget(cell, row, column)
         self._trigger_label = text_label()
         self._trigger = AxisBar(0.0, from_left=True)
-        self._share = ValueLabel("100 %")
+        self._share = ValueLabel("100 %", alignment=Qt.AlignmentFlag.AlignLeft)
         if kind is DeviceKind.GAMEPAD:
             row = grid.rowCount()
             for column, cell in enumerate((self._trigger_label, self._trigger, self._share)):
                 grid.addWidget(cell, row, column)
+        grid.setRowStretch(grid.rowCount(), 1)
         self.retranslate_ui()
 
     def show_mode(self, mode: JogMode) -> None:

@@ -16,6 +16,7 @@ from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.gamepad import gamepad_action, gamepad_button
 
+_MOST_SEEN: Final = 12
 _OPTIONAL: Final = frozenset({"halt", "mode"})
 
 
@@ -42,6 +43,7 @@ class ButtonRows(Translated, QWidget):
         for row, action in enumerate(ACTIONS):
             label, box = self._labels[action], self._boxes[action]
             label.setBuddy(box)
+            box.setMaxVisibleItems(_MOST_SEEN)
             for button in self._choices(action):
                 box.addItem("", button)
             box.activated.connect(partial(self._on_chosen, action))

@@ -25,7 +25,7 @@ from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.gamepad import gamepad_mode
 
-_SIZE_PX: Final = (820, 560)
+_SIZE_PX: Final = (820, 520)
 _LIVE_MS: Final = 33
 PIP_COMMAND: Final = 'pip install "armui[gamepad]"'
 _MODES: Final[dict[JogMode, GamepadMode]] = {
@@ -65,6 +65,7 @@ class GamepadDialog(ArmDialog):
         self._modes.idClicked.connect(self._on_mode)
         self.copy_button.clicked.connect(self._on_copy)
         self.close_button.clicked.connect(self.close)
+        self.on_box.setFocus()
         self.retranslate_ui()
 
     # Layout -----------------------------------------------------------------------------------
@@ -104,10 +105,10 @@ class GamepadDialog(ArmDialog):
             in_row(
                 *(self._device_label, (self.device_box, 1), 12, self._mode_label, modes), spacing=8
             ),
+            self._message,
             in_row((self._axes_card, 1), (self._buttons_card, 1), spacing=12),
             STRETCH,
             self._hint,
-            self._message,
         )
         fill(self.footer, self.copy_button, STRETCH, self.close_button)
 
@@ -173,8 +174,8 @@ class GamepadDialog(ArmDialog):
         self._buttons = ButtonRows(info.kind)
         self._buttons.show_assignment(self._pilot.buttons_of(info))
         self._buttons.chosen.connect(self._on_assigned)
-        self._axes_place.addWidget(self._axes)
-        self._buttons_place.addWidget(self._buttons)
+        self._axes_place.addWidget(self._axes, 1)
+        self._buttons_place.addWidget(self._buttons, 1)
 
     def _show_live(self) -> None:
         state = self._state()
@@ -204,6 +205,7 @@ class GamepadDialog(ArmDialog):
         if not texts and view.on and not view.devices:
             texts.append(self.tr("No device found. Plug one in, or switch it on and pair it."))
         self._message.show_message("\n".join(texts), level)
+        self._message.setVisible(bool(texts))
 
     # What the operator does -------------------------------------------------------------------
 
@@ -246,6 +248,7 @@ class GamepadDialog(ArmDialog):
         tip = self.tr("Only the axis that was pushed first moves, until all are at rest again")
         caption(self.one_axis_box, self.tr("One axis at a time"), tip=tip)
         self._device_label.setText(self.tr("Device"))
+        self.device_box.setPlaceholderText(self.tr("None found"))
         self._mode_label.setText(self.tr("Moves"))
         for number, mode in enumerate(JogMode):
             caption(self._modes.button(number), gamepad_mode(mode))

@@ -151,7 +151,7 @@ class GamepadStrip(Translated, QWidget):
             HoldPhase.READY: self.tr("{device} · {mode} · dead man held, ready"),
             HoldPhase.MOVING: self.tr("{device} · {mode} · jogging {axes}"),
             HoldPhase.OFF_CENTRE: self.tr("{device} · {mode} · let every axis back to its centre"),
-            HoldPhase.SPENT: self.tr("{device} · {mode} · let go of {button} and press it anew"),
+            HoldPhase.SPENT: self.tr("{device} · let go of {button}, then press it anew"),
         }[view.phase].format(**figures)
         return text if view.reason is None else f"{text} · {words.refusal(view.reason)}"
 

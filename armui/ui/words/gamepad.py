@@ -8,7 +8,7 @@ from typing import Final
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.gamepad.device_state import DeviceKind
-from armui.gamepad.layout import JogMode, Source
+from armui.gamepad.layout import JogMode, AxisSource
 from armui.kinematics.axes import AXES
 from armui.ui.words.text import sentence
 
@@ -59,7 +59,7 @@ _ACTIONS: Final[Mapping[str, object]] = {
 }
 
 
-def gamepad_source(source: Source) -> str:
+def gamepad_source(source: AxisSource) -> str:
     """What is pushed to move an axis of the arm."""
     return sentence("GamepadAxis", _AXES[source.axis or source.plus], {})
 

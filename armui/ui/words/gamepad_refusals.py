@@ -11,20 +11,19 @@ from armui.arm.refusal_codes import RefusalCode
 
 GAMEPAD_REFUSALS: Final[Mapping[RefusalCode, object]] = {
     RefusalCode.GAMEPAD_LOST: QT_TRANSLATE_NOOP(
-        "Refusal", "{name} is gone. Plug it in again or switch it on; then press anew."
+        "Refusal", "{name} is gone. Plug it in again or switch it on."
     ),
     RefusalCode.GAMEPAD_SILENT: QT_TRANSLATE_NOOP(
         "Refusal", "Nothing more is heard of {name}. Let go of its buttons and press anew."
     ),
     RefusalCode.GAMEPAD_UNATTENDED: QT_TRANSLATE_NOOP(
         "Refusal",
-        "The dead-man button was held for {seconds} s without a movement of the device. Let it go "
-        "and press anew.",
+        "The dead-man button was held for {seconds} s without a movement of the device. Press "
+        "anew.",
     ),
     RefusalCode.GAMEPAD_NOT_IN_FRONT: QT_TRANSLATE_NOOP(
         "Refusal",
-        "The main window is not in front, or a menu is open in it. Click into it, let go of the "
-        "dead-man button and press anew.",
+        "The main window is not in front, or a menu is open in it. Click into it, then press anew.",
     ),
 }
 """By the code."""
