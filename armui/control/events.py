@@ -25,6 +25,9 @@ class EventCode(StrEnum):
     WENT_HOME = "went_home"
     JOGGING_JOINT = "jogging_joint"  # joint, sign
     JOGGING_TOOL = "jogging_tool"  # axis, sign
+    DEVICE_JOGS_JOINTS = "device_jogs_joints"  # device, axes
+    DEVICE_JOGS_BASE = "device_jogs_base"  # device, axes
+    DEVICE_JOGS_TOOL = "device_jogs_tool"  # device, axes
     JOG_ENDED = "jog_ended"  # reason
     SENT_POSE = "sent_pose"  # x … rz
     SENT_LINE = "sent_line"  # x … rz
@@ -159,6 +162,9 @@ LEVELS: Final[Mapping[EventCode, Level]] = {
     EventCode.WENT_HOME: Level.INFO,
     EventCode.JOGGING_JOINT: Level.INFO,
     EventCode.JOGGING_TOOL: Level.INFO,
+    EventCode.DEVICE_JOGS_JOINTS: Level.INFO,
+    EventCode.DEVICE_JOGS_BASE: Level.INFO,
+    EventCode.DEVICE_JOGS_TOOL: Level.INFO,
     EventCode.JOG_ENDED: Level.WARNING,
     EventCode.SENT_POSE: Level.INFO,
     EventCode.SENT_LINE: Level.INFO,

@@ -17,6 +17,7 @@ from armui.control.operating_state import OperatingState, StopState
 from armui.ui.actions.window_actions import WindowActions
 from armui.ui.background import Background
 from armui.ui.dialogs.confirm import confirm
+from armui.ui.gamepad.gamepad_strip import GamepadStrip
 from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.picture.picture_work import PictureWork
 from armui.ui.shell.arm_in_view import show_in_view
@@ -158,6 +159,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         work = QVBoxLayout()
         work.setSpacing(0)
         work.addWidget(RecoveryLine(self._controller, self.open_connect_dialog))
+        work.addWidget(GamepadStrip(self._controller, self._preferences))
         work.addWidget(self._work_area, 1)
         work.addWidget(RunPlace(self._controller))
         middle.addLayout(work, 1)

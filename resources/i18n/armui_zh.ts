@@ -4625,7 +4625,19 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <source>What just happened could not be saved: {reason}</source>
         <translation>无法保存刚才发生的事：{reason}</translation>
     </message>
-</context>
+<message>
+        <source>{device} jogs {axes} (joints)</source>
+        <translation>{device} 点动 {axes}（关节）</translation>
+    </message>
+    <message>
+        <source>{device} jogs {axes} (base frame)</source>
+        <translation>{device} 点动 {axes}（基坐标系）</translation>
+    </message>
+    <message>
+        <source>{device} jogs {axes} (tool frame)</source>
+        <translation>{device} 点动 {axes}（工具坐标系）</translation>
+    </message>
+    </context>
 <context>
     <name>Observed</name>
     <message>
@@ -7095,6 +7107,22 @@ Lead it near its rest pose, then stop recording.</source>
         <source>{name} can be read no further: {text}. Open it again; if that does not help, copy it to another disk first.</source>
         <translation>无法继续读取 {name}：{text}。请重新打开；若仍不行，请先将其复制到其他磁盘。</translation>
     </message>
+<message>
+        <source>{name} is gone. Plug it in again or switch it on.</source>
+        <translation>{name} 已断开。请重新插入或打开电源。</translation>
+    </message>
+    <message>
+        <source>Nothing more is heard of {name}. Let go of its buttons and press anew.</source>
+        <translation>收不到 {name} 的数据。请松开所有按键后重新按下。</translation>
+    </message>
+    <message>
+        <source>The dead-man button was held for {seconds} s without a movement of the device. Press anew.</source>
+        <translation>使能键按住 {seconds} 秒而设备没有任何动作。请重新按下。</translation>
+    </message>
+    <message>
+        <source>The main window is not in front, or a menu is open in it. Click into it, then press anew.</source>
+        <translation>主窗口不在最前，或其中打开了菜单。请点击主窗口，然后重新按下。</translation>
+    </message>
 </context>
 <context>
     <name>ReplayEventBar</name>
@@ -7691,6 +7719,22 @@ Lead it near its rest pose, then stop recording.</source>
         <source>way of the tool in the 3D picture</source>
         <translation>3D 画面中的末端轨迹</translation>
     </message>
+    <message>
+        <source>jogging by gamepad</source>
+        <translation>手柄点动</translation>
+    </message>
+    <message>
+        <source>what a gamepad moves</source>
+        <translation>手柄控制的对象</translation>
+    </message>
+    <message>
+        <source>one axis at a time by gamepad</source>
+        <translation>手柄一次只动一个轴</translation>
+    </message>
+    <message>
+        <source>buttons of the gamepads</source>
+        <translation>手柄按键</translation>
+    </message>
     </context>
 <context>
     <name>SettingsDialog</name>
@@ -7774,7 +7818,23 @@ Lead it near its rest pose, then stop recording.</source>
         <source>Such a stop is always told as a fault. With this, it is also sent again by itself.</source>
         <translation>这种情况总会作为故障提示。勾选后还会自动再次发送急停。</translation>
     </message>
-</context>
+<message>
+        <source>Gamepad, SpaceMouse</source>
+        <translation>手柄、SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Gamepad…</source>
+        <translation>手柄…</translation>
+    </message>
+    <message>
+        <source>on: jogs the arm</source>
+        <translation>已开启：可以点动机械臂</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>已关闭</translation>
+    </message>
+    </context>
 <context>
     <name>SideMenu</name>
     <message>
@@ -9801,5 +9861,201 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>There is no next step now.</source>
         <translation>现在没有下一步。</translation>
+    </message>
+</context><context><name>AxisRows</name><message>
+        <source>Of the speed at the top; without the trigger a fifth</source>
+        <translation>顶部配速的百分比；不扣扳机时为五分之一</translation>
+    </message>
+</context><context><name>ButtonRows</name><message>
+        <source>Pressed: {buttons}</source>
+        <translation>按下：{buttons}</translation>
+    </message>
+    <message>
+        <source>No button</source>
+        <translation>不分配</translation>
+    </message>
+    <message>
+        <source>The buttons as they are at first</source>
+        <translation>恢复为初始的按键分配</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>恢复默认</translation>
+    </message>
+</context><context><name>GamepadAction</name><message>
+        <source>Dead man (hold to move)</source>
+        <translation>使能键（按住才能动）</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>Halt</source>
+        <translation>停住</translation>
+    </message>
+    <message>
+        <source>Next mode</source>
+        <translation>切换模式</translation>
+    </message>
+</context><context><name>GamepadAxis</name><message>
+        <source>Left stick ↔</source>
+        <translation>左摇杆 ↔</translation>
+    </message>
+    <message>
+        <source>Left stick ↕</source>
+        <translation>左摇杆 ↕</translation>
+    </message>
+    <message>
+        <source>Right stick ↔</source>
+        <translation>右摇杆 ↔</translation>
+    </message>
+    <message>
+        <source>Right stick ↕</source>
+        <translation>右摇杆 ↕</translation>
+    </message>
+    <message>
+        <source>Right trigger</source>
+        <translation>右扳机（速度）</translation>
+    </message>
+    <message>
+        <source>D-pad ↕</source>
+        <translation>方向键 ↕</translation>
+    </message>
+    <message>
+        <source>D-pad ↔</source>
+        <translation>方向键 ↔</translation>
+    </message>
+    <message>
+        <source>Push away / pull</source>
+        <translation>前推 / 后拉</translation>
+    </message>
+    <message>
+        <source>Push left / right</source>
+        <translation>左推 / 右推</translation>
+    </message>
+    <message>
+        <source>Lift / press</source>
+        <translation>上提 / 下压</translation>
+    </message>
+    <message>
+        <source>Tilt left / right</source>
+        <translation>左倾 / 右倾</translation>
+    </message>
+    <message>
+        <source>Tilt away / towards</source>
+        <translation>前倾 / 后倾</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>旋转</translation>
+    </message>
+</context><context><name>GamepadButton</name><message>
+        <source>Button {number}</source>
+        <translation>按键 {number}</translation>
+    </message>
+</context><context><name>GamepadDialog</name><message>
+        <source>Not installed: {packages}. In a terminal: {command}</source>
+        <translation>未安装：{packages}。请在终端中运行：{command}</translation>
+    </message>
+    <message>
+        <source>Found, but cannot be used (layout not known, or no permission): {names}</source>
+        <translation>已发现但无法使用（布局未知或没有权限）：{names}</translation>
+    </message>
+    <message>
+        <source>No device found. Plug one in, or switch it on and pair it.</source>
+        <translation>未发现设备。请插入设备，或打开设备电源并配对。</translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse</source>
+        <translation>手柄与 SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Jog by gamepad or SpaceMouse</source>
+        <translation>用手柄或 SpaceMouse 点动</translation>
+    </message>
+    <message>
+        <source>Only the axis that was pushed first moves, until all are at rest again</source>
+        <translation>只有最先推动的轴会动，直到所有轴都回中</translation>
+    </message>
+    <message>
+        <source>One axis at a time</source>
+        <translation>一次只动一个轴</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>None found</source>
+        <translation>未发现</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>控制</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>摇杆与轴</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Nothing moves while this window is in front: try everything here. In the main window hold the dead-man button, then push an axis; letting go of either stops. The buttons for emergency stop and halt work at any time, in every window.</source>
+        <translation>本窗口在前时机械臂不会动，可以放心试按。在主窗口中先按住使能键，再推动摇杆；松开任何一个即停止。急停和停住按键在任何窗口中随时有效。</translation>
+    </message>
+    <message>
+        <source>Copy the command</source>
+        <translation>复制命令</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context><context><name>GamepadMode</name><message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Base frame</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
+        <source>Tool frame</source>
+        <translation>工具坐标系</translation>
+    </message>
+</context><context><name>GamepadStrip</name><message>
+        <source>{device} · {mode} · hold {button} and push an axis to jog</source>
+        <translation>{device} · {mode} · 按住 {button} 并推动摇杆即可点动</translation>
+    </message>
+    <message>
+        <source>{device} · {mode} · dead man held, ready</source>
+        <translation>{device} · {mode} · 使能键已按住，可以推动摇杆</translation>
+    </message>
+    <message>
+        <source>{device} · {mode} · jogging {axes}</source>
+        <translation>{device} · {mode} · 正在点动 {axes}</translation>
+    </message>
+    <message>
+        <source>{device} · {mode} · let every axis back to its centre</source>
+        <translation>{device} · {mode} · 请先让所有摇杆回中</translation>
+    </message>
+    <message>
+        <source>{device} · let go of {button}, then press it anew</source>
+        <translation>{device} · 请松开 {button} 后重新按下</translation>
+    </message>
+    <message>
+        <source>Gamepad: {packages} not installed. Install with pip: armui[gamepad]</source>
+        <translation>手柄：未安装 {packages}，请用 pip 安装 armui[gamepad]</translation>
+    </message>
+    <message>
+        <source>Gamepad: {problem}</source>
+        <translation>手柄：{problem}</translation>
+    </message>
+    <message>
+        <source>Gamepad: none found. Plug one in or switch it on.</source>
+        <translation>手柄：未发现设备，请插入或打开设备电源。</translation>
     </message>
 </context></TS>

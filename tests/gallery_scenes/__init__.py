@@ -8,6 +8,7 @@ from tests.gallery_scenes import (
     dialogs,
     events,
     exports,
+    gamepads,
     library,
     pages,
     panels,
@@ -57,6 +58,9 @@ WINDOW_SCENES = (
     Scene("other-host", company.other_host),
     Scene("other-mode", company.other_mode),
     *pages.SCENES,
+    Scene("gamepad", gamepads.waiting),
+    Scene("gamepad-jogging", gamepads.jogging),
+    Scene("gamepad-taken-away", gamepads.taken_away),
 )
 """Each from a window that has just opened: no scene needs another to have been played."""
 
@@ -66,6 +70,9 @@ DIALOG_SCENES = (
     DialogScene("connect", "online", dialogs.connect),
     DialogScene("settings", "no-device", dialogs.settings),
     DialogScene("settings-refused", "no-device", dialogs.settings_refused),
+    DialogScene("gamepad-settings", "no-device", gamepads.settings),
+    DialogScene("gamepad-space-mouse", "no-device", gamepads.space_mouse),
+    DialogScene("gamepad-not-installed", "no-device", gamepads.not_installed),
     DialogScene("doctor-under-way", "no-device", dialogs.doctor_under_way),
     DialogScene("doctor-trouble", "no-device", dialogs.doctor_trouble),
     DialogScene("doctor", "online", dialogs.doctor_in_order),
