@@ -1,5 +1,7 @@
 """An operator looks at a trajectory in 3D before anything moves."""
 
+from typing import TYPE_CHECKING, cast
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
@@ -17,6 +19,10 @@ from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.viewport.path_picture import NOTHING
 from armui.viewport.process.outline import shape_of
 from armui.viewport.process.urdf_file import load_robot
+from tests.family import PIPER
+
+if TYPE_CHECKING:
+    from armui.viewport.view import ArmView
 
 OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
 BACK = (-15.0, 30.0, -30.0, -10.0, 30.0, -20.0)
@@ -111,7 +117,7 @@ def test_a_finding_stands_where_the_arm_would_be(app_driver):
     at = Operator(app_driver, OUT, BEYOND)
     at.check()
     finding = next(each for each in at.shown.path.findings if each.is_error)
-    flange = Kinematics().matrix(BEYOND)
+    flange = Kinematics(PIPER).matrix(BEYOND)
     tip = flange[:3, 3] + 140.0 * flange[:3, 2]
     assert finding.place_mm == pytest.approx(tip, abs=1.0)
 
@@ -162,14 +168,14 @@ class SeenView:
 def test_the_trail_is_where_the_arm_was_measured(app_driver):
     app_driver.ready()
     view = SeenView()
-    keeper = TrailKeeper(app_driver.controller, view, 60.0)
+    keeper = TrailKeeper(app_driver.controller, cast("ArmView", view), 60.0)
     tips = []
 
     def follow(state):
         keeper.follow(state)
         if state.angles_deg() is None:
             return  # at the end, when the device is closed
-        flange = Kinematics().matrix(state.angles_deg())
+        flange = Kinematics(PIPER).matrix(state.angles_deg())
         tips.append(flange[:3, 3] + 140.0 * flange[:3, 2])
 
     app_driver.controller.state_changed.connect(follow)

@@ -17,6 +17,7 @@ from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.axes import JogFrame
 from armui.kinematics.poses import matrix_to_pose, moved, pose_to_matrix, rotation, shifted
 from tests.control.jogger import BENT_DEG, TICK_S, bend, hold, rest_s
+from tests.family import PIPER
 
 DEVICE = "pad"
 PACE = pace(100, FACTORY_LIMITS, (FACTORY_ACCELERATION_DEG_S2,) * 6)
@@ -88,7 +89,7 @@ def test_rotations_as_another_library_has_them(turn_deg):
 
 
 def test_two_axes_at_once_are_no_faster_than_one():
-    kinematics = Kinematics()
+    kinematics = Kinematics(PIPER)
     path = SteeredToolPath(
         *((1.0, -1.0, 0, 0, 0, 0), JogFrame.BASE, kinematics, BENT_DEG),
         tool=TOOL,
@@ -107,7 +108,7 @@ def test_two_axes_at_once_are_no_faster_than_one():
 
 def test_beyond_reach_is_said():
     path = SteeredToolPath(
-        *((1.0, 0, 0, 0, 0, 0), JogFrame.BASE, Kinematics(), BENT_DEG),
+        *((1.0, 0, 0, 0, 0, 0), JogFrame.BASE, Kinematics(PIPER), BENT_DEG),
         tool=(0.0,) * 6,
         limits=FACTORY_LIMITS,
     )
@@ -169,7 +170,7 @@ def test_a_reversed_stick_turns_the_arm_about_and_it_still_rests_in_time(rig):
 
 def test_the_tool_goes_where_it_is_steered_and_does_not_turn(rig):
     bend(rig)
-    kinematics = Kinematics()
+    kinematics = Kinematics(PIPER)
     before = kinematics.matrix(rig.firmware.joints_deg)
     assert rig.controller.jogging.start(tool(0, 0, 1.0)) is None
     for tick in range(80):
