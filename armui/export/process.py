@@ -8,6 +8,7 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import shutil
 import subprocess
 import sys
 import threading
@@ -149,7 +150,10 @@ class ExportProcess:
         """It was killed, by us or by the system: nobody else removes what it left."""
         if self._unfinished is not None:
             with contextlib.suppress(OSError):
-                self._unfinished.unlink(missing_ok=True)
+                if self._unfinished.is_dir():
+                    shutil.rmtree(self._unfinished)
+                else:
+                    self._unfinished.unlink(missing_ok=True)
 
     def _answer(self, answer: ExportProgress | ExportDone) -> None:
         with self._lock:

@@ -1915,6 +1915,10 @@
         <translation>文本表格：每收到一组关节角度为一行，其余各列为当时最近收到的值。适用于电子表格和脚本。</translation>
     </message>
     <message>
+        <source>A folder with a file for each message: every frame with its time, decoded into signals with their units.</source>
+        <translation>一个文件夹，每种报文一个文件：每一帧带时间，解码为带单位的信号。</translation>
+    </message>
+    <message>
         <source>The same table with types and units, small and quick to open. For pandas and the like; needs the package pyarrow.</source>
         <translation>同一表格，带类型和单位，文件小、打开快。适用于 pandas 等工具；需要安装 pyarrow 包。</translation>
     </message>
@@ -1989,6 +1993,10 @@
 </context>
 <context>
     <name>ExportForm</name>
+    <message>
+        <source>CSV per message</source>
+        <translation>CSV（按报文）</translation>
+    </message>
     <message>
         <source>Recording</source>
         <translation>记录</translation>
@@ -2076,6 +2084,10 @@
     <message>
         <source>CAN log</source>
         <translation>CAN 日志</translation>
+    </message>
+    <message>
+        <source>Choose where the folder of the export shall be</source>
+        <translation>选择导出文件夹的位置</translation>
     </message>
     <message>
         <source>none chosen</source>
