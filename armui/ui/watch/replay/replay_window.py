@@ -323,6 +323,7 @@ class ReplayWindow(ArmDialog):
         view.hide()
         view.view.shutdown()
         view.replay.close()
+        view.replay.deleteLater()
         view.deleteLater()
 
     def done(self, result: int) -> None:
