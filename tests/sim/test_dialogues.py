@@ -199,23 +199,14 @@ DIALOGUES = {
         > 477#0400000000000000
         < 47E#96640A0000000000
     """),
-    # H-V1.2-1, 10, ARM_MC, S-V1.8-5 260316, 15, each at its place in 88 bytes
+    # "PiPER S-V1.8-5" in two frames, padded with 0
     "firmware version": ((TWO,), """
         > 4AF#0100000000000000
-        < 4AF#482D56312E322D31
-        < 4AF#0000000000000000
-        < 4AF#3130000000000000
-        < 4AF#0000000000000000
-        < 4AF#41524D5F4D430000
-        < 4AF#0000000000000000
-        < 4AF#0000000000000000
-        < 4AF#00000000532D5631
-        < 4AF#2E382D3532363033
-        < 4AF#3136000031350000
-        < 4AF#0000000000000000
+        < 4AF#506950455220532D
+        < 4AF#56312E382D350000
     """),
     "another arm's version is no question": ((TWO,), """
-        > 4AF#41524D5F4D430000
+        > 4AF#506950455220532D
     """),
     "generation 1 is silent about its version": ((ONE,), """
         > 4AF#0100000000000000
