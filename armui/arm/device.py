@@ -21,11 +21,13 @@ class RecordedArm:
         generation: Which protocol it speaks.
         feedback_offset: Added to the identifiers of its feedback (0x470).
         model: Which arm of the family it was connected as; ``None``: it does not tell.
+        firmware: The version it names, as ``S-V1.8-5``; "" where it names none.
     """
 
     generation: int
     feedback_offset: int = 0
     model: PiperModel | None = None
+    firmware: str = ""
 
 
 @dataclass(frozen=True, slots=True)

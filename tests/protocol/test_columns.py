@@ -28,13 +28,11 @@ def test_every_signal_of_every_message(generation, arbitration_id):
     draw = random.Random(arbitration_id)
     payloads = [bytes(8), b"\xff" * 8, b"\x80" + bytes(7), *(draw.randbytes(8) for _ in range(40))]
     selections = {signal.selection for signal in layout.signals.values()} - {None}
+    selector = bit_mask([layout.selector]) if layout.selector else 0
     for selection in selections:  # each of the meanings once more
         code = selection.raw << 64 - selection.first_bit - selection.bits
-        payloads.append(
-            (
-                int.from_bytes(draw.randbytes(8), "big") & ~bit_mask([layout.selector]) | code
-            ).to_bytes(8, "big")
-        )
+        noise = int.from_bytes(draw.randbytes(8), "big")
+        payloads.append((noise & ~selector | code).to_bytes(8, "big"))
     words = payload_words(np.frombuffer(b"".join(payloads), np.uint8).reshape(-1, 8))
     expected = []
     for each in payloads:

@@ -193,6 +193,7 @@ def test_setting_index_is_the_low_byte_of_the_setting_it_names():
 def test_a_host_may_ask_for_every_kind_of_motion_or_for_none():
     mode = load_database(Generation.TWO).get_message_by_name("ModeControl")
     choices = mode.get_signal_by_name("MoveMode").choices
+    assert choices is not None
     assert sorted(choices) == [*map(int, codes.MoveMode), codes.MOVE_UNCHANGED]
 
 

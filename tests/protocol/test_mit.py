@@ -44,7 +44,8 @@ RANGES = {
 TORQUES = {"A": (8, -8.0, 8.0), "B": (12, -16.0, 16.0)}
 
 
-def setpoint(codec: Codec, joint: int, p, v, kp, kd, t) -> Frame:
+def setpoint(codec: Codec, joint: int, *values: float) -> Frame:
+    p, v, kp, kd, t = values
     (frame,) = commands.mit_setpoint(
         codec, joint, position_rad=p, speed_rad_s=v, kp=kp, kd=kd, torque_nm=t
     )
