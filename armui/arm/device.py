@@ -26,8 +26,8 @@ class RecordedArm:
 
     generation: int
     feedback_offset: int = 0
-    model: PiperModel | None = None
     firmware: str = ""
+    model: PiperModel | None = None
 
 
 @dataclass(frozen=True, slots=True)
