@@ -13,7 +13,7 @@ import errno
 import json
 import stat
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any, Final, Literal, TypedDict, Unpack, get_args
 
@@ -22,6 +22,7 @@ import platformdirs
 from armui.arm.json_fields import finite
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.protocol.piper_model import PiperModel
 from armui.system import paths
 from armui.system.atomic import write_whole
 from armui.system.error_text import error_text
@@ -35,6 +36,7 @@ _MOST_BYTES: Final = 1_000_000
 _MOST_SHOWN: Final = 60
 """Characters of a value that is told to be wrong."""
 _LONGEST_PATH: Final = 4096
+_MOST_MODELS: Final = 1000
 _LOCK_S: Final = 0.05
 """So long a change waits for another program that is writing the same file."""
 
@@ -63,6 +65,7 @@ class Choices(TypedDict, total=False):
     session_format: SessionFormat
     session_rotate_mb: int
     session_save_at_faults: bool
+    models: Mapping[str, str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,6 +82,8 @@ class Settings:
         session_folder: Where sessions are recorded; ``None``: in the user's folder for data.
         session_format: The suffix of their files.
         session_rotate_mb: A file that is as large is followed by another.
+        models: Which arm of the family was chosen, by the adapter's serial number, with the node
+            number where that is known; the last choice last.
         session_save_at_faults: The last minutes are saved by themselves at a fault or a stop.
     """
 
@@ -92,6 +97,7 @@ class Settings:
     session_format: SessionFormat = ".blf"
     session_rotate_mb: int = 100
     session_save_at_faults: bool = False
+    models: Mapping[str, str] = field(default_factory=dict)
 
 
 Subscriber = Callable[[Settings], None]
@@ -117,6 +123,7 @@ def check(name: str, value: object) -> Refusal | None:
         "session_format": value in get_args(SessionFormat),
         "session_rotate_mb": _is_rotate_mb(value),
         "session_save_at_faults": isinstance(value, bool),
+        "models": _are_models(value),
     }
     if allowed.get(name, False):
         return None
@@ -141,6 +148,16 @@ def _is_path(value: object) -> bool:
     except UnicodeEncodeError:
         return False
     return True
+
+
+def _are_models(value: object) -> bool:
+    """Whether a value says of arms which models they are."""
+    return (
+        isinstance(value, dict)
+        and len(value) <= _MOST_MODELS
+        and all(isinstance(key, str) and len(key) <= _LONGEST_PATH for key in value)
+        and all(model in list(PiperModel) for model in value.values())
+    )
 
 
 def _is_rotate_mb(value: object) -> bool:
@@ -312,14 +329,14 @@ def _from_entries(entries: Mapping[str, Any]) -> tuple[Settings, tuple[Refusal, 
     """The settings of a file; what it says that is not possible is left at its first value."""
     good: dict[str, Any] = {}
     problems = []
-    for field in fields(Settings):
-        if field.name not in entries:
+    for each in fields(Settings):
+        if each.name not in entries:
             continue
-        value = entries[field.name]
-        if check(field.name, value) is None:
-            good[field.name] = tuple(value) if isinstance(value, list) else value
+        value = entries[each.name]
+        if check(each.name, value) is None:
+            good[each.name] = tuple(value) if isinstance(value, list) else value
         else:
-            params = {"field": field.name, "value": _shown(value)}
+            params = {"field": each.name, "value": _shown(value)}
             problems.append(Refusal(RefusalCode.SETTING_BAD, params))
     return Settings(**good), tuple(problems)
 

@@ -11,6 +11,7 @@ from armui.arm.device import Device, RecordedArm
 from armui.bus.playback.log_clock import LogClock
 from armui.bus.playback.log_worker import FASTEST, SLOWEST, LogWorker
 from armui.control.arm_controller import ArmController
+from armui.protocol.piper_model import PiperModel
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -62,7 +63,15 @@ class LogReplay(QObject):
         self.session = session
         self.clock = LogClock(session.start_s)
         self.channel = channel
-        self._device = Device("replay", name, None, name, listen_only=True, recorded=arm)
+        self._device = Device(
+            "replay",
+            name,
+            None,
+            name,
+            listen_only=True,
+            recorded=arm,
+            model=arm.model or PiperModel.PIPER,
+        )
         self._worker: LogWorker | None = None
         self._going_to: float | None = None
         self._number = 0

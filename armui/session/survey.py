@@ -13,7 +13,9 @@ from armui.protocol.codec import Codec
 from armui.protocol.detect import GenerationDetector
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
 from armui.session.frames import NOT_OF_THE_ARM
+from armui.session.log_model import model_of_log
 
 if TYPE_CHECKING:
     from armui.session.frames import Channel, FrameBatch
@@ -38,6 +40,7 @@ class ChannelSurvey:
         reason: Why, as the end of a sentence that begins "generation N, because".
         is_certain: Whether anything tells; if not, the operator should choose.
         feedback_offset: Added to the identifiers of its feedback (0x470).
+        model: Which arm of the family it is; ``None``: nothing tells.
     """
 
     channel: Channel
@@ -46,6 +49,7 @@ class ChannelSurvey:
     reason: str
     is_certain: bool
     feedback_offset: int
+    model: PiperModel | None = None
 
 
 def survey(session: Session) -> tuple[ChannelSurvey, ...]:
@@ -73,13 +77,15 @@ def _channel(session: Session, last: FrameBatch, channel: Channel) -> ChannelSur
     newest_s = max((float(last.times_s[row]) for row in known), default=session.start_s)
     _look_at(session, channel, newest_s, detector)
     verdict = detector.verdict()
+    offset = _offset(last, rows.tolist())
     return ChannelSurvey(
         channel=channel,
         arm_ids=len({int(last.ids[row]) for row in known}),
         generation=verdict.generation,
         reason=verdict.reason,
         is_certain=detector.has_evidence,
-        feedback_offset=_offset(last, rows.tolist()),
+        feedback_offset=offset,
+        model=model_of_log(session, channel, verdict.generation, offset) if known else None,
     )
 
 
