@@ -99,6 +99,8 @@ def _label(key: str) -> str:
 
 
 def _model(now: OperatingState) -> str:
+    if now.device is None:
+        return translate("AboutArm", "none connected")
     fit, name = now.model_fit, model_data(now.model).name
     if now.link is not LinkState.ONLINE or fit.fitting is None:
         text = translate("AboutArm", "{model}, as chosen; not compared yet")
