@@ -150,6 +150,8 @@ class ConnectDialog(ArmDialog):
         self.diagnosis_button.setText(self.tr("Diagnosis…"))
         self.close_button.setText(self.tr("Close"))
         self._bitrate_label.setText(self.tr("Bit rate"))
+        self.model_choice.retranslate_ui()
+        self.model_choice.line_up(self._bitrate_label)
         self.listen_only_box.setText(self.tr("Listen only"))
         self.listen_only_box.setToolTip(
             self.tr("Beside another program: nothing is sent but the emergency stop.")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
@@ -10,6 +10,8 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
 from armui.arm.models import all_models, model_data
 from armui.protocol.piper_model import PiperModel
 from armui.ui.dialogs.device_model import same_device
+from armui.ui.theme import colors_of
+from armui.ui.widgets import icons
 from armui.ui.widgets.layouts import fill
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
@@ -18,6 +20,8 @@ if TYPE_CHECKING:
     from armui.arm.device import Device
     from armui.control.operating_state import OperatingState
     from armui.ui.dialogs.kept_models import KeptModels
+
+_ICON_PX: Final = 16
 
 
 class ModelChoice(Translated, QWidget):
@@ -46,9 +50,10 @@ class ModelChoice(Translated, QWidget):
             self.box.addItem(data.name, model)
         self._label.setBuddy(self.box)
         self.hint = text_label("model_hint", rank="muted", wraps=True)
+        self._icon = QLabel()
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
-        fill(row, self._label, self.box, 8, (self.hint, 1))
+        fill(row, self._label, self.box, 8, self._icon, (self.hint, 1))
         self.box.currentIndexChanged.connect(self._on_chosen)
         self.retranslate_ui()
 
@@ -87,11 +92,15 @@ class ModelChoice(Translated, QWidget):
 
     def _explain(self) -> None:
         now, device = self._now, self._device
-        text = ""
+        text, wrong = "", False
         if now is not None and device is not None and same_device(device, now.device):
-            text = self._of_connected(now)
+            text, wrong = self._of_connected(now), now.model_fit.wrong is not None
         elif device is not None and device.simulated:
             text = self.tr("The simulated arm is this model.")
+        self._icon.setVisible(wrong)
+        if wrong:
+            color, ratio = colors_of(self).warn, self.devicePixelRatioF()
+            self._icon.setPixmap(icons.pixmap("warning", color, _ICON_PX, ratio))
         self.hint.setText(text or self.tr("No frame names the model: it is compared afterwards."))
 
     def _of_connected(self, now: OperatingState) -> str:
@@ -107,6 +116,15 @@ class ModelChoice(Translated, QWidget):
         if fit.fitting is not None:
             return self.tr("Fits the pose the arm reports; so do others. Move a joint to decide.")
         return self.tr("Not compared yet: the arm must stand still.")
+
+    def line_up(self, label: QLabel) -> None:
+        """Let the label of the row below take as much room as the one here."""
+        width = max(self._label.sizeHint().width(), label.sizeHint().width())
+        self._label.setFixedWidth(width)
+        label.setFixedWidth(width)
+
+    def _recolor(self) -> None:
+        self._explain()
 
     def retranslate_ui(self) -> None:
         """Put the words into the operator's language."""
