@@ -22,6 +22,7 @@ import platformdirs
 from armui.arm.json_fields import finite
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.protocol.piper_model import PiperModel
 from armui.system import paths
 from armui.system.atomic import write_whole
 from armui.system.error_text import error_text
@@ -41,6 +42,7 @@ _MOST_SHOWN: Final = 60
 _LONGEST_PATH: Final = 4096
 _MOST_DEVICES: Final = 200
 _LONGEST_NAME: Final = 200
+_MOST_MODELS: Final = 1000
 _LOCK_S: Final = 0.05
 """So long a change waits for another program that is writing the same file."""
 
@@ -79,6 +81,7 @@ class Choices(TypedDict, total=False):
     gamepad_mode: GamepadMode
     gamepad_one_axis: bool
     gamepad_buttons: GamepadButtons
+    models: Mapping[str, str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,6 +98,8 @@ class Settings:
         session_folder: Where sessions are recorded; ``None``: in the user's folder for data.
         session_format: The suffix of their files.
         session_rotate_mb: A file that is as large is followed by another.
+        models: Which arm of the family was chosen, by the adapter's serial number, with the node
+            number where that is known; the last choice last.
         session_save_at_faults: The last minutes are saved by themselves at a fault or a stop.
         picture_direction: From where the 3D picture shows the arm to begin with.
         picture_orthographic: It is drawn without perspective.
@@ -124,6 +129,7 @@ class Settings:
     gamepad_mode: GamepadMode = "joint"
     gamepad_one_axis: bool = True
     gamepad_buttons: GamepadButtons = field(default_factory=dict)
+    models: Mapping[str, str] = field(default_factory=dict)
 
 
 Subscriber = Callable[[Settings], None]
@@ -157,6 +163,7 @@ def check(name: str, value: object) -> Refusal | None:
         "gamepad_mode": value in get_args(GamepadMode),
         "gamepad_one_axis": isinstance(value, bool),
         "gamepad_buttons": _are_buttons(value),
+        "models": _are_models(value),
     }
     if allowed.get(name, False):
         return None
@@ -196,6 +203,16 @@ def _are_buttons(value: object) -> bool:
         and isinstance(buttons, Mapping)
         and all(_is_name(what) and _is_name(button) for what, button in buttons.items())
         for device, buttons in value.items()
+    )
+
+
+def _are_models(value: object) -> bool:
+    """Whether a value says of arms which models they are."""
+    return (
+        isinstance(value, dict)
+        and len(value) <= _MOST_MODELS
+        and all(isinstance(key, str) and len(key) <= _LONGEST_PATH for key in value)
+        and all(model in list(PiperModel) for model in value.values())
     )
 
 

@@ -27,10 +27,12 @@ from armui.ui.shell.joint_status_button import JointStatusButton
 from armui.ui.shell.layout_keeper import LayoutKeeper
 from armui.ui.shell.leaving import end_motion_then, end_single_motion_then
 from armui.ui.shell.library_button import LibraryButton
+from armui.ui.shell.model_mark import ModelMark
 from armui.ui.shell.operation_area import OperationArea
 from armui.ui.shell.page_area import PageArea
 from armui.ui.shell.panel_menu import menu_entries
 from armui.ui.shell.recovery_line import RecoveryLine
+from armui.ui.shell.robot_in_view import RobotInView
 from armui.ui.shell.run_place import RunPlace
 from armui.ui.shell.side_menu import SideMenu
 from armui.ui.shell.status_bar import StatusBar
@@ -95,6 +97,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._dialogs: dict[str, QDialog] = {}
         self._may_close = False
         self._entries = menu_entries(controller, preferences, self.open_backup_dialog)
+        self._robot = RobotInView(view, controller, self._settings.urdf_path, self)
         self._joint_monitor = JointMonitor(controller, parent=self)
         self._diagnosis = DiagnosisDialogs(controller, files or workers, self)
         background = Background(workers, files, self)
@@ -105,7 +108,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             self,
             self._open,
             store=preferences,
-            robot=self._robot_path,
+            robot=lambda: self._settings.urdf_path,
         )
         self._joint_status_button = JointStatusButton(self._joint_monitor)
         self._preview_bar = PreviewBar()
@@ -134,6 +137,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._watch.show_marks_in(self._status_bar)
         self._actions = WindowActions(self, controller, preferences, background)
         self._status_bar.add_mark(self._actions.offer(self._diagnosis, self._watch))
+        self._status_bar.add_mark(ModelMark(controller, self.open_connect_dialog))
         self._lay_out()
         self._connect()
         WindowLayout(self._keeper, self, self._work_area, _FIRST_SIZE)
@@ -240,18 +244,18 @@ class MainWindow(Translated, KeepsFocus, QWidget):
                 if isinstance(panel, MotionPanel):
                     panel.set_jog_step(settings.jog_step_deg)
         if old.urdf_path != settings.urdf_path:
-            self._view.set_robot(self._robot_path())
-
-    def _robot_path(self) -> Path | None:
-        return Path(self._settings.urdf_path) if self._settings.urdf_path else None
+            self._robot.choose(settings.urdf_path)
 
     def open_connect_dialog(self) -> None:
         """Show the window 连接机械臂 (manual 1.0.1)."""
 
         def make() -> QDialog:
             from armui.ui.dialogs.connect import ConnectDialog  # noqa: PLC0415 - faster start
+            from armui.ui.dialogs.kept_models import KeptModels  # noqa: PLC0415 - as above
 
-            dialog = ConnectDialog(self._controller, self, before_leaving=self._leave_arm_then)
+            dialog = ConnectDialog(
+                self._controller, self, self._leave_arm_then, KeptModels(self._preferences)
+            )
             dialog.diagnosis_wanted.connect(self._diagnosis.open_doctor)
             return dialog
 

@@ -126,7 +126,27 @@
         <source>unknown</source>
         <translation>未知</translation>
     </message>
-</context>
+<message>
+        <source>{model}, as chosen; not compared yet</source>
+        <translation>{model}（操作者选择，尚未核对）</translation>
+    </message>
+    <message>
+        <source>{model}, confirmed by the pose it reports</source>
+        <translation>{model}（与反馈位姿一致，已确认）</translation>
+    </message>
+    <message>
+        <source>{model}, as chosen; other models fit its pose as well</source>
+        <translation>{model}（操作者选择；其它型号也符合当前位姿）</translation>
+    </message>
+    <message>
+        <source>{model}, as chosen; its pose is that of a {other}</source>
+        <translation>{model}（操作者选择；但反馈位姿属于 {other}）</translation>
+    </message>
+    <message>
+        <source>{model}, as chosen; its pose fits none of the models</source>
+        <translation>{model}（操作者选择；反馈位姿不符合任何型号）</translation>
+    </message>
+    </context>
 <context>
     <name>AboutArmDialog</name>
     <message>
@@ -596,7 +616,15 @@
         <source>Choose what differs in the table first.</source>
         <translation>请先在表中勾选不同的参数。</translation>
     </message>
-</context>
+<message>
+        <source>{name}: saved {time}, {model}, {device}, generation {generation}, {firmware}</source>
+        <translation>{name}：保存于 {time}，{model}，{device}，第 {generation} 代，{firmware}</translation>
+    </message>
+    <message>
+        <source>The file is from a {filed}, this arm is a {here}: the limits of one may be wrong for the other. Check the values before you restore them.</source>
+        <translation>该文件来自 {filed}，当前机械臂为 {here}：两种型号的限位可能不通用。恢复前请核对数值。</translation>
+    </message>
+    </context>
 <context>
     <name>BackupModel</name>
     <message>
@@ -4623,11 +4651,11 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
     </message>
     <message>
         <source>Connected as a {chosen}, but the pose it reports is that of a {fits}. Connect it as a {fits}.</source>
-        <translation type="unfinished" />
+        <translation>连接时选择的型号是 {chosen}，但其反馈的位姿属于 {fits}。请按 {fits} 重新连接。</translation>
     </message>
     <message>
         <source>The pose the arm reports fits its angles in no model of the family, {chosen} included.</source>
-        <translation type="unfinished" />
+        <translation>机械臂反馈的位姿与关节角度不符合任何型号（包括 {chosen}）。</translation>
     </message>
     <message>
         <source>Taken over: this program may move the arm.</source>
@@ -6864,7 +6892,7 @@ Lead it near its rest pose, then stop recording.</source>
     </message>
     <message>
         <source>This arm was connected as a {chosen}, but the pose it reports is that of a {fits}: the program would compute with the wrong lengths. Connect it as a {fits}; until then the joints can be moved one by one.</source>
-        <translation type="unfinished" />
+        <translation>该机械臂按 {chosen} 连接，但其反馈的位姿属于 {fits}：程序会用错误的连杆长度计算。请按 {fits} 重新连接；在此之前可以逐个移动关节。</translation>
     </message>
     <message>
         <source>Tool centre point: {value} is not possible. Enter lengths up to {maximum} mm and angles up to 180°.</source>
@@ -8325,7 +8353,11 @@ Lead it near its rest pose, then stop recording.</source>
         <source>buttons of the gamepads</source>
         <translation>手柄按键</translation>
     </message>
-</context>
+<message>
+        <source>models of the arms</source>
+        <translation>机械臂型号</translation>
+    </message>
+    </context>
 <context>
     <name>SettingsDialog</name>
     <message>
@@ -10159,5 +10191,69 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>The arm comes to rest in every point</source>
         <translation>机械臂会在每个点停下</translation>
+    </message>
+</context><context><name>ModelChoice</name><message>
+        <source>The simulated arm is this model.</source>
+        <translation>仿真机械臂即为所选型号。</translation>
+    </message>
+    <message>
+        <source>No frame names the model: it is compared afterwards.</source>
+        <translation>总线上没有型号信息：连接后会自动核对。</translation>
+    </message>
+    <message>
+        <source>The pose this arm reports is that of a {fits}: choose it and press Connect.</source>
+        <translation>该机械臂反馈的位姿属于 {fits}：请选择该型号并点击“连接”。</translation>
+    </message>
+    <message>
+        <source>The pose this arm reports fits none of the models.</source>
+        <translation>该机械臂反馈的位姿不符合任何型号。</translation>
+    </message>
+    <message>
+        <source>Confirmed by the pose the arm reports.</source>
+        <translation>与机械臂反馈的位姿一致，已确认。</translation>
+    </message>
+    <message>
+        <source>Fits the pose the arm reports; so do others. Move a joint to decide.</source>
+        <translation>符合机械臂反馈的位姿，但其它型号也符合。移动一个关节即可判定。</translation>
+    </message>
+    <message>
+        <source>Not compared yet: the arm must stand still.</source>
+        <translation>尚未核对：需要机械臂静止。</translation>
+    </message>
+    <message>
+        <source>Model of the arm</source>
+        <translation>机械臂型号</translation>
+    </message>
+    <message>
+        <source>Its lengths decide where the tool is. The limits of the joints are always read from the arm.</source>
+        <translation>型号决定各连杆长度，从而决定末端位置。关节限位始终从机械臂读取。</translation>
+    </message>
+</context><context><name>ModelMark</name><message>
+        <source>{model}? The pose is that of a {other}</source>
+        <translation>{model}？位姿属于 {other}</translation>
+    </message>
+    <message>
+        <source>Click to connect it as a {other}.</source>
+        <translation>点击以 {other} 重新连接。</translation>
+    </message>
+    <message>
+        <source>{model}? The pose fits none</source>
+        <translation>{model}？位姿不符合任何型号</translation>
+    </message>
+    <message>
+        <source>The pose the arm reports fits none of the models.</source>
+        <translation>机械臂反馈的位姿不符合任何型号。</translation>
+    </message>
+    <message>
+        <source>Model of the arm, confirmed by the pose it reports.</source>
+        <translation>机械臂型号，与反馈的位姿一致，已确认。</translation>
+    </message>
+    <message>
+        <source>Model of the arm, as chosen; not compared yet.</source>
+        <translation>机械臂型号（操作者选择），尚未核对。</translation>
+    </message>
+    <message>
+        <source>Model of the arm: {text}</source>
+        <translation>机械臂型号：{text}</translation>
     </message>
 </context></TS>
