@@ -158,6 +158,7 @@ class ControllerParts(QObject):
     @cached_property
     def recovery(self) -> Recovery:
         """The next step towards an arm that may be moved."""
+        from armui.control.safety.mode_exit import ModeExitCommand
         from armui.control.safety.recovery import Recovery
 
         return Recovery(
@@ -169,6 +170,7 @@ class ControllerParts(QObject):
             withdraw_stop=self.withdraw_stop,
             planned_motion=self.planned_motion,
             take_over=self.take_over,
+            mode_exit=ModeExitCommand(self._context, lambda: self.motion.speed_percent),
             announce=self.step_changed.emit,
         )
 

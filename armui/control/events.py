@@ -36,6 +36,7 @@ class EventCode(StrEnum):
     LEADER_ARM_MOVES = "leader_arm_moves"  # frames
     OTHER_HOST_GONE = "other_host_gone"  # frames
     TAKEN_OVER = "taken_over"
+    MODE_LEFT = "mode_left"
     CANCEL_UNHEEDED = "cancel_unheeded"
     MOTION_UNHEEDED = "motion_unheeded"
     MOTION_TOO_FAST = "motion_too_fast"  # reason
@@ -166,6 +167,7 @@ LEVELS: Final[Mapping[EventCode, Level]] = {
     EventCode.LEADER_ARM_MOVES: Level.WARNING,
     EventCode.OTHER_HOST_GONE: Level.INFO,
     EventCode.TAKEN_OVER: Level.DONE,
+    EventCode.MODE_LEFT: Level.DONE,
     EventCode.CANCEL_UNHEEDED: Level.FAULT,
     EventCode.MOTION_UNHEEDED: Level.FAULT,
     EventCode.MOTION_TOO_FAST: Level.FAULT,

@@ -16,6 +16,18 @@
         <translation>固件版本</translation>
     </message>
     <message>
+        <source>Date of the firmware</source>
+        <translation>固件日期</translation>
+    </message>
+    <message>
+        <source>Hardware</source>
+        <translation>硬件</translation>
+    </message>
+    <message>
+        <source>Node on the bus</source>
+        <translation>总线节点</translation>
+    </message>
+    <message>
         <source>Protocol</source>
         <translation>协议</translation>
     </message>
@@ -62,6 +74,10 @@
     <message>
         <source>Program</source>
         <translation>程序</translation>
+    </message>
+    <message>
+        <source>{type}, number {number}</source>
+        <translation>{type}，编号 {number}</translation>
     </message>
     <message>
         <source>unknown: generation 1 does not tell it</source>
@@ -2538,6 +2554,18 @@
         <translation>J{joint} MIT 设定值</translation>
     </message>
     <message>
+        <source>CPV of J{joint}</source>
+        <translation>J{joint} 的 CPV 指令</translation>
+    </message>
+    <message>
+        <source>CPV of the gripper</source>
+        <translation>夹爪的 CPV 指令</translation>
+    </message>
+    <message>
+        <source>Leader arm to zero</source>
+        <translation>主臂回零</translation>
+    </message>
+    <message>
         <source>Driver of J{joint}, fast values</source>
         <translation>J{joint} 驱动器高速反馈</translation>
     </message>
@@ -2576,6 +2604,18 @@
     <message>
         <source>Gripper</source>
         <translation>夹爪反馈</translation>
+    </message>
+    <message>
+        <source>Solution of the pose J1, J2</source>
+        <translation>位姿逆解 J1、J2</translation>
+    </message>
+    <message>
+        <source>Solution of the pose J3, J4</source>
+        <translation>位姿逆解 J3、J4</translation>
+    </message>
+    <message>
+        <source>Solution of the pose J5, J6</source>
+        <translation>位姿逆解 J5、J6</translation>
     </message>
     <message>
         <source>Bus silence</source>
@@ -2640,6 +2680,14 @@
     <message>
         <source>Answer: teaching handle, gripper</source>
         <translation>应答：示教手柄与夹爪</translation>
+    </message>
+    <message>
+        <source>Setting: drag assistance</source>
+        <translation>设置：拖动助力</translation>
+    </message>
+    <message>
+        <source>Answer: drag assistance</source>
+        <translation>应答：拖动助力</translation>
     </message>
     <message>
         <source>End motion, part of J{joint}</source>
@@ -4193,6 +4241,10 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>Taken over: this program may move the arm.</source>
         <translation>已接管：本程序可以移动机械臂。</translation>
+    </message>
+    <message>
+        <source>Told the arm to leave the other program&apos;s mode and to hold where it stands.</source>
+        <translation>已通知机械臂退出另一程序的模式，并保持在当前位置。</translation>
     </message>
     <message>
         <source>The arm was told to end its motion and still moves. Stop it, or cut its power.</source>
@@ -5801,6 +5853,10 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>复位…</translation>
     </message>
     <message>
+        <source>Take back…</source>
+        <translation>收回控制…</translation>
+    </message>
+    <message>
         <source>Stop recording</source>
         <translation>结束示教记录</translation>
     </message>
@@ -5848,6 +5904,10 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>复位机械臂</translation>
     </message>
     <message>
+        <source>Take the arm back</source>
+        <translation>收回机械臂的控制</translation>
+    </message>
+    <message>
         <source>Lead the arm by hand</source>
         <translation>用手拖动机械臂</translation>
     </message>
@@ -5864,6 +5924,12 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>First the emergency stop: the motors go limp and the arm sinks. Then Resume cuts their power: the arm will drop. Hold the arm from now on.</source>
         <translation>先急停：电机失去保持力，机械臂会缓慢下沉；随后恢复会断电：机械臂会下落，请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>The arm changes back to its own control and is told to hold where it stands. Between the two its joints are limp for a moment: it may sag, and drop if the second message is lost. Hold the arm.
+The other program must have ended.</source>
+        <translation>机械臂将切回自身的控制方式，并被告知保持在当前位置。两条指令之间关节会短暂失力：机械臂可能下沉，若第二条指令丢失则会下落。请扶住机械臂。
+另一程序必须已经结束。</translation>
     </message>
     <message>
         <source>The arm will give way to the hand and starts a new recording; the one it holds is lost. Hold the arm.
@@ -6030,8 +6096,8 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>已命令机械臂终止运动，但它仍在动。请急停，或切断其电源。</translation>
     </message>
     <message>
-        <source>Another program drives the arm in {other_mode} mode. Nothing is sent: a mode word would let the arm fall.</source>
-        <translation>另一个程序以 {other_mode} 模式驱动机械臂。本程序不发送任何运动指令：新的模式指令会使机械臂失力坠落。</translation>
+        <source>Another program drives the arm in {other_mode} mode. Nothing is sent by itself: a new mode leaves the joints limp. Stop that program first.</source>
+        <translation>另一程序正以{other_mode}模式驱动机械臂。本程序不会自行发送任何指令：切换模式会使关节失力。请先停止该程序。</translation>
     </message>
     <message>
         <source>Another program controls the arm since {since} ({frames}, {rate} frames/s).</source>
@@ -6873,8 +6939,8 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>主臂正在带动本机械臂（{frames}）。请关闭主臂，或将其设为运动输出臂。急停随时有效。</translation>
     </message>
     <message>
-        <source>Another program drives the arm in {other_mode} mode: any mode word would leave its joints limp and it would fall. End that program, support the arm and reset it.</source>
-        <translation>另一个程序以 {other_mode} 模式驱动机械臂：任何新的模式指令都会使关节失力，机械臂坠落。请结束该程序，托住机械臂后复位。</translation>
+        <source>Another program drives the arm in {other_mode} mode: a mode word of ours would leave its joints limp. End that program, hold the arm, and take the way back that the line above the panels offers.</source>
+        <translation>另一程序正以{other_mode}模式驱动机械臂：本程序的模式指令会使关节失力。请结束该程序、扶住机械臂，再按面板上方提示行给出的方式恢复。</translation>
     </message>
     <message>
         <source>The other program is still sending ({frames}): it can be taken over half a second after its last frame. Against a stream only the stop wins.</source>
@@ -7766,6 +7832,10 @@ Lead it near its rest pose, then stop recording.</source>
 <context>
     <name>SignalName</name>
     <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
         <source>Acceleration valid</source>
         <translation>加速度有效</translation>
     </message>
@@ -7802,6 +7872,10 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>碰撞保护</translation>
     </message>
     <message>
+        <source>Command</source>
+        <translation>指令</translation>
+    </message>
+    <message>
         <source>Control mode</source>
         <translation>控制模式</translation>
     </message>
@@ -7824,6 +7898,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Current</source>
         <translation>电流</translation>
+    </message>
+    <message>
+        <source>Deceleration</source>
+        <translation>减速度</translation>
     </message>
     <message>
         <source>Driver fault</source>
@@ -7886,6 +7964,10 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>Kd</translation>
     </message>
     <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
         <source>Kp</source>
         <translation>Kp</translation>
     </message>
@@ -7936,6 +8018,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Highest speed</source>
         <translation>最大速度</translation>
+    </message>
+    <message>
+        <source>Told as</source>
+        <translation>表示方式</translation>
     </message>
     <message>
         <source>Smallest angle</source>
@@ -7990,6 +8076,18 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>位置</translation>
     </message>
     <message>
+        <source>Position loop Kp</source>
+        <translation>位置环 Kp</translation>
+    </message>
+    <message>
+        <source>Target position</source>
+        <translation>目标位置</translation>
+    </message>
+    <message>
+        <source>Profile speed</source>
+        <translation>规划速度</translation>
+    </message>
+    <message>
         <source>Question</source>
         <translation>查询</translation>
     </message>
@@ -8018,8 +8116,20 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>速度</translation>
     </message>
     <message>
+        <source>Speed loop Ki</source>
+        <translation>速度环 Ki</translation>
+    </message>
+    <message>
+        <source>Speed loop Kp</source>
+        <translation>速度环 Kp</translation>
+    </message>
+    <message>
         <source>Speed percentage</source>
         <translation>速度百分比</translation>
+    </message>
+    <message>
+        <source>Target speed</source>
+        <translation>目标速度</translation>
     </message>
     <message>
         <source>Stall protection</source>
@@ -8074,6 +8184,10 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>电压</translation>
     </message>
     <message>
+        <source>Zero learning</source>
+        <translation>零点学习</translation>
+    </message>
+    <message>
         <source>Zero</source>
         <translation>零点</translation>
     </message>
@@ -8097,6 +8211,10 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>终止</translation>
     </message>
     <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
         <source>Acceleration limit</source>
         <translation>加速度限制</translation>
     </message>
@@ -8109,12 +8227,24 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>所有灯珠</translation>
     </message>
     <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
         <source>Angle and speed limits</source>
         <translation>角度与速度限制</translation>
     </message>
     <message>
+        <source>Answer</source>
+        <translation>应答</translation>
+    </message>
+    <message>
         <source>Beyond limit</source>
         <translation>超限</translation>
+    </message>
+    <message>
+        <source>Both to zero</source>
+        <translation>主从臂均回零</translation>
     </message>
     <message>
         <source>Brake resistor too hot</source>
@@ -8149,12 +8279,20 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>继续</translation>
     </message>
     <message>
+        <source>Deceleration</source>
+        <translation>减速度</translation>
+    </message>
+    <message>
         <source>Disable</source>
         <translation>失能</translation>
     </message>
     <message>
         <source>Disabled</source>
         <translation>已失能</translation>
+    </message>
+    <message>
+        <source>Drag assistance</source>
+        <translation>拖动助力</translation>
     </message>
     <message>
         <source>Emergency stop</source>
@@ -8233,6 +8371,14 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>大夹爪</translation>
     </message>
     <message>
+        <source>Leader and follower</source>
+        <translation>恢复主从</translation>
+    </message>
+    <message>
+        <source>Leader to zero</source>
+        <translation>主臂回零</translation>
+    </message>
+    <message>
         <source>Leave silence</source>
         <translation>解除静默</translation>
     </message>
@@ -8271,6 +8417,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>MOVE M</source>
         <translation>MOVE M</translation>
+    </message>
+    <message>
+        <source>MOVE M from 1.8-8</source>
+        <translation>MOVE M（1.8-8 起）</translation>
     </message>
     <message>
         <source>MOVE P</source>
@@ -8361,6 +8511,10 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>侧装（右）</translation>
     </message>
     <message>
+        <source>Opening</source>
+        <translation>开度</translation>
+    </message>
+    <message>
         <source>Other fault</source>
         <translation>其他异常</translation>
     </message>
@@ -8373,12 +8527,28 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>暂停</translation>
     </message>
     <message>
+        <source>Position Kp</source>
+        <translation>位置环 Kp</translation>
+    </message>
+    <message>
+        <source>Position target</source>
+        <translation>位置目标</translation>
+    </message>
+    <message>
         <source>Position-velocity</source>
         <translation>位置速度模式</translation>
     </message>
     <message>
+        <source>Profile speed</source>
+        <translation>规划速度</translation>
+    </message>
+    <message>
         <source>Reached</source>
         <translation>已到达</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>读取</translation>
     </message>
     <message>
         <source>Received</source>
@@ -8423,6 +8593,18 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Small gripper</source>
         <translation>小夹爪</translation>
+    </message>
+    <message>
+        <source>Speed Ki</source>
+        <translation>速度环 Ki</translation>
+    </message>
+    <message>
+        <source>Speed Kp</source>
+        <translation>速度环 Kp</translation>
+    </message>
+    <message>
+        <source>Speed target</source>
+        <translation>速度目标</translation>
     </message>
     <message>
         <source>Standby</source>
@@ -8489,6 +8671,10 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>不变</translation>
     </message>
     <message>
+        <source>Upside down</source>
+        <translation>水平倒装</translation>
+    </message>
+    <message>
         <source>Valid</source>
         <translation>有效</translation>
     </message>
@@ -8501,8 +8687,16 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>未超限</translation>
     </message>
     <message>
+        <source>Write</source>
+        <translation>写入</translation>
+    </message>
+    <message>
         <source>Yes</source>
         <translation>是</translation>
+    </message>
+    <message>
+        <source>Zero learning</source>
+        <translation>零点学习</translation>
     </message>
 </context>
 <context>
@@ -8541,6 +8735,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Status: {status}</source>
         <translation>状态: {status}</translation>
+    </message>
+    <message>
+        <source>{mode} by another program</source>
+        <translation>{mode}（另一程序）</translation>
     </message>
     <message>
         <source>No communication: {joints}</source>

@@ -57,6 +57,7 @@ COMMANDS: Final[Mapping[E, CommandRule]] = {
     E.SENT_LAMP: _rule(),
     E.SENT_LAMPS: _rule(),
     E.TAKEN_OVER: _rule(),
+    E.MODE_LEFT: _rule(),
     E.STOP_SENT: _rule(
         *(E.STOP_CONFIRMED, E.STOP_UNCONFIRMED, E.STOP_LAPSED, E.STOP_WITHDRAWN, E.STOP_ABANDONED)
     ),
@@ -105,6 +106,7 @@ SETTINGS: Final = frozenset(
     {
         *(SettingIndex.LIMIT_SETTING, SettingIndex.JOINT_SETTING, SettingIndex.END_LIMIT_SETTING),
         *(SettingIndex.COLLISION_SETTING, SettingIndex.TEACHING_SETTING),
+        SettingIndex.DRAG_ASSISTANCE_SETTING,
     }
 )
 """What answers saved settings, which go out one frame after the other."""

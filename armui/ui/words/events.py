@@ -48,6 +48,9 @@ _NOTICES: Final[Mapping[EventCode, object]] = {
         "Notice", "Nobody else controls the arm any more."
     ),
     EventCode.TAKEN_OVER: QT_TRANSLATE_NOOP("Notice", "Taken over: this program may move the arm."),
+    EventCode.MODE_LEFT: QT_TRANSLATE_NOOP(
+        "Notice", "Told the arm to leave the other program's mode and to hold where it stands."
+    ),
     EventCode.CANCEL_UNHEEDED: QT_TRANSLATE_NOOP(
         "Notice",
         "The arm was told to end its motion and still moves. Stop it, or cut its power.",
