@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from armui.control.devices.lights import Lights
     from armui.control.devices.linkage import LinkageControl
     from armui.control.devices.motors import Motors
+    from armui.control.devices.mounting import MountingControl
     from armui.control.devices.teaching import TeachingControl
     from armui.control.devices.zeroing import Zeroing
     from armui.control.event_log.collector import EventCollector
@@ -180,6 +181,13 @@ class ControllerParts(QObject):
         from armui.control.devices.end_reports import EndReports
 
         return EndReports(self._context, self.orders)
+
+    @cached_property
+    def mounting(self) -> MountingControl:
+        """Tells the arm how it is mounted."""
+        from armui.control.devices.mounting import MountingControl
+
+        return MountingControl(self._context, lambda: self.motion.speed_percent)
 
     @cached_property
     def linkage(self) -> LinkageControl:

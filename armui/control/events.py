@@ -72,6 +72,7 @@ class EventCode(StrEnum):
     CLEAR_ERROR_SENT = "clear_error_sent"  # joint
     CLEAR_ERROR_ANSWERED = "clear_error_answered"  # joint
     CLEAR_ERROR_UNANSWERED = "clear_error_unanswered"  # joint
+    MOUNTING_SENT = "mounting_sent"  # mounting
     LOAD_SENT = "load_sent"  # load
     LOAD_ANSWERED = "load_answered"  # load
     LOAD_FAILED = "load_failed"  # reason
@@ -203,6 +204,7 @@ LEVELS: Final[Mapping[EventCode, Level]] = {
     EventCode.CLEAR_ERROR_SENT: Level.INFO,
     EventCode.CLEAR_ERROR_ANSWERED: Level.DONE,
     EventCode.CLEAR_ERROR_UNANSWERED: Level.FAULT,
+    EventCode.MOUNTING_SENT: Level.INFO,
     EventCode.LOAD_SENT: Level.INFO,
     EventCode.LOAD_ANSWERED: Level.DONE,
     EventCode.LOAD_FAILED: Level.FAULT,

@@ -1401,6 +1401,32 @@
     </message>
 </context>
 <context>
+    <name>DragAssistanceDialog</name>
+    <message>
+        <source>Drag assistance</source>
+        <translation>拖动助力</translation>
+    </message>
+</context>
+<context>
+    <name>DragAssistancePanel</name>
+    <message>
+        <source>Drag assistance</source>
+        <translation>拖动助力</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>All joints: level</source>
+        <translation>所有关节：等级</translation>
+    </message>
+    <message>
+        <source>From 0, the joint does not help the hand, to 10, it helps most. Read and set with the arm at rest; keep a hand on it when it is led for the first time afterwards.</source>
+        <translation>0 表示该关节不助力，10 表示助力最大。请在机械臂静止时读取和设置；更改后首次拖动时请始终用手扶住机械臂。</translation>
+    </message>
+</context>
+<context>
     <name>DropStrip</name>
     <message>
         <source>Drag a quantity into a plot, or here for a plot of its own</source>
@@ -3924,6 +3950,25 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
 </context>
 <context>
+    <name>MeasureChoice</name>
+    <message>
+        <source>Tells the gripper an angle.</source>
+        <translation>按角度控制夹爪。</translation>
+    </message>
+    <message>
+        <source>Target as</source>
+        <translation>目标按</translation>
+    </message>
+    <message>
+        <source>Opening (mm)</source>
+        <translation>开度（mm）</translation>
+    </message>
+    <message>
+        <source>Angle (°)</source>
+        <translation>角度（°）</translation>
+    </message>
+</context>
+<context>
     <name>MotionEnd</name>
     <message>
         <source>the arm stands before its target</source>
@@ -4130,6 +4175,70 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
 </context>
 <context>
+    <name>Mounting</name>
+    <message>
+        <source>Unchanged</source>
+        <translation>不变</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>Left side</source>
+        <translation>左侧</translation>
+    </message>
+    <message>
+        <source>Right side</source>
+        <translation>右侧</translation>
+    </message>
+    <message>
+        <source>Upside down</source>
+        <translation>水平倒装</translation>
+    </message>
+</context>
+<context>
+    <name>MountingCard</name>
+    <message>
+        <source>Tell the arm its mounting: {mounting}</source>
+        <translation>告知机械臂安装方式：{mounting}</translation>
+    </message>
+    <message>
+        <source>The arm carries its own weight by what it believes of its mounting. If that is wrong it may sink or rise when it is led by hand, hold badly, and stop for collisions that are none.
+It takes this over at once. Compare with how the arm really stands, and keep clear.</source>
+        <translation>机械臂按所设的安装方式补偿自重。若设置错误，拖动时可能下沉或上浮，保持不稳，并可能误报碰撞而停止。
+设置立即生效。请核对机械臂的实际安装方式，并远离机械臂。</translation>
+    </message>
+    <message>
+        <source>Tells the arm how it is mounted. Asks first.</source>
+        <translation>告知机械臂其安装方式。会先询问。</translation>
+    </message>
+    <message>
+        <source>Choose how the arm is mounted first.</source>
+        <translation>请先选择机械臂的安装方式。</translation>
+    </message>
+    <message>
+        <source>nothing yet</source>
+        <translation>尚未发送</translation>
+    </message>
+    <message>
+        <source>Told last by this program: {mounting}</source>
+        <translation>本程序上次发送：{mounting}</translation>
+    </message>
+    <message>
+        <source>Mounting of the arm</source>
+        <translation>机械臂安装方式</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>The arm does not answer this and cannot be asked for it: another program, or the arm itself after a power cut, may have another one.</source>
+        <translation>机械臂对此不应答，也无法查询：其他程序或断电后的机械臂可能采用不同的设置。</translation>
+    </message>
+</context>
+<context>
     <name>MoveMode</name>
     <message>
         <source>Point mode</source>
@@ -4317,6 +4426,10 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>Joint {joint}: the arm did not confirm within a second the command to clear the error. Try again; if it stays silent, check the CAN cable.</source>
         <translation>关节 {joint}：机械臂在 1 秒内没有应答清除错误指令。请重试；若仍无应答，请检查 CAN 线缆。</translation>
+    </message>
+    <message>
+        <source>Mounting sent: {mounting}. The arm does not tell it back.</source>
+        <translation>已发送安装方式：{mounting}。机械臂不会回报。</translation>
     </message>
     <message>
         <source>End load sent: {load}</source>
@@ -4826,6 +4939,10 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>Collision level</source>
         <translation>碰撞等级</translation>
+    </message>
+    <message>
+        <source>Drag assistance</source>
+        <translation>拖动助力</translation>
     </message>
     <message>
         <source>Teaching range</source>
@@ -6561,6 +6678,18 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>This arm&apos;s protocol (generation {generation}) has no such settings; generation 2 has.</source>
         <translation>本机械臂的协议（第 {generation} 代）没有这些参数，第 2 代才有。</translation>
+    </message>
+    <message>
+        <source>The arm&apos;s firmware {firmware} does not have this: it came with {since}. Updates come from the maker&apos;s support.</source>
+        <translation>机械臂固件 {firmware} 不支持此功能：自 {since} 起支持。升级请联系厂家支持。</translation>
+    </message>
+    <message>
+        <source>The arm has not named its firmware, and only {since} and later have this. Connect again to ask for it.</source>
+        <translation>机械臂尚未报告固件版本，而此功能自 {since} 起支持。请重新连接以查询。</translation>
+    </message>
+    <message>
+        <source>The arm&apos;s control mode is not known, or another one has the command: it would be changed along with this. Bring the arm to standby or CAN control first.</source>
+        <translation>机械臂的控制模式未知，或由其他方控制：此操作会同时更改它。请先使机械臂进入待机或 CAN 控制模式。</translation>
     </message>
     <message>
         <source>{parameter} would have to be sent along unchanged and has not been read from the arm. Read it first.</source>
@@ -8956,6 +9085,14 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Works on motions under way. The arm does not report it: watch the arm.</source>
         <translation>对正在进行的运动有效。机械臂不反馈此指令，请观察机械臂。</translation>
+    </message>
+    <message>
+        <source>Drag assistance…</source>
+        <translation>拖动助力…</translation>
+    </message>
+    <message>
+        <source>How much each joint helps the hand; firmware from S-V1.8-1.</source>
+        <translation>各关节拖动时的助力大小；固件 S-V1.8-1 起支持。</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@ from tests.gallery_scenes import (
     dialogs,
     events,
     exports,
+    firmware,
     library,
     panels,
     plots,
@@ -48,6 +49,9 @@ WINDOW_SCENES = (
     Scene("held-back", company.held_back),
     Scene("other-host", company.other_host),
     Scene("other-mode", company.other_mode),
+    Scene("high-follow", firmware.high_follow),
+    Scene("gripper-angle", firmware.gripper_angle),
+    Scene("mounting", firmware.mounting),
 )
 """Each from a window that has just opened: no scene needs another to have been played."""
 
@@ -103,6 +107,9 @@ DIALOG_SCENES = (
     DialogScene("replay-events", "online", replay.own_events),
     DialogScene("confirm-disable", "refused", dialogs.confirm_disable),
     DialogScene("linkage", "linkage", panels.linkage_question),
+    DialogScene("drag-assistance", "online", firmware.drag_assistance),
+    DialogScene("confirm-take-back", "high-follow", firmware.take_back),
+    DialogScene("confirm-mounting", "mounting", firmware.mounting_question),
     DialogScene("hold-zero", "motors", panels.hold_zero),
     DialogScene("hold-disable", "motors", panels.hold_disable),
     DialogScene("backup", "joint-settings-corrupt", arm_settings.backup),

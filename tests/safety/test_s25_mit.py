@@ -6,7 +6,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.motion.motion_command import Mover
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.protocol.codes import MoveMode, TrajectoryCommand
-from armui.protocol.version import ArmIdentity
+from tests.named_version import name_version
 from tests.sim.talk import frame, target
 from tests.sim.test_direct_control import hold
 
@@ -99,17 +99,10 @@ OLD = [None, "S-V1.5-2", "S-V1.8-4", "S-V1.8-5"]
 NEW = ["S-V1.8-6", "S-V1.8-8", "S-V1.9-0"]
 
 
-def names(rig, version) -> None:
-    """The arm has named a version, or its answer was never heard."""
-    tracker = rig.controller._connection._worker._intake._tracker
-    tracker._answer.identity = None if version is None else ArmIdentity(version)
-    rig.controller._connection.handshake.firmware = version
-
-
 @pytest.mark.parametrize("version", OLD)
 @pytest.mark.parametrize("word", [MIT, MIT_FROM_1_8_8])
 def test_the_way_back_is_the_reset_before_1_8_6(raised, other_host, version, word):
-    names(raised, version)
+    name_version(raised.controller, version)
     other_host.say(word)
     raised.run(3.0)
     step = raised.controller.recovery.step
@@ -123,7 +116,7 @@ def test_the_way_back_is_the_reset_before_1_8_6(raised, other_host, version, wor
 def test_the_way_back_is_a_mode_word_from_1_8_6_on(raised, other_host, version, word):
     """The word and the six angles measured leave together, and the arm stays where it is."""
     rig, controller = raised, raised.controller
-    names(rig, version)
+    name_version(rig.controller, version)
     other_host.say(word, *(target(*A) if word == HIGH_FOLLOW else []))
     rig.run(3.0)
     step = controller.recovery.step
@@ -147,7 +140,7 @@ def test_the_way_back_is_a_mode_word_from_1_8_6_on(raised, other_host, version, 
 
 def test_against_a_stream_only_the_stop_wins(raised, other_host):
     rig, controller = raised, raised.controller
-    names(rig, "S-V1.8-9")
+    name_version(rig.controller, "S-V1.8-9")
     other_host.stream(lambda _t_s: [MIT_FROM_1_8_8, *hold(A)], rate_hz=100)
     rig.run(1.0)
     step = controller.recovery.step
@@ -161,7 +154,7 @@ def test_against_a_stream_only_the_stop_wins(raised, other_host):
 def test_it_is_not_left_at_no_speed(raised, other_host):
     """At 0 % no target would hold the arm."""
     rig, controller = raised, raised.controller
-    names(rig, "S-V1.8-9")
+    name_version(rig.controller, "S-V1.8-9")
     other_host.say(CPV)
     rig.run(3.0)
     controller.motion.set_speed_percent(0)
@@ -171,7 +164,7 @@ def test_it_is_not_left_at_no_speed(raised, other_host):
 
 def test_an_arm_that_does_not_leave_its_mode_is_said_to_be_in_it(raised, other_host):
     rig, controller = raised, raised.controller
-    names(rig, "S-V1.8-9")
+    name_version(rig.controller, "S-V1.8-9")
     other_host.say(CPV)
     rig.run(3.0)
     rig.firmware._handlers["ModeControl"] = lambda _signals: []
@@ -183,7 +176,7 @@ def test_an_arm_that_does_not_leave_its_mode_is_said_to_be_in_it(raised, other_h
 
 def test_the_way_back_is_the_reset(raised, other_host):
     rig, controller = raised, raised.controller
-    names(rig, "S-V1.8-5")
+    name_version(rig.controller, "S-V1.8-5")
     other_host.say(MIT)
     rig.run(3.0)
     step = controller.recovery.step

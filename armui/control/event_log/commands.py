@@ -72,6 +72,7 @@ COMMANDS: Final[Mapping[E, CommandRule]] = {
     E.CLEAR_ERROR_SENT: _rule(
         E.CLEAR_ERROR_ANSWERED, E.CLEAR_ERROR_UNANSWERED, answer=_JOINT, same="joint"
     ),
+    E.MOUNTING_SENT: _rule(),
     E.LOAD_SENT: _rule(E.LOAD_ANSWERED, E.LOAD_FAILED, answer=_PARAMETER),
     E.END_FEEDBACK_SENT: _rule(
         E.END_FEEDBACK_ON, E.END_FEEDBACK_OFF, E.END_FEEDBACK_FAILED, answer=_PARAMETER
