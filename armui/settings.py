@@ -29,6 +29,7 @@ from armui.system.error_text import error_text
 
 Language = Literal["zh", "en"]
 ThemeName = Literal["light", "dark", "system"]
+MountingName = Literal["", "level", "on_the_left_side", "on_the_right_side", "upside_down"]
 PictureDirection = Literal["iso", "front", "side", "top"]
 SessionFormat = Literal[".blf", ".asc", ".log", ".mf4"]
 GamepadMode = Literal["joint", "base", "tool"]
@@ -68,6 +69,7 @@ class Choices(TypedDict, total=False):
     jog_step_deg: float
     urdf_path: str | None
     tool: tuple[float, ...]
+    mounting: MountingName
     stop_again: bool
     session_folder: str | None
     session_format: SessionFormat
@@ -94,6 +96,7 @@ class Settings:
         jog_step_deg: How far − and + move a joint.
         urdf_path: The robot description in the 3D picture; ``None`` for the built-in one.
         tool: The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees.
+        mounting: What the arm was told last of how it is mounted; "": it was told nothing.
         stop_again: An emergency stop that another host undoes is sent again by itself.
         session_folder: Where sessions are recorded; ``None``: in the user's folder for data.
         session_format: The suffix of their files.
@@ -116,6 +119,7 @@ class Settings:
     jog_step_deg: float = 1.0
     urdf_path: str | None = None
     tool: tuple[float, ...] = (0.0,) * 6
+    mounting: MountingName = ""
     stop_again: bool = False
     session_folder: str | None = None
     session_format: SessionFormat = ".blf"
@@ -149,6 +153,7 @@ def check(name: str, value: object) -> Refusal | None:
     allowed = {
         "language": value in get_args(Language),
         "theme": value in get_args(ThemeName),
+        "mounting": value in get_args(MountingName),
         "stop_again": isinstance(value, bool),
         "urdf_path": value is None or _is_path(value),
         "session_folder": value is None or _is_path(value),

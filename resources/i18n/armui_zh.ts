@@ -146,6 +146,22 @@
         <source>{model}, as chosen; its pose fits none of the models</source>
         <translation>{model}（操作者选择；反馈位姿不符合任何型号）</translation>
     </message>
+    <message>
+        <source>Date of the firmware</source>
+        <translation>固件日期</translation>
+    </message>
+    <message>
+        <source>Hardware</source>
+        <translation>硬件</translation>
+    </message>
+    <message>
+        <source>Node on the bus</source>
+        <translation>总线节点</translation>
+    </message>
+    <message>
+        <source>{type}, number {number}</source>
+        <translation>{type}，编号 {number}</translation>
+    </message>
     </context>
 <context>
     <name>AboutArmDialog</name>
@@ -2872,7 +2888,39 @@
         <source>Firmware version</source>
         <translation>固件版本</translation>
     </message>
-</context>
+<message>
+        <source>CPV of J{joint}</source>
+        <translation>J{joint} 的 CPV 指令</translation>
+    </message>
+    <message>
+        <source>CPV of the gripper</source>
+        <translation>夹爪的 CPV 指令</translation>
+    </message>
+    <message>
+        <source>Leader arm to zero</source>
+        <translation>主臂回零</translation>
+    </message>
+    <message>
+        <source>Solution of the pose J1, J2</source>
+        <translation>位姿逆解 J1、J2</translation>
+    </message>
+    <message>
+        <source>Solution of the pose J3, J4</source>
+        <translation>位姿逆解 J3、J4</translation>
+    </message>
+    <message>
+        <source>Solution of the pose J5, J6</source>
+        <translation>位姿逆解 J5、J6</translation>
+    </message>
+    <message>
+        <source>Setting: drag assistance</source>
+        <translation>设置：拖动助力</translation>
+    </message>
+    <message>
+        <source>Answer: drag assistance</source>
+        <translation>应答：拖动助力</translation>
+    </message>
+    </context>
 <context>
     <name>GamepadAction</name>
     <message>
@@ -5097,7 +5145,15 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <source>{device} jogs {axes} (tool frame)</source>
         <translation>{device} 点动 {axes}（工具坐标系）</translation>
     </message>
-</context>
+<message>
+        <source>Told the arm to leave the other program's mode and to hold where it stands.</source>
+        <translation>已通知机械臂退出另一程序的模式，并保持在当前位置。</translation>
+    </message>
+    <message>
+        <source>Mounting sent: {mounting}. The arm does not tell it back.</source>
+        <translation>已发送安装方式：{mounting}。机械臂不会回报。</translation>
+    </message>
+    </context>
 <context>
     <name>Observed</name>
     <message>
@@ -5384,7 +5440,11 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <source>Possible: {minimum} to {maximum}</source>
         <translation>可设范围：{minimum} 至 {maximum}</translation>
     </message>
-</context>
+<message>
+        <source>Drag assistance</source>
+        <translation>拖动助力</translation>
+    </message>
+    </context>
 <context>
     <name>ParameterButtons</name>
     <message>
@@ -6430,7 +6490,11 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <source>Withdraw…</source>
         <translation>撤回…</translation>
     </message>
-</context>
+<message>
+        <source>Take back…</source>
+        <translation>收回控制…</translation>
+    </message>
+    </context>
 <context>
     <name>RecoveryDanger</name>
     <message>
@@ -6477,7 +6541,17 @@ Lead it near its rest pose, then stop recording.</source>
         <source>The arm is not stopped: it goes on with whatever it is doing, and obeys again. Look at the arm before.</source>
         <translation>机械臂不会停止：它将继续正在做的动作，并重新服从指令。请先看清机械臂。</translation>
     </message>
-</context>
+<message>
+        <source>Take the arm back</source>
+        <translation>收回机械臂的控制</translation>
+    </message>
+    <message>
+        <source>The arm changes back to its own control and is told to hold where it stands. Between the two its joints are limp for a moment: it may sag, and drop if the second message is lost. Hold the arm.
+The other program must have ended.</source>
+        <translation>机械臂将切回自身的控制方式，并被告知保持在当前位置。两条指令之间关节会短暂失力：机械臂可能下沉，若第二条指令丢失则会下落。请扶住机械臂。
+另一程序必须已经结束。</translation>
+    </message>
+    </context>
 <context>
     <name>RecoveryLine</name>
     <message>
@@ -6718,6 +6792,10 @@ Lead it near its rest pose, then stop recording.</source>
 <message>
         <source>No arm is connected.</source>
         <translation>未连接机械臂。</translation>
+    </message>
+    <message>
+        <source>Another program drives the arm in {other_mode} mode. Nothing is sent by itself: a new mode leaves the joints limp. Stop that program first.</source>
+        <translation>另一程序正以{other_mode}模式驱动机械臂。本程序不会自行发送任何指令：切换模式会使关节失力。请先停止该程序。</translation>
     </message>
     </context>
 <context>
@@ -7686,7 +7764,23 @@ Lead it near its rest pose, then stop recording.</source>
         <source>The main window is not in front, or a menu is open in it. Click into it, then press anew.</source>
         <translation>主窗口不在最前，或其中打开了菜单。请点击主窗口，然后重新按下。</translation>
     </message>
-</context>
+<message>
+        <source>The arm's firmware {firmware} does not have this: it came with {since}. Updates come from the maker's support.</source>
+        <translation>机械臂固件 {firmware} 不支持此功能：自 {since} 起支持。升级请联系厂家支持。</translation>
+    </message>
+    <message>
+        <source>The arm has not named its firmware, and only {since} and later have this. Connect again to ask for it.</source>
+        <translation>机械臂尚未报告固件版本，而此功能自 {since} 起支持。请重新连接以查询。</translation>
+    </message>
+    <message>
+        <source>The arm's control mode is not known, or another one has the command: it would be changed along with this. Bring the arm to standby or CAN control first.</source>
+        <translation>机械臂的控制模式未知，或由其他方控制：此操作会同时更改它。请先使机械臂进入待机或 CAN 控制模式。</translation>
+    </message>
+    <message>
+        <source>Another program drives the arm in {other_mode} mode: a mode word of ours would leave its joints limp. End that program, hold the arm, and take the way back that the line above the panels offers.</source>
+        <translation>另一程序正以{other_mode}模式驱动机械臂：本程序的模式指令会使关节失力。请结束该程序、扶住机械臂，再按面板上方提示行给出的方式恢复。</translation>
+    </message>
+    </context>
 <context>
     <name>ReplayEventBar</name>
     <message>
@@ -8912,7 +9006,55 @@ Lead it near its rest pose, then stop recording.</source>
         <source>Byte {place}</source>
         <translation>字节 {place}</translation>
     </message>
-</context>
+<message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>指令</translation>
+    </message>
+    <message>
+        <source>Deceleration</source>
+        <translation>减速度</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Told as</source>
+        <translation>表示方式</translation>
+    </message>
+    <message>
+        <source>Position loop Kp</source>
+        <translation>位置环 Kp</translation>
+    </message>
+    <message>
+        <source>Target position</source>
+        <translation>目标位置</translation>
+    </message>
+    <message>
+        <source>Profile speed</source>
+        <translation>规划速度</translation>
+    </message>
+    <message>
+        <source>Speed loop Ki</source>
+        <translation>速度环 Ki</translation>
+    </message>
+    <message>
+        <source>Speed loop Kp</source>
+        <translation>速度环 Kp</translation>
+    </message>
+    <message>
+        <source>Target speed</source>
+        <translation>目标速度</translation>
+    </message>
+    <message>
+        <source>Zero learning</source>
+        <translation>零点学习</translation>
+    </message>
+    </context>
 <context>
     <name>SignalWord</name>
     <message>
@@ -9327,6 +9469,86 @@ Lead it near its rest pose, then stop recording.</source>
         <source>Yes</source>
         <translation>是</translation>
     </message>
+<message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>应答</translation>
+    </message>
+    <message>
+        <source>Both to zero</source>
+        <translation>主从臂均回零</translation>
+    </message>
+    <message>
+        <source>Deceleration</source>
+        <translation>减速度</translation>
+    </message>
+    <message>
+        <source>Drag assistance</source>
+        <translation>拖动助力</translation>
+    </message>
+    <message>
+        <source>Leader and follower</source>
+        <translation>恢复主从</translation>
+    </message>
+    <message>
+        <source>Leader to zero</source>
+        <translation>主臂回零</translation>
+    </message>
+    <message>
+        <source>MOVE M from 1.8-8</source>
+        <translation>MOVE M（1.8-8 起）</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>开度</translation>
+    </message>
+    <message>
+        <source>Position Kp</source>
+        <translation>位置环 Kp</translation>
+    </message>
+    <message>
+        <source>Position target</source>
+        <translation>位置目标</translation>
+    </message>
+    <message>
+        <source>Profile speed</source>
+        <translation>规划速度</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>读取</translation>
+    </message>
+    <message>
+        <source>Speed Ki</source>
+        <translation>速度环 Ki</translation>
+    </message>
+    <message>
+        <source>Speed Kp</source>
+        <translation>速度环 Kp</translation>
+    </message>
+    <message>
+        <source>Speed target</source>
+        <translation>速度目标</translation>
+    </message>
+    <message>
+        <source>Upside down</source>
+        <translation>水平倒装</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>写入</translation>
+    </message>
+    <message>
+        <source>Zero learning</source>
+        <translation>零点学习</translation>
+    </message>
 </context>
 <context>
     <name>SpeedControl</name>
@@ -9377,7 +9599,11 @@ Lead it near its rest pose, then stop recording.</source>
         <source>Last event</source>
         <translation>最近事件</translation>
     </message>
-</context>
+<message>
+        <source>{mode} by another program</source>
+        <translation>{mode}（另一程序）</translation>
+    </message>
+    </context>
 <context>
     <name>StepBox</name>
     <message>
@@ -9581,6 +9807,14 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Works on motions under way. The arm does not report it: watch the arm.</source>
         <translation>对正在进行的运动有效。机械臂不反馈此指令，请观察机械臂。</translation>
+    </message>
+<message>
+        <source>Drag assistance…</source>
+        <translation>拖动助力…</translation>
+    </message>
+    <message>
+        <source>How much each joint helps the hand; firmware from S-V1.8-1.</source>
+        <translation>各关节拖动时的助力大小；固件 S-V1.8-1 起支持。</translation>
     </message>
 </context>
 <context>
@@ -10255,5 +10489,99 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Model of the arm: {text}</source>
         <translation>机械臂型号：{text}</translation>
+    </message>
+</context><context><name>DragAssistanceDialog</name><message>
+        <source>Drag assistance</source>
+        <translation>拖动助力</translation>
+    </message>
+</context><context><name>DragAssistancePanel</name><message>
+        <source>Drag assistance</source>
+        <translation>拖动助力</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>All joints: level</source>
+        <translation>所有关节：等级</translation>
+    </message>
+    <message>
+        <source>From 0, the joint does not help the hand, to 10, it helps most. Read and set with the arm at rest; keep a hand on it when it is led for the first time afterwards.</source>
+        <translation>0 表示该关节不助力，10 表示助力最大。请在机械臂静止时读取和设置；更改后首次拖动时请始终用手扶住机械臂。</translation>
+    </message>
+</context><context><name>MeasureChoice</name><message>
+        <source>Tells the gripper an angle.</source>
+        <translation>按角度控制夹爪。</translation>
+    </message>
+    <message>
+        <source>Target as</source>
+        <translation>目标按</translation>
+    </message>
+    <message>
+        <source>Opening (mm)</source>
+        <translation>开度（mm）</translation>
+    </message>
+    <message>
+        <source>Angle (°)</source>
+        <translation>角度（°）</translation>
+    </message>
+</context><context><name>Mounting</name><message>
+        <source>Unchanged</source>
+        <translation>不变</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>Left side</source>
+        <translation>左侧</translation>
+    </message>
+    <message>
+        <source>Right side</source>
+        <translation>右侧</translation>
+    </message>
+    <message>
+        <source>Upside down</source>
+        <translation>水平倒装</translation>
+    </message>
+</context><context><name>MountingCard</name><message>
+        <source>Tell the arm its mounting: {mounting}</source>
+        <translation>告知机械臂安装方式：{mounting}</translation>
+    </message>
+    <message>
+        <source>The arm carries its own weight by what it believes of its mounting. If that is wrong it may sink or rise when it is led by hand, hold badly, and stop for collisions that are none.
+It takes this over at once. Compare with how the arm really stands, and keep clear.</source>
+        <translation>机械臂按所设的安装方式补偿自重。若设置错误，拖动时可能下沉或上浮，保持不稳，并可能误报碰撞而停止。
+设置立即生效。请核对机械臂的实际安装方式，并远离机械臂。</translation>
+    </message>
+    <message>
+        <source>Tells the arm how it is mounted. Asks first.</source>
+        <translation>告知机械臂其安装方式。会先询问。</translation>
+    </message>
+    <message>
+        <source>Choose how the arm is mounted first.</source>
+        <translation>请先选择机械臂的安装方式。</translation>
+    </message>
+    <message>
+        <source>nothing yet</source>
+        <translation>尚未发送</translation>
+    </message>
+    <message>
+        <source>Told last by this program: {mounting}</source>
+        <translation>本程序上次发送：{mounting}</translation>
+    </message>
+    <message>
+        <source>Mounting of the arm</source>
+        <translation>机械臂安装方式</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>The arm does not answer this and cannot be asked for it: another program, or the arm itself after a power cut, may have another one.</source>
+        <translation>机械臂对此不应答，也无法查询：其他程序或断电后的机械臂可能采用不同的设置。</translation>
     </message>
 </context></TS>

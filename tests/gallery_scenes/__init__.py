@@ -8,6 +8,7 @@ from tests.gallery_scenes import (
     dialogs,
     events,
     exports,
+    firmware,
     gamepads,
     library,
     models,
@@ -66,6 +67,9 @@ WINDOW_SCENES = (
     Scene("gamepad", gamepads.waiting),
     Scene("gamepad-jogging", gamepads.jogging),
     Scene("gamepad-taken-away", gamepads.taken_away),
+    Scene("high-follow", firmware.high_follow),
+    Scene("gripper-angle", firmware.gripper_angle),
+    Scene("mounting", firmware.mounting),
 )
 """Each from a window that has just opened: no scene needs another to have been played."""
 
@@ -115,6 +119,9 @@ DIALOG_SCENES = (
     DialogScene("replay-events", "online", replay.own_events),
     DialogScene("confirm-disable", "refused", dialogs.confirm_disable),
     DialogScene("linkage", "linkage", panels.linkage_question),
+    DialogScene("drag-assistance", "online", firmware.drag_assistance),
+    DialogScene("confirm-take-back", "high-follow", firmware.take_back),
+    DialogScene("confirm-mounting", "mounting", firmware.mounting_question),
     DialogScene("hold-zero", "motors", panels.hold_zero),
     DialogScene("hold-disable", "motors", panels.hold_disable),
     DialogScene("backup", "joint-settings-corrupt", arm_settings.backup),

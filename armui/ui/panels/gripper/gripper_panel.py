@@ -18,6 +18,7 @@ from armui.ui import words
 from armui.ui.actions.keys import keys_of
 from armui.ui.freshness import is_stale
 from armui.ui.panels.gripper.gripper_row import GripperRow
+from armui.ui.panels.gripper.measure_choice import MeasureChoice
 from armui.ui.panels.motors.motor_row import PowerMark
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.buttons import caption, push_button
@@ -31,6 +32,14 @@ _TALLEST_CARD_PX: Final = 330
 _SEND_KEY: Final = keys_of("gripper.send")
 _ACTS: Final = ("enable", "disable", "clear", "zero")
 
+_Kind = tuple[Generation, bool]
+"""The generation, and whether the second one is told angles."""
+_KINDS: Final[tuple[_Kind, ...]] = (
+    (Generation.ONE, False),
+    (Generation.TWO, False),
+    (Generation.TWO, True),
+)
+
 
 class GripperPanel(Panel):
     """Target and measured values of the gripper, the buttons for its power, its errors in words."""
@@ -39,6 +48,7 @@ class GripperPanel(Panel):
         super().__init__(controller, "gripper_message")
         self._generation = self._operating_state.generation or Generation.TWO
         self._reasons: tuple[Refusal | None, ...] | None = None
+        self._shown_kind: _Kind | None = None
         self._mark = PowerMark()
         self._power = text_label("gripper_power")
         self._faults = text_label("gripper_faults", rank="fault", wraps=True)
@@ -47,16 +57,18 @@ class GripperPanel(Panel):
         self._send = push_button("gripper_send_button", primary=True)
         self._send.setMinimumHeight(38)
         self._acts = {act: push_button(f"gripper_{act}_button") for act in _ACTS}
-        self._rows_of = {each: self._make_rows(each) for each in Generation}
+        self._measure = MeasureChoice()
+        self._rows_of = {each: self._make_rows(each) for each in _KINDS}
         self._lay_out()
         self._connect()
         self.retranslate_ui()
 
     # -- layout -------------------------------------------------------------------------------
 
-    def _make_rows(self, generation: Generation) -> tuple[GripperRow, GripperRow]:
+    def _make_rows(self, kind: _Kind) -> tuple[GripperRow, GripperRow]:
         """The generations measure other quantities: each has rows of its own."""
-        figures = figures_of(generation, self._controller.state)
+        generation, by_angle = kind
+        figures = figures_of(generation, self._controller.state, by_angle=by_angle)
         travel = GripperRow(figures.travel, steps=True)
         effort = GripperRow(figures.effort, steps=False)
         for row in (travel, effort):
@@ -67,17 +79,21 @@ class GripperPanel(Panel):
         return travel, effort
 
     @property
+    def _kind(self) -> _Kind:
+        return self._generation, self._controller.gripper.tells_angle
+
+    @property
     def _travel(self) -> GripperRow:
-        return self._rows_of[self._generation][0]
+        return self._rows_of[self._kind][0]
 
     @property
     def _effort(self) -> GripperRow:
-        return self._rows_of[self._generation][1]
+        return self._rows_of[self._kind][1]
 
     def _lay_out(self) -> None:
         state = in_row(self._mark, self._power, STRETCH)
         card = QFrame()
-        parts = (state, self._faults, self._rows, self._stroke_note, STRETCH)
+        parts = (state, self._faults, self._measure, self._rows, self._stroke_note, STRETCH)
         in_column(*parts, on=card, spacing=10, margins=(16, 12, 16, 12))
         acts = empty_grid(gaps=(8, 8))
         for place, button in enumerate(self._acts.values()):
@@ -92,9 +108,17 @@ class GripperPanel(Panel):
             lambda: self._accepted(self._controller.gripper.clear_error())
         )
         self._acts["zero"].clicked.connect(self._ask_for_zero)
+        self._measure.chosen.connect(self._on_measure)
         self._listen("gripper_")
 
     # -- actions ------------------------------------------------------------------------------
+
+    def _on_measure(self, by_angle: bool) -> None:
+        """Nothing is sent: the next target is of the other kind."""
+        self._controller.gripper.by_angle = by_angle
+        self._refusal = self._event = None
+        self._describe()
+        self._show_all()
 
     def _on_edited(self) -> None:
         self._refusal = self._event = None
@@ -112,7 +136,8 @@ class GripperPanel(Panel):
         heard, figure = self._controller.state.gripper, self._travel.figure
         start = self._travel.field.value
         if start is None or self._travel.refusal() is not None:
-            start = None if heard is None else heard.value.travel
+            told = heard is not None and heard.value.unit == figure.unit
+            start = heard.value.travel if heard is not None and told else None
         effort = self._effort.field.value
         if start is None or effort is None:
             self._accepted(self._effort.refusal() or Refusal(RefusalCode.GRIPPER_SILENT))
@@ -160,7 +185,9 @@ class GripperPanel(Panel):
         heard = state.gripper
         stale = is_stale(heard, state, self._operating_state)
         gripper = None if heard is None else heard.value
-        self._travel.show_measured(None if gripper is None else gripper.travel, stale=stale)
+        # a gripper that was told an angle tells angles, and no opening
+        same = gripper is not None and gripper.unit == self._travel.figure.unit
+        self._travel.show_measured(gripper.travel if gripper and same else None, stale=stale)
         effort = None
         if gripper is not None:
             first = self._generation is Generation.ONE
@@ -195,9 +222,16 @@ class GripperPanel(Panel):
             self._generation = generation
             self._reasons = None
             self._describe()
+        kind = self._kind
+        if kind != self._shown_kind:
+            self._shown_kind = kind
+            self._describe()
         for each, rows in self._rows_of.items():
             for row in rows:
-                row.setVisible(each is generation)
+                row.setVisible(each == kind)
+        self._measure.setVisible(self._generation is not Generation.ONE)
+        why_not = words.why_not(self._controller.gripper.why_no_angle())
+        self._measure.show_choice(by_angle=kind[1], why_not=why_not)
         if self.isVisible():
             self._controller.gripper.learn_stroke()
         self._acts["zero"].setVisible(self._generation is not Generation.ONE)
@@ -241,13 +275,14 @@ class GripperPanel(Panel):
                 row.retranslate_ui()
         self._stroke_note.setText(
             self.tr("How far this gripper turns is not published: watch where it ends.")
-            if self._generation is Generation.ONE
+            if self._generation is Generation.ONE or self._kind[1]
             else self.tr("The stroke limit has not been read: up to 100 mm may be asked for.")
         )
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self._title.setText(self.tr("Gripper control"))
+        self._measure.retranslate_ui()
         whose = self._title.text()
         caption(self._send, self.tr("Send"), whose=whose, key=_SEND_KEY)
         for act, button in self._acts.items():
