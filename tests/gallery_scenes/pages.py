@@ -59,7 +59,28 @@ def _run_from_a_panel(app_driver: AppDriver) -> None:
     app_driver.click("menu_gripper")
 
 
+def _drawer(name: str) -> Callable[[AppDriver], None]:
+    """The drawer open at one of its pages, below a panel."""
+
+    def play(app_driver: AppDriver) -> None:
+        app_driver.ready()
+        app_driver.click(f"{name}_button")
+        app_driver.run(1.0)
+
+    return play
+
+
+def _all_at_once(app_driver: AppDriver) -> None:
+    """A page, a run and the drawer."""
+    _run(app_driver)
+    app_driver.click("events_button")
+
+
 SCENES = (
+    Scene("drawer-curves", _drawer("plots"), sizes=_SIZES),
+    Scene("drawer-events", _drawer("events"), sizes=_SIZES),
+    Scene("drawer-bus", _drawer("bus"), sizes=_SIZES),
+    Scene("running-drawer", _all_at_once, sizes=_SIZES),
     Scene("editor-jogging", _jogging, sizes=_SIZES),
     Scene("editor-jogging-tool", _jogging_tool, sizes=_SIZES),
     Scene("editor-empty", _first_point, sizes=_SIZES),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QEvent, Signal
-from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QMenu, QPushButton, QToolButton, QWidget
 
 from armui.ui.watch.plot_layout import SETS
@@ -47,7 +47,6 @@ class PlotBar(QWidget):
         self.spans.setObjectName("plot_span")
         self.pause = self._button("plot_pause", checkable=True)
         self.undo = self._button("plot_undo")
-        self.undo.setShortcut(QKeySequence(QKeySequence.StandardKey.Undo))
         self.cursors = self._button("plot_cursors", checkable=True)
         self.save = QToolButton()
         self.save.setObjectName("plot_save")
@@ -137,7 +136,6 @@ class PlotBar(QWidget):
         self.undo.setToolTip(
             self.tr("Drag a frame in a plot to zoom in. Back to what was shown before: Ctrl+Z")
         )
-        self.undo.setShortcut(QKeySequence(QKeySequence.StandardKey.Undo))
         self.cursors.setText(self.tr("Cursors"))
         self.cursors.setToolTip(
             self.tr("Two upright lines to be dragged; the table below tells the values at them")
