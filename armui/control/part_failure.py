@@ -21,6 +21,8 @@ _JOGS: Final = frozenset(
             "armui.control.motion.jogging",
             "armui.control.motion.jog_stream",
             "armui.control.motion.jog_path",
+            "armui.control.motion.steered_path",
+            "armui.control.gamepad.pilot",
         ),
         *(
             "armui.control.motion.jog_pace",

@@ -14,8 +14,11 @@ from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 from armui.arm.state import ArmState
 from armui.control.devices.joint_monitor import JointMonitor
 from armui.control.operating_state import OperatingState, StopState
+from armui.ui.actions.window_actions import WindowActions
 from armui.ui.background import Background
+from armui.ui.gamepad.gamepad_strip import GamepadStrip
 from armui.ui.panels.jogging.motion_panel import MotionPanel
+from armui.ui.picture.picture_work import PictureWork
 from armui.ui.shell.arm_in_view import show_in_view
 from armui.ui.shell.closing import close_unless_moving
 from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
@@ -46,6 +49,7 @@ from armui.ui.theme import DARK, colors_of
 from armui.ui.trajectory.preview.path_preview import PathPreview
 from armui.ui.trajectory.preview.preview_bar import PreviewBar
 from armui.ui.widgets.curve_menu import offer_curves
+from armui.ui.widgets.keeps_focus import KeepsFocus
 from armui.ui.widgets.translated import Translated
 from armui.viewport import palette as scene_palette
 
@@ -64,7 +68,7 @@ if TYPE_CHECKING:
 _FIRST_SIZE: Final = QSize(1440, 900)
 
 
-class MainWindow(Translated, QWidget):
+class MainWindow(Translated, KeepsFocus, QWidget):
     """Shows the arm and takes the operator's wishes; knows nothing of the bus.
 
     Args:
@@ -112,7 +116,10 @@ class MainWindow(Translated, QWidget):
         self._joint_status_button = JointStatusButton(self._joint_monitor)
         self._preview_bar = PreviewBar()
         self._preview = PathPreview(view, self._preview_bar, self)
-        self._view_region = ViewRegion(view, self._preview_bar)
+        self._picture = PictureWork(
+            controller, view, preferences, background, preview=self._preview, window=self
+        )
+        self._view_region = ViewRegion(view, self._preview_bar, self._picture)
         self._pages = PageArea()
         self._drawer = Drawer(self._watch.pages())
         for home in (self._pages, self._drawer):
@@ -131,6 +138,8 @@ class MainWindow(Translated, QWidget):
         )
         self._status_bar = StatusBar(controller)
         self._watch.show_marks_in(self._status_bar)
+        self._actions = WindowActions(self, controller, preferences, background)
+        self._status_bar.add_mark(self._actions.offer(self._diagnosis, self._watch))
         self._lay_out()
         self._connect()
         WindowLayout(self._keeper, self, self._work_column, _FIRST_SIZE)
@@ -157,6 +166,7 @@ class MainWindow(Translated, QWidget):
         work = QVBoxLayout()
         work.setSpacing(0)
         work.addWidget(RecoveryLine(self._controller, self.open_connect_dialog))
+        work.addWidget(GamepadStrip(self._controller, self._preferences))
         work.addWidget(self._work_column, 1)
         middle.addLayout(work, 1)
 

@@ -12,6 +12,7 @@ from armui.control.arm_controller import ArmController
 from armui.ui.dialogs.placing import place
 from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.halt_button import HaltButton
+from armui.ui.widgets.keeps_focus import KeepsFocus
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.text_label import text_label
@@ -21,7 +22,7 @@ _MARGIN_PX: Final = 20
 _GAP_PX: Final = 14
 
 
-class ArmDialog(Translated, QDialog):
+class ArmDialog(Translated, KeepsFocus, QDialog):
     """A dialog with its title, halt and emergency stop at the top.
 
     It never blocks the main window: the stop there stays within reach too. Escape closes it.

@@ -91,4 +91,5 @@ class TrajectoryPages(QObject):
         page.page_made.connect(partial(self._workspace.add, home=self._area))
         link = PreviewLink(page, self._preview)
         self._view.mark_picked.connect(link.on_mark_picked)
+        self._view.finding_picked.connect(link.on_finding_picked)
         return page

@@ -9,6 +9,7 @@ from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QVBoxLayout, QWidget
 
 from armui.control.events import Level
+from armui.ui.actions.keys import keys_of
 from armui.ui.watch.cursor_table import CursorTable
 from armui.ui.watch.plot_bar import PlotBar
 from armui.ui.watch.plot_board import PlotBoard
@@ -62,7 +63,7 @@ class PlotsArea(QWidget):
         self.board.menu_wanted.connect(self._open_menu)
         self.bar.save_wanted.connect(self._on_save)
         self.export.said.connect(self.say)
-        undo = QShortcut(QKeySequence(QKeySequence.StandardKey.Undo), self)
+        undo = QShortcut(QKeySequence(keys_of("plots.undo")), self)
         # beside the plots the same key is for what is edited there
         undo.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
         undo.activated.connect(self.bar.undo.click)

@@ -5,34 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Final
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QToolButton, QWidget
 
+from armui.ui.actions.keys import SHORTCUTS, keys_of
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.flow import Flow, in_flow
 
-_TEXTS: Final[Mapping[str, tuple[object, str]]] = {
-    "insert_before": (QT_TRANSLATE_NOOP("EditorAction", "Insert before"), "Ctrl+Shift+Return"),
-    "insert_after": (QT_TRANSLATE_NOOP("EditorAction", "Insert after"), "Ctrl+Return"),
-    "insert_measured": (QT_TRANSLATE_NOOP("EditorAction", "Insert current pose"), "Ctrl+I"),
-    "replace_by_measured": (QT_TRANSLATE_NOOP("EditorAction", "Replace by current pose"), "Ctrl+R"),
-    "duplicate": (QT_TRANSLATE_NOOP("EditorAction", "Duplicate"), "Ctrl+D"),
-    "delete": (QT_TRANSLATE_NOOP("EditorAction", "Delete"), "Del"),
-    "cut": (QT_TRANSLATE_NOOP("EditorAction", "Cut"), "Ctrl+X"),
-    "copy": (QT_TRANSLATE_NOOP("EditorAction", "Copy"), "Ctrl+C"),
-    "paste": (QT_TRANSLATE_NOOP("EditorAction", "Paste"), "Ctrl+V"),
-    "move_up": (QT_TRANSLATE_NOOP("EditorAction", "Move up"), "Alt+Up"),
-    "move_down": (QT_TRANSLATE_NOOP("EditorAction", "Move down"), "Alt+Down"),
-    "convert": (QT_TRANSLATE_NOOP("EditorAction", "Convert joint angles ↔ pose"), "Ctrl+K"),
-    "go_to": (QT_TRANSLATE_NOOP("EditorAction", "Go to this point"), "Ctrl+G"),
-    "save": (QT_TRANSLATE_NOOP("EditorAction", "Save"), "Ctrl+S"),
-    "undo": (QT_TRANSLATE_NOOP("EditorAction", "Undo"), "Ctrl+Z"),
-    "redo": (QT_TRANSLATE_NOOP("EditorAction", "Redo"), "Ctrl+Y"),
-    "find": (QT_TRANSLATE_NOOP("EditorAction", "Find and replace"), "Ctrl+F"),
-    "check": (QT_TRANSLATE_NOOP("EditorAction", "Check"), "Ctrl+E"),
-    "jog": (QT_TRANSLATE_NOOP("EditorAction", "Jog"), "Ctrl+J"),
-}
+_NAMES: Final = tuple(
+    each.name.removeprefix("editor.") for each in SHORTCUTS.values() if each.place == "editor"
+)
+
 
 _MENU: Final = (
     ("insert_before", "insert_after", "insert_measured", "replace_by_measured", "duplicate"),
@@ -65,7 +49,7 @@ class EditorActions:
         self, page: QWidget, table: QWidget, handlers: Mapping[str, Callable[[], object]]
     ) -> None:
         self._actions: dict[str, QAction] = {}
-        for name in _TEXTS:
+        for name in _NAMES:
             owner = table if name in _OF_TABLE else page
             action = named(f"action_{name}", QAction(owner))
             if name != _EVERYWHERE:
@@ -87,7 +71,7 @@ class EditorActions:
     @staticmethod
     def keys(name: str) -> QKeySequence:
         """The key of an action."""
-        return QKeySequence(_TEXTS[name][1])
+        return QKeySequence(keys_of(f"editor.{name}"))
 
     def __getitem__(self, name: str) -> QAction:
         return self._actions[name]
@@ -107,8 +91,7 @@ class EditorActions:
     def retranslate(self) -> None:
         """Put every word into the operator's language; tooltips name the keys."""
         for name, action in self._actions.items():
-            text = QCoreApplication.translate("EditorAction", str(_TEXTS[name][0]))
-            keys = self.keys(name).toString(QKeySequence.SequenceFormat.NativeText)
-            action.setText(text)
-            action.setIconText(text)
-            action.setToolTip(f"{text} ({keys})")
+            shortcut = SHORTCUTS[f"editor.{name}"]
+            action.setText(shortcut.title.text())
+            action.setIconText(action.text())
+            action.setToolTip(f"{action.text()} ({shortcut.text()})")

@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QPushButton, QWidget
 
+from armui.ui.actions.keys import keys_of
 from armui.ui.trajectory.library.library_actions import LibraryActions
 from armui.ui.widgets.translated import Translated
 
@@ -28,7 +29,7 @@ class UndoButton(Translated, QPushButton):
         self._actions = actions
         self.setObjectName("library_undo")
         self.setAutoDefault(False)
-        self._keys = QShortcut(QKeySequence(QKeySequence.StandardKey.Undo), page)
+        self._keys = QShortcut(QKeySequence(keys_of("library.undo")), page)
         self._keys.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
         self._keys.activated.connect(actions.undo)
         self.clicked.connect(lambda _checked=False: actions.undo())

@@ -9,6 +9,7 @@ from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPoint, Qt, QTimer,
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QMenu, QWidget
 
+from armui.ui.actions.keys import keys_of
 from armui.ui.theme import colors_of
 from armui.ui.watch.events.event_bar import EventBar
 from armui.ui.watch.events.event_cells import details
@@ -83,7 +84,7 @@ class EventPage(Page):
         self.model.dataChanged.connect(self._show_detail)
         self.table.verticalScrollBar().actionTriggered.connect(self._on_scrolled)
         self._timer.timeout.connect(self.refresh)
-        copy = QShortcut(QKeySequence(QKeySequence.StandardKey.Copy), self.table)
+        copy = QShortcut(QKeySequence(keys_of("events.copy")), self.table)
         copy.setContext(Qt.ShortcutContext.WidgetShortcut)
         copy.activated.connect(self.copy_chosen)
 
