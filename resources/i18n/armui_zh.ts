@@ -5055,11 +5055,11 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
     <message>
         <source>Connected as a {chosen}, but the pose it reports is that of a {fits}. Connect it as a {fits}.</source>
-        <translation>已接管：本程序可以移动机械臂。</translation>
+        <translation>当前按 {chosen} 连接，但反馈的位姿与 {fits} 相符。请按 {fits} 重新连接。</translation>
     </message>
     <message>
         <source>The pose the arm reports fits its angles in no model of the family, {chosen} included.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂反馈的位姿与其关节角在本系列任何型号（包括 {chosen}）下都不相符。</translation>
     </message>
     <message>
         <source>{device} jogs {axes} (joints)</source>
@@ -7640,7 +7640,7 @@ Lead it near its rest pose, then stop recording.</source>
     </message>
     <message>
         <source>This arm was connected as a {chosen}, but the pose it reports is that of a {fits}: the program would compute with the wrong lengths. Connect it as a {fits}; until then the joints can be moved one by one.</source>
-        <translation>工具中心点：不能为 {value}。长度不超过 {maximum} mm，角度不超过 180°。</translation>
+        <translation>该机械臂按 {chosen} 连接，但反馈的位姿与 {fits} 相符：程序会按错误的尺寸计算。请按 {fits} 重新连接；在此之前可以逐个移动关节。</translation>
     </message>
     <message>
         <source>{name} is gone. Plug it in again or switch it on.</source>
@@ -7952,6 +7952,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>ended by a fault</source>
         <translation>因故障结束</translation>
+    </message>
+    <message>
+        <source>Progress of the run</source>
+        <translation>运行进度</translation>
     </message>
     <message>
         <source>Close</source>

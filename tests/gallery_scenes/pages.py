@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtWidgets import QWidget
 
+from armui.ui.trajectory.editor.editor_page import EditorPage
 from tests.app_driver import AppDriver
 from tests.gallery_scenes import library, trajectories
 from tests.gallery_scenes.scene import Scene
@@ -74,6 +75,12 @@ def _all_at_once(app_driver: AppDriver) -> None:
     """A page, a run and the drawer."""
     _run(app_driver)
     app_driver.click("events_button")
+
+
+def taken_out(app_driver: AppDriver) -> QWidget:
+    """The editor in a window of its own, with both stops."""
+    trajectories.editor(app_driver)
+    return app_driver.taken_out(EditorPage).window()
 
 
 SCENES = (

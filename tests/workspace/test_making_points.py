@@ -46,7 +46,7 @@ def test_a_point_is_made_by_jogging_and_pressing(making):
     making.driver.click("box_insert")
     assert len(points(making)) == 3
     assert points(making)[1].target[0] == pytest.approx(1.0, abs=0.01)
-    assert making.driver.read("box_measured_1") == "1.000 °"
+    assert making.driver.read("box_measured_1") == "1.000°"
 
 
 def test_the_key_counts_while_a_jog_button_has_the_focus(making):
@@ -78,7 +78,7 @@ def test_along_the_axes_of_the_base(making):
     making.driver.run(0.2)
     before = making.driver.controller.cartesian.tool_pose(making.driver.controller.state)
     assert making.driver.read("box_measured_3") == f"{before[2]:.3f} mm"
-    assert making.driver.read("box_measured_4") == f"{before[3]:.3f} °"
+    assert making.driver.read("box_measured_4") == f"{before[3]:.3f}°"
 
 
 def test_a_held_button_moves_until_it_is_let_go(making):
