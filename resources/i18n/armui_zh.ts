@@ -8151,7 +8151,11 @@ The other program must have ended.</source>
         <source>Step by step</source>
         <translation>单步运行</translation>
     </message>
-</context>
+<message>
+        <source>Progress of the run</source>
+        <translation>运行进度</translation>
+    </message>
+    </context>
 <context>
     <name>SaveQuestion</name>
     <message>
@@ -10583,5 +10587,101 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The arm does not answer this and cannot be asked for it: another program, or the arm itself after a power cut, may have another one.</source>
         <translation>机械臂对此不应答，也无法查询：其他程序或断电后的机械臂可能采用不同的设置。</translation>
+    </message>
+</context><context><name>BusPage</name><message>
+        <source>Counted since {time}, when opened or cleared: {count} frames</source>
+        <translation>自 {time}（打开或清空）起统计：{count} 帧</translation>
+    </message>
+    <message>
+        <source>Paused: the figures are those of {time}</source>
+        <translation>已暂停：显示的是 {time} 的数值</translation>
+    </message>
+    <message>
+        <source>Generation not known yet: read as generation 2</source>
+        <translation>协议代次未知：暂按第 2 代解读</translation>
+    </message>
+    <message>
+        <source>Show as curve</source>
+        <translation>显示为曲线</translation>
+    </message>
+    <message>
+        <source>Show this identifier alone</source>
+        <translation>只显示该 ID</translation>
+    </message>
+    <message>
+        <source>Copy {frame}</source>
+        <translation>复制 {frame}</translation>
+    </message>
+    <message>
+        <source>Into the fields for sending</source>
+        <translation>填入发送栏</translation>
+    </message>
+    <message>
+        <source>Bus monitor</source>
+        <translation>总线监视</translation>
+    </message>
+    <message>
+        <source>Frames by identifier</source>
+        <translation>按 ID 排列的帧</translation>
+    </message>
+    <message>
+        <source>Frames in order of time</source>
+        <translation>按时间排列的帧</translation>
+    </message>
+</context><context><name>Drawer</name><message>
+        <source>Takes this page out into a window of its own, for a second screen.</source>
+        <translation>把本页移到独立窗口，例如放到第二块屏幕上。</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>独立窗口</translation>
+    </message>
+    <message>
+        <source>Fold away</source>
+        <translation>收起</translation>
+    </message>
+    <message>
+        <source>Folds the drawer away (Esc)</source>
+        <translation>收起抽屉 (Esc)</translation>
+    </message>
+</context><context><name>EventPage</name><message>
+        <source>Show in the curves</source>
+        <translation>在曲线中显示</translation>
+    </message>
+    <message>
+        <source>Show its end in the curves</source>
+        <translation>在曲线中显示其结束</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Only this kind</source>
+        <translation>仅此类别</translation>
+    </message>
+    <message>
+        <source>Only from here</source>
+        <translation>仅此来源</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>显示全部</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>Double-click: show the moment in the curves</source>
+        <translation>双击：在曲线中显示该时刻</translation>
+    </message>
+</context><context><name>PlotPage</name><message>
+        <source>The arrangement of the plots could not be kept: {text}</source>
+        <translation>无法保存曲线布局：{text}</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
     </message>
 </context></TS>

@@ -95,6 +95,7 @@ DIALOG_SCENES = (
     DialogScene("joint-status-faults", "refused", dialogs.joint_status_faults),
     DialogScene("joint-status-stale", "offline", dialogs.joint_status),
     DialogScene("file", "no-device", dialogs.file),
+    DialogScene("editor-taken-out", "online", pages.taken_out),
     DialogScene("library-bin", "online", library.bin_),
     DialogScene("library-report", "online", library.report),
     DialogScene("events", "eventful", events.events),

@@ -58,7 +58,7 @@ def test_the_words_change_with_the_language(monitor):
 
     assert monitor.cell(monitor.index("0x2A1"), frame_model.NAME) == "机械臂状态"
     assert monitor.details(monitor.index("0x2A1"))["状态"] == "正常 (0)"
-    assert monitor.window.windowTitle() == "总线监视"
+    assert monitor.window.title == "总线监视"
 
 
 def test_who_sends_what(monitor, company):

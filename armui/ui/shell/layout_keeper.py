@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtWidgets import QHeaderView
 
 from armui.ui.background import Job
-from armui.ui.shell.workspace_layout import Columns, WorkspaceLayout, from_text, to_text
+from armui.ui.shell.workspace_layout import ColumnLayout, WorkspaceLayout, from_text, to_text
 from armui.ui.watch.layout_file import read_text, write_text
 
 if TYPE_CHECKING:
@@ -90,7 +90,7 @@ class LayoutKeeper(QObject):
         kept = self.layout.columns.get(name)
         known = () if kept is None else kept.widths_px
         shown = header.isSortIndicatorShown()
-        columns = Columns(
+        columns = ColumnLayout(
             tuple(_width_px(header, place, known) for place in range(header.count())),
             header.sortIndicatorSection() if shown else -1,
             header.sortIndicatorOrder() == Qt.SortOrder.AscendingOrder,
