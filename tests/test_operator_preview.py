@@ -1,5 +1,7 @@
 """An operator looks at a trajectory in 3D before anything moves."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
@@ -86,13 +88,16 @@ def test_another_point_takes_the_preview_away(at):
     at.check()
     at.editor.table.select_row(0)
     QTest.keyClick(at.editor.table, Qt.Key.Key_Delete)
-    assert at.shown == NOTHING
+    assert len(at.shown.path.places_mm) == 0
+    assert at.shown.path.rows == (0,)  # the points stay, without a way between them
     assert not at.app_driver.find("preview_bar").isVisible()
 
 
 def test_the_operator_closes_the_preview(at):
     at.check()
     at.app_driver.click("preview_close")
+    assert len(at.shown.path.places_mm) == 0
+    at.editor.reject()
     assert at.shown == NOTHING
 
 
@@ -161,7 +166,7 @@ class SeenView:
 
 def test_the_trail_is_where_the_arm_was_measured(app_driver):
     app_driver.ready()
-    view = SeenView()
+    view: Any = SeenView()
     keeper = TrailKeeper(app_driver.controller, view, 60.0)
     tips = []
 

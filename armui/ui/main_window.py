@@ -166,6 +166,7 @@ class MainWindow(Translated, QWidget):
         self._view_region.help_wanted.connect(self.open_help_dialog)
         self._view_region.reset_wanted.connect(self._view.reset_view)
         self._view_region.settings_wanted.connect(self.open_settings_dialog)
+        self._picture.follow_panels(self._panels.currentWidget)
         self._view.joint_picked.connect(self._panels.focus_joint)
         self._view.load_failed.connect(self._status_bar.show_problem)
         self._status_bar.event_wanted.connect(self._watch.show_events)
@@ -271,9 +272,7 @@ class MainWindow(Translated, QWidget):
             )
             background = Background(self._workers, self._files, self)
             window = LibraryWindow(self._controller, background, library, self)
-            link = PreviewLink(window, self._preview)
-            self._view.mark_picked.connect(link.on_mark_picked)
-            self._view.finding_picked.connect(link.on_finding_picked)
+            self._picture.link(PreviewLink(window, self._preview, self._controller))
             return window
 
         self._open("library", make)

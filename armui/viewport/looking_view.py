@@ -177,7 +177,7 @@ class LookingView(PictureView):
 
     def _look_through(self, camera: OrbitCamera | None) -> None:
         """The operator has moved the camera."""
-        if camera is None:
+        if camera is None or self._viewpoint.is_carried:
             return
         before = self._state.camera
         turned = (camera.focus_m, camera.distance_m) == (before.focus_m, before.distance_m)

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QApplication, QWidget
 
 from armui.control.run.progress import OVER
+from armui.ui.panels.jogging.cartesian_panel import CartesianPanel
 from armui.ui.panels.jogging.joint_row import JointRow
+from armui.ui.panels.jogging.motion_panel import MotionPanel
+from armui.ui.picture.drag_targets import CartesianTarget, DragTarget, MotionTarget
 from armui.ui.picture.picture_export import PictureExport
 from armui.ui.picture.picture_note import PictureNote
+from armui.ui.picture.target_drag import TargetDrag
 from armui.ui.picture.trail_keeper import TrailKeeper
 from armui.ui.picture.view_bar import ViewBar
 from armui.viewport.camera import ViewDirection
@@ -23,6 +28,7 @@ if TYPE_CHECKING:
     from armui.settings import Settings, SettingsStore
     from armui.ui.background import Background
     from armui.ui.trajectory.preview.path_preview import PathPreview
+    from armui.ui.trajectory.preview.preview_link import PreviewLink
     from armui.viewport.view import ArmView
 
 _MM = 0.001
@@ -75,9 +81,41 @@ class PictureWork(QObject):
         self._trail_s = preferences.settings.picture_trail_s
         controller.operating_state_changed.connect(self._on_operating_state)
         controller.state_changed.connect(self._on_state)
+        self._shows_range = False
+        self._link: PreviewLink | None = None
+        self._panel: Callable[[], QWidget | None] | None = None
+        self._targets: dict[QWidget, DragTarget] = {}
+        self._drag = TargetDrag(controller, view, preview, self.note, self._target)
+        self.bar.handles_wanted.connect(self._drag.set_kind)
+        preview.row_shown.connect(self._drag.look)
         application = QApplication.instance()
         if isinstance(application, QApplication):
             application.focusChanged.connect(self._on_focus)
+
+    def link(self, link: PreviewLink) -> None:
+        """The library is open: what is edited in it can be clicked and dragged."""
+        self._link = link
+        self._view.mark_picked.connect(link.on_mark_picked)
+        self._view.finding_picked.connect(link.on_finding_picked)
+
+    def follow_panels(self, panel: Callable[[], QWidget | None]) -> None:
+        """Say which panel is shown: its target can be dragged."""
+        self._panel = panel
+
+    def _target(self) -> DragTarget | None:
+        """The chosen point while an editor is seen, else the target of the panel that is shown."""
+        point = None if self._link is None else self._link.target
+        if point is not None or self._panel is None:
+            return point
+        panel = self._panel()
+        if panel is None or not panel.isVisible():
+            return None
+        if panel not in self._targets:
+            if isinstance(panel, MotionPanel):
+                self._targets[panel] = MotionTarget(panel)
+            elif isinstance(panel, CartesianPanel):
+                self._targets[panel] = CartesianTarget(panel, self._controller)
+        return self._targets.get(panel)
 
     def _on_settings(self, settings: Settings) -> None:
         if settings.tool != self._tool:
@@ -117,7 +155,10 @@ class PictureWork(QObject):
         while widget is not None and not isinstance(widget, JointRow):
             widget = widget.parentWidget()
         if widget is None:
-            self._view.show_joint_range(None)
+            if self._shows_range:
+                self._shows_range = False
+                self._view.show_joint_range(None)
             return
+        self._shows_range = True
         limits = self._controller.operating_state.limits[widget.joint - 1]
         self._view.show_joint_range(widget.joint, (limits.min_deg, limits.max_deg))

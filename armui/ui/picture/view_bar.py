@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Final, NamedTuple
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QSize, Qt
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QFrame, QMenu, QToolButton
 
@@ -15,10 +15,9 @@ from armui.ui.widgets.buttons import describe, named
 from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.translated import Translated
 from armui.viewport.camera import ViewDirection
+from armui.viewport.handles import HandleKind
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from armui.settings import SettingsStore
     from armui.viewport.view import ArmView
 
@@ -113,6 +112,13 @@ _ENTRIES: Final = {
         "Ctrl+Alt+C",
     ),
 }
+_HANDLES: Final = {
+    None: QT_TRANSLATE_NOOP("ViewBar", "No handles"),
+    HandleKind.TOOL: QT_TRANSLATE_NOOP("ViewBar", "Tool, along the axes of the base"),
+    HandleKind.TOOL_FRAME: QT_TRANSLATE_NOOP("ViewBar", "Tool, along its own axes"),
+    HandleKind.JOINTS: QT_TRANSLATE_NOOP("ViewBar", "Joints"),
+}
+_HANDLES_KEY: Final = "Ctrl+Shift+D"
 _STRIP: Final = ("front", "side", "top", "iso", "fit", "follow")
 _MENU: Final = (
     ("front", "side", "top", "iso"),
@@ -125,6 +131,9 @@ _MENU: Final = (
 class ViewBar(Translated, QFrame):
     """Buttons for the views, and a menu with everything that can be chosen of the picture.
 
+    Signals:
+        handles_wanted: Which handles are to be dragged in the picture, a `HandleKind` or None.
+
     Args:
         view: Shows the arm.
         preferences: Keep the direction, the perspective, the tool's frame and the trail's length.
@@ -132,6 +141,8 @@ class ViewBar(Translated, QFrame):
     Attributes:
         view_actions: By name, for menus and lists of shortcuts.
     """
+
+    handles_wanted = Signal(object)
 
     def __init__(self, view: ArmView, preferences: SettingsStore) -> None:
         super().__init__()
@@ -142,6 +153,13 @@ class ViewBar(Translated, QFrame):
         self.view_actions = {name: self._action(name, entry) for name, entry in _ENTRIES.items()}
         self._trail_menu = QMenu(self)
         self._trails = self._trail_actions()
+        self._handles_menu = QMenu(self)
+        self._handles = self._handle_actions()
+        self._handles_button = named("view_handles_button", QToolButton())
+        self._handles_button.setMenu(self._handles_menu)
+        self._handles_button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self._handles_button.setCheckable(True)
+        self._last_handles = HandleKind.TOOL
         self._menu = QMenu(self)
         self._fill_menu()
         self._more = named("view_more_button", QToolButton())
@@ -173,7 +191,37 @@ class ViewBar(Translated, QFrame):
             )
         return result
 
+    def _handle_actions(self) -> dict[HandleKind | None, QAction]:
+        group = QActionGroup(self)
+        result: dict[HandleKind | None, QAction] = {}
+        for kind in _HANDLES:
+            name = "none" if kind is None else kind.value
+            action = result[kind] = named(f"handles_{name}", QAction(self))
+            action.setCheckable(True)
+            action.setChecked(kind is None)
+            group.addAction(action)
+            self._handles_menu.addAction(action)
+            action.triggered.connect(lambda _on=False, kind=kind: self.choose_handles(kind))
+        self._toggle_handles = named("handles_toggle", QAction(self))
+        self._toggle_handles.setShortcut(QKeySequence(_HANDLES_KEY))
+        self._toggle_handles.triggered.connect(self._on_toggle_handles)
+        self.addAction(self._toggle_handles)
+        return result
+
+    def choose_handles(self, kind: HandleKind | None) -> None:
+        """Have other handles in the picture; None: none."""
+        self._handles[kind].setChecked(True)
+        self._handles_button.setChecked(kind is not None)
+        if kind is not None:
+            self._last_handles = kind
+        self.handles_wanted.emit(kind)
+
+    def _on_toggle_handles(self) -> None:
+        off = self._handles[None].isChecked()
+        self.choose_handles(self._last_handles if off else None)
+
     def _fill_menu(self) -> None:
+        self._menu.addMenu(self._handles_menu)
         for names in _MENU:
             for name in names:
                 if name == "trail":
@@ -187,12 +235,13 @@ class ViewBar(Translated, QFrame):
             button = named(f"view_{name}_button", QToolButton())
             button.setDefaultAction(self.view_actions[name])
             self._buttons.append(button)
-        for button in (*self._buttons, self._more):
+        for button in (self._handles_button, *self._buttons, self._more):
             button.setAutoRaise(True)
             button.setFixedSize(_BUTTON_PX, _BUTTON_PX)
             button.setIconSize(QSize(20, 20))
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        in_column(*self._buttons, self._more, on=self, spacing=2, margins=_MARGIN_PX)
+        buttons = (self._handles_button, *self._buttons, self._more)
+        in_column(*buttons, on=self, spacing=2, margins=_MARGIN_PX)
 
     def _connect(self) -> None:
         actions = self.view_actions
@@ -209,20 +258,6 @@ class ViewBar(Translated, QFrame):
         self._view.view_changed.connect(self._show_mode)
         unsubscribe = self._preferences.subscribe(lambda _settings: self._take_settings())
         self.destroyed.connect(unsubscribe)
-
-    def add_to_strip(self, action: QAction, name: str) -> None:
-        """Put one more button at the top of the strip, and into the menu."""
-        button = named(name, QToolButton())
-        button.setDefaultAction(action)
-        button.setAutoRaise(True)
-        button.setFixedSize(_BUTTON_PX, _BUTTON_PX)
-        button.setIconSize(QSize(20, 20))
-        self.layout().insertWidget(0, button)  # type: ignore[union-attr]
-        self._menu.insertAction(self._menu.actions()[0], action)
-
-    def on(self, name: str, do: Callable[..., object]) -> None:
-        """Have an action do something more."""
-        self.view_actions[name].triggered.connect(do)
 
     def _look_from(self, direction: ViewDirection) -> None:
         self._view.look_from(direction)
@@ -254,6 +289,16 @@ class ViewBar(Translated, QFrame):
             action.setToolTip(f"{text}: {tip} ({keys})")
         for button in self._buttons:
             button.setAccessibleName(button.defaultAction().text())
+        for kind, handles in _HANDLES.items():
+            self._handles[kind].setText(QCoreApplication.translate("ViewBar", str(handles)))
+        name, keys = self.tr("Drag the target in the picture"), _HANDLES_KEY
+        self._toggle_handles.setText(name)
+        self._handles_menu.setTitle(name)
+        tip = self.tr(
+            "Drags the target, or the chosen point, in the picture; the arm does not move. "
+            "Ctrl: coarse steps, Shift: fine steps, Esc: give up"
+        )
+        describe(self._handles_button, name, f"{tip} ({keys})")
         self._trail_menu.setTitle(self.tr("Way of the tool"))
         for length_s, action in self._trails.items():
             words = self.tr("Last {seconds} s of motion").format(seconds=length_s)
@@ -264,4 +309,5 @@ class ViewBar(Translated, QFrame):
         color = colors_of(self).muted
         for name in _STRIP:
             self.view_actions[name].setIcon(icons.icon(_ENTRIES[name].icon, color))
+        self._handles_button.setIcon(icons.icon("drag_target", color))
         self._more.setIcon(icons.icon("view_more", color))

@@ -43,7 +43,7 @@ def _place_mm(
         flange = arm.kinematics.matrix(found.joints_deg)
         x, y, z = (flange[:3, 3] + arm.tool_mm * flange[:3, 2]).tolist()
         return x, y, z
-    if found.row in ends:
+    if found.row is not None and found.row in ends:
         x, y, z = checked.path.places_mm[ends[found.row]].tolist()
         return x, y, z
     return None
