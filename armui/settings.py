@@ -29,7 +29,7 @@ from armui.system.error_text import error_text
 Language = Literal["zh", "en"]
 ThemeName = Literal["light", "dark", "system"]
 PictureDirection = Literal["iso", "front", "side", "top"]
-SessionFormat = Literal[".blf", ".asc", ".log"]
+SessionFormat = Literal[".blf", ".asc", ".log", ".mf4"]
 
 _MOST_BYTES: Final = 1_000_000
 """A thousand times what the settings need: a larger file is something else."""

@@ -11,7 +11,7 @@ from armui.viewport.palette import LIGHT
 from armui.viewport.projection import Projection
 from armui.viewport.robot_shape import composed, pose_rows, rotation
 
-TOOL = pose_rows((250.0, 80.0, 300.0, 25.0, 30.0, -40.0))
+TOOL = pose_rows((250.0, 80.0, 300.0, 0.0, -20.0, 90.0))
 ORIGIN = np.array([0.25, 0.08, 0.3])
 PERSPECTIVE = Projection(HOME_CAMERA, 800, 600)
 FLAT = Projection(OrbitCamera(HOME_CAMERA.focus_m, 1.2, -52.0, 20.0, orthographic=True), 800, 600)
