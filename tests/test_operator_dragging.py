@@ -15,6 +15,7 @@ from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.trajectory.editor.editor_window import EditorWindow
 from armui.ui.trajectory.library.library_window import LibraryWindow
+from armui.viewport.client import PictureClient
 from armui.viewport.grips import Grip, GripKind
 from armui.viewport.handles import HandleKind
 from armui.viewport.process.outline import shape_of
@@ -38,6 +39,7 @@ class Hand:
         self.app_driver = app_driver
         app_driver.ready()
         self.view = app_driver.program.view
+        self.view._is_started = True  # no process: nothing waits for a picture
         self.view._on_robot_shown(shape)
         self.view.setVisible(True)
         self.view.resize(700, 560)
@@ -49,7 +51,7 @@ class Hand:
 
     def look(self):
         """What the timer does ten times a second."""
-        self.app_driver.window._picture._drag.look()
+        self.app_driver.window._picture.look()
 
     def grip(self, kind, number) -> Grip:
         self.look()
@@ -365,6 +367,17 @@ def test_the_range_of_a_joint_is_shown_while_its_cell_is_edited(at_editor):
     assert limits_deg[0] < OUT[number - 1] < limits_deg[1]
     at_editor.editor.table.setCurrentIndex(model.index(1, 3))  # a pose has no joints
     assert at_editor.view._range is None
+
+
+def test_nothing_is_taken_hold_of_in_a_picture_that_is_late(hand, monkeypatch):
+    """S24: what looks old is not aimed at."""
+    fill_fields(hand.app_driver, OUT)
+    at = hand.place_on(hand.grip(GripKind.AXIS, 1))
+    monkeypatch.setattr(PictureClient, "looks_old", True)
+    hand.press(at)
+    hand.move((at[0] + 20.0, at[1]))
+    hand.release(at)
+    assert hand.fields() == pytest.approx(OUT)
 
 
 def test_without_handles_a_press_only_turns_the_camera(hand):

@@ -246,7 +246,8 @@ class ArmView(LookingView):
         """A drag begins: of a handle, or of the camera."""
         self._viewpoint.hold(held=True)
         at, projection = event.position(), self.projection
-        if event.button() == Qt.MouseButton.LeftButton and self._handles.place is not None:
+        left = event.button() == Qt.MouseButton.LeftButton
+        if left and self._handles.place is not None and not self.is_late:
             grips = self._grips(projection)
             if self._handles.take(grips, projection, at.x(), at.y()) is not None:
                 self._viewpoint.is_carried = True

@@ -17,6 +17,13 @@ PERSPECTIVE = Projection(HOME_CAMERA, 800, 600)
 FLAT = Projection(OrbitCamera(HOME_CAMERA.focus_m, 1.2, -52.0, 20.0, orthographic=True), 800, 600)
 
 
+def seen(projection, place):
+    """Where a place is on the screen; it is before the eye."""
+    pixel = projection.pixel(tuple(place))
+    assert pixel is not None
+    return pixel
+
+
 def grips_of(projection, frame=None):
     return {(grip.kind, grip.number): grip for grip in tool_grips(TOOL, frame, projection, LIGHT)}
 
@@ -29,9 +36,9 @@ def test_a_pointer_on_the_axis_carries_it_as_far_as_it_went(projection, frame, n
     grip = grips_of(projection, frame)[GripKind.AXIS, number]
     axis = np.array(grip.axis)
     begin = ORIGIN + 0.03 * axis
-    drag = GripDrag(grip, projection, *projection.pixel(tuple(begin)))
+    drag = GripDrag(grip, projection, *seen(projection, begin))
     end = begin + gone_mm / 1000.0 * axis
-    assert drag.amount(*projection.pixel(tuple(end))) == pytest.approx(gone_mm, abs=1e-6)
+    assert drag.amount(*seen(projection, end)) == pytest.approx(gone_mm, abs=1e-6)
 
 
 @pytest.mark.parametrize("projection", [PERSPECTIVE, FLAT])
@@ -43,7 +50,7 @@ def test_a_pointer_round_the_ring_turns_it_and_turns_it_more_than_once(projectio
 
     def at(degrees):
         rows = np.array(rotation(grip.axis, math.radians(degrees))).reshape(3, 4)[:, :3]
-        return projection.pixel(tuple(ORIGIN + rows @ spoke))
+        return seen(projection, ORIGIN + rows @ spoke)
 
     drag = GripDrag(grip, projection, *at(10.0))
     for degrees in range(20, 500, 10):
@@ -58,7 +65,7 @@ def test_a_handle_is_taken_at_its_line_and_nowhere_else():
     for name, grip in grips.items():
         share = 0.8 if grip.kind is GripKind.AXIS else 0.0
         one, other = np.array(grip.places[0]), np.array(grip.places[1])
-        x, y = PERSPECTIVE.pixel(tuple(one + share * (other - one)))
+        x, y = seen(PERSPECTIVE, one + share * (other - one))
         found = grip_at(grips.values(), PERSPECTIVE, x, y)
         assert found is not None
         if (found.kind, found.number) != name:  # two rings cross: either is at hand
@@ -71,7 +78,7 @@ def test_handles_are_as_large_on_the_screen_however_far_the_arm_is():
     for distance_m in (0.6, 1.7, 5.0):
         projection = Projection(OrbitCamera(HOME_CAMERA.focus_m, distance_m), 800, 600)
         grip = grips_of(projection)[GripKind.RING, 2]
-        xs = [projection.pixel(place)[0] for place in grip.places]
+        xs = [seen(projection, place)[0] for place in grip.places]
         sizes.append(max(xs) - min(xs))
     assert max(sizes) / min(sizes) < 1.25
 
@@ -94,7 +101,7 @@ def test_the_axes_are_those_of_the_frame_that_is_asked_for():
 
 def test_a_ring_is_not_torn_off_where_the_pointer_leads_to_no_place_of_its_plane():
     grip = grips_of(PERSPECTIVE)[GripKind.RING, 2]
-    drag = GripDrag(grip, PERSPECTIVE, *PERSPECTIVE.pixel(grip.places[0]))
+    drag = GripDrag(grip, PERSPECTIVE, *seen(PERSPECTIVE, grip.places[0]))
     assert drag.amount(400.0, -5000.0) is None  # above the horizon
 
 

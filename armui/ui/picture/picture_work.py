@@ -8,14 +8,10 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QApplication, QWidget
 
-from armui.control.run.progress import OVER
-from armui.ui.panels.jogging.cartesian_panel import CartesianPanel
 from armui.ui.panels.jogging.joint_row import JointRow
 from armui.ui.panels.jogging.motion_panel import MotionPanel
-from armui.ui.picture.drag_targets import CartesianTarget, DragTarget, MotionTarget
 from armui.ui.picture.picture_export import PictureExport
 from armui.ui.picture.picture_note import PictureNote
-from armui.ui.picture.target_drag import TargetDrag
 from armui.ui.picture.trail_keeper import TrailKeeper
 from armui.ui.picture.view_bar import ViewBar
 from armui.viewport.camera import ViewDirection
@@ -27,8 +23,11 @@ if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
     from armui.settings import Settings, SettingsStore
     from armui.ui.background import Background
+    from armui.ui.picture.drag_targets import DragTarget
+    from armui.ui.picture.target_drag import TargetDrag
     from armui.ui.trajectory.preview.path_preview import PathPreview
     from armui.ui.trajectory.preview.preview_link import PreviewLink
+    from armui.viewport.handles import HandleKind
     from armui.viewport.view import ArmView
 
 _MM = 0.001
@@ -85,9 +84,9 @@ class PictureWork(QObject):
         self._link: PreviewLink | None = None
         self._panel: Callable[[], QWidget | None] | None = None
         self._targets: dict[QWidget, DragTarget] = {}
-        self._drag = TargetDrag(controller, view, preview, self.note, self._target)
-        self.bar.handles_wanted.connect(self._drag.set_kind)
-        preview.row_shown.connect(self._drag.look)
+        self._drag: TargetDrag | None = None
+        self.bar.handles_wanted.connect(self._choose_handles)
+        preview.row_shown.connect(self.look)
         application = QApplication.instance()
         if isinstance(application, QApplication):
             application.focusChanged.connect(self._on_focus)
@@ -102,8 +101,25 @@ class PictureWork(QObject):
         """Say which panel is shown: its target can be dragged."""
         self._panel = panel
 
+    def look(self) -> None:
+        """Stand the handles where the target is now."""
+        if self._drag is not None:
+            self._drag.look()
+
+    def _choose_handles(self, kind: HandleKind | None) -> None:
+        if self._drag is None:
+            from armui.ui.picture.target_drag import TargetDrag  # noqa: PLC0415 - faster start
+
+            self._drag = TargetDrag(
+                self._controller, self._view, self._preview, self.note, self._target
+            )
+        self._drag.set_kind(kind)
+
     def _target(self) -> DragTarget | None:
         """The chosen point while an editor is seen, else the target of the panel that is shown."""
+        from armui.ui.panels.jogging.cartesian_panel import CartesianPanel  # noqa: PLC0415 - faster start
+        from armui.ui.picture.drag_targets import CartesianTarget, MotionTarget  # noqa: PLC0415 - as above
+
         point = None if self._link is None else self._link.target
         if point is not None or self._panel is None:
             return point
@@ -130,6 +146,8 @@ class PictureWork(QObject):
     def _on_state(self, state: ArmState) -> None:
         self._trail.follow(state)
         if self._preview.name is not None:
+            from armui.control.run.progress import OVER  # noqa: PLC0415 - faster start
+
             progress = self._controller.player.progress
             under_way = progress.phase not in OVER and progress.name == self._preview.name
             self._preview.light_row(progress.index if under_way else None)

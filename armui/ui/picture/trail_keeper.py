@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from armui.control.parameters.arm_model import GRIPPER_REACH_MM
 from armui.ui.freshness import is_stale
 from armui.viewport.look_alike import look_alike
 from armui.viewport.robot_shape import moved
@@ -79,6 +78,8 @@ class TrailKeeper:
         shape = self._view.shape
         if shape is None:
             return None
+        from armui.control.parameters.arm_model import GRIPPER_REACH_MM  # noqa: PLC0415 - faster start
+
         x, y, z = self._controller.cartesian.tool[:3]
         reach_mm = z if z > 0.0 else GRIPPER_REACH_MM
         rows = shape.flange(shape.links(angles_deg))
