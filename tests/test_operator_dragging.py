@@ -13,8 +13,8 @@ from armui.protocol.codes import MoveMode
 from armui.system.paths import URDF
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
-from armui.ui.trajectory.editor.editor_window import EditorWindow
-from armui.ui.trajectory.library.library_window import LibraryWindow
+from armui.ui.trajectory.editor.editor_page import EditorPage
+from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.viewport.client import PictureClient
 from armui.viewport.grips import Grip, GripKind
 from armui.viewport.handles import HandleKind
@@ -29,7 +29,7 @@ MOTION_FRAMES = {*range(0x150, 0x160)} - {0x15A, 0x15F}
 
 @pytest.fixture(scope="module")
 def shape():
-    return shape_of(load_robot(URDF / "piper.urdf"))
+    return shape_of(load_robot(URDF / "piper" / "piper.urdf"))
 
 
 class Hand:
@@ -297,8 +297,8 @@ class AtEditor(Hand):
         super().__init__(app_driver, shape)
         Library(app_driver.library_folder).save(Trajectory("Test", points=points))
         app_driver.click("library_button")
-        app_driver.dialog(LibraryWindow).open_trajectory("Test")
-        self.editor = app_driver.dialog(EditorWindow)
+        app_driver.page(LibraryPage).open_trajectory("Test")
+        self.editor = app_driver.page(EditorPage)
         app_driver.wait(self.editor.isActiveWindow)
 
 

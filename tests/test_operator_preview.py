@@ -1,6 +1,6 @@
 """An operator looks at a trajectory in 3D before anything moves."""
 
-from typing import Any
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 import pytest
@@ -14,11 +14,15 @@ from armui.system.paths import URDF
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.picture.trail_keeper import TrailKeeper
-from armui.ui.trajectory.editor.editor_window import EditorWindow
-from armui.ui.trajectory.library.library_window import LibraryWindow
+from armui.ui.trajectory.editor.editor_page import EditorPage
+from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.viewport.path_picture import NOTHING
 from armui.viewport.process.outline import shape_of
 from armui.viewport.process.urdf_file import load_robot
+from tests.family import PIPER
+
+if TYPE_CHECKING:
+    from armui.viewport.view import ArmView
 
 OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
 BACK = (-15.0, 30.0, -30.0, -10.0, 30.0, -20.0)
@@ -34,8 +38,8 @@ class Operator:
         points = tuple(Waypoint(MoveMode.MOVE_J, target) for target in targets)
         Library(app_driver.library_folder).save(Trajectory("Test", points=points))
         app_driver.click("library_button")
-        app_driver.dialog(LibraryWindow).open_trajectory("Test")
-        self.editor = app_driver.dialog(EditorWindow)
+        app_driver.page(LibraryPage).open_trajectory("Test")
+        self.editor = app_driver.page(EditorPage)
         app_driver.wait(self.editor.isActiveWindow)
 
     def check(self):
@@ -97,7 +101,7 @@ def test_the_operator_closes_the_preview(at):
     at.check()
     at.app_driver.click("preview_close")
     assert len(at.shown.path.places_mm) == 0
-    at.editor.reject()
+    at.editor.leave()
     assert at.shown == NOTHING
 
 
@@ -116,7 +120,7 @@ def test_a_finding_stands_where_the_arm_would_be(app_driver):
     at = Operator(app_driver, OUT, BEYOND)
     at.check()
     finding = next(each for each in at.shown.path.findings if each.is_error)
-    flange = Kinematics().matrix(BEYOND)
+    flange = Kinematics(PIPER).matrix(BEYOND)
     tip = flange[:3, 3] + 140.0 * flange[:3, 2]
     assert finding.place_mm == pytest.approx(tip, abs=1.0)
 
@@ -149,7 +153,7 @@ class SeenView:
     """A picture that is seen, of the project's own arm."""
 
     def __init__(self):
-        self.shape = shape_of(load_robot(URDF / "piper.urdf"))
+        self.shape = shape_of(load_robot(URDF / "piper" / "piper.urdf"))
         self.trails = []
         self.seen = True
 
@@ -166,15 +170,15 @@ class SeenView:
 
 def test_the_trail_is_where_the_arm_was_measured(app_driver):
     app_driver.ready()
-    view: Any = SeenView()
-    keeper = TrailKeeper(app_driver.controller, view, 60.0)
+    view = SeenView()
+    keeper = TrailKeeper(app_driver.controller, cast("ArmView", view), 60.0)
     tips = []
 
     def follow(state):
         keeper.follow(state)
         if state.angles_deg() is None:
             return  # at the end, when the device is closed
-        flange = Kinematics().matrix(state.angles_deg())
+        flange = Kinematics(PIPER).matrix(state.angles_deg())
         tips.append(flange[:3, 3] + 140.0 * flange[:3, 2])
 
     app_driver.controller.state_changed.connect(follow)

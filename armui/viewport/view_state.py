@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final, NamedTuple
 
-from armui.system.paths import URDF
+from armui.arm.models import robot_description
+from armui.protocol.piper_model import PiperModel
 from armui.viewport.camera import HOME_CAMERA, OrbitCamera
 from armui.viewport.palette import LIGHT, ScenePalette
 from armui.viewport.path_picture import NOTHING, Preview, Reach, Trail
@@ -27,8 +28,8 @@ class RobotChoice(NamedTuple):
     serial: int = 0
 
 
-BUILT_IN_ROBOT: Final = RobotChoice(URDF / "piper.urdf")
-"""The project's own arm."""
+BUILT_IN_ROBOT: Final = RobotChoice(robot_description(PiperModel.PIPER))
+"""The project's own PiPER."""
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from armui.control.run.progress import Run
-from armui.ui.trajectory.editor.editor_window import EditorWindow
+from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.viewport.camera import ViewDirection
 from armui.viewport.grips import GripKind
 from armui.viewport.handles import Dragged, HandleKind
@@ -43,9 +43,9 @@ def reach(app_driver: AppDriver) -> None:
     app_driver.find("view_bar").view_actions["reach"].trigger()
 
 
-def _checked(app_driver: AppDriver, name: str) -> EditorWindow:
+def _checked(app_driver: AppDriver, name: str) -> EditorPage:
     library(app_driver).open_trajectory(name)
-    window = app_driver.dialog(EditorWindow)
+    window = app_driver.page(EditorPage)
     app_driver.wait(window.isActiveWindow)
     QTest.keyClick(window, Qt.Key.Key_E, Qt.KeyboardModifier.ControlModifier)
     return window
@@ -84,7 +84,7 @@ def dragging_joints(app_driver: AppDriver) -> None:
     """The chosen point of an editor, with an arc at each joint."""
     app_driver.connect()
     library(app_driver).open_trajectory("Pick and place")
-    app_driver.dialog(EditorWindow).select_row(1)
+    app_driver.page(EditorPage).select_row(1)
     app_driver.find("view_bar").choose_handles(HandleKind.JOINTS)
 
 

@@ -18,7 +18,7 @@ SIZES = [(840, 660), (420, 760), (1300, 500), (560, 560), (300, 420)]
 
 @pytest.fixture(scope="module")
 def shape():
-    return shape_of(load_robot(URDF / "piper.urdf"))
+    return shape_of(load_robot(URDF / "piper" / "piper.urdf"))
 
 
 def room_of(size):

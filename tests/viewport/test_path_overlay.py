@@ -116,7 +116,7 @@ def test_signs_and_numbers_are_painted_where_they_are_and_go_with_the_path(view,
 @pytest.fixture
 def scene():
     scene = Scene(WIDTH, HEIGHT)
-    scene.load(URDF / "piper.urdf")
+    scene.load(URDF / "piper" / "piper.urdf")
     scene.set_joints(REST, 0.0)
     yield scene
     scene.close()

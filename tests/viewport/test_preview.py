@@ -30,7 +30,7 @@ def path(bad_rows=frozenset()):
 @pytest.fixture
 def scene():
     scene = Scene(WIDTH, HEIGHT)
-    scene.load(URDF / "piper.urdf")
+    scene.load(URDF / "piper" / "piper.urdf")
     scene.set_joints(REST, 0.0)
     yield scene
     scene.close()
@@ -95,7 +95,7 @@ def test_a_ghost_shines_through_where_no_arm_is(scene):
 
 def test_a_ghost_is_no_arm_to_pick(scene):
     raised = Scene(WIDTH, HEIGHT)
-    raised.load(URDF / "piper.urdf")
+    raised.load(URDF / "piper" / "piper.urdf")
     raised.set_joints(RAISED, 0.0)
     columns, rows = np.meshgrid(np.arange(0, WIDTH, 20), np.arange(0, HEIGHT, 20))
     places = [

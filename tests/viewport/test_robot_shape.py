@@ -13,6 +13,7 @@ from armui.viewport.process.outline import shape_of
 from armui.viewport.process.reach_actor import profile_of
 from armui.viewport.process.urdf_file import load_robot
 from armui.viewport.robot_shape import moved, pose_rows
+from tests.family import PIPER
 
 POSES = [
     (0.0,) * 6,
@@ -23,7 +24,7 @@ POSES = [
 
 @pytest.fixture(scope="module")
 def robot():
-    return load_robot(URDF / "piper.urdf")
+    return load_robot(URDF / "piper" / "piper.urdf")
 
 
 @pytest.mark.parametrize("pose", POSES)
@@ -52,7 +53,7 @@ def test_the_points_of_a_link_reach_as_far_as_its_surface(robot):
 @pytest.mark.parametrize("pose", POSES)
 def test_the_flange_is_where_the_kinematics_have_it(robot, pose):
     rows = shape_of(robot).flange(shape_of(robot).links(pose))
-    expected = np.array(Kinematics().forward(pose)[:3]) / 1000.0
+    expected = np.array(Kinematics(PIPER).forward(pose)[:3]) / 1000.0
     np.testing.assert_allclose((rows[3], rows[7], rows[11]), expected, atol=2e-4)
 
 
@@ -95,7 +96,7 @@ def test_no_pose_of_the_arm_is_outside_of_the_shell_of_its_reach(robot):
     rng = np.random.default_rng(5)
     lows, highs = np.array(LIMITS_DEG).T
     for pose in rng.uniform(lows, highs, (400, 6)):
-        x, y, z = np.array(Kinematics().forward(pose)[:3]) / 1000.0 - shoulder_m
+        x, y, z = np.array(Kinematics(PIPER).forward(pose)[:3]) / 1000.0 - shoulder_m
         out, far = math.hypot(x, y), math.dist((x, y, z), (0.0, 0.0, 0.0))
         near = np.interp(math.atan2(z, out), angles, furthest)
         # behind the arm's back a way may lead that the profile, taken before it, does not show

@@ -133,7 +133,7 @@ def test_reset_returns_to_the_first_picture(view, qtbot):
 
 def place_on_forearm(view) -> QPoint:
     """Where the view shows the round end of the forearm."""
-    pose = load_robot(URDF / "piper.urdf").link_poses(RAISED, 35.0)["link3"]
+    pose = load_robot(URDF / "piper" / "piper.urdf").link_poses(RAISED, 35.0)["link3"]
     place = (pose @ np.array([-0.022, -0.185, 0.0, 1.0]))[np.newaxis, :3]
     ((x, y),) = project(place, view.camera)
     return QPoint(round(x), round(y))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from armui.arm.models import model_data
 from armui.ui.freshness import is_stale
 from armui.viewport.look_alike import look_alike
 from armui.viewport.robot_shape import moved
@@ -78,10 +79,9 @@ class TrailKeeper:
         shape = self._view.shape
         if shape is None:
             return None
-        from armui.control.parameters.arm_model import GRIPPER_REACH_MM  # noqa: PLC0415 - faster start
-
         x, y, z = self._controller.cartesian.tool[:3]
-        reach_mm = z if z > 0.0 else GRIPPER_REACH_MM
+        model = self._controller.operating_state.model
+        reach_mm = z if z > 0.0 else model_data(model).gripper.reach_mm
         rows = shape.flange(shape.links(angles_deg))
         place = moved(rows, (x / _MM, y / _MM, reach_mm / _MM))
         return (place[0] * _MM, place[1] * _MM, place[2] * _MM)

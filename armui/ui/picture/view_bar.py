@@ -9,6 +9,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QSize, Qt, Signa
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QFrame, QMenu, QToolButton
 
+from armui.ui.actions.keys import SHORTCUTS, keys_of
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import describe, named
@@ -33,14 +34,12 @@ class _Entry(NamedTuple):
     Attributes:
         text: Its name.
         tip: What it does.
-        key: Its shortcut in the window.
         icon: Its icon's name.
         stays: Whether it is switched on and off.
     """
 
     text: object
     tip: object
-    key: str
     icon: str = ""
     stays: bool = False
 
@@ -49,67 +48,56 @@ _ENTRIES: Final = {
     "front": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Front view"),
         QT_TRANSLATE_NOOP("ViewBar", "Looks at the arm from where it points to"),
-        "Ctrl+1",
         "view_front",
     ),
     "side": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Side view"),
         QT_TRANSLATE_NOOP("ViewBar", "Looks at the arm from its right side"),
-        "Ctrl+2",
         "view_side",
     ),
     "top": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Top view"),
         QT_TRANSLATE_NOOP("ViewBar", "Looks down on the arm"),
-        "Ctrl+3",
         "view_top",
     ),
     "iso": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Oblique view"),
         QT_TRANSLATE_NOOP("ViewBar", "Looks at the arm from the front right and above"),
-        "Ctrl+4",
         "view_iso",
     ),
     "fit": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Fit"),
         QT_TRANSLATE_NOOP("ViewBar", "Shows all of the arm as large as the room allows"),
-        "Ctrl+9",
         "view_fit",
     ),
     "follow": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Follow the tool"),
         QT_TRANSLATE_NOOP("ViewBar", "Keeps the tool centre point in the middle"),
-        "Ctrl+5",
         "view_follow",
         stays=True,
     ),
     "orthographic": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Without perspective"),
         QT_TRANSLATE_NOOP("ViewBar", "Parallel lines look parallel: lengths can be compared"),
-        "Ctrl+6",
         stays=True,
     ),
     "tool_frame": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Tool frame"),
         QT_TRANSLATE_NOOP("ViewBar", "Shows the axes of the tool centre point"),
-        "Ctrl+7",
         stays=True,
     ),
     "reach": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Workspace"),
         QT_TRANSLATE_NOOP("ViewBar", "Shows how far the tool centre point can reach"),
-        "Ctrl+8",
         stays=True,
     ),
     "save": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Save picture…"),
         QT_TRANSLATE_NOOP("ViewBar", "Writes the picture with its figures to a file"),
-        "Ctrl+Alt+S",
     ),
     "copy": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Copy picture"),
         QT_TRANSLATE_NOOP("ViewBar", "Puts the picture with its figures into the clipboard"),
-        "Ctrl+Alt+C",
     ),
 }
 _HANDLES: Final = {
@@ -118,7 +106,6 @@ _HANDLES: Final = {
     HandleKind.TOOL_FRAME: QT_TRANSLATE_NOOP("ViewBar", "Tool, along its own axes"),
     HandleKind.JOINTS: QT_TRANSLATE_NOOP("ViewBar", "Joints"),
 }
-_HANDLES_KEY: Final = "Ctrl+Shift+D"
 _STRIP: Final = ("front", "side", "top", "iso", "fit", "follow")
 _MENU: Final = (
     ("front", "side", "top", "iso"),
@@ -174,7 +161,7 @@ class ViewBar(Translated, QFrame):
     def _action(self, name: str, entry: _Entry) -> QAction:
         action = named(f"view_{name}", QAction(self))
         action.setCheckable(entry.stays)
-        action.setShortcut(QKeySequence(entry.key))
+        action.setShortcut(QKeySequence(keys_of(f"view.{name}")))
         self.addAction(action)
         return action
 
@@ -203,7 +190,7 @@ class ViewBar(Translated, QFrame):
             self._handles_menu.addAction(action)
             action.triggered.connect(lambda _on=False, kind=kind: self.choose_handles(kind))
         self._toggle_handles = named("handles_toggle", QAction(self))
-        self._toggle_handles.setShortcut(QKeySequence(_HANDLES_KEY))
+        self._toggle_handles.setShortcut(QKeySequence(keys_of("view.handles")))
         self._toggle_handles.triggered.connect(self._on_toggle_handles)
         self.addAction(self._toggle_handles)
         return result
@@ -215,6 +202,12 @@ class ViewBar(Translated, QFrame):
         if kind is not None:
             self._last_handles = kind
         self.handles_wanted.emit(kind)
+
+    @property
+    def without_button(self) -> dict[str, QAction]:
+        """What only the menu has, and the switch of the handles."""
+        rest = {name: each for name, each in self.view_actions.items() if name not in _STRIP}
+        return {**rest, "handles": self._toggle_handles}
 
     def _on_toggle_handles(self) -> None:
         off = self._handles[None].isChecked()
@@ -291,7 +284,7 @@ class ViewBar(Translated, QFrame):
             button.setAccessibleName(button.defaultAction().text())
         for kind, handles in _HANDLES.items():
             self._handles[kind].setText(QCoreApplication.translate("ViewBar", str(handles)))
-        name, keys = self.tr("Drag the target in the picture"), _HANDLES_KEY
+        name, keys = self.tr("Drag the target in the picture"), SHORTCUTS["view.handles"].text()
         self._toggle_handles.setText(name)
         self._handles_menu.setTitle(name)
         tip = self.tr(

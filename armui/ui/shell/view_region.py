@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
+from armui.ui.actions.keys import keys_of
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.translated import Translated
@@ -77,9 +78,8 @@ class ViewRegion(Translated, QWidget):
             layout.setRowStretch(0, 1)
         for button in self._buttons.values():
             button.raise_()
-        self._help.setShortcut("F1")
-        self._settings.setShortcut("Ctrl+,")
-        self._reset.setShortcut("Ctrl+0")
+        self._settings.setShortcut(keys_of("window.settings"))
+        self._reset.setShortcut(keys_of("window.reset_view"))
         self._help.clicked.connect(self.help_wanted)
         self._reset.clicked.connect(self.reset_wanted)
         self._settings.clicked.connect(self.settings_wanted)
@@ -107,7 +107,8 @@ class ViewRegion(Translated, QWidget):
             button.setText(text)
             button.setShortcut(shortcut)
             button.setAccessibleName(text)
-            button.setToolTip(f"{tip} ({shortcut.toString(shortcut.SequenceFormat.NativeText)})")
+            keys = shortcut.toString(shortcut.SequenceFormat.NativeText)
+            button.setToolTip(f"{tip} ({keys})" if keys else tip)
         self._tell_covered()
 
     def _recolor(self) -> None:

@@ -16,7 +16,7 @@ from armui.trajectory.points.program import VALUE_COUNT, check_point
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.trajectory.points.program import Waypoint
-    from armui.ui.trajectory.editor.editor_window import EditorWindow
+    from armui.ui.trajectory.editor.editor_page import EditorPage
 
 _ZERO: Final = (0.0,) * VALUE_COUNT
 _DECIMALS: Final = 3
@@ -31,7 +31,7 @@ class PointTarget:
         controller: Knows the arm and its kinematics.
     """
 
-    def __init__(self, editor: EditorWindow, controller: ArmController) -> None:
+    def __init__(self, editor: EditorPage, controller: ArmController) -> None:
         self._editor = editor
         self._controller = controller
         self._solved: tuple[object, int, tuple[float, ...] | None] | None = None

@@ -17,8 +17,8 @@ from armui.ui.trajectory.preview.point_target import PointTarget
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
-    from armui.ui.trajectory.editor.editor_window import EditorWindow
-    from armui.ui.trajectory.library.library_window import LibraryWindow
+    from armui.ui.trajectory.editor.editor_page import EditorPage
+    from armui.ui.trajectory.library.library_page import LibraryPage
     from armui.ui.trajectory.preview.path_preview import PathPreview
     from armui.ui.trajectory.running.preflight import Preflight
     from armui.viewport.path_picture import FindingMark, PathPicture
@@ -39,13 +39,13 @@ class PreviewLink(QObject):
     """
 
     def __init__(
-        self, library: LibraryWindow, preview: PathPreview, controller: ArmController
+        self, library: LibraryPage, preview: PathPreview, controller: ArmController
     ) -> None:
         super().__init__(library)
         self._preview = preview
         self._controller = controller
-        self._editor: EditorWindow | None = None
-        self._edited: EditorWindow | None = None
+        self._editor: EditorPage | None = None
+        self._edited: EditorPage | None = None
         self._target: PointTarget | None = None
         self._marks: tuple[object, PathPicture | None] = (None, None)
         library.preview_wanted.connect(partial(self._show, None))
@@ -69,20 +69,20 @@ class PreviewLink(QObject):
         if self._editor is not None and finding.row is not None:
             self._editor.select_row(finding.row)
 
-    def _follow(self, editor: EditorWindow) -> None:
+    def _follow(self, editor: EditorPage) -> None:
         editor.preview_wanted.connect(partial(self._show, editor))
         editor.selected_row_changed.connect(partial(self._on_row, editor))
-        editor.left.connect(partial(self._on_left, editor))
+        editor.closed.connect(partial(self._on_left, editor))
         editor.table.selectionModel().currentChanged.connect(partial(self._on_cell, editor))
         self._edit(editor)
 
-    def _edit(self, editor: EditorWindow) -> None:
+    def _edit(self, editor: EditorPage) -> None:
         if editor is not self._edited:
             self._edited = editor
             self._target = PointTarget(editor, self._controller)
         self._show_points()
 
-    def _show(self, editor: EditorWindow | None, checked: Preflight | None) -> None:
+    def _show(self, editor: EditorPage | None, checked: Preflight | None) -> None:
         if checked is None:
             if editor is self._editor:
                 self._preview.show(None)
@@ -102,13 +102,13 @@ class PreviewLink(QObject):
             numbered=isinstance(content, Trajectory),
         )
 
-    def _on_row(self, editor: EditorWindow, row: int) -> None:
+    def _on_row(self, editor: EditorPage, row: int) -> None:
         if editor is self._editor:
             self._preview.select_row(row if row >= 0 else None)
         else:
             self._edit(editor)
 
-    def _on_cell(self, editor: EditorWindow, cell: QModelIndex, _before: QModelIndex) -> None:
+    def _on_cell(self, editor: EditorPage, cell: QModelIndex, _before: QModelIndex) -> None:
         """The range of a joint is shown while its cell is edited."""
         points, row = editor.document.points, cell.row()
         if cell.column() in VALUES and 0 <= row < len(points) and points[row].is_joint:
@@ -129,7 +129,7 @@ class PreviewLink(QObject):
         row = editor.table.current_row()
         self._preview.show_points(self._marks[1], row if row >= 0 else None, target.angles_deg())
 
-    def _on_left(self, editor: EditorWindow) -> None:
+    def _on_left(self, editor: EditorPage) -> None:
         """What was previewed or edited is no longer open."""
         if editor is self._edited:
             self._edited = self._target = None
