@@ -136,14 +136,14 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             files=files,
             folder=trajectories,
             preview=self._preview,
-            view=view,
+            picture=self._picture,
             parent=self,
         )
         self._status_bar = StatusBar(controller)
         self._watch.show_marks_in(self._status_bar)
         self._actions = WindowActions(self, controller, preferences, background)
-        self._status_bar.add_mark(self._actions.offer(self._diagnosis, self._watch))
         self._status_bar.add_mark(ModelMark(controller, self.open_connect_dialog))
+        self._status_bar.add_mark(self._actions.offer(self._diagnosis, self._watch, self._picture))
         self._lay_out()
         self._connect()
         WindowLayout(self._keeper, self, self._work_column, _FIRST_SIZE)
@@ -193,6 +193,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._view_region.help_wanted.connect(self.open_help_dialog)
         self._view_region.reset_wanted.connect(self._view.reset_view)
         self._view_region.settings_wanted.connect(self.open_settings_dialog)
+        self._picture.follow_panels(self._panels.currentWidget)
         self._view.joint_picked.connect(self._panels.focus_joint)
         self._view.load_failed.connect(self._status_bar.show_problem)
         self._status_bar.event_wanted.connect(self._watch.show_events)

@@ -38,6 +38,7 @@ class Viewpoint:
     Attributes:
         camera: Where the picture is taken from.
         mode: Who moves it.
+        is_carried: Whether a handle is held: the camera rests, whatever the wheel says.
     """
 
     def __init__(self) -> None:
@@ -52,6 +53,7 @@ class Viewpoint:
         self._reached: tuple[Vector, ...] = ()
         self._been: list[Sequence[Vector]] = []
         self._is_held = False
+        self.is_carried = False
 
     # what there is to see ---------------------------------------------------------------------
 

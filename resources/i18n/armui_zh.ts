@@ -3446,6 +3446,46 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <source>X, Y and Z of the base, from the middle of its foot</source>
         <translation>基座坐标系的 X、Y、Z 轴，原点在底座中心</translation>
     </message>
+<message>
+        <source>Ctrl+1 … Ctrl+4</source>
+        <translation>Ctrl+1 … Ctrl+4</translation>
+    </message>
+    <message>
+        <source>Front, side, top and oblique view</source>
+        <translation>前视、侧视、俯视、轴测视图</translation>
+    </message>
+    <message>
+        <source>Ctrl+5, Ctrl+9</source>
+        <translation>Ctrl+5、Ctrl+9</translation>
+    </message>
+    <message>
+        <source>Follow the tool; show all of the arm</source>
+        <translation>跟随末端；显示整个机械臂</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>Handles: drag the target, or the chosen point; Ctrl and Shift snap, Esc gives up</source>
+        <translation>手柄：拖动目标或所选点；按住 Ctrl、Shift 按步进，Esc 放弃</translation>
+    </message>
+    <message>
+        <source>Band along the way</source>
+        <translation>沿途的色带</translation>
+    </message>
+    <message>
+        <source>Where the tool has been; thin violet: the setpoints sent one after another</source>
+        <translation>末端走过的路径；紫色细线：依次发送的目标点</translation>
+    </message>
+    <message>
+        <source>Octagon, triangle</source>
+        <translation>八角形、三角形</translation>
+    </message>
+    <message>
+        <source>An error or a warning of the check, where it would happen: click for its row</source>
+        <translation>检查发现的错误或警告及其位置：点击转到对应行</translation>
+    </message>
 </context>
 <context>
     <name>HelpDialog</name>
@@ -10140,7 +10180,31 @@ Afterwards the motors must be enabled again.</source>
         <source>Views, and what is drawn in the picture</source>
         <translation>视角以及画面中显示的内容</translation>
     </message>
-</context>
+<message>
+        <source>No handles</source>
+        <translation>不显示手柄</translation>
+    </message>
+    <message>
+        <source>Tool, along the axes of the base</source>
+        <translation>末端，沿基坐标系各轴</translation>
+    </message>
+    <message>
+        <source>Tool, along its own axes</source>
+        <translation>末端，沿工具坐标系各轴</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Drag the target in the picture</source>
+        <translation>在画面中拖动目标</translation>
+    </message>
+    <message>
+        <source>Drags the target, or the chosen point, in the picture; the arm does not move. Ctrl: coarse steps, Shift: fine steps, Esc: give up</source>
+        <translation>在画面中拖动目标或所选点，机械臂不会运动。Ctrl：大步进，Shift：小步进，Esc：放弃</translation>
+    </message>
+    </context>
 <context>
     <name>ViewRegion</name>
     <message>
@@ -10683,5 +10747,9 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Curves</source>
         <translation>曲线</translation>
+    </message>
+</context><context><name>PointTarget</name><message>
+        <source>Drag in the picture</source>
+        <translation>在画面中拖动</translation>
     </message>
 </context></TS>
