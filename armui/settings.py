@@ -63,6 +63,7 @@ class Choices(TypedDict, total=False):
     session_format: SessionFormat
     session_rotate_mb: int
     session_save_at_faults: bool
+    has_jogged: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +81,7 @@ class Settings:
         session_format: The suffix of their files.
         session_rotate_mb: A file that is as large is followed by another.
         session_save_at_faults: The last minutes are saved by themselves at a fault or a stop.
+        has_jogged: The operator has moved an arm before: the first step is not shown any more.
     """
 
     language: Language = "zh"
@@ -92,6 +94,7 @@ class Settings:
     session_format: SessionFormat = ".blf"
     session_rotate_mb: int = 100
     session_save_at_faults: bool = False
+    has_jogged: bool = False
 
 
 Subscriber = Callable[[Settings], None]
@@ -117,6 +120,7 @@ def check(name: str, value: object) -> Refusal | None:
         "session_format": value in get_args(SessionFormat),
         "session_rotate_mb": _is_rotate_mb(value),
         "session_save_at_faults": isinstance(value, bool),
+        "has_jogged": isinstance(value, bool),
     }
     if allowed.get(name, False):
         return None

@@ -22,6 +22,7 @@ from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.shell.arm_in_view import show_in_view
 from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
 from armui.ui.shell.failure_line import FailureLine
+from armui.ui.shell.first_steps import FirstSteps
 from armui.ui.shell.joint_status_button import JointStatusButton
 from armui.ui.shell.leaving import end_motion_then, end_single_motion_then
 from armui.ui.shell.library_button import LibraryButton
@@ -84,7 +85,6 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._controller = controller
         self._view = view
         self._preferences = preferences
-        self._workers = workers
         self._files = files
         self._trajectories = trajectories
         self._settings = preferences.settings
@@ -93,7 +93,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._entries = menu_entries(controller, preferences, self.open_backup_dialog)
         self._joint_monitor = JointMonitor(controller, parent=self)
         self._diagnosis = DiagnosisDialogs(controller, files or workers, self)
-        background = Background(workers, files, self)
+        background = self._background = Background(workers, files, self)
         self._watch = WatchWindows(
             controller,
             preferences.path,
@@ -110,6 +110,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._status_bar = StatusBar(controller)
         self._watch.show_marks_in(self._status_bar)
         self._actions = WindowActions(self, controller, preferences, background)
+        FirstSteps(self, controller, preferences)
         self._status_bar.add_mark(self._actions.offer(self._diagnosis, self._watch))
         self._lay_out()
         self._connect()
@@ -227,7 +228,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         def make() -> QDialog:
             from armui.ui.dialogs.connect import ConnectDialog  # noqa: PLC0415 - faster start
 
-            dialog = ConnectDialog(self._controller, self, before_leaving=self._leave_arm_then)
+            dialog = ConnectDialog(self._controller, self, self._leave_arm_then, self._background)
             dialog.diagnosis_wanted.connect(self._diagnosis.open_doctor)
             return dialog
 
@@ -269,8 +270,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
                 if isinstance(files, FileThread)
                 else Library(folder)
             )
-            background = Background(self._workers, self._files, self)
-            window = LibraryWindow(self._controller, background, library, self)
+            window = LibraryWindow(self._controller, self._background, library, self)
             link = PreviewLink(window, self._preview)
             self._view.mark_picked.connect(link.on_mark_picked)
             return window

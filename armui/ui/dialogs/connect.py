@@ -24,6 +24,8 @@ from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.operating_state import LinkState, OperatingState
 from armui.ui import words
+from armui.ui.background import Background
+from armui.ui.dialogs.adapter_trouble import AdapterTrouble
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.device_model import CHANNEL, STATE, DeviceModel, bitrate_text, same_device
@@ -52,6 +54,7 @@ class ConnectDialog(ArmDialog):
         controller: Searches and connects.
         parent: The main window.
         before_leaving: Asks about what is not saved, before the arm is left for another or none.
+        background: Where it is looked for what is wrong with an adapter; nothing is by default.
 
     Signals:
         diagnosis_wanted: The operator wants to know why a device, or no arm, answers.
@@ -64,8 +67,11 @@ class ConnectDialog(ArmDialog):
         controller: ArmController,
         parent: QWidget | None = None,
         before_leaving: Leaving | None = None,
+        background: Background | None = None,
     ) -> None:
         super().__init__(controller, parent)
+        self._trouble = None if background is None else AdapterTrouble(background)
+        self._wanted: Device | None = None
         self._before_leaving = before_leaving
         self._controller = controller
         self._operating_state = controller.operating_state
@@ -80,7 +86,7 @@ class ConnectDialog(ArmDialog):
         self._table.doubleClicked.connect(self._on_connect)
         self.connect_button.clicked.connect(self._on_connect)
         self.disconnect_button.clicked.connect(self._on_disconnect)
-        self.refresh_button.clicked.connect(controller.search_devices)
+        self.refresh_button.clicked.connect(self._search)
         self.diagnosis_button.clicked.connect(self._on_diagnosis)
         self.close_button.clicked.connect(self.close)
         self._manual.entered.connect(self._on_entered)
@@ -106,7 +112,10 @@ class ConnectDialog(ArmDialog):
         self._progress.setRange(0, 0)
         self.diagnosis_button = push_button("connect_diagnosis", on_enter=False)
         said = in_row((self._message, 1), self.diagnosis_button, spacing=8)
-        fill(self.body, said, (self._table, 1), self._progress, self._build_bitrate())
+        fill(self.body, said)
+        if self._trouble is not None:
+            fill(self.body, self._trouble)
+        fill(self.body, (self._table, 1), self._progress, self._build_bitrate())
         self._manual = ManualEntry(self._controller.interfaces())
         self._manual_label = text_label(rank="muted")
         self.body.addWidget(self._manual_label)
@@ -161,7 +170,13 @@ class ConnectDialog(ArmDialog):
         super().showEvent(event)
         if not event.spontaneous():
             self._table.setFocus()
-            self._controller.search_devices()
+            self._wanted = None
+            self._search()
+
+    def _search(self) -> None:
+        self._controller.search_devices()
+        if self._trouble is not None:
+            self._trouble.examine()
 
     def _on_connect(self) -> None:
         device = self._selected()
@@ -170,7 +185,11 @@ class ConnectDialog(ArmDialog):
         if bitrate_is_ours(device.interface) and not device.simulated:
             device = replace(device, bitrate=self.bitrate_box.currentData())
         chosen = replace(device, listen_only=self.listen_only_box.isChecked())
-        self._leave_then(lambda: self._controller.connect_device(chosen))
+        self._leave_then(lambda: self._connect(chosen))
+
+    def _connect(self, device: Device) -> None:
+        self._wanted = device
+        self._controller.connect_device(device)
 
     def _on_diagnosis(self) -> None:
         self.diagnosis_wanted.emit(self._selected())
@@ -227,6 +246,9 @@ class ConnectDialog(ArmDialog):
         self._operating_state = operating_state
         self._model.show_connected(operating_state.device, operating_state.link)
         self._refresh()
+        online = operating_state.link is LinkState.ONLINE
+        if online and self._wanted is not None and self._is_connected(self._wanted):
+            self.close()  # nothing is left to be done here: the arm is in sight again
 
     # How it looks -----------------------------------------------------------------------------
 
