@@ -36,7 +36,7 @@ def lit(app_driver):
 
 def press_what_is_lit(app_driver):
     """Press until the arm moves; the names of what was pressed."""
-    pressed = []
+    pressed: list[str] = []
     before = app_driver.firmware.joints_deg
     while app_driver.firmware.joints_deg == before:
         assert len(pressed) < 20, pressed

@@ -282,6 +282,13 @@
     </message>
 </context>
 <context>
+    <name>AdapterTrouble</name>
+    <message>
+        <source>en</source>
+        <translation>zh</translation>
+    </message>
+</context>
+<context>
     <name>ArcBox</name>
     <message>
         <source>start</source>
@@ -2952,6 +2959,29 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Gripper settings</source>
         <translation>夹爪设置</translation>
+    </message>
+</context>
+<context>
+    <name>GuideWindow</name>
+    <message>
+        <source>User guide</source>
+        <translation>使用指南</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>在指南中查找</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>Text of the guide</source>
+        <translation>指南正文</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation>zh</translation>
     </message>
 </context>
 <context>

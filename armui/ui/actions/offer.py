@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QWidget
 
-from armui.ui.actions.catalogue import Action, actions
+from armui.ui.actions.catalogue import Command, actions
 from armui.ui.actions.places import PANELS, PLACES
 from armui.ui.actions.reasons import why_not
 from armui.ui.widgets.press_button import PressButton
@@ -68,7 +68,7 @@ class Offers:
 
     # -- the catalogue ------------------------------------------------------------------------
 
-    def _of(self, action: Action) -> Offer:
+    def _of(self, action: Command) -> Offer:
         title, place = action.title.text(), PLACES[action.place].text()
         place = "" if place == title else place
         if not action.target:
@@ -78,7 +78,7 @@ class Offers:
         reason_text = why_not(action, self._controller) if widget is None else _why_not(widget)
         return Offer(title, place, action.keys, reason_text, lambda: self.do(action))
 
-    def do(self, action: Action) -> None:
+    def do(self, action: Command) -> None:
         """Do what an action does, by its button: what that asks first is asked."""
         if action.target not in {f"menu_{panel}" for panel in PANELS}:
             self._show_place(action.place)

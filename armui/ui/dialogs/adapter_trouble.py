@@ -16,7 +16,7 @@ from armui.ui.dialogs.finding_row import FindingRow
 from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.translated import Translated
 
-_MOST: Final = 2
+_MOST: Final = 1
 """The gravest alone: 诊断 tells all of them."""
 
 
