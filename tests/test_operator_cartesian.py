@@ -13,13 +13,14 @@ from armui.kinematics.axes import AXES
 from armui.kinematics.poses import Pose, pose_to_matrix, tool_pose
 from armui.protocol.frame import Frame
 from tests.control.jogger import BENT_DEG, bend, hold, rest_s
+from tests.family import PIPER
 from tests.generations import ONE_IS_ENOUGH
 
-BENT_POSE = Kinematics().forward(BENT_DEG)
+BENT_POSE = Kinematics(PIPER).forward(BENT_DEG)
 
 
 def flange(app_driver) -> Pose:
-    return Kinematics().forward(app_driver.firmware.joints_deg)
+    return Kinematics(PIPER).forward(app_driver.firmware.joints_deg)
 
 
 def fields(app_driver):

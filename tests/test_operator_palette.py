@@ -14,7 +14,7 @@ from armui.ui.actions.shortcut_list import ShortcutList
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.keycap import KeyCap
 from armui.ui.dialogs.settings import SettingsDialog
-from armui.ui.trajectory.library.library_window import LibraryWindow
+from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.press_button import PressButton
 
@@ -117,7 +117,7 @@ def test_a_field_is_gone_to(app_driver):
 
 def test_another_window_and_its_own_buttons(app_driver):
     command(app_driver, "trajectory library")
-    library = app_driver.dialog(LibraryWindow)
+    library = app_driver.page(LibraryPage)
     palette = open_palette(app_driver, library)
     titles = {offer.title for offer in rows(palette) if offer.place == "Trajectory library"}
     assert {"Import files", "Create", "Record"} <= titles

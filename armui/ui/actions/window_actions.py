@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QWidget
 from armui.control.operating_state import StopState
 from armui.ui.actions.commands_button import CommandsButton
 from armui.ui.actions.keys import keys_of
+from armui.ui.shell.first_steps import FirstSteps
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -49,6 +50,7 @@ class WindowActions(QObject):
         self._background = background
         self._doings: dict[str, Doing] = {}
         self._opened: dict[str, QDialog] = {}
+        FirstSteps(window, controller, store)
         self._button = CommandsButton()
         self._button.clicked.connect(self.open_palette)
         openers: dict[str, Doing] = {

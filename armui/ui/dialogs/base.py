@@ -38,7 +38,7 @@ class ArmDialog(Translated, KeepsFocus, QDialog):
         self.halt_button = HaltButton(controller, self)
         self.stop_button = StopButton(controller, self)
 
-        header = in_row((self._heading, 1), spacing=_GAP_PX)
+        self._header = header = in_row((self._heading, 1), spacing=_GAP_PX)
         header.addWidget(self.halt_button, 0, Qt.AlignmentFlag.AlignTop)
         header.addWidget(self.stop_button, 0, Qt.AlignmentFlag.AlignTop)
         self._body = in_column(spacing=_GAP_PX)
@@ -56,6 +56,10 @@ class ArmDialog(Translated, KeepsFocus, QDialog):
     def footer(self) -> QHBoxLayout:
         """Where its buttons go, from left to right."""
         return self._footer
+
+    def add_to_header(self, widget: QWidget) -> None:
+        """Put something between the title and the stops."""
+        self._header.insertWidget(1, widget, 0, Qt.AlignmentFlag.AlignVCenter)
 
     def set_title(self, title: str) -> None:
         """Name the dialog, in its frame and at its top."""

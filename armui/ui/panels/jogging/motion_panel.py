@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Final
 
 from PySide6.QtCore import Qt
@@ -129,6 +130,13 @@ class MotionPanel(JogPanel):
             self._rows[joint - 1].own = False
         self._follow_arm()
 
+    def _follow_device(self) -> None:
+        """The fields of joints that a gamepad turns go along, too."""
+        jog = self._controller.jogging.steered
+        if jog is not None and not jog.frame:
+            for joint in _moving(jog.rates):
+                self._rows[joint - 1].own = False
+
     def _on_home(self) -> None:
         if self._accepted(self._controller.motion.go_home()):
             self._release(*JOINTS)
@@ -168,6 +176,7 @@ class MotionPanel(JogPanel):
     # -- what the arm says --------------------------------------------------------------------
 
     def _on_state_changed(self, state: ArmState) -> None:
+        self._follow_device()
         if self.isVisible():
             self._follow_arm()
             self._show_measured(state)
@@ -257,3 +266,7 @@ class MotionPanel(JogPanel):
         caption(self._load, self.tr("Load"), key=_LOAD_KEY)
         caption(self._send, self.tr("Send"), key=_SEND_KEY)
         super().retranslate_ui()
+
+
+def _moving(rates: Sequence[float]) -> frozenset[int]:
+    return frozenset(joint for joint, rate in zip(JOINTS, rates, strict=True) if rate)

@@ -7,11 +7,11 @@ from typing import Final
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QToolButton, QWidget
 
 from armui.ui.actions.keys import SHORTCUTS, keys_of
 from armui.ui.widgets.buttons import named
-from armui.ui.widgets.layouts import STRETCH, in_row
+from armui.ui.widgets.flow import Flow, in_flow
 
 _NAMES: Final = tuple(
     each.name.removeprefix("editor.") for each in SHORTCUTS.values() if each.place == "editor"
@@ -27,7 +27,10 @@ _MENU: Final = (
 )
 """The right-button menu of the table, in its groups."""
 
-_BAR: Final = ("save", "undo", "redo", "insert_measured", "go_to", "find", "check")
+_BAR: Final = ("save", "undo", "redo", "insert_measured", "jog", "go_to", "find", "check")
+
+_EVERYWHERE: Final = "insert_measured"
+"""Its key counts in every window, so that jogging and inserting need no change of place."""
 
 _OF_TABLE: Final = frozenset(name for group in _MENU for name in group) - {"find"}
 """Their keys count while the table has the focus."""
@@ -37,24 +40,24 @@ class EditorActions:
     """All actions by name.
 
     Args:
-        window: The editor; the keys of what concerns the whole are its.
+        page: The editor; the keys of what concerns the whole are its.
         table: The menu is its, and the keys of what concerns rows.
         handlers: What each does.
     """
 
     def __init__(
-        self, window: QWidget, table: QWidget, handlers: Mapping[str, Callable[[], object]]
+        self, page: QWidget, table: QWidget, handlers: Mapping[str, Callable[[], object]]
     ) -> None:
         self._actions: dict[str, QAction] = {}
         for name in _NAMES:
-            owner = table if name in _OF_TABLE else window
+            owner = table if name in _OF_TABLE else page
             action = named(f"action_{name}", QAction(owner))
-            action.setShortcut(QKeySequence(keys_of(f"editor.{name}")))
+            if name != _EVERYWHERE:
+                action.setShortcut(self.keys(name))
             action.triggered.connect(lambda _checked=False, do=handlers[name]: do())
-            if name in _OF_TABLE:
-                action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
-            else:
-                window.addAction(action)
+            action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+            if name not in _OF_TABLE:
+                page.addAction(action)
             self._actions[name] = action
         for group in _MENU:
             for name in group:
@@ -62,21 +65,33 @@ class EditorActions:
             parting = QAction(table)
             parting.setSeparator(True)
             table.addAction(parting)
+        self._actions["jog"].setCheckable(True)
         self.retranslate()
+
+    @staticmethod
+    def keys(name: str) -> QKeySequence:
+        """The key of an action."""
+        return QKeySequence(keys_of(f"editor.{name}"))
 
     def __getitem__(self, name: str) -> QAction:
         return self._actions[name]
 
-    def bar(self) -> QHBoxLayout:
-        """A row of buttons for the actions used most."""
+    def bar(self, *more: QWidget) -> Flow:
+        """A row of buttons for the actions used most.
+
+        Args:
+            more: What follows them.
+        """
         buttons = [named(f"editor_{name}", QToolButton()) for name in _BAR]
         for name, button in zip(_BAR, buttons, strict=True):
             button.setDefaultAction(self._actions[name])
-        return in_row(*buttons, STRETCH, spacing=6)
+            button.setProperty("choice", self._actions[name].isCheckable())
+        return in_flow(*buttons, *more)
 
     def retranslate(self) -> None:
         """Put every word into the operator's language; tooltips name the keys."""
         for name, action in self._actions.items():
             shortcut = SHORTCUTS[f"editor.{name}"]
             action.setText(shortcut.title.text())
+            action.setIconText(action.text())
             action.setToolTip(f"{action.text()} ({shortcut.text()})")
