@@ -1,6 +1,8 @@
 """The user guide: complete, the same in both languages, and opened at the right place."""
 
+import ast
 import re
+from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
@@ -12,7 +14,7 @@ from armui.ui.actions.places import PANELS
 from armui.ui.background import Background
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.guide.guide_window import GuideWindow
-from armui.ui.guide.place import sections_named
+from armui.ui.guide.place import sections_named, windows_named
 from armui.ui.guide.text import FOLDER, parse, read_guide, search
 from armui.ui.widgets.message_line import MessageLine
 from tests.app_driver import AtOnce
@@ -20,9 +22,10 @@ from tests.app_driver import AtOnce
 LANGUAGES = ("zh", "en")
 MANUAL = [f"M{number}" for number in range(1, 27)]
 PROTOCOL = [f"P{number}" for number in range(1, 10)]
-BEYOND = [f"B{number}" for number in (*range(1, 19), 21, 28)]
+BEYOND = [f"B{number}" for number in (*range(1, 19), 20, 21, 22, 28)]
 """What the program has of the functions that go beyond the manual and the protocol."""
 MOST_BYTES = 100_000
+ROOT = Path(__file__).resolve().parents[1]
 
 
 @pytest.fixture(params=LANGUAGES)
@@ -45,6 +48,20 @@ def test_both_languages_have_the_same_sections_and_functions():
 
 def test_every_place_leads_to_a_section(sections):
     assert sections_named() <= {section.anchor for section in sections}
+
+
+def test_every_window_and_page_has_a_section():
+    """Questions and their like belong to the place that asks."""
+    asking = {"ConfirmDialog", "SaveQuestion", "CloseQuestion", "UnsavedQuestion", "FileDialog"}
+    holding = {"ArmDialog", "Page", "PageWindow", "GuideWindow", "MainWindow"}
+    classes = set()
+    for path in (ROOT / "armui" / "ui").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ClassDef):
+                bases = {each.id for each in node.bases if isinstance(each, ast.Name)}
+                if bases & {"ArmDialog", "Page"}:
+                    classes.add(node.name)
+    assert classes - asking - holding == windows_named()
 
 
 def test_links_lead_somewhere(sections):
@@ -142,7 +159,7 @@ def test_contents_search_and_links(app_driver):
     assert guide.shown == "keys"
     assert guide.search.text() == ""
     QTest.keyClick(guide.contents, Qt.Key.Key_Up)
-    assert guide.shown == "doctor"
+    assert guide.shown == "gamepad"
 
 
 def test_it_speaks_the_language_of_the_window(app_driver):

@@ -8,6 +8,7 @@ from typing import Final
 from PySide6.QtWidgets import QAbstractButton, QApplication, QWidget
 
 from armui.ui.actions.places import PANELS
+from armui.ui.widgets.page import Page
 
 FIRST: Final = "start"
 
@@ -16,19 +17,20 @@ _WINDOWS: Final[Mapping[str, str]] = {
     "BackupDialog": "backup",
     "BinDialog": "library",
     "BusWindow": "bus",
-    "ColumnsDialog": "files",
+    "ColumnsPage": "files",
     "CommandPalette": "keys",
     "ConnectDialog": "connect",
     "DoctorDialog": "doctor",
-    "EditorWindow": "editor",
+    "EditorPage": "editor",
     "EventWindow": "events",
     "ExportDialog": "export",
+    "GamepadDialog": "gamepad",
     "HelpDialog": "view",
     "ImportReport": "files",
     "JointStatusDialog": "joint_status",
-    "LibraryWindow": "library",
+    "LibraryPage": "library",
     "PlotWindow": "plots",
-    "RecordingWindow": "recording",
+    "RecordingPage": "recording",
     "ReplayWindow": "replay",
     "SessionsWindow": "sessions",
     "SettingsDialog": "settings",
@@ -38,6 +40,7 @@ _WINDOWS: Final[Mapping[str, str]] = {
 
 _REGIONS: Final[Mapping[str, str]] = {
     "ArmView": "view",
+    "GamepadStrip": "gamepad",
     "RecoveryLine": "recovery",
     "SpeedControl": "window",
     "StatusBar": "window",
@@ -60,7 +63,13 @@ def section_of(window: QWidget) -> str:
         if section is not None:
             return section
         each = each.parentWidget()
-    return _panel(window)
+    return _page(window) or _panel(window)
+
+
+def _page(window: QWidget) -> str:
+    """Of the page beside the picture, if one is shown there."""
+    pages = (each for each in window.findChildren(Page) if each.isVisible())
+    return next((_WINDOWS.get(type(each).__name__, "") for each in pages), "")
 
 
 def _panel(window: QWidget) -> str:
@@ -69,6 +78,11 @@ def _panel(window: QWidget) -> str:
         if entry is not None and entry.isChecked():
             return panel
     return FIRST
+
+
+def windows_named() -> set[str]:
+    """The classes of the windows and pages that have a section."""
+    return set(_WINDOWS)
 
 
 def sections_named() -> set[str]:
