@@ -75,6 +75,7 @@ class Choices(TypedDict, total=False):
     session_format: SessionFormat
     session_rotate_mb: int
     session_save_at_faults: bool
+    has_jogged: bool
     picture_direction: PictureDirection
     picture_orthographic: bool
     picture_tool_frame: bool
@@ -104,6 +105,7 @@ class Settings:
         models: Which arm of the family was chosen, by the adapter's serial number, with the node
             number where that is known; the last choice last.
         session_save_at_faults: The last minutes are saved by themselves at a fault or a stop.
+        has_jogged: The operator has moved an arm before: the first step is not shown any more.
         picture_direction: From where the 3D picture shows the arm to begin with.
         picture_orthographic: It is drawn without perspective.
         picture_tool_frame: It shows the axes of the tool centre point.
@@ -125,6 +127,7 @@ class Settings:
     session_format: SessionFormat = ".blf"
     session_rotate_mb: int = 100
     session_save_at_faults: bool = False
+    has_jogged: bool = False
     picture_direction: PictureDirection = "iso"
     picture_orthographic: bool = False
     picture_tool_frame: bool = True
@@ -160,6 +163,7 @@ def check(name: str, value: object) -> Refusal | None:
         "session_format": value in get_args(SessionFormat),
         "session_rotate_mb": _is_whole(value, ROTATE_MIN_MB, ROTATE_MAX_MB),
         "session_save_at_faults": isinstance(value, bool),
+        "has_jogged": isinstance(value, bool),
         "picture_direction": value in get_args(PictureDirection),
         "picture_orthographic": isinstance(value, bool),
         "picture_tool_frame": isinstance(value, bool),

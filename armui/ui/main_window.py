@@ -103,7 +103,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._robot = RobotInView(view, controller, self._settings.urdf_path, self)
         self._joint_monitor = JointMonitor(controller, parent=self)
         self._diagnosis = DiagnosisDialogs(controller, files or workers, self)
-        background = Background(workers, files, self)
+        background = self._background = Background(workers, files, self)
         self._keeper = LayoutKeeper(preferences.path, background, self)
         self._workspace = Workspace(controller, self._keeper, self)
         self._watch = WatchWindows(
@@ -260,8 +260,9 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             from armui.ui.dialogs.connect import ConnectDialog  # noqa: PLC0415 - faster start
             from armui.ui.dialogs.kept_models import KeptModels  # noqa: PLC0415 - as above
 
+            kept = KeptModels(self._preferences)
             dialog = ConnectDialog(
-                self._controller, self, self._leave_arm_then, KeptModels(self._preferences)
+                self._controller, self, self._leave_arm_then, kept, self._background
             )
             dialog.diagnosis_wanted.connect(self._diagnosis.open_doctor)
             return dialog

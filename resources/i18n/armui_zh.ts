@@ -10752,4 +10752,28 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>Drag in the picture</source>
         <translation>在画面中拖动</translation>
     </message>
+</context><context><name>AdapterTrouble</name><message>
+        <source>en</source>
+        <translation>zh</translation>
+    </message>
+</context><context><name>GuideWindow</name><message>
+        <source>User guide</source>
+        <translation>使用指南</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>在指南中查找</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>Text of the guide</source>
+        <translation>指南正文</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation>zh</translation>
+    </message>
 </context></TS>

@@ -37,10 +37,10 @@ class KeepsFocus(_Base):
         return self._go_on_from(left, forward)
 
     def _go_on_from(self, left: QWidget, forward: bool) -> bool:
-        each = left
+        each: QWidget | None = left
         while True:
             each = each.nextInFocusChain() if forward else each.previousInFocusChain()
-            if each is left:
+            if each is None or each is left:
                 return False
             by_tab = bool(each.focusPolicy() & Qt.FocusPolicy.TabFocus)
             if by_tab and each.window() is self and _takes_keys(each):
