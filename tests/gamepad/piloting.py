@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import EventCode
 from armui.control.gamepad.pilot import GamepadPilot
 from armui.gamepad.device_state import DeviceInfo
@@ -69,7 +70,7 @@ def pilot(app_driver: AppDriver) -> GamepadPilot:
     return app_driver.controller.gamepad
 
 
-def reasons(app_driver: AppDriver) -> list[str]:
+def reasons(app_driver: AppDriver) -> list[RefusalCode]:
     """Why jogs have ended."""
     found = []
     for event in app_driver.events:

@@ -8,7 +8,7 @@ from typing import Final
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.gamepad.device_state import DeviceKind
-from armui.gamepad.layout import JogMode, AxisSource
+from armui.gamepad.layout import AxisSource, JogMode
 from armui.kinematics.axes import AXES
 from armui.ui.words.text import sentence
 
