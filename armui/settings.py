@@ -28,7 +28,7 @@ from armui.system.error_text import error_text
 
 Language = Literal["zh", "en"]
 ThemeName = Literal["light", "dark", "system"]
-SessionFormat = Literal[".blf", ".asc", ".log"]
+SessionFormat = Literal[".blf", ".asc", ".log", ".mf4"]
 GamepadMode = Literal["joint", "base", "tool"]
 GamepadButtons = Mapping[str, Mapping[str, str]]
 """By the name of a device, which button (its name) does what (`armui.gamepad.layout.ACTIONS`)."""

@@ -128,6 +128,8 @@ class EventCode(StrEnum):
     SESSION_ENDED = "session_ended"  # name, frames, size
     SESSION_FAILED = "session_failed"  # reason
     SESSION_FRAMES_LOST = "session_frames_lost"  # count
+    MF4_SAVED = "mf4_saved"  # name
+    MF4_NOT_SAVED = "mf4_not_saved"  # name, reason
     RING_SAVED = "ring_saved"  # name, frames
     RING_NOT_SAVED = "ring_not_saved"  # reason
     CONNECTED = "connected"  # device
@@ -261,6 +263,8 @@ LEVELS: Final[Mapping[EventCode, Level]] = {
     EventCode.SESSION_ENDED: Level.DONE,
     EventCode.SESSION_FAILED: Level.WARNING,
     EventCode.SESSION_FRAMES_LOST: Level.WARNING,
+    EventCode.MF4_SAVED: Level.DONE,
+    EventCode.MF4_NOT_SAVED: Level.WARNING,
     EventCode.RING_SAVED: Level.DONE,
     EventCode.RING_NOT_SAVED: Level.WARNING,
     EventCode.CONNECTED: Level.INFO,

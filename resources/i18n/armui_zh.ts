@@ -4842,6 +4842,14 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <source>What just happened could not be saved: {reason}</source>
         <translation>无法保存刚才发生的事：{reason}</translation>
     </message>
+    <message>
+        <source>Also saved as MF4: {name}.mf4</source>
+        <translation>已另存为 MF4：{name}.mf4</translation>
+    </message>
+    <message>
+        <source>No .mf4 file of {name}: {reason} The recording is whole as .blf.</source>
+        <translation>{name} 未生成 .mf4 文件：{reason} .blf 记录完整无缺。</translation>
+    </message>
 </context>
 <context>
     <name>Observed</name>
@@ -5890,6 +5898,14 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>Folder of the session recordings</source>
         <translation>会话记录的文件夹</translation>
+    </message>
+    <message>
+        <source>Making the .mf4 file of {name}…</source>
+        <translation>正在生成 {name} 的 .mf4 文件…</translation>
+    </message>
+    <message>
+        <source>Recorded as .blf; the .mf4 file is made of it at the end.</source>
+        <translation>先记录为 .blf，结束后由它生成 .mf4 文件。</translation>
     </message>
 </context>
 <context>
@@ -7312,6 +7328,10 @@ Lead it near its rest pose, then stop recording.</source>
         <source>The main window is not in front, or a menu is open in it. Click into it, then press anew.</source>
         <translation>主窗口不在最前，或其中打开了菜单。请点击主窗口，然后重新按下。</translation>
     </message>
+    <message>
+        <source>MF4 needs the package asammdf (pip install asammdf).</source>
+        <translation>MF4 需要 asammdf 软件包（pip install asammdf）。</translation>
+    </message>
 </context>
 <context>
     <name>ReplayEventBar</name>
@@ -7391,6 +7411,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Events</source>
         <translation>事件</translation>
+    </message>
+    <message>
+        <source>Loading: {percent} %</source>
+        <translation>正在载入：{percent} %</translation>
     </message>
 </context>
 <context>

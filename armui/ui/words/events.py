@@ -288,6 +288,10 @@ _NOTICES: Final[Mapping[EventCode, object]] = {
     EventCode.SESSION_FRAMES_LOST: QT_TRANSLATE_NOOP(
         "Notice", "{count} frames are missing in the recording: the disk is too slow"
     ),
+    EventCode.MF4_SAVED: QT_TRANSLATE_NOOP("Notice", "Also saved as MF4: {name}.mf4"),
+    EventCode.MF4_NOT_SAVED: QT_TRANSLATE_NOOP(
+        "Notice", "No .mf4 file of {name}: {reason} The recording is whole as .blf."
+    ),
     EventCode.RING_SAVED: QT_TRANSLATE_NOOP("Notice", "What just happened is saved: {name}"),
     EventCode.RING_NOT_SAVED: QT_TRANSLATE_NOOP(
         "Notice", "What just happened could not be saved: {reason}"
