@@ -101,7 +101,7 @@ class GamepadDialog(ArmDialog):
             card.setLayout(place)
         fill(
             self.body,
-            in_row(self.on_box, STRETCH, self.one_axis_box),
+            in_row((self.on_box, 1), self.one_axis_box),
             in_row(
                 *(self._device_label, (self.device_box, 1), 12, self._mode_label, modes), spacing=8
             ),
