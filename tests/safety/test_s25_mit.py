@@ -117,7 +117,8 @@ def test_the_way_back_is_a_mode_word_from_1_8_6_on(raised, other_host, version, 
     """The word and the six angles measured leave together, and the arm stays where it is."""
     rig, controller = raised, raised.controller
     name_version(rig.controller, version)
-    other_host.say(word, *(target(*A) if word == HIGH_FOLLOW else []))
+    targets = {HIGH_FOLLOW: target(*A), MIT: hold(A, **STIFF)}
+    other_host.say(word, *targets.get(word, []))
     rig.run(3.0)
     step = controller.recovery.step
     assert step.action is Action.LEAVE_MODE
