@@ -1403,8 +1403,8 @@
 <context>
     <name>DragAssistanceDialog</name>
     <message>
-        <source>Drag assistance</source>
-        <translation>拖动助力</translation>
+        <source>Drag teaching</source>
+        <translation>示教</translation>
     </message>
 </context>
 <context>
