@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QDialog
+from PySide6.QtWidgets import QAbstractButton, QDialog
 
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.drag_assistance import DragAssistanceDialog
@@ -11,6 +11,7 @@ from tests.company import OtherHost
 from tests.gallery_scenes.arm import reached_out
 from tests.gallery_scenes.scene import settled
 from tests.named_version import name_version
+from tests.sim.talk import target
 
 TODAY = "S-V1.8-9"
 
@@ -49,9 +50,9 @@ def drag_assistance(app_driver: AppDriver) -> QDialog:
     app_driver.click("drag_assistance_button")
     dialog = app_driver.dialog(DragAssistanceDialog)
     settled(app_driver)
-    if not app_driver.controller.settings.busy and not dialog.panel.has_unsaved_changes():
-        app_driver.click("drag_assistance_edit_button")
-        app_driver.click("drag_assistance_2_level_8")
+    if not dialog.panel.has_unsaved_changes():
+        app_driver.click(dialog.findChild(QAbstractButton, "drag_assistance_edit_button"))
+        app_driver.click(dialog.findChild(QAbstractButton, "drag_assistance_2_level_8"))
     return dialog
 
 
@@ -60,10 +61,8 @@ def high_follow(app_driver: AppDriver) -> None:
     reached_out(app_driver)
     name_version(app_driver.controller, TODAY)
     host = OtherHost(app_driver)
-    host.say("151#010132AD00000000")
-    host.move_to((20.0, 60.0, -60.0, 0.0, 30.0, 0.0))
-    host.say("151#010132AD00000000")
-    app_driver.run(1.0)
+    host.say("151#010132AD00000000", *target(20.0, 60.0, -60.0, 0.0, 30.0, 0.0))
+    app_driver.run(2.0)
     host.close()
 
 

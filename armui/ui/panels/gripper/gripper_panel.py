@@ -34,11 +34,6 @@ _ACTS: Final = ("enable", "disable", "clear", "zero")
 
 _Kind = tuple[Generation, bool]
 """The generation, and whether the second one is told angles."""
-_KINDS: Final[tuple[_Kind, ...]] = (
-    (Generation.ONE, False),
-    (Generation.TWO, False),
-    (Generation.TWO, True),
-)
 
 
 class GripperPanel(Panel):
@@ -58,17 +53,21 @@ class GripperPanel(Panel):
         self._send.setMinimumHeight(38)
         self._acts = {act: push_button(f"gripper_{act}_button") for act in _ACTS}
         self._measure = MeasureChoice()
-        self._rows_of = {each: self._make_rows(each) for each in _KINDS}
+        first, second = (self._make_rows(each) for each in Generation)
+        self._rows_of: dict[_Kind, tuple[GripperRow, GripperRow]] = {
+            (Generation.ONE, False): first,
+            (Generation.TWO, False): second,
+            (Generation.TWO, True): (first[0], second[1]),  # an angle, and a torque
+        }
         self._lay_out()
         self._connect()
         self.retranslate_ui()
 
     # -- layout -------------------------------------------------------------------------------
 
-    def _make_rows(self, kind: _Kind) -> tuple[GripperRow, GripperRow]:
+    def _make_rows(self, generation: Generation) -> tuple[GripperRow, GripperRow]:
         """The generations measure other quantities: each has rows of its own."""
-        generation, by_angle = kind
-        figures = figures_of(generation, self._controller.state, by_angle=by_angle)
+        figures = figures_of(generation, self._controller.state)
         travel = GripperRow(figures.travel, steps=True)
         effort = GripperRow(figures.effort, steps=False)
         for row in (travel, effort):
@@ -116,7 +115,7 @@ class GripperPanel(Panel):
     def _on_measure(self, by_angle: bool) -> None:
         """Nothing is sent: the next target is of the other kind."""
         self._controller.gripper.by_angle = by_angle
-        self._refusal = self._event = None
+        self._refusal = self._event = self._reasons = None
         self._describe()
         self._show_all()
 
@@ -226,12 +225,10 @@ class GripperPanel(Panel):
         if kind != self._shown_kind:
             self._shown_kind = kind
             self._describe()
-        for each, rows in self._rows_of.items():
+        for rows in self._rows_of.values():
             for row in rows:
-                row.setVisible(each == kind)
+                row.setVisible(row in self._rows_of[kind])
         self._measure.setVisible(self._generation is not Generation.ONE)
-        why_not = words.why_not(self._controller.gripper.why_no_angle())
-        self._measure.show_choice(by_angle=kind[1], why_not=why_not)
         if self.isVisible():
             self._controller.gripper.learn_stroke()
         self._acts["zero"].setVisible(self._generation is not Generation.ONE)
@@ -244,11 +241,13 @@ class GripperPanel(Panel):
             gripper.why_not(moving=True),
             gripper.why_not(moving=False),
             gripper.why_not(moving=False, letting_go=True),
+            gripper.why_no_angle(),
         )
         if reasons == self._reasons:
             return
         self._reasons = reasons
-        why_not_move, why_not, why_not_let_go = map(words.why_not, reasons)
+        why_not_move, why_not, why_not_let_go, why_no_angle = map(words.why_not, reasons)
+        self._measure.show_choice(by_angle=gripper.tells_angle, why_not=why_no_angle)
         self._travel.allow_steps(why_not_move)
         use = self.tr("Moves the gripper to the target, and gives it power.")
         enable_or_explain(self._send, why_not_move, use, key=_SEND_KEY)

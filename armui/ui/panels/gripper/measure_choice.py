@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QButtonGroup, QLabel, QSizePolicy, QWidget
 
 from armui.ui.widgets.buttons import caption, choice_button
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import in_row
+
+_LABEL_PX: Final = 52
+"""As wide as those of the figures below."""
 
 
 class MeasureChoice(QWidget):
@@ -22,6 +27,7 @@ class MeasureChoice(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._label = QLabel()
+        self._label.setMinimumWidth(_LABEL_PX)
         self._group = QButtonGroup(self)
         self._opening = choice_button("gripper_by_opening")
         self._angle = choice_button("gripper_by_angle")

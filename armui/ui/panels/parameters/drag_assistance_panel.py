@@ -16,7 +16,7 @@ from armui.ui.widgets.layouts import empty_grid
 from armui.ui.widgets.text_label import text_label
 
 _LEVELS: Final = range(11)
-_TALLEST_CARD_PX: Final = 420
+_TALLEST_CARD_PX: Final = 470
 
 
 class DragAssistancePanel(ParameterPanel):
@@ -44,10 +44,6 @@ class DragAssistancePanel(ParameterPanel):
         grid.setColumnStretch(1, 1)
         grid.setRowStretch(last + 2, 1)
         self.finish(card, tallest_px=_TALLEST_CARD_PX)
-
-    def hide_title(self) -> None:
-        """Its window has the same title."""
-        self._title.hide()
 
     def title(self) -> str:
         """拖动助力."""
