@@ -7,6 +7,9 @@ import pytest
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QDialog, QTableView, QWidget
 
+from armui.ui.actions.palette import CommandPalette
+from armui.ui.actions.window_actions import WindowActions
+from armui.ui.guide.guide_window import GuideWindow
 from armui.control.event_log.keeper import EventKeeper
 from armui.protocol.generation import Generation
 from armui.system.helper_process import FileThread, HelperProcess
@@ -279,6 +282,28 @@ def test_the_dialogs(app_driver, monkeypatch, name):
         getattr(app_driver.window, opening.get(name, f"open_{name}_dialog"))()
         app_driver.run(0.2)
         dialog = app_driver.dialog(QDialog)
+        dialog.close()
+        app_driver.run(0.1)
+    assert forbidden(seen) == []
+
+
+@pytest.mark.parametrize("name", ["palette", "guide", "shortcuts"])
+def test_what_opens_by_a_key_in_every_window(app_driver, monkeypatch, name):
+    """Names and the guide, its pictures too, are read by another thread."""
+    preload()
+    app_driver.ready()
+    with watched(monkeypatch) as seen:
+        getattr(app_driver.window.findChild(WindowActions), f"open_{name}")()
+        dialog = app_driver.dialog(QDialog)
+        if isinstance(dialog, CommandPalette):
+            app_driver.wait(lambda: dialog.knows_names)
+            dialog.search.setText("ydkz")
+        elif isinstance(dialog, GuideWindow):
+            app_driver.wait(lambda: dialog.shown != "")
+            dialog.show_section("motion")
+            picture = "pictures/motion-en.png"
+            app_driver.wait(lambda: dialog.browser.picture_width(picture) > 0)
+        app_driver.run(0.2)
         dialog.close()
         app_driver.run(0.1)
     assert forbidden(seen) == []
