@@ -7,9 +7,6 @@ import pytest
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QDialog, QTableView, QWidget
 
-from armui.ui.actions.palette import CommandPalette
-from armui.ui.actions.window_actions import WindowActions
-from armui.ui.guide.guide_window import GuideWindow
 from armui.control.event_log.keeper import EventKeeper
 from armui.protocol.generation import Generation
 from armui.system.helper_process import FileThread, HelperProcess
@@ -18,7 +15,10 @@ from armui.trajectory.files import to_bytes
 from armui.trajectory.library.store import Library
 from armui.trajectory.planning.preflight import warm_up
 from armui.trajectory.points.program import Trajectory
+from armui.ui.actions.palette import CommandPalette
+from armui.ui.actions.window_actions import WindowActions
 from armui.ui.dialogs.files import FileDialog
+from armui.ui.guide.guide_window import GuideWindow
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.bin_dialog import BinDialog
 from armui.ui.trajectory.library.library_page import LibraryPage
