@@ -43,6 +43,9 @@ class GuideBrowser(QTextBrowser):
         self._fitted: dict[str, QImage] = {}
         self._job: Job[dict[str, bytes]] | None = None
         self.setOpenLinks(False)
+        # Tab leaves it: where its links lead, the contents do, too
+        flags = self.textInteractionFlags()
+        self.setTextInteractionFlags(flags & ~Qt.TextInteractionFlag.LinksAccessibleByKeyboard)
         self.anchorClicked.connect(self._on_link)
         self._resized = QTimer(self, interval=_SETTLED_MS, singleShot=True)
         self._resized.timeout.connect(lambda: self._show(keep_place=True))

@@ -219,7 +219,7 @@ class RecordingCard(Translated, QFrame):
         text = self.tr("Stop recording") if recording else self.tr("Record")
         self.record_button.setText(f" {text}")
         name = "stop_recording" if recording else "record"
-        color = colors.text if recording else colors.stop
+        color = colors.text if recording else colors.stop_ink
         self.record_button.setIcon(icons.icon(name, color, _ICON_PX))
 
     # What the operator does -------------------------------------------------------------------
