@@ -92,7 +92,7 @@ def out_of_reach(app_driver: AppDriver) -> None:
     """A drag beyond the arm's reach says why the ghost stays."""
     dragging(app_driver)
     view = app_driver.program.view
-    app_driver.wait(lambda: view.is_settled)
+    app_driver.wait(lambda: view.shape is not None)
     grips = view._grips(view.projection)
     grip = next(each for each in grips if each.kind is GripKind.AXIS and each.number == 0)
     view.handle_taken.emit()
