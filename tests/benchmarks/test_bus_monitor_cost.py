@@ -70,7 +70,7 @@ def test_cost_of_a_look(qapp, tmp_path, capsys, benchmark):
     try:
         driver.ready()
         driver.click("bus_button")
-        window = driver.page(BusPage)
+        window = driver.taken_out(BusPage)
         driver.run(0.5)
         window.look()
         for place in range(window.model.rowCount()):

@@ -37,9 +37,10 @@ def test_watching_cost(qapp, tmp_path, capsys, benchmark):
         rig.window(qapp, tmp_path, lambda _device: can.Bus(**BUS), rig.UDP) as program,
     ):
         program.window.show_as_curves(())
-        window = program.window._dialogs["plots"]
+        window = program.window._workspace.kept("plots")
         assert isinstance(window, PlotPage)
-        window.resize(1280, 1000)
+        program.window._workspace.take_out(window)
+        window.window().resize(1280, 1000)
         tick = window.board._on_tick
         window.board._timer.timeout.disconnect(tick)
         window.board._timer.timeout.connect(lambda: pictures.append(time.monotonic()))

@@ -256,7 +256,7 @@ def test_a_click_on_the_sign_shows_the_curve(monitor):
 
 def drawn(monitor):
     """What the plots were asked for last."""
-    plots = monitor.driver.window._dialogs["plots"]
+    plots = monitor.driver.window._workspace.kept("plots")
     monitor.driver.wait(lambda: plots._known and plots.board.built)
     places = [plots.board.plot_layout.find(key) for key in ("arm.joint_angle.2", "arm.voltage.1")]
     return next(

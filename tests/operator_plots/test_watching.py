@@ -193,7 +193,7 @@ def test_minimised_or_scrolled_away_plots_are_not_drawn(plots, monkeypatch):
     plots.board.draw(plots.board.now_s())
     assert 0 in drawn
     assert 11 not in drawn
-    plots.window.showMinimized()
+    plots.window.window().showMinimized()
     QApplication.processEvents()
     drawn.clear()
     plots.board._on_tick()

@@ -2,24 +2,46 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import QFrame, QScrollArea, QStackedWidget
+from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QFrame, QScrollArea, QStackedWidget, QWidget
 
 from armui.ui.widgets.page import Page
 
 
-class _Stack(QStackedWidget):
-    """Needs the room of the page that is seen, not that of the largest."""
+class _Room(QWidget):
+    """Needs the least room of the page that is seen, not that of the largest, nor what it likes."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.stack = QStackedWidget(self)
 
     def minimumSizeHint(self) -> QSize:
-        """That of the page that is seen."""
-        page = self.currentWidget()
-        return QSize(0, 0) if page is None else page.minimumSizeHint()
+        """That of the page that is seen, in the width there is."""
+        page = self.stack.currentWidget()
+        if page is None:
+            return QSize(0, 0)
+        least, layout = page.minimumSizeHint(), page.layout()
+        if layout is not None and layout.hasHeightForWidth():
+            least.setHeight(layout.minimumHeightForWidth(max(self.width(), least.width())))
+        return least
 
     def sizeHint(self) -> QSize:
-        """Likewise."""
-        page = self.currentWidget()
-        return QSize(0, 0) if page is None else page.sizeHint()
+        """The same."""
+        return self.minimumSizeHint()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """In another width the lines of controls are others."""
+        super().resizeEvent(event)
+        self.stack.setGeometry(self.rect())
+        if event.size().width() != event.oldSize().width():
+            self.updateGeometry()
+
+    def event(self, event: QEvent) -> bool:
+        """Something in the page needs more room, or less."""
+        if event.type() == QEvent.Type.LayoutRequest:
+            self.updateGeometry()
+        return super().event(event)
 
 
 class PageStack(QScrollArea):
@@ -27,14 +49,15 @@ class PageStack(QScrollArea):
 
     def __init__(self) -> None:
         super().__init__()
-        self._stack = _Stack()
+        self._room = _Room()
+        self._stack = self._room.stack
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setWidget(self._stack)
+        self.setWidget(self._room)
         self.viewport().setAutoFillBackground(False)
-        self._stack.setAutoFillBackground(False)
+        self._room.setAutoFillBackground(False)
 
     @property
     def current(self) -> Page | None:
@@ -51,15 +74,15 @@ class PageStack(QScrollArea):
         if not self.holds(page):
             self._stack.addWidget(page)
         self._stack.setCurrentWidget(page)
-        self._stack.updateGeometry()
+        self._room.updateGeometry()
 
     def drop_page(self, page: Page) -> None:
         """Let go of a page, which is hidden then and belongs to the window."""
         self._stack.removeWidget(page)
         page.hide()
         page.setParent(self.window())
-        self._stack.updateGeometry()
+        self._room.updateGeometry()
 
     def minimumSizeHint(self) -> QSize:
         """As wide as the page needs; as low as may be."""
-        return QSize(self._stack.minimumSizeHint().width(), 0)
+        return QSize(self._room.minimumSizeHint().width(), 0)

@@ -19,6 +19,7 @@ from armui.ui.words.findings import finding as finding_text
 
 _TALLEST_PX = 170
 _PADDING_PX = 14
+_SIDES_PX = 32
 _UNBOUNDED_PX = 10_000
 _MOST = 100
 """More lines than an operator reads, or a window lays out at once, are counted instead."""
@@ -99,14 +100,14 @@ class FindingsPane(Translated, QWidget):
 
     def _fit(self) -> None:
         """As high as the lines are in this width, up to a limit."""
-        width = max(1, self._list.viewport().width() - _PADDING_PX)
+        width = max(1, self._list.viewport().width() - _SIDES_PX)
         room = QRect(0, 0, width, _UNBOUNDED_PX)
         metrics, wrap = self._list.fontMetrics(), int(Qt.TextFlag.TextWordWrap)
         height = 2 * self._list.frameWidth() + 4
         for place in range(self._list.count()):
             item = self._list.item(place)
             lines_px = metrics.boundingRect(room, wrap, item.text()).height() + _PADDING_PX
-            item.setSizeHint(QSize(width, lines_px))
+            item.setSizeHint(QSize(1, lines_px))
             height += lines_px
         self._list.setFixedHeight(min(_TALLEST_PX, height))
 

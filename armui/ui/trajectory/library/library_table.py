@@ -15,11 +15,11 @@ _ROW_PX: Final = 34
 _LEAST_ROWS: Final = 3
 """Fewer are no list; what stands around it scrolls before."""
 _WIDTHS_PX: Final = {
-    LibraryColumn.NAME: 158,
-    LibraryColumn.POINTS: 104,
-    LibraryColumn.LENGTH: 66,
-    LibraryColumn.MODIFIED: 136,
-    LibraryColumn.CHECK: 84,
+    LibraryColumn.NAME: 142,
+    LibraryColumn.POINTS: 106,
+    LibraryColumn.LENGTH: 62,
+    LibraryColumn.MODIFIED: 124,
+    LibraryColumn.CHECK: 82,
 }
 """All but the note, which takes the rest."""
 

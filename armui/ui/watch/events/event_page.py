@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from armui.ui.watch.events.event_filter import EventFilter
 
 _LOOK_MS: Final = 200
+_LEAST_PX: Final = 130
+"""Of the table: its titles and three rows."""
 
 
 class EventPage(Page):
@@ -57,6 +59,8 @@ class EventPage(Page):
         self.export = EventExport(controller, background, self)
         self.table = EventTable(self.model)
         self.table.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.table.setMinimumHeight(_LEAST_PX)
         self.detail = text_label("event_detail", wraps=True, plain=True)
         self.detail.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.detail.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
@@ -122,6 +126,7 @@ class EventPage(Page):
         text = "" if entry is None else "\n".join(details(entry))
         if self.detail.text() != text:
             self.detail.setText(text)
+        self.detail.setVisible(entry is not None)
 
     def _on_reset(self) -> None:
         self._show_newest()
@@ -199,8 +204,8 @@ class EventPage(Page):
         return {"events": self.table.horizontalHeader()}
 
     def take_focus(self) -> None:
-        """The keys are for the table."""
-        self.table.setFocus()
+        """The keys are for the page: in the table they would choose its first row."""
+        self.setFocus()
 
     # Appearance -------------------------------------------------------------------------------
 
