@@ -20,8 +20,8 @@ class RecordedArm:
     Attributes:
         generation: Which protocol it speaks.
         feedback_offset: Added to the identifiers of its feedback (0x470).
-        model: Which arm of the family it was connected as; ``None``: it does not tell.
         firmware: The version it names, as ``S-V1.8-5``; "" where it names none.
+        model: Which arm of the family it was connected as; ``None``: it does not tell.
     """
 
     generation: int

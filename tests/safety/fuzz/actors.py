@@ -20,7 +20,8 @@ from armui.protocol.codes import EndLoad, LinkageRole, MoveMode, TeachingState, 
 from armui.sim.faults.schedule import fault
 from armui.trajectory.points.program import Waypoint
 from armui.trajectory.samples.recording import Recording
-from tests.safety.fuzz.oracle import Asked, Kind, Oracle
+from tests.safety.fuzz.asked import Asked, Kind
+from tests.safety.fuzz.oracle import Oracle
 from tests.safety.fuzz.world import World
 from tests.sim.talk import DISABLE, ENABLE, pose_target
 

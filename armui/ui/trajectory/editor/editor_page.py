@@ -2,47 +2,49 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSize, Signal
-from PySide6.QtWidgets import QLineEdit, QWidget
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtWidgets import QHeaderView, QLineEdit, QWidget
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
 from armui.control.run.progress import OVER, Progress
+from armui.protocol.codes import MoveMode
 from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.planning.findings import Severity
-from armui.trajectory.points import edits
 from armui.trajectory.points.edits import Change
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui import words
-from armui.ui.dialogs.base import ArmDialog
 from armui.ui.trajectory.editor.document import Document
 from armui.ui.trajectory.editor.draft_keeper import DraftKeeper
 from armui.ui.trajectory.editor.editor_actions import EditorActions
+from armui.ui.trajectory.editor.editor_hint import EditorHint
+from armui.ui.trajectory.editor.editor_jog import EditorJog
 from armui.ui.trajectory.editor.find_bar import FindBar
+from armui.ui.trajectory.editor.finder import Finder
 from armui.ui.trajectory.editor.findings_pane import FindingsPane
 from armui.ui.trajectory.editor.leave_question import LeaveQuestion
 from armui.ui.trajectory.editor.point_edits import Outcome, PointEdits
 from armui.ui.trajectory.editor.points_model import PointsModel
 from armui.ui.trajectory.editor.points_table import PointsTable
 from armui.ui.trajectory.running.preflight import Checks, Preflight
-from armui.ui.trajectory.running.run_strip import RunStrip
+from armui.ui.trajectory.running.run_bar import RunBar
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import fill
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.page import Page
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
-    from armui.protocol.codes import MoveMode
     from armui.ui.trajectory.library.library_work import LibraryWork
 
-_SIZE: Final = QSize(1220, 720)
 
-
-class EditorWindow(ArmDialog):
+class EditorPage(Page):
     """Edits a trajectory of the library.
 
     Args:
@@ -51,17 +53,19 @@ class EditorWindow(ArmDialog):
         work: Keeps the trajectory in the library.
         trajectory: As it is kept.
         draft: Changes of it that an earlier run of the program could not save.
-        parent: The window it belongs to.
+        parent: Its owner, before it stands anywhere.
 
     Signals:
         saved: The trajectory is in the library as it is shown.
-        left: The window was closed for good.
+        used: The operator has turned to this editor.
+        insert_wanted: The key for a point of where the arm is was pressed, in any window.
         selected_row_changed: The row the operator is in, −1 for none.
         preview_wanted: A :class:`Preflight` whose path is to be shown in 3D, or ``None``.
     """
 
     saved = Signal()
-    left = Signal()
+    used = Signal()
+    insert_wanted = Signal()
     selected_row_changed = Signal(int)
     preview_wanted = Signal(object)
 
@@ -75,7 +79,7 @@ class EditorWindow(ArmDialog):
         draft: Trajectory | None = None,
         parent: QWidget | None = None,
     ) -> None:
-        super().__init__(controller, parent)
+        super().__init__("editor", parent)
         self._controller = controller
         self._work = work
         work.setParent(self)
@@ -87,19 +91,29 @@ class EditorWindow(ArmDialog):
         self._edits = PointEdits(controller, self.document, self.table)
         self._drafts = DraftKeeper(self.document, work)
         self._find_bar = FindBar()
+        self._finder = Finder(self.document, self.table, self._find_bar)
         self._note = named("trajectory_note", QLineEdit(trajectory.note))
         self._message = named("editor_message", MessageLine())
         self._findings = FindingsPane()
-        self._strip = RunStrip(controller, checks, lambda then: then(self.document.trajectory()))
+        self._run_bar = RunBar(controller, checks, lambda then: then(self.document.trajectory()))
         self._actions = EditorActions(self, self.table, self._handlers())
+        EditorHint(self.table, self._actions)
+        everywhere = QShortcut(self._actions.keys("insert_measured"), self)
+        everywhere.setContext(Qt.ShortcutContext.ApplicationShortcut)
+        everywhere.activated.connect(self.insert_wanted)
+        everywhere.activatedAmbiguously.connect(self.insert_wanted)
+        keys = everywhere.key().toString(QKeySequence.SequenceFormat.NativeText)
+        self._jog = EditorJog(controller, keys)
         self._lay_out()
         self._connect()
         self.retranslate_ui()
-        self.resize(_SIZE)
         if draft is not None:
             self._take_draft(draft)
-        self._strip.show_content(len(self.document.points))
+        self._show_count()
+        self.table.show_middle(wanted=_has_arcs(self.document.points))
         self.table.select_row(0)
+        if not self.document.points:
+            self._actions["jog"].trigger()
         self.table.setFocus()
 
     def _handlers(self) -> dict[str, Callable[[], object]]:
@@ -115,15 +129,14 @@ class EditorWindow(ArmDialog):
             "undo": partial(self._step, self.document.stack.undo),
             "redo": partial(self._step, self.document.stack.redo),
             "find": self._find_bar.open,
-            "check": self._strip.check,
+            "check": self._run_bar.check,
+            "jog": lambda: self._jog.unfold(self._actions["jog"].isChecked()),
         }
 
     def _lay_out(self) -> None:
         self._find_bar.hide()
-        bar = self._actions.bar()
-        bar.addWidget(self._note, 3)
-        fill(self.body, bar, self._find_bar, (self.table, 1))
-        fill(self.body, self._findings, self._strip, self._message)
+        fill(self.body, self._actions.bar(self._note), self._find_bar, (self.table, 1), self._jog)
+        fill(self.body, self._findings, self._run_bar, self._message)
 
     def _connect(self) -> None:
         stack = self.document.stack
@@ -134,14 +147,16 @@ class EditorWindow(ArmDialog):
         self.document.saved_changed.connect(self._show_title)
         self.document.note_changed.connect(lambda: self._note.setText(self.document.note))
         self._note.editingFinished.connect(self._on_note)
-        self._find_bar.next_wanted.connect(self._find)
-        self._find_bar.replace_wanted.connect(self._replace)
         self._find_bar.closed.connect(self.table.setFocus)
         self._drafts.failed.connect(self._show_failure)
         self.table.row_chosen.connect(self.selected_row_changed)
-        self._strip.checked.connect(self._show_check)
-        self._strip.refused.connect(lambda reason: self._say(words.refusal(reason), Level.WARNING))
-        self._strip.progressed.connect(self._on_progress)
+        self._run_bar.checked.connect(self._show_check)
+        self._run_bar.refused.connect(
+            lambda reason: self._say(words.refusal(reason), Level.WARNING)
+        )
+        self._run_bar.progressed.connect(self._on_progress)
+        self._jog.insert_wanted.connect(self.insert_current)
+        self._jog.refused.connect(self._on_jogged)
         self._findings.row_wanted.connect(self.table.select_row)
         self.document.changed.connect(self._on_points)
 
@@ -150,6 +165,19 @@ class EditorWindow(ArmDialog):
     def select_row(self, row: int) -> None:
         """Show a row and make it the current one."""
         self.table.select_row(row)
+
+    def insert_current(self) -> None:
+        """Make a point of where the arm is, after the chosen row."""
+        self._do(self._edits.insert_measured)
+
+    def event(self, event: QEvent) -> bool:
+        """The operator turns to this editor."""
+        if event.type() in {QEvent.Type.Show, QEvent.Type.WindowActivate}:
+            self.used.emit()
+        return super().event(event)
+
+    def _on_jogged(self, refusal: Refusal | None) -> None:
+        self._say("" if refusal is None else words.refusal(refusal), Level.WARNING)
 
     def _to_move(self, row: int, move: MoveMode) -> Waypoint | Refusal:
         return self._edits.to_move(row, move)
@@ -180,51 +208,21 @@ class EditorWindow(ArmDialog):
             Level.WARNING,
         )
 
-    def _find(self, by: int) -> None:
-        rows = self._find_bar.found(self.document.points)
-        if isinstance(rows, Refusal):
-            self._find_bar.show_refusal(rows)
-            return
-        if not rows:
-            self._find_bar.show_result(self.tr("Not found"))
-            return
-        here = self.table.current_row()
-        ahead = [row for row in rows if row > here] if by > 0 else [r for r in rows if r < here]
-        row = (ahead or rows)[0 if by > 0 else -1]
-        self.table.select_row(row)
-        self._find_bar.show_result(
-            self.tr("{place} of {count}").format(place=rows.index(row) + 1, count=len(rows))
-        )
-
-    def _replace(self, everywhere: bool) -> None:
-        points = self.document.points
-        rows = self._find_bar.found(points)
-        if not isinstance(rows, Refusal) and not everywhere:
-            rows = [row for row in rows if row == self.table.current_row()]
-        changed: dict[int, Waypoint] = {}
-        for row in [] if isinstance(rows, Refusal) else rows:
-            point = self._find_bar.replaced(points[row])
-            if isinstance(point, Refusal):
-                rows = point
-                break
-            changed[row] = point
-        if isinstance(rows, Refusal):
-            self._find_bar.show_refusal(rows)
-            return
-        self.document.edit(edits.change(points, changed), self.tr("Replace"))
-        if everywhere:
-            self._find_bar.show_result(self.tr("{count} replaced").format(count=len(changed)))
-        else:
-            self._find(1)
-
     # Checking and running ---------------------------------------------------------------------
 
-    def _on_points(self, _change: Change) -> None:
+    def _on_points(self, change: Change) -> None:
         """What was found and planned was of other points."""
+        if _has_arcs(change.added):
+            self.table.show_middle(wanted=True)
         self._findings.clear()
-        self._strip.drop_check()
-        self._strip.show_content(len(self.document.points))
+        self._run_bar.drop_check()
+        self._show_count()
         self.preview_wanted.emit(None)
+
+    def _show_count(self) -> None:
+        count = len(self.document.points)
+        empty = Refusal(RefusalCode.RUN_EMPTY, {"name": self.document.name})
+        self._run_bar.show_content(count, nothing=None if count else empty)
 
     def _show_check(self, checked: Preflight, accept: Callable[[], object] | None) -> None:
         self._findings.show_check(checked, accept)
@@ -248,6 +246,9 @@ class EditorWindow(ArmDialog):
             lambda _: self.saved.emit(),
             self._show_failure,
         )
+
+    def _on_not_run(self, reason: Refusal) -> None:
+        self._say(words.refusal(reason), Level.WARNING)
 
     def _on_progress(self, progress: Progress) -> None:
         ours = progress.name == self.document.name
@@ -307,7 +308,7 @@ class EditorWindow(ArmDialog):
         """The program ends: what is not saved is offered when it is started again."""
         self._drafts.write()
 
-    def reject(self) -> None:
+    def leave(self) -> None:
         """Close; what is not saved asks first."""
         self._on_note()
         if self.document.saved:
@@ -324,8 +325,15 @@ class EditorWindow(ArmDialog):
 
     def _leave(self) -> None:
         self._drafts.forget()
-        super().reject()
-        self.left.emit()
+        super().leave()
+
+    def take_focus(self) -> None:
+        """The keys are for the table."""
+        self.table.setFocus()
+
+    def headers(self) -> Mapping[str, QHeaderView]:
+        """The columns of the table are kept."""
+        return {"points": self.table.horizontalHeader()}
 
     # Words ------------------------------------------------------------------------------------
 
@@ -357,3 +365,7 @@ class EditorWindow(ArmDialog):
         self._note.setPlaceholderText(self.tr("What this trajectory is for"))
         self.table.setAccessibleName(self.tr("Points"))
         self._show_title()
+
+
+def _has_arcs(points: Iterable[Waypoint]) -> bool:
+    return any(point.move is MoveMode.MOVE_C for point in points)

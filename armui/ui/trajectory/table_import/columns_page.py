@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QSpinBox, QWidget
 
 from armui.control.events import Level
@@ -17,34 +17,32 @@ from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.library.store import Library, LibraryError
 from armui.trajectory.points.program import check_name
 from armui.ui import words
-from armui.ui.dialogs.base import ArmDialog
 from armui.ui.trajectory.table_import.columns_table import ColumnsTable
 from armui.ui.trajectory.table_import.dialect_bar import DialectBar
 from armui.ui.trajectory.table_import.table_import import TableImport
 from armui.ui.widgets.buttons import named, push_button
-from armui.ui.widgets.layouts import STRETCH, fill, in_row
+from armui.ui.widgets.flow import in_flow, pair
+from armui.ui.widgets.layouts import STRETCH, fill
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.page import Page
 from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
     from armui.trajectory.columns import TableFile
 
-_SIZE: Final = QSize(1080, 700)
 _FIELD_PX: Final = 34
 _MOVES: Final = (None, MoveMode.MOVE_J, MoveMode.MOVE_P, MoveMode.MOVE_L)
 """What the rows can become: a recording, or points of a motion."""
 _SPEED_PERCENT: Final = 30
 
 
-class ColumnsDialog(ArmDialog):
+class ColumnsPage(Page):
     """From a table of figures to a recording or a trajectory of the library.
 
     Args:
-        controller: Whom the emergency stop tells.
         library: Takes what is imported; nothing of it changes before the button is pressed.
         table: The file.
-        parent: The window it belongs to.
+        parent: Its owner, before it stands anywhere.
 
     Signals:
         imported: The name under which it has been put into the library.
@@ -52,14 +50,8 @@ class ColumnsDialog(ArmDialog):
 
     imported = Signal(str)
 
-    def __init__(
-        self,
-        controller: ArmController,
-        library: Library,
-        table: TableFile,
-        parent: QWidget | None = None,
-    ) -> None:
-        super().__init__(controller, parent)
+    def __init__(self, library: Library, table: TableFile, parent: QWidget | None = None) -> None:
+        super().__init__("columns", parent)
         self._library = library
         self._file = table
         self._table = ColumnsTable(table.sheet)
@@ -74,7 +66,6 @@ class ColumnsDialog(ArmDialog):
         self._moves.setCurrentIndex(_MOVES.index(self._likely_move()))
         self._connect()
         self.retranslate_ui()
-        self.resize(_SIZE)
         self._name.setFocus()
 
     def _make_widgets(self) -> None:
@@ -94,14 +85,14 @@ class ColumnsDialog(ArmDialog):
         self._cancel = push_button("columns_cancel", on_enter=False)
 
     def _lay_out(self) -> None:
-        choices = in_row(spacing=8)
-        for label, field in (
+        pairs = (
             (self._name_label, self._name),
             (self._move_label, self._moves),
             (self._speed_label, self._speed),
-        ):
+        )
+        for label, field in pairs:
             label.setBuddy(field)
-            fill(choices, label, (field, 1 if field is self._name else 0), 8)
+        choices = in_flow(*(pair(label, field) for label, field in pairs), spacing_px=10)
         fill(self.body, self._source, self._dialect_bar, choices, (self._table, 1), self._message)
         fill(self.footer, STRETCH, self._cancel, self.import_button)
 
@@ -112,7 +103,7 @@ class ColumnsDialog(ArmDialog):
         self._moves.activated.connect(self._on_move)
         self._name.textChanged.connect(self._show_usable)
         self.import_button.clicked.connect(self._import)
-        self._cancel.clicked.connect(self.reject)
+        self._cancel.clicked.connect(self.leave)
 
     # The mapping ------------------------------------------------------------------------------
 
@@ -202,11 +193,10 @@ class ColumnsDialog(ArmDialog):
         self._let_choose(True)
         if work.error is not None:
             self._refuse(work.error)
-        elif work.done:
-            self.imported.emit(work.name)
-            self.accept()
         else:
-            self.reject()
+            if work.done:
+                self.imported.emit(work.name)
+            super().leave()
 
     def _refuse(self, error: TrajectoryFileError | LibraryError) -> None:
         if isinstance(error, LibraryError):
@@ -222,10 +212,14 @@ class ColumnsDialog(ArmDialog):
             widget.setEnabled(can)
         self._speed.setEnabled(can and self.mapping.move is not None)
 
-    def done(self, result: int) -> None:
+    def take_focus(self) -> None:
+        """The keys are for the name."""
+        self._name.setFocus()
+
+    def leave(self) -> None:
         """Close; an import under way is given up first, and nothing is left half done."""
         if self._work is None:
-            super().done(result)
+            super().leave()
         else:
             self._work.requestInterruption()
             self._message.show_message(self.tr("Giving up the import…"))

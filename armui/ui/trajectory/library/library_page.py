@@ -1,14 +1,12 @@
-"""The window 轨迹库: all trajectories, and what can be done with them (manual figure 1-19)."""
+"""The page 轨迹库: all trajectories, and what can be done with them (manual figure 1-19)."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from functools import partial
-from typing import Final
+from collections.abc import Callable, Mapping, Sequence
 
-from PySide6.QtCore import QEvent, QModelIndex, QSize, Signal
+from PySide6.QtCore import QEvent, QModelIndex, Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QHeaderView, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -17,18 +15,15 @@ from armui.control.events import Level
 from armui.control.run.progress import Progress
 from armui.trajectory.files import Content
 from armui.trajectory.library.store import IndexEntry, Library, Listing
-from armui.trajectory.points.program import Trajectory
-from armui.trajectory.samples.recording import Recording
 from armui.ui import words
 from armui.ui.background import Background
-from armui.ui.dialogs.base import ArmDialog
-from armui.ui.trajectory.editor.editor_window import EditorWindow
 from armui.ui.trajectory.editor.findings_pane import FindingsPane
 from armui.ui.trajectory.library.bin_button import BinButton
 from armui.ui.trajectory.library.file_drop import FileDrop
 from armui.ui.trajectory.library.library_actions import LibraryActions
 from armui.ui.trajectory.library.library_bar import LibraryBar
 from armui.ui.trajectory.library.library_company import LibraryCompany
+from armui.ui.trajectory.library.library_editors import LibraryEditors
 from armui.ui.trajectory.library.library_exchange import LibraryExchange
 from armui.ui.trajectory.library.library_hint import LibraryHint
 from armui.ui.trajectory.library.library_model import ENTRY_ROLE, LibraryFilter, LibraryModel
@@ -37,31 +32,34 @@ from armui.ui.trajectory.library.library_table import LibraryTable
 from armui.ui.trajectory.library.library_watch import LibraryWatch
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.library.undo_button import UndoButton
-from armui.ui.trajectory.recording.recording_window import RecordingWindow
+from armui.ui.trajectory.recording.recording_page import RecordingPage
 from armui.ui.trajectory.running.preflight import Checks, Preflight
-from armui.ui.trajectory.running.run_strip import RunStrip
+from armui.ui.trajectory.running.run_bar import RunBar
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import fill, in_row
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.page import Page
 
-_SIZE: Final = QSize(1040, 640)
 
-
-class LibraryWindow(ArmDialog):
+class LibraryPage(Page):
     """The list of the library; a double click opens the second level.
 
     Args:
         controller: Runs trajectories, and knows where the arm is.
         background: Where what takes long is done.
         library: What is listed.
-        parent: The main window.
+
+    Attributes:
+        editors: The pages that are open on what is listed.
 
     Signals:
-        editor_opened: The :class:`EditorWindow` of a trajectory, before it is shown: whoever shows
+        page_made: A :class:`Page` that it leads to, before that wants to be shown.
+        editor_opened: The :class:`EditorPage` of a trajectory, before it is shown: whoever shows
             previews follows its ``preview_wanted`` and ``selected_row_changed``.
         preview_wanted: A :class:`Preflight` whose path is to be shown in 3D.
     """
 
+    page_made = Signal(object)
     editor_opened = Signal(object)
     preview_wanted = Signal(object)
 
@@ -72,9 +70,8 @@ class LibraryWindow(ArmDialog):
         library: Library,
         parent: QWidget | None = None,
     ) -> None:
-        super().__init__(controller, parent)
+        super().__init__("library", parent)
         self._controller = controller
-        self._background = background
         self._checks = Checks(controller, background)
         self._checks.get_ready()
         self._library = library
@@ -82,25 +79,23 @@ class LibraryWindow(ArmDialog):
         self._work.do(library.tidy)
         self._presence = LibraryPresence(library.folder)
         self._company = LibraryCompany()
-        self._editors: dict[str, EditorWindow] = {}
-        self._recorder: RecordingWindow | None = None
+        self.editors = LibraryEditors(controller, background, self._checks, self._work, self)
         self._model = LibraryModel(self)
         self._shown = LibraryFilter(self._model, self)
         self._bar = LibraryBar()
         self._table = LibraryTable(self._shown)
         self._message = named("library_message", MessageLine())
-        self._actions = LibraryActions(self._work, self._editors.__contains__, self)
+        self._actions = LibraryActions(self._work, self.editors.__contains__, self)
         self._undo_button = UndoButton(self._actions, self)
         self._bin_button = BinButton(controller, self._work, self._actions, self)
         self._hint = LibraryHint(self._table)
         self._watch = LibraryWatch(library.folder, self)
         self._exchange = LibraryExchange(controller, background, self._work, self)
         self._findings = FindingsPane()
-        self._strip = RunStrip(controller, self._checks, self._to_run)
+        self._run_bar = RunBar(controller, self._checks, self._to_run)
         self._lay_out()
         self._connect()
         self.retranslate_ui()
-        self.resize(_SIZE)
         self._table.setFocus()
 
     # Layout -----------------------------------------------------------------------------------
@@ -110,7 +105,7 @@ class LibraryWindow(ArmDialog):
         below = in_row((self._message, 1), *offers, self._undo_button)
         self._bar.add_button(self._bin_button)
         fill(self.body, self._bar, self._company, (self._table, 1))
-        fill(self.body, self._findings, self._strip, below)
+        fill(self.body, self._findings, self._run_bar, below)
 
     def _connect(self) -> None:
         handlers: dict[str, Callable[[], object]] = {
@@ -137,9 +132,18 @@ class LibraryWindow(ArmDialog):
         FileDrop(self).dropped.connect(self._exchange.import_files)
         self._exchange.said.connect(self._say)
         self._exchange.imported.connect(self._on_imported)
-        self._strip.checked.connect(self._show_check)
-        self._strip.refused.connect(lambda reason: self._say(words.refusal(reason), Level.WARNING))
-        self._strip.progressed.connect(self._on_progress)
+        self._exchange.by_columns.page_made.connect(self._lead_to)
+        self.editors.page_made.connect(self._lead_to)
+        self.editors.editor_opened.connect(self.editor_opened)
+        self.editors.recorder_opened.connect(self._on_recorder)
+        self.editors.changed.connect(self.refresh)
+        self.editors.said.connect(self._say)
+        self.editors.refused.connect(self._on_refused)
+        self._run_bar.checked.connect(self._show_check)
+        self._run_bar.refused.connect(
+            lambda reason: self._say(words.refusal(reason), Level.WARNING)
+        )
+        self._run_bar.progressed.connect(self._on_progress)
 
     # The list ---------------------------------------------------------------------------------
 
@@ -148,11 +152,11 @@ class LibraryWindow(ArmDialog):
         self.refresh()
         super().showEvent(event)
 
-    def changeEvent(self, event: QEvent) -> None:
+    def event(self, event: QEvent) -> bool:
         """Look anew when the operator comes back from another program, too."""
-        if event.type() == QEvent.Type.ActivationChange and self.isActiveWindow():
+        if event.type() == QEvent.Type.WindowActivate:
             self._on_folder()
-        super().changeEvent(event)
+        return super().event(event)
 
     def refresh(self, choose: Sequence[str] | None = None) -> None:
         """List the library as it is now.
@@ -179,7 +183,7 @@ class LibraryWindow(ArmDialog):
         if changed or choose is not None:
             self._table.choose(names, show=choose is not None)
         if not self.chosen():
-            self._strip.drop_check()
+            self._run_bar.drop_check()
         self._show_hint()
 
     def _uncover(self, names: Sequence[str]) -> None:
@@ -220,9 +224,11 @@ class LibraryWindow(ArmDialog):
         self._bar.show_chosen(chosen)
         one = chosen[0] if len(chosen) == 1 else None
         recording = one is not None and one.kind == "recording"
-        self._strip.show_content(0 if one is None else one.count, recording=recording)
+        nothing = Refusal(RefusalCode.NO_ROWS_CHOSEN) if one is None else None
+        count = 0 if one is None else one.count
+        self._run_bar.show_content(count, recording=recording, nothing=nothing)
         if chosen:  # while the list is made anew, nothing is chosen for a moment
-            self._strip.drop_check(but="" if one is None else one.name)
+            self._run_bar.drop_check(but="" if one is None else one.name)
         self._findings.clear()
 
     # Opening ----------------------------------------------------------------------------------
@@ -237,84 +243,22 @@ class LibraryWindow(ArmDialog):
 
     def open_trajectory(self, name: str) -> None:
         """Open the second level of a trajectory, with what was not saved of it."""
-        if name in self._editors:
-            self._editors[name].open()
-            return
-        if self._model.is_unsaved(name):
-            self._open_draft(name)
-            return
-        self._work.do(
-            lambda: self._library.load(name, to_edit=True), self._open_content, self._on_refused
-        )
+        self.editors.open(name, unsaved=self._model.is_unsaved(name))
 
-    def _open_content(self, content: Content) -> None:
-        if isinstance(content, Trajectory):
-            self._open_editor(content)
-        else:
-            self.open_recorder(content)
+    def open_recorder(self) -> None:
+        """Open the page that records."""
+        self.editors.open_recorder()
 
-    def _open_draft(self, name: str) -> None:
-        """What was never saved begins with nothing, and its unsaved changes."""
+    def _lead_to(self, page: Page) -> None:
+        page.above = self
+        self.page_made.emit(page)
 
-        def opened(draft: Trajectory | None) -> None:
-            if draft is None:  # another program has saved or discarded it meanwhile
-                self.refresh()
-            else:
-                self._show_editor(Trajectory(name, modified=draft.modified), draft)
-
-        self._work.do(lambda: self._library.draft(name), opened, self._on_refused)
-
-    def open_recorder(self, recording: Recording | None = None) -> None:
-        """Open the window that records, or one that trims and thins what was recorded."""
-        if self._recorder is not None and self._recorder.isVisible():
-            self._recorder.open()
-            return
-        if self._recorder is not None:
-            self._recorder.deleteLater()
-        self._recorder = RecordingWindow(
-            self._controller, self._background, self._library, recording, self.parentWidget()
-        )
-        self._recorder.saved.connect(lambda name: self.refresh([name]))
-        self._recorder.preview_wanted.connect(self.preview_wanted)
-        self._recorder.open()
-
-    def _open_editor(self, trajectory: Trajectory) -> None:
-        def damaged(text: str) -> None:
-            self._say(text, Level.WARNING)
-            self._show_editor(trajectory, None)
-
-        self._work.do(
-            lambda: self._library.draft(trajectory.name),
-            partial(self._show_editor, trajectory),
-            damaged,
-        )
-
-    def _show_editor(self, trajectory: Trajectory, draft: Trajectory | None) -> None:
-        if trajectory.name in self._editors:  # it was opened twice before it was read
-            self._editors[trajectory.name].open()
-            return
-        editor = EditorWindow(
-            self._controller,
-            self._checks,
-            LibraryWork(self._library, self._background, self),
-            trajectory,
-            draft=draft,
-            parent=self.parentWidget(),
-        )
-        self._editors[trajectory.name] = editor
-        self.editor_opened.emit(editor)
-        editor.saved.connect(self.refresh)
-        editor.left.connect(partial(self._on_left, trajectory.name))
-        editor.open()
-
-    def _on_left(self, name: str) -> None:
-        self._editors.pop(name).deleteLater()
-        self.refresh()
+    def _on_recorder(self, recorder: RecordingPage) -> None:
+        recorder.preview_wanted.connect(self.preview_wanted)
 
     def keep_work(self) -> None:
         """The program ends: what is not saved in an editor is offered the next time."""
-        for editor in self._editors.values():
-            editor.keep_draft()
+        self.editors.keep_drafts()
         self._work.do(self._presence.leave)
 
     # Running ----------------------------------------------------------------------------------
@@ -354,6 +298,9 @@ class LibraryWindow(ArmDialog):
         self._findings.setVisible(bool(checked.findings) or accept is not None)
         self.preview_wanted.emit(checked)
 
+    def _on_not_run(self, reason: Refusal) -> None:
+        self._say(words.refusal(reason), Level.WARNING)
+
     def _on_progress(self, progress: Progress) -> None:
         if progress.reason is not None:
             text = self.tr("“{name}” ended at row {row}. {reason}").format(
@@ -362,7 +309,7 @@ class LibraryWindow(ArmDialog):
             self._say(text, Level.FAULT)
 
     def _create(self) -> None:
-        self._actions.create(self._open_editor)
+        self._actions.create(self.editors.open_editor)
 
     def _chosen_names(self) -> list[str]:
         return [entry.name for entry in self.chosen()]
@@ -380,6 +327,14 @@ class LibraryWindow(ArmDialog):
     def _say(self, text: str, level: Level = Level.INFO) -> None:
         self._exchange.withdraw_offers()
         self._message.show_message(text, level)
+
+    def take_focus(self) -> None:
+        """The keys are for the list."""
+        self._table.setFocus()
+
+    def headers(self) -> Mapping[str, QHeaderView]:
+        """The order and the columns of the list are kept."""
+        return {"library": self._table.horizontalHeader()}
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

@@ -8,6 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QTimer, Signal
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QLabel, QLineEdit, QWidget
 
 from armui.arm.refusal import Refusal
@@ -19,7 +20,6 @@ from armui.trajectory.samples import thin
 from armui.trajectory.samples.recording import Recording
 from armui.ui import words
 from armui.ui.background import Job
-from armui.ui.dialogs.base import ArmDialog
 from armui.ui.trajectory.editor.leave_question import LeaveQuestion
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.running.preflight import Checks, Preflight
@@ -29,6 +29,7 @@ from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.page import Page
 from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
@@ -38,13 +39,12 @@ if TYPE_CHECKING:
     from armui.ui.background import Background
 
 _TOLERANCE_DEG: Final = 0.1
-_WIDTH_PX: Final = 620
 _FIELD_PX: Final = 120
 _AFTER_MS: Final = 250
 """Half an hour of samples is not thinned anew at each key."""
 
 
-class RecordingWindow(ArmDialog):
+class RecordingPage(Page):
     """From the first sample to what is kept.
 
     Args:
@@ -52,7 +52,7 @@ class RecordingWindow(ArmDialog):
         background: Where recordings are thinned.
         library: Where the recording is kept.
         recording: One of the library, to be trimmed and thinned; without one a new one is made.
-        parent: The window it belongs to.
+        parent: Its owner, before it stands anywhere.
 
     Signals:
         saved: The name under which something has been put into the library.
@@ -70,7 +70,7 @@ class RecordingWindow(ArmDialog):
         recording: Recording | None = None,
         parent: QWidget | None = None,
     ) -> None:
-        super().__init__(controller, parent)
+        super().__init__("recording", parent)
         self._controller = controller
         self._background = background
         self._checks = Checks(controller, background)
@@ -88,7 +88,6 @@ class RecordingWindow(ArmDialog):
         if recording is not None:
             self._show_recording(recording)
         self.retranslate_ui()
-        self.setMinimumWidth(_WIDTH_PX)
         self._record.setFocus()
 
     def _make_widgets(self) -> None:
@@ -116,7 +115,7 @@ class RecordingWindow(ArmDialog):
             label.setBuddy(field)
         grid.addWidget(self._kept, 3, 2)
         grid.setColumnStretch(2, 1)
-        fill(self.body, head, grid, self._message)
+        fill(self.body, head, grid, self._message, STRETCH)
         fill(self.footer, self._preview, STRETCH, self._as_points, self._as_samples)
 
     def _connect(self) -> None:
@@ -126,8 +125,13 @@ class RecordingWindow(ArmDialog):
         self._as_points.clicked.connect(self.save_points)
         for field in (self._from, self._to, self._tolerance):
             field.value_edited.connect(self._timer.start)
-        self._controller.recorder.changed.connect(self._show_state)
+        self._controller.recorder.changed.connect(self._on_recorder)
         self._controller.operating_state_changed.connect(self._on_operating_state)
+
+    @property
+    def in_use(self) -> bool:
+        """Whether it records, or holds what is not saved."""
+        return self._controller.recorder.recording or self._joining or self._unsaved
 
     # Recording --------------------------------------------------------------------------------
 
@@ -175,7 +179,7 @@ class RecordingWindow(ArmDialog):
         self._show_recording(recording)
         if self._leaving:
             self._leaving = False
-            self.reject()
+            self.leave()
 
     def _show_recording(self, recording: Recording) -> None:
         self._recording = recording
@@ -291,7 +295,7 @@ class RecordingWindow(ArmDialog):
         self._say(self.tr("Saved as “{name}”.").format(name=name), Level.DONE)
         self.saved.emit(name)
 
-    def reject(self) -> None:
+    def leave(self) -> None:
         """Close; a recording that runs is ended first, one that is not kept asks."""
         if self._controller.recorder.recording and self._recording is None:
             self._take()
@@ -299,7 +303,7 @@ class RecordingWindow(ArmDialog):
             self._leaving = True  # asks as soon as what was recorded is there
             return
         if not self._unsaved:
-            super().reject()
+            super().leave()
             return
         question = LeaveQuestion(self._controller, self, self._name.text())
         question.accepted.connect(self._discard)
@@ -309,7 +313,7 @@ class RecordingWindow(ArmDialog):
 
     def _discard(self) -> None:
         self._unsaved = False
-        super().reject()
+        super().leave()
 
     # Words ------------------------------------------------------------------------------------
 
@@ -334,6 +338,19 @@ class RecordingWindow(ArmDialog):
             field.setEnabled(self._recording is not None)
         self._show_kept()
         self._show_usable(self._controller.operating_state)
+
+    def take_focus(self) -> None:
+        """The keys are for the button that records."""
+        self._record.setFocus()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with what went by while it was hidden."""
+        super().showEvent(event)
+        self._show_state()
+
+    def _on_recorder(self) -> None:
+        if self.isVisible():
+            self._show_state()
 
     def _on_operating_state(self, operating_state: OperatingState) -> None:
         if self.isVisible():
