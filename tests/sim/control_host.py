@@ -28,12 +28,14 @@ class Host:
         sdk = C_PiperInterface_V2(channel, judge_flag=False, can_auto_init=False)
         sdk.CreateCanBus(channel, bustype="udp_multicast", judge_flag=False)
         sdk.ConnectPort()
+        self._sdk = sdk
         self._piper = piper_interface.PiperInterface(can_port=channel)
 
     def version(self) -> str:
         try:
             return str(self._piper.get_piper_firmware_version())
-        except RuntimeError:  # not answered yet, on a busy computer
+        except RuntimeError:  # not heard whole, on a busy computer: ask again
+            self._sdk.SearchPiperFirmwareVersion()
             return ""
 
     def enable(self, *, mit: bool) -> None:

@@ -123,7 +123,12 @@ def test_piper_control(arm: Node, host: ControlHost) -> None:
 def test_the_maker_s_kit(arm: Node, sdk: Sdk) -> None:
     firmware = arm.firmware
     quirks = firmware.type.quirks
-    until(lambda: sdk("GetPiperFirmwareVersion") == firmware.type.version, "the version is known")
+
+    def knows_version() -> bool:
+        sdk("SearchPiperFirmwareVersion")
+        return sdk("GetPiperFirmwareVersion") == firmware.type.version
+
+    until(knows_version, "the version is known")
     until(lambda: sdk("EnablePiper"), "EnablePiper")
 
     def in_mit() -> bool:
