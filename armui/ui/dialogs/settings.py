@@ -132,7 +132,8 @@ class SettingsDialog(ArmDialog):
         self._jog_label.setText(self.tr("Jog step"))
         self._jog_hint.setText(
             self.tr("{minimum}° to {maximum}°: how far − and + move a joint").format(
-                minimum=f"{setting_checks.JOG_STEP_MIN_DEG:g}", maximum=f"{setting_checks.JOG_STEP_MAX_DEG:g}"
+                minimum=f"{setting_checks.JOG_STEP_MIN_DEG:g}",
+                maximum=f"{setting_checks.JOG_STEP_MAX_DEG:g}",
             )
         )
         self._urdf_label.setText(self.tr("Robot description (URDF)"))
