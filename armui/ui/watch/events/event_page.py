@@ -126,7 +126,6 @@ class EventPage(Page):
         text = "" if entry is None else "\n".join(details(entry))
         if self.detail.text() != text:
             self.detail.setText(text)
-        self.detail.setVisible(entry is not None)
 
     def _on_reset(self) -> None:
         self._show_newest()
