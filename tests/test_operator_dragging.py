@@ -275,6 +275,27 @@ def test_the_camera_is_turned_beside_the_handles_and_rests_while_one_is_held(han
     assert hand.view.camera.azimuth_deg != camera.azimuth_deg
 
 
+def test_what_was_not_dragged_goes_on_to_follow_the_arm(hand):
+    """Sending takes no joint back that moved meanwhile, and Escape leaves no target behind."""
+    app_driver = hand.app_driver
+    assert app_driver.controller.motion.send_joints(OUT) is None
+    app_driver.run(0.5)
+    app_driver.run_until(lambda: not app_driver.controller.operating_state.moving, seconds=30.0)
+    panel = app_driver.window.findChild(object, "operation_area").currentWidget()
+    assert panel.given() == (False,) * 6
+    hand.choose(HandleKind.JOINTS)
+    grip = hand.grip(GripKind.JOINT, 1)
+    at = hand.place_on(grip)
+    hand.press(at)
+    hand.move((at[0] + 15.0, at[1]))
+    assert panel.given() == (True, *(False,) * 5)
+    QTest.keyClick(hand.view, Qt.Key.Key_Escape)
+    hand.release(at)
+    assert panel.given() == (False,) * 6
+    hand.drag(hand.grip(GripKind.JOINT, 1), (15.0, 0.0))
+    assert panel.given() == (True, *(False,) * 5)
+
+
 def test_in_tool_control_the_pose_fields_go_along(hand, no_motion):
     app_driver = hand.app_driver
     app_driver.click("menu_cartesian")

@@ -7,6 +7,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
+from armui.control.motion.jog_path import JointJog
 from armui.control.run.progress import OVER, Run
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
@@ -19,6 +20,7 @@ from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.viewport.path_picture import NOTHING
 from armui.viewport.process.outline import shape_of
 from armui.viewport.process.urdf_file import load_robot
+from tests.control.jogger import hold
 from tests.family import PIPER
 
 if TYPE_CHECKING:
@@ -166,6 +168,25 @@ class SeenView:
     @property
     def driven(self):
         return np.frombuffer(self.trails[-1].driven, np.float32).reshape(-1, 3)
+
+
+def test_setpoints_that_are_streamed_are_a_line_beside_the_driven_one(app_driver):
+    app_driver.ready()
+    view = SeenView()
+    keeper = TrailKeeper(app_driver.controller, cast("ArmView", view), 60.0)
+    app_driver.controller.state_changed.connect(keeper.follow)
+    assert app_driver.controller.motion.send_joints(OUT) is None
+    app_driver.run(0.5)
+    app_driver.run_until(lambda: not app_driver.controller.operating_state.moving, seconds=30.0)
+    assert view.trails[-1].commanded == b""  # a target is no way
+    assert app_driver.controller.jogging.start(JointJog(1, 1)) is None
+    hold(app_driver, 0.6)
+    app_driver.controller.state_changed.disconnect(keeper.follow)
+    app_driver.controller.jogging.stop()
+    commanded = np.frombuffer(view.trails[-1].commanded, np.float32).reshape(-1, 3)
+    assert len(commanded) >= 3
+    away = np.linalg.norm(view.driven[:, None] - commanded[None], axis=2).min(axis=0)
+    assert away.max() < 40.0  # ahead of the arm, by no more than a jog may be
 
 
 def test_the_trail_is_where_the_arm_was_measured(app_driver):

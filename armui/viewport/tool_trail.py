@@ -108,4 +108,6 @@ class ToolTrail:
 
 
 def _packed(line: deque[tuple[float, Vector]]) -> bytes:
+    if len(line) < 2:
+        return b""
     return array("f", [figure for _, place in line for figure in place]).tobytes()

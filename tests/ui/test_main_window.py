@@ -30,6 +30,7 @@ from armui.ui.shell.operation_area import OperationArea
 from armui.ui.theme import LIGHT, Theme, apply_theme
 from armui.ui.translation import Translator
 from armui.viewport import palette
+from armui.viewport.camera import ViewDirection
 from tests.app_driver import AtOnce
 from tests.ui.arm_states import arm_state, operating_state
 from tests.ui.dialog_reading import message
@@ -177,6 +178,24 @@ def test_a_hidden_window_does_no_work_and_catches_up(controller, view, window):
     assert view.joints[0] is None
     window.show()
     assert view.joints[0] == (9.0,) * 6
+
+
+def test_the_view_chosen_last_is_the_first_one(qtbot, controller, store):
+    store.change(picture_direction="side", picture_orthographic=True, picture_tool_frame=False)
+    view = FakeView()
+    window = MainWindow(controller, view, store, AtOnce())
+    qtbot.addWidget(window, before_close_func=lambda window: setattr(window, "_may_close", True))
+    assert view.looked_from == [ViewDirection.SIDE]
+    assert (view.orthographic, view.tool_frame) == (True, False)
+
+
+def test_the_range_of_a_joint_is_shown_while_its_row_has_the_keyboard(window, view, qtbot):
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    window.findChild(QLineEdit, "target_field_3").setFocus()
+    assert view.joint_range == (3, (-170.0, 0.0))
+    window.setFocus()
+    assert view.joint_range is None
 
 
 def test_reset_view(window, view, qtbot):

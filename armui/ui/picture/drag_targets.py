@@ -19,6 +19,9 @@ class DragTarget(Protocol):
     def angles_deg(self) -> tuple[float, ...] | None:
         """The six angles it stands for now; None: it stands for none."""
 
+    def begin(self) -> None:
+        """It is taken hold of."""
+
     def carry(self, angles_deg: tuple[float, ...]) -> None:
         """Show that it is being dragged there; nothing is sent."""
 
@@ -38,6 +41,11 @@ class MotionTarget:
 
     def __init__(self, panel: MotionPanel) -> None:
         self._panel = panel
+        self._given = panel.given()
+
+    def begin(self) -> None:
+        """Note which fields follow the arm."""
+        self._given = self._panel.given()
 
     def angles_deg(self) -> tuple[float, ...] | None:
         """What stands in the six fields."""
@@ -53,8 +61,8 @@ class MotionTarget:
         return None
 
     def give_up(self, angles_deg: tuple[float, ...]) -> None:
-        """Back into the fields."""
-        self._panel.take_targets(angles_deg)
+        """Back into the fields; those that followed the arm go on."""
+        self._panel.take_targets(angles_deg, self._given)
 
 
 class CartesianTarget:
@@ -69,6 +77,13 @@ class CartesianTarget:
         self._panel = panel
         self._controller = controller
         self._solved: tuple[tuple[float, ...], tuple[float, ...] | None] | None = None
+        self._given = panel.given()
+        self._pose = panel.target_pose()
+
+    def begin(self) -> None:
+        """Note which fields follow the arm, and what stands in them."""
+        self._given = self._panel.given()
+        self._pose = self._panel.target_pose()
 
     def angles_deg(self) -> tuple[float, ...] | None:
         """Angles for what stands in the six fields, near to where the arm is, if there are any."""
@@ -96,9 +111,10 @@ class CartesianTarget:
         self.carry(angles_deg)
         return None
 
-    def give_up(self, angles_deg: tuple[float, ...]) -> None:
-        """Back into the fields."""
-        self.carry(angles_deg)
+    def give_up(self, _angles_deg: tuple[float, ...]) -> None:
+        """Back into the fields; those that followed the arm go on."""
+        if self._pose is not None:
+            self._panel.take_pose(self._pose, self._given)
 
     def _solve(
         self, pose: tuple[float, ...], near_deg: Sequence[float]

@@ -102,6 +102,7 @@ class TargetDrag(QObject):
             return
         cartesian = self._controller.cartesian
         limits = self._controller.operating_state.limits
+        target.begin()
         self._held = target
         self._base = DragBase(
             angles_deg, self.kind, tuple(cartesian.tool), cartesian.kinematics(), limits

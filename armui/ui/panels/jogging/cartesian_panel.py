@@ -22,6 +22,7 @@ from armui.ui.panels.jogging.frame_choice import FrameChoice
 from armui.ui.panels.jogging.jog_panel import JogPanel
 from armui.ui.panels.jogging.pose_extras import PoseExtras
 from armui.ui.panels.jogging.pose_rows import PoseRows
+from armui.ui.panels.jogging.taken_figures import take_figures
 from armui.ui.panels.jogging.tool_box import ToolBox
 from armui.ui.widgets.buttons import caption, push_button, show_primary
 from armui.ui.widgets.enable_or_explain import enable_or_explain
@@ -149,9 +150,19 @@ class CartesianPanel(JogPanel):
         pose = self._rows.targets()
         return None if isinstance(pose, Refusal) else tuple(pose)
 
-    def take_pose(self, pose: Sequence[float]) -> None:
-        """Put a pose into the fields, as if it was typed; nothing is sent."""
-        self._rows.fill(pose)
+    def given(self) -> tuple[bool, ...]:
+        """Of each field, whether its target was given; else it follows the arm."""
+        return tuple(row.own for row in self._rows.rows)
+
+    def take_pose(self, pose: Sequence[float], given: Sequence[bool] | None = None) -> None:
+        """Put a pose into the fields, as if the figures that differ were typed; nothing is sent.
+
+        Args:
+            pose: The pose.
+            given: As in 运动控制: which of them stand still from now on.
+        """
+        take_figures(self._rows.rows, pose, given)
+        self._follow_arm()
         self._on_edited()
 
     def _on_load(self) -> None:

@@ -20,6 +20,7 @@ from armui.ui.actions.keys import keys_of
 from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.jog_panel import JogPanel
 from armui.ui.panels.jogging.joint_row import JointRow
+from armui.ui.panels.jogging.taken_figures import take_figures
 from armui.ui.widgets.buttons import caption, push_button, show_primary
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
@@ -104,9 +105,22 @@ class MotionPanel(JogPanel):
         known = tuple(angle for angle in angles_deg if angle is not None)
         return known if len(known) == len(angles_deg) else None
 
-    def take_targets(self, angles_deg: tuple[float, ...]) -> None:
-        """Put six angles into the fields, as if they were typed; nothing is sent."""
-        self._fill(angles_deg)
+    def given(self) -> tuple[bool, ...]:
+        """Of each field, whether its target was given; else it follows the arm."""
+        return tuple(row.own for row in self._rows)
+
+    def take_targets(
+        self, angles_deg: Sequence[float], given: Sequence[bool] | None = None
+    ) -> None:
+        """Put six angles into the fields, as if those that differ were typed; nothing is sent.
+
+        Args:
+            angles_deg: The angles.
+            given: Which of them stand still from now on; by default those that were given before,
+                and those that differ.
+        """
+        take_figures(self._rows, angles_deg, given)
+        self._follow_arm()
         self._on_edited()
 
     def _take_step(self, step: float, *, continuous: bool) -> None:

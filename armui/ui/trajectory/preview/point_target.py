@@ -51,6 +51,9 @@ class PointTarget:
             solved = self._solved = (points, row, self._solve(points, row))
         return solved[2]
 
+    def begin(self) -> None:
+        """The point stays as it is until the drag ends."""
+
     def carry(self, _angles_deg: tuple[float, ...]) -> None:
         """The ghost shows it; the point is changed when it is let go, in one step of undo."""
 
