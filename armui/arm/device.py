@@ -20,11 +20,13 @@ class RecordedArm:
     Attributes:
         generation: Which protocol it speaks.
         feedback_offset: Added to the identifiers of its feedback (0x470).
+        firmware: The version it names, as ``S-V1.8-5``; "" where it names none.
         model: Which arm of the family it was connected as; ``None``: it does not tell.
     """
 
     generation: int
     feedback_offset: int = 0
+    firmware: str = ""
     model: PiperModel | None = None
 
 

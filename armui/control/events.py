@@ -25,6 +25,9 @@ class EventCode(StrEnum):
     WENT_HOME = "went_home"
     JOGGING_JOINT = "jogging_joint"  # joint, sign
     JOGGING_TOOL = "jogging_tool"  # axis, sign
+    DEVICE_JOGS_JOINTS = "device_jogs_joints"  # device, axes
+    DEVICE_JOGS_BASE = "device_jogs_base"  # device, axes
+    DEVICE_JOGS_TOOL = "device_jogs_tool"  # device, axes
     JOG_ENDED = "jog_ended"  # reason
     SENT_POSE = "sent_pose"  # x … rz
     SENT_LINE = "sent_line"  # x … rz
@@ -127,6 +130,8 @@ class EventCode(StrEnum):
     SESSION_ENDED = "session_ended"  # name, frames, size
     SESSION_FAILED = "session_failed"  # reason
     SESSION_FRAMES_LOST = "session_frames_lost"  # count
+    MF4_SAVED = "mf4_saved"  # name
+    MF4_NOT_SAVED = "mf4_not_saved"  # name, reason
     RING_SAVED = "ring_saved"  # name, frames
     RING_NOT_SAVED = "ring_not_saved"  # reason
     CONNECTED = "connected"  # device
@@ -157,6 +162,9 @@ LEVELS: Final[Mapping[EventCode, Level]] = {
     EventCode.WENT_HOME: Level.INFO,
     EventCode.JOGGING_JOINT: Level.INFO,
     EventCode.JOGGING_TOOL: Level.INFO,
+    EventCode.DEVICE_JOGS_JOINTS: Level.INFO,
+    EventCode.DEVICE_JOGS_BASE: Level.INFO,
+    EventCode.DEVICE_JOGS_TOOL: Level.INFO,
     EventCode.JOG_ENDED: Level.WARNING,
     EventCode.SENT_POSE: Level.INFO,
     EventCode.SENT_LINE: Level.INFO,
@@ -259,6 +267,8 @@ LEVELS: Final[Mapping[EventCode, Level]] = {
     EventCode.SESSION_ENDED: Level.DONE,
     EventCode.SESSION_FAILED: Level.WARNING,
     EventCode.SESSION_FRAMES_LOST: Level.WARNING,
+    EventCode.MF4_SAVED: Level.DONE,
+    EventCode.MF4_NOT_SAVED: Level.WARNING,
     EventCode.RING_SAVED: Level.DONE,
     EventCode.RING_NOT_SAVED: Level.WARNING,
     EventCode.CONNECTED: Level.INFO,

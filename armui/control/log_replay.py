@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from armui.arm.device import Device, RecordedArm
 from armui.bus.playback.log_clock import LogClock
+from armui.bus.playback.log_player import FILLED_S
 from armui.bus.playback.log_worker import FASTEST, SLOWEST, LogWorker
 from armui.control.arm_controller import ArmController
 from armui.protocol.piper_model import PiperModel
@@ -140,7 +141,22 @@ class LogReplay(QObject):
         """How much log time passes in a second."""
         return 1.0 if self._worker is None else self._worker.speed
 
+    @property
+    def loading(self) -> tuple[float, float, float] | None:
+        """What of the curves is being read: log times from and to, and which share is done."""
+        worker = self._worker
+        history = None if worker is None else worker.history
+        if worker is None or history is None:
+            return None
+        share = (history.reached_s - history.begin_s) / max(history.end_s - history.begin_s, 1e-9)
+        return history.begin_s, min(worker.curves_from_s, history.end_s), share
+
     # The operator's wishes --------------------------------------------------------------------
+
+    def want_curves(self, back_s: float) -> None:
+        """Have the curves show so much before any place; more than some minutes take seconds."""
+        if self._worker is not None:
+            self._worker.want_history(on=back_s > FILLED_S)
 
     def set_speed(self, speed: float) -> None:
         """From 0.1 to 20 times as fast as it was."""

@@ -48,6 +48,8 @@ _JOINT_FAULTS: Final = (
     "StallProtection",
 )
 """Bits of 0x261–0x266 that name a fault in one of the generations."""
+_DRIVERS: Final = tuple(f"DriverSlow{joint}" for joint in range(1, 7))
+_FAST: Final = tuple(f"DriverFast{joint}" for joint in range(1, 7))
 _TARGETS: Final = ("JointTarget12", "CartesianTarget1", "MitControl1", "GripperCommand")
 
 
@@ -84,6 +86,22 @@ def marks_of(frames: LogFrames, generation: Generation) -> list[SessionMark]:
         marks += finder.of_motors()
         marks += finder.of_silence()
     return sorted(marks, key=lambda mark: mark.at_s)
+
+
+def marked_ids(generation: Generation) -> tuple[frozenset[int], frozenset[int]]:
+    """The identifiers that marks are found in: of every frame, and of those heard at all."""
+    names = {"ArmStatus", "MotionCommand", "MotorEnable", *_TARGETS, *_DRIVERS}
+    every, heard = set(), set()
+    for offset in OFFSETS:
+        codec = Codec(generation, Addressing(offset, offset))
+        for wire_id in range(0x800):
+            layout = codec.layout(wire_id)
+            if layout is not None and layout.name in names:
+                every.add(wire_id)
+            elif layout is not None and layout.name in _FAST:
+                heard.add(wire_id)
+        heard |= {0x2A1 + offset, 0x2A5 + offset}
+    return frozenset(every), frozenset(heard)
 
 
 class _Finder:
@@ -186,8 +204,7 @@ class _Finder:
 
     def of_silence(self) -> Iterator[SessionMark]:
         """Where nothing of the arm is heard for long, whatever offset its identifiers have."""
-        names = [f"DriverFast{joint}" for joint in range(1, 7)]
-        ids = [self._ids[name][0] for name in names]
+        ids = [self._ids[name][0] for name in _FAST]
         ids += [0x2A1 + offset for offset in OFFSETS]
         ids += [0x2A5 + offset for offset in OFFSETS]
         rows = [found[0] for each in ids if (found := self._frames.rows(self._channel, each))]

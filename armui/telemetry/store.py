@@ -70,6 +70,7 @@ class Telemetry:
 
     def __init__(self, clock: Callable[[], float] = steady_s, keep_s: float = KEPT_S) -> None:
         self._clock = clock
+        self._keep_s = keep_s
         self.wall_time: Callable[[float], datetime] = self._wall_time
         self.series: Mapping[str, Series] = {
             record.name: Series(record.shape, keep_s) for record in RECORDS
@@ -110,6 +111,21 @@ class Telemetry:
             each.release()
         self._counted_s = -math.inf
         self._standing = {space: (None, set()) for space in Space}
+
+    def alike(self) -> Telemetry:
+        """One without samples, that takes in frames as this one does."""
+        other = Telemetry(self._clock, self._keep_s)
+        with self._choosing:
+            other._generation = self._generation
+            codec, other._bitrate = self._codec, self._bitrate
+        if codec is not None:
+            other.on_codec(codec)
+        return other
+
+    def adopt(self, other: Telemetry) -> None:
+        """Take over the samples of one that was made `alike`; the writing thread only."""
+        for name, series in self.series.items():
+            series.adopt(other.series[name])
 
     def find(self, key: str) -> tuple[Quantity, Series]:
         """A quantity and where it is kept.

@@ -211,6 +211,97 @@
     </message>
 </context>
 <context>
+    <name>Action</name>
+    <message>
+        <source>Enable or disable all motors</source>
+        <translation>全部电机使能或失能</translation>
+    </message>
+    <message>
+        <source>Joint status</source>
+        <translation>关节状态</translation>
+    </message>
+    <message>
+        <source>Session recordings</source>
+        <translation>会话记录</translation>
+    </message>
+    <message>
+        <source>Replay a recording</source>
+        <translation>回放会话记录</translation>
+    </message>
+    <message>
+        <source>Export a recording</source>
+        <translation>导出会话记录</translation>
+    </message>
+    <message>
+        <source>Back up, compare, restore parameters</source>
+        <translation>参数备份、比较、恢复</translation>
+    </message>
+    <message>
+        <source>Language: Chinese or English</source>
+        <translation>语言：中文或英文</translation>
+    </message>
+    <message>
+        <source>Theme: light or dark</source>
+        <translation>主题：浅色或深色</translation>
+    </message>
+    <message>
+        <source>User guide</source>
+        <translation>使用指南</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>快捷键</translation>
+    </message>
+    <message>
+        <source>Close the program</source>
+        <translation>退出程序</translation>
+    </message>
+    <message>
+        <source>MOVE P: to the pose</source>
+        <translation>MOVE P 运动到位姿</translation>
+    </message>
+    <message>
+        <source>MOVE L: on a straight line to the pose</source>
+        <translation>MOVE L 直线运动到位姿</translation>
+    </message>
+    <message>
+        <source>MOVE C: along the arc</source>
+        <translation>MOVE C 沿圆弧运动</translation>
+    </message>
+    <message>
+        <source>Master arm (teaching input arm)</source>
+        <translation>主臂（示教输入臂）</translation>
+    </message>
+    <message>
+        <source>Slave arm (motion output arm)</source>
+        <translation>从臂（运动输出臂）</translation>
+    </message>
+    <message>
+        <source>Pause the planned motion</source>
+        <translation>暂停规划轨迹</translation>
+    </message>
+    <message>
+        <source>Continue the held motion</source>
+        <translation>继续被保持的运动</translation>
+    </message>
+    <message>
+        <source>Terminate the planned motion</source>
+        <translation>终止规划轨迹</translation>
+    </message>
+    <message>
+        <source>Target of</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Lamps of</source>
+        <translation>灯光</translation>
+    </message>
+    <message>
+        <source>Press Edit in the panel first.</source>
+        <translation>请先在该面板中按“编辑”。</translation>
+    </message>
+</context>
+<context>
     <name>ArcBox</name>
     <message>
         <source>start</source>
@@ -235,10 +326,6 @@
     <message>
         <source>Moves from the start over the middle to the end. Some firmware has no arc.</source>
         <translation>从起点经中点运动到终点。部分固件不支持圆弧。</translation>
-    </message>
-    <message>
-        <source>Arc by three poses</source>
-        <translation>三点圆弧</translation>
     </message>
     <message>
         <source>Capture start</source>
@@ -411,6 +498,13 @@
     <message>
         <source>Program</source>
         <translation>本程序</translation>
+    </message>
+</context>
+<context>
+    <name>AxisRows</name>
+    <message>
+        <source>Of the speed at the top; without the trigger a fifth</source>
+        <translation>顶部配速的百分比；不扣扳机时为五分之一</translation>
     </message>
 </context>
 <context>
@@ -846,6 +940,25 @@
     </message>
 </context>
 <context>
+    <name>ButtonRows</name>
+    <message>
+        <source>Pressed: {buttons}</source>
+        <translation>按下：{buttons}</translation>
+    </message>
+    <message>
+        <source>No button</source>
+        <translation>不分配</translation>
+    </message>
+    <message>
+        <source>The buttons as they are at first</source>
+        <translation>恢复为初始的按键分配</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>恢复默认</translation>
+    </message>
+</context>
+<context>
     <name>CartesianPanel</name>
     <message>
         <source>Fills the fields with the measured pose; nothing moves.</source>
@@ -950,7 +1063,14 @@
     </message>
 </context>
 <context>
-    <name>ColumnsDialog</name>
+    <name>ColumnsOffer</name>
+    <message>
+        <source>Import by columns…</source>
+        <translation>按列导入…</translation>
+    </message>
+</context>
+<context>
+    <name>ColumnsPage</name>
     <message>
         <source>Importing {count} rows…</source>
         <translation>正在导入 {count} 行…</translation>
@@ -1009,10 +1129,33 @@
     </message>
 </context>
 <context>
-    <name>ColumnsOffer</name>
+    <name>CommandPalette</name>
     <message>
-        <source>Import by columns…</source>
-        <translation>按列导入…</translation>
+        <source>Nothing is called so. Chinese, English, pinyin and initials are found.</source>
+        <translation>没有这样的名称。可按中文、英文、拼音或拼音首字母查找。</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Name, pinyin or initials, in Chinese or English</source>
+        <translation>名称、拼音或首字母，中英文均可</translation>
+    </message>
+    <message>
+        <source>Search for a command</source>
+        <translation>查找命令</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>找到的命令</translation>
+    </message>
+</context>
+<context>
+    <name>CommandsButton</name>
+    <message>
+        <source>Commands</source>
+        <translation>命令</translation>
     </message>
 </context>
 <context>
@@ -1489,9 +1632,43 @@
         <source>Check</source>
         <translation>检查</translation>
     </message>
+    <message>
+        <source>Jog</source>
+        <translation>点动</translation>
+    </message>
 </context>
 <context>
-    <name>EditorWindow</name>
+    <name>EditorHint</name>
+    <message>
+        <source>Insert current pose</source>
+        <translation>插入当前位姿</translation>
+    </message>
+    <message>
+        <source>Enter a point</source>
+        <translation>手动输入一点</translation>
+    </message>
+    <message>
+        <source>No points yet</source>
+        <translation>还没有点</translation>
+    </message>
+    <message>
+        <source>Bring the arm to the first point, by the jog buttons or by hand, and insert where it is. Or enter a point as figures. Then the next one.</source>
+        <translation>用点动按钮或用手把机械臂带到第一个点，再插入当前位姿；也可以直接输入数值。</translation>
+    </message>
+</context>
+<context>
+    <name>EditorJog</name>
+    <message>
+        <source>Insert current pose</source>
+        <translation>插入当前位姿</translation>
+    </message>
+    <message>
+        <source>Makes a point of where the arm is now, after the chosen row.</source>
+        <translation>在所选行之后，把机械臂当前位姿插入为一个点。</translation>
+    </message>
+</context>
+<context>
+    <name>EditorPage</name>
     <message>
         <source>Note</source>
         <translation>备注</translation>
@@ -1503,22 +1680,6 @@
     <message>
         <source>These changes were not saved when the program ended. Save them, or undo them.</source>
         <translation>程序结束时这些更改未保存。请保存，或撤销。</translation>
-    </message>
-    <message>
-        <source>Not found</source>
-        <translation>未找到</translation>
-    </message>
-    <message>
-        <source>{place} of {count}</source>
-        <translation>第 {place} 处，共 {count} 处</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>替换</translation>
-    </message>
-    <message>
-        <source>{count} replaced</source>
-        <translation>已替换 {count} 处</translation>
     </message>
     <message>
         <source>Ended at row {row}. {reason}</source>
@@ -2278,6 +2439,25 @@
     </message>
 </context>
 <context>
+    <name>Finder</name>
+    <message>
+        <source>Not found</source>
+        <translation>未找到</translation>
+    </message>
+    <message>
+        <source>{place} of {count}</source>
+        <translation>第 {place} 处，共 {count} 处</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>{count} replaced</source>
+        <translation>已替换 {count} 处</translation>
+    </message>
+</context>
+<context>
     <name>Finding</name>
     <message>
         <source>There is nothing to run. Add points, or record.</source>
@@ -2675,6 +2855,200 @@
     </message>
 </context>
 <context>
+    <name>GamepadAction</name>
+    <message>
+        <source>Dead man (hold to move)</source>
+        <translation>使能键（按住才能动）</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>Halt</source>
+        <translation>停住</translation>
+    </message>
+    <message>
+        <source>Next mode</source>
+        <translation>切换模式</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadAxis</name>
+    <message>
+        <source>Left stick ↔</source>
+        <translation>左摇杆 ↔</translation>
+    </message>
+    <message>
+        <source>Left stick ↕</source>
+        <translation>左摇杆 ↕</translation>
+    </message>
+    <message>
+        <source>Right stick ↔</source>
+        <translation>右摇杆 ↔</translation>
+    </message>
+    <message>
+        <source>Right stick ↕</source>
+        <translation>右摇杆 ↕</translation>
+    </message>
+    <message>
+        <source>Right trigger</source>
+        <translation>右扳机（速度）</translation>
+    </message>
+    <message>
+        <source>D-pad ↕</source>
+        <translation>方向键 ↕</translation>
+    </message>
+    <message>
+        <source>D-pad ↔</source>
+        <translation>方向键 ↔</translation>
+    </message>
+    <message>
+        <source>Push away / pull</source>
+        <translation>前推 / 后拉</translation>
+    </message>
+    <message>
+        <source>Push left / right</source>
+        <translation>左推 / 右推</translation>
+    </message>
+    <message>
+        <source>Lift / press</source>
+        <translation>上提 / 下压</translation>
+    </message>
+    <message>
+        <source>Tilt left / right</source>
+        <translation>左倾 / 右倾</translation>
+    </message>
+    <message>
+        <source>Tilt away / towards</source>
+        <translation>前倾 / 后倾</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>旋转</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadButton</name>
+    <message>
+        <source>Button {number}</source>
+        <translation>按键 {number}</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadDialog</name>
+    <message>
+        <source>Not installed: {packages}. In a terminal: {command}</source>
+        <translation>未安装：{packages}。请在终端中运行：{command}</translation>
+    </message>
+    <message>
+        <source>Found, but cannot be used (layout not known, or no permission): {names}</source>
+        <translation>已发现但无法使用（布局未知或没有权限）：{names}</translation>
+    </message>
+    <message>
+        <source>No device found. Plug one in, or switch it on and pair it.</source>
+        <translation>未发现设备。请插入设备，或打开设备电源并配对。</translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse</source>
+        <translation>手柄与 SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Jog by gamepad or SpaceMouse</source>
+        <translation>用手柄或 SpaceMouse 点动</translation>
+    </message>
+    <message>
+        <source>Only the axis that was pushed first moves, until all are at rest again</source>
+        <translation>只有最先推动的轴会动，直到所有轴都回中</translation>
+    </message>
+    <message>
+        <source>One axis at a time</source>
+        <translation>一次只动一个轴</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>None found</source>
+        <translation>未发现</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>控制</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>摇杆与轴</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Nothing moves while this window is in front: try everything here. In the main window hold the dead-man button, then push an axis; letting go of either stops. The buttons for emergency stop and halt work at any time, in every window.</source>
+        <translation>本窗口在前时机械臂不会动，可以放心试按。在主窗口中先按住使能键，再推动摇杆；松开任何一个即停止。急停和停住按键在任何窗口中随时有效。</translation>
+    </message>
+    <message>
+        <source>Copy the command</source>
+        <translation>复制命令</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadMode</name>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Base frame</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
+        <source>Tool frame</source>
+        <translation>工具坐标系</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadStrip</name>
+    <message>
+        <source>{device} · {mode} · hold {button} and push an axis to jog</source>
+        <translation>{device} · {mode} · 按住 {button} 并推动摇杆即可点动</translation>
+    </message>
+    <message>
+        <source>{device} · {mode} · dead man held, ready</source>
+        <translation>{device} · {mode} · 使能键已按住，可以推动摇杆</translation>
+    </message>
+    <message>
+        <source>{device} · {mode} · jogging {axes}</source>
+        <translation>{device} · {mode} · 正在点动 {axes}</translation>
+    </message>
+    <message>
+        <source>{device} · {mode} · let every axis back to its centre</source>
+        <translation>{device} · {mode} · 请先让所有摇杆回中</translation>
+    </message>
+    <message>
+        <source>{device} · let go of {button}, then press it anew</source>
+        <translation>{device} · 请松开 {button} 后重新按下</translation>
+    </message>
+    <message>
+        <source>Gamepad: {packages} not installed. Install with pip: armui[gamepad]</source>
+        <translation>手柄：未安装 {packages}，请用 pip 安装 armui[gamepad]</translation>
+    </message>
+    <message>
+        <source>Gamepad: {problem}</source>
+        <translation>手柄：{problem}</translation>
+    </message>
+    <message>
+        <source>Gamepad: none found. Plug one in or switch it on.</source>
+        <translation>手柄：未发现设备，请插入或打开设备电源。</translation>
+    </message>
+</context>
+<context>
     <name>GripperAct</name>
     <message>
         <source>Enable</source>
@@ -3060,6 +3434,44 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>JogBox</name>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Base axes</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
+        <source>Tool axes</source>
+        <translation>工具坐标系</translation>
+    </message>
+    <message>
+        <source>Step of − and +</source>
+        <translation>− 和 + 的步长</translation>
+    </message>
+    <message>
+        <source>How far one press of − or + moves</source>
+        <translation>每按一次 − 或 + 移动多少</translation>
+    </message>
+</context>
+<context>
+    <name>JogCell</name>
+    <message>
+        <source>{name} minus</source>
+        <translation>{name} 减</translation>
+    </message>
+    <message>
+        <source>{name} plus</source>
+        <translation>{name} 加</translation>
+    </message>
+    <message>
+        <source>Measured {name}</source>
+        <translation>测得的 {name}</translation>
+    </message>
+</context>
+<context>
     <name>JogPanel</name>
     <message>
         <source>Step</source>
@@ -3346,6 +3758,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Click here to jog by keys.</source>
         <translation>点击此处后可用键盘点动。</translation>
+    </message>
+    <message>
+        <source>Jogging is not possible now.</source>
+        <translation>现在不能点动。</translation>
     </message>
 </context>
 <context>
@@ -3650,7 +4066,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
-    <name>LibraryWindow</name>
+    <name>LibraryPage</name>
     <message>
         <source>“{name}” is not saved yet. Open it and save it first.</source>
         <translation>“{name}”尚未保存，请先打开并保存。</translation>
@@ -4712,6 +5128,26 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <source>What just happened could not be saved: {reason}</source>
         <translation>无法保存刚才发生的事：{reason}</translation>
     </message>
+    <message>
+        <source>Also saved as MF4: {name}.mf4</source>
+        <translation>已另存为 MF4：{name}.mf4</translation>
+    </message>
+    <message>
+        <source>No .mf4 file of {name}: {reason} The recording is whole as .blf.</source>
+        <translation>{name} 未生成 .mf4 文件：{reason} .blf 记录完整无缺。</translation>
+    </message>
+    <message>
+        <source>{device} jogs {axes} (joints)</source>
+        <translation>{device} 点动 {axes}（关节）</translation>
+    </message>
+    <message>
+        <source>{device} jogs {axes} (base frame)</source>
+        <translation>{device} 点动 {axes}（基坐标系）</translation>
+    </message>
+    <message>
+        <source>{device} jogs {axes} (tool frame)</source>
+        <translation>{device} 点动 {axes}（工具坐标系）</translation>
+    </message>
 </context>
 <context>
     <name>Observed</name>
@@ -4837,6 +5273,40 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>high-follow</source>
         <translation>高跟随</translation>
+    </message>
+</context>
+<context>
+    <name>PageBar</name>
+    <message>
+        <source>the panel</source>
+        <translation>面板</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Back to {where} (Esc)</source>
+        <translation>返回{where} (Esc)</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>独立窗口</translation>
+    </message>
+    <message>
+        <source>Takes this page out into a window of its own, for a second screen.</source>
+        <translation>把本页移到独立窗口，例如放到第二块屏幕上。</translation>
+    </message>
+</context>
+<context>
+    <name>PageWindow</name>
+    <message>
+        <source>Put back</source>
+        <translation>放回</translation>
+    </message>
+    <message>
+        <source>Puts this page back beside the 3D picture.</source>
+        <translation>把本页放回 3D 画面旁边。</translation>
     </message>
 </context>
 <context>
@@ -5038,6 +5508,60 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>Shows what the arm holds again.</source>
         <translation>重新显示机械臂中的值。</translation>
+    </message>
+</context>
+<context>
+    <name>PictureExport</name>
+    <message>
+        <source>Picture copied</source>
+        <translation>画面已复制</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>保存画面</translation>
+    </message>
+    <message>
+        <source>There is no picture of now to be taken: wait until it is drawn.</source>
+        <translation>当前画面尚未绘制完成，请稍候再试。</translation>
+    </message>
+    <message>
+        <source>Not saved: {path}. {reason}</source>
+        <translation>未保存：{path}。{reason}</translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation>已保存：{path}</translation>
+    </message>
+</context>
+<context>
+    <name>Place</name>
+    <message>
+        <source>In every window</source>
+        <translation>所有窗口</translation>
+    </message>
+    <message>
+        <source>Main window</source>
+        <translation>主窗口</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D 视图</translation>
+    </message>
+    <message>
+        <source>Jogging by keys</source>
+        <translation>键盘点动</translation>
+    </message>
+    <message>
+        <source>Panels with parameters</source>
+        <translation>参数面板</translation>
+    </message>
+    <message>
+        <source>Trajectory editor</source>
+        <translation>轨迹编辑器</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>回放</translation>
     </message>
 </context>
 <context>
@@ -5339,6 +5863,17 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>Move</source>
         <translation>移动</translation>
+    </message>
+</context>
+<context>
+    <name>PoseExtras</name>
+    <message>
+        <source>Arc by three poses</source>
+        <translation>三点圆弧</translation>
+    </message>
+    <message>
+        <source>Tool centre point</source>
+        <translation>工具中心点</translation>
     </message>
 </context>
 <context>
@@ -5761,6 +6296,14 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <source>Folder of the session recordings</source>
         <translation>会话记录的文件夹</translation>
     </message>
+    <message>
+        <source>Making the .mf4 file of {name}…</source>
+        <translation>正在生成 {name} 的 .mf4 文件…</translation>
+    </message>
+    <message>
+        <source>Recorded as .blf; the .mf4 file is made of it at the end.</source>
+        <translation>先记录为 .blf，结束后由它生成 .mf4 文件。</translation>
+    </message>
 </context>
 <context>
     <name>RecordingMark</name>
@@ -5778,7 +6321,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     </message>
 </context>
 <context>
-    <name>RecordingWindow</name>
+    <name>RecordingPage</name>
     <message>
         <source>Recording</source>
         <translation>录制</translation>
@@ -6008,10 +6551,6 @@ Lead it near its rest pose, then stop recording.</source>
 <context>
     <name>RecoveryStep</name>
     <message>
-        <source>No arm is connected.</source>
-        <translation>未连接机械臂。</translation>
-    </message>
-    <message>
         <source>The device is being opened.</source>
         <translation>正在打开设备。</translation>
     </message>
@@ -6222,6 +6761,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>A stop is outstanding: the arm was away and has not confirmed it. Press the emergency stop to send it now, or withdraw it.</source>
         <translation>有一次急停未完成：机械臂曾离线，没有确认。按急停立即发送，或撤回。</translation>
+    </message>
+    <message>
+        <source>No arm is connected. Connect one, or the simulated arm to try everything out.</source>
+        <translation>未连接机械臂。请连接机械臂，或先用仿真机械臂试用全部功能。</translation>
     </message>
 </context>
 <context>
@@ -7170,6 +7713,26 @@ Lead it near its rest pose, then stop recording.</source>
         <source>{name} can be read no further: {text}. Open it again; if that does not help, copy it to another disk first.</source>
         <translation>无法继续读取 {name}：{text}。请重新打开；若仍不行，请先将其复制到其他磁盘。</translation>
     </message>
+    <message>
+        <source>MF4 needs the package asammdf (pip install asammdf).</source>
+        <translation>MF4 需要 asammdf 软件包（pip install asammdf）。</translation>
+    </message>
+    <message>
+        <source>{name} is gone. Plug it in again or switch it on.</source>
+        <translation>{name} 已断开。请重新插入或打开电源。</translation>
+    </message>
+    <message>
+        <source>Nothing more is heard of {name}. Let go of its buttons and press anew.</source>
+        <translation>收不到 {name} 的数据。请松开所有按键后重新按下。</translation>
+    </message>
+    <message>
+        <source>The dead-man button was held for {seconds} s without a movement of the device. Press anew.</source>
+        <translation>使能键按住 {seconds} 秒而设备没有任何动作。请重新按下。</translation>
+    </message>
+    <message>
+        <source>The main window is not in front, or a menu is open in it. Click into it, then press anew.</source>
+        <translation>主窗口不在最前，或其中打开了菜单。请点击主窗口，然后重新按下。</translation>
+    </message>
 </context>
 <context>
     <name>ReplayEventBar</name>
@@ -7249,6 +7812,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Events</source>
         <translation>事件</translation>
+    </message>
+    <message>
+        <source>Loading: {percent} %</source>
+        <translation>正在载入：{percent} %</translation>
     </message>
 </context>
 <context>
@@ -7365,15 +7932,62 @@ Lead it near its rest pose, then stop recording.</source>
     </message>
 </context>
 <context>
-    <name>RunStrip</name>
+    <name>RunBar</name>
+    <message>
+        <source>A run is under way.</source>
+        <translation>正在运行。</translation>
+    </message>
     <message>
         <source>Checking…</source>
         <translation>正在检查…</translation>
     </message>
     <message>
-        <source>{name}: point {row} of {count}</source>
-        <translation>{name}：第 {row}/{count} 点</translation>
+        <source>Go on from row {row}</source>
+        <translation>从第 {row} 行继续</translation>
     </message>
+    <message>
+        <source>Send</source>
+        <translation>发送</translation>
+    </message>
+    <message>
+        <source>Call off</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Once</source>
+        <translation>单次</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>多次</translation>
+    </message>
+    <message>
+        <source>In a loop</source>
+        <translation>循环</translation>
+    </message>
+    <message>
+        <source>How often</source>
+        <translation>运行次数</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Of each point&apos;s own speed</source>
+        <translation>相对于各点自身速度的百分比</translation>
+    </message>
+    <message>
+        <source>From row</source>
+        <translation>起始行</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>单步运行</translation>
+    </message>
+</context>
+<context>
+    <name>RunStrip</name>
     <message>
         <source>cycle {cycle} of {cycles}</source>
         <translation>第 {cycle}/{cycles} 次</translation>
@@ -7415,10 +8029,6 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>因故障结束</translation>
     </message>
     <message>
-        <source>Go on from row {row}</source>
-        <translation>从第 {row} 行继续</translation>
-    </message>
-    <message>
         <source>Next step</source>
         <translation>下一步</translation>
     </message>
@@ -7431,44 +8041,20 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>暂停</translation>
     </message>
     <message>
-        <source>Send</source>
-        <translation>发送</translation>
-    </message>
-    <message>
         <source>End run</source>
         <translation>结束运行</translation>
     </message>
     <message>
-        <source>Once</source>
-        <translation>单次</translation>
+        <source>Close</source>
+        <translation>关闭</translation>
     </message>
     <message>
-        <source>Times</source>
-        <translation>多次</translation>
+        <source>Puts this line away; the run is over.</source>
+        <translation>收起此行；运行已结束。</translation>
     </message>
     <message>
-        <source>In a loop</source>
-        <translation>循环</translation>
-    </message>
-    <message>
-        <source>How often</source>
-        <translation>运行次数</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>速度</translation>
-    </message>
-    <message>
-        <source>Of each point&apos;s own speed</source>
-        <translation>相对于各点自身速度的百分比</translation>
-    </message>
-    <message>
-        <source>From row</source>
-        <translation>起始行</translation>
-    </message>
-    <message>
-        <source>Step by step</source>
-        <translation>单步运行</translation>
+        <source>point {row} of {count}</source>
+        <translation>第 {row}/{count} 点</translation>
     </message>
 </context>
 <context>
@@ -7738,6 +8324,38 @@ Lead it near its rest pose, then stop recording.</source>
         <source>saving at faults and stops</source>
         <translation>故障或急停时自动保存</translation>
     </message>
+    <message>
+        <source>view of the 3D picture</source>
+        <translation>3D 画面的视角</translation>
+    </message>
+    <message>
+        <source>3D picture without perspective</source>
+        <translation>3D 画面的平行投影</translation>
+    </message>
+    <message>
+        <source>tool frame in the 3D picture</source>
+        <translation>3D 画面中的工具坐标系</translation>
+    </message>
+    <message>
+        <source>way of the tool in the 3D picture</source>
+        <translation>3D 画面中的末端轨迹</translation>
+    </message>
+    <message>
+        <source>jogging by gamepad</source>
+        <translation>手柄点动</translation>
+    </message>
+    <message>
+        <source>what a gamepad moves</source>
+        <translation>手柄控制的对象</translation>
+    </message>
+    <message>
+        <source>one axis at a time by gamepad</source>
+        <translation>手柄一次只动一个轴</translation>
+    </message>
+    <message>
+        <source>buttons of the gamepads</source>
+        <translation>手柄按键</translation>
+    </message>
 </context>
 <context>
     <name>SettingsDialog</name>
@@ -7820,6 +8438,100 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Such a stop is always told as a fault. With this, it is also sent again by itself.</source>
         <translation>这种情况总会作为故障提示。勾选后还会自动再次发送急停。</translation>
+    </message>
+    <message>
+        <source>Gamepad, SpaceMouse</source>
+        <translation>手柄、SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Gamepad…</source>
+        <translation>手柄…</translation>
+    </message>
+    <message>
+        <source>on: jogs the arm</source>
+        <translation>已开启：可以点动机械臂</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>已关闭</translation>
+    </message>
+</context>
+<context>
+    <name>Shortcut</name>
+    <message>
+        <source>Command palette: find every function by its name</source>
+        <translation>命令面板：按名称查找任何功能</translation>
+    </message>
+    <message>
+        <source>User guide, at the place where you are</source>
+        <translation>使用指南，打开当前所在处的章节</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>本列表</translation>
+    </message>
+    <message>
+        <source>Pause, go on</source>
+        <translation>暂停、继续</translation>
+    </message>
+    <message>
+        <source>Copy the chosen rows</source>
+        <translation>复制所选行</translation>
+    </message>
+    <message>
+        <source>Play, pause</source>
+        <translation>播放、暂停</translation>
+    </message>
+    <message>
+        <source>One frame back</source>
+        <translation>后退一帧</translation>
+    </message>
+    <message>
+        <source>One frame on</source>
+        <translation>前进一帧</translation>
+    </message>
+    <message>
+        <source>Halt: ends any motion, the motors keep their power</source>
+        <translation>停住：结束任何运动，电机保持通电</translation>
+    </message>
+    <message>
+        <source>To the next control; with Shift to the one before</source>
+        <translation>到下一个控件；加 Shift 到上一个</translation>
+    </message>
+    <message>
+        <source>Close the dialog</source>
+        <translation>关闭对话框</translation>
+    </message>
+    <message>
+        <source>With Space held: J1 to J6 up, down</source>
+        <translation>按住空格：J1 至 J6 增、减</translation>
+    </message>
+    <message>
+        <source>With Space held: X, Y, Z of the tool</source>
+        <translation>按住空格：末端 X、Y、Z</translation>
+    </message>
+    <message>
+        <source>With Space held: RX, RY, RZ of the tool</source>
+        <translation>按住空格：末端 RX、RY、RZ</translation>
+    </message>
+    <message>
+        <source>Edit the points of the chosen trajectory</source>
+        <translation>编辑所选轨迹的点</translation>
+    </message>
+    <message>
+        <source>On the time line: through the recording</source>
+        <translation>在时间轴上：在记录中移动</translation>
+    </message>
+</context>
+<context>
+    <name>ShortcutList</name>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>快捷键</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
     </message>
 </context>
 <context>
@@ -9080,6 +9792,117 @@ Afterwards the motors must be enabled again.</source>
     </message>
 </context>
 <context>
+    <name>ViewBar</name>
+    <message>
+        <source>Front view</source>
+        <translation>前视图</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from where it points to</source>
+        <translation>从机械臂正前方观察</translation>
+    </message>
+    <message>
+        <source>Side view</source>
+        <translation>侧视图</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from its right side</source>
+        <translation>从机械臂右侧观察</translation>
+    </message>
+    <message>
+        <source>Top view</source>
+        <translation>俯视图</translation>
+    </message>
+    <message>
+        <source>Looks down on the arm</source>
+        <translation>从上方观察机械臂</translation>
+    </message>
+    <message>
+        <source>Oblique view</source>
+        <translation>轴测视图</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from the front right and above</source>
+        <translation>从右前上方观察机械臂</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>适合窗口</translation>
+    </message>
+    <message>
+        <source>Shows all of the arm as large as the room allows</source>
+        <translation>在可用空间内尽量大地显示整个机械臂</translation>
+    </message>
+    <message>
+        <source>Follow the tool</source>
+        <translation>跟随末端</translation>
+    </message>
+    <message>
+        <source>Keeps the tool centre point in the middle</source>
+        <translation>使工具中心点保持在画面中央</translation>
+    </message>
+    <message>
+        <source>Without perspective</source>
+        <translation>平行投影</translation>
+    </message>
+    <message>
+        <source>Parallel lines look parallel: lengths can be compared</source>
+        <translation>平行线保持平行，可比较长度</translation>
+    </message>
+    <message>
+        <source>Tool frame</source>
+        <translation>工具坐标系</translation>
+    </message>
+    <message>
+        <source>Shows the axes of the tool centre point</source>
+        <translation>显示工具中心点的坐标轴</translation>
+    </message>
+    <message>
+        <source>Workspace</source>
+        <translation>工作空间</translation>
+    </message>
+    <message>
+        <source>Shows how far the tool centre point can reach</source>
+        <translation>显示工具中心点可到达的范围</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>保存画面…</translation>
+    </message>
+    <message>
+        <source>Writes the picture with its figures to a file</source>
+        <translation>将画面连同数值保存为文件</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>复制画面</translation>
+    </message>
+    <message>
+        <source>Puts the picture with its figures into the clipboard</source>
+        <translation>将画面连同数值复制到剪贴板</translation>
+    </message>
+    <message>
+        <source>Way of the tool</source>
+        <translation>末端轨迹</translation>
+    </message>
+    <message>
+        <source>Last {seconds} s of motion</source>
+        <translation>最近 {seconds} 秒的运动</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Views, and what is drawn in the picture</source>
+        <translation>视角以及画面中显示的内容</translation>
+    </message>
+</context>
+<context>
     <name>ViewRegion</name>
     <message>
         <source>Help</source>
@@ -9139,6 +9962,17 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Record everything on the bus, save what just happened, replay what was recorded, here or by another program.</source>
         <translation>记录总线上的一切，保存刚才发生的事，回放本程序或其他程序的记录。</translation>
+    </message>
+</context>
+<context>
+    <name>WindowActions</name>
+    <message>
+        <source>The arm is not stopped.</source>
+        <translation>机械臂未处于急停。</translation>
+    </message>
+    <message>
+        <source>There is no next step now.</source>
+        <translation>现在没有下一步。</translation>
     </message>
 </context>
 </TS>

@@ -203,7 +203,7 @@ def test_the_end_pose_as_the_arm_tells_it(tmp_path, read):
 @READERS
 def test_the_fingers_each_go_half_of_the_opening(tmp_path, read):
     # 70 mm = 0x11170
-    frame = Frame(0x2A8, bytes.fromhex("0001117000000040"))
+    frame = Frame(0x2A8, bytes.fromhex("0001117000004000"))
     target, _report = export(
         candump(tmp_path / "a.log", [(1.0, frame)]), wishes=ArmWishes(Generation.TWO)
     )

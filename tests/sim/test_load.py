@@ -103,6 +103,6 @@ def test_a_motor_pushes_back() -> None:
     arm = ready(joints_deg=LEANING)
     assert current_a(arm, 1) == 0.0
     arm.protection.push(0, 1.2)
-    # 6 N·m an ampere
-    assert current_a(arm, 1) == -0.2
+    # k·b·c = 1.18125·4·1 = 4.725 N·m an ampere
+    assert current_a(arm, 1) == -0.254
     assert arm.joints_deg == LEANING

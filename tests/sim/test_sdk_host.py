@@ -237,7 +237,7 @@ def test_drivers_are_read_as_they_are(arm: Node, sdk: Sdk) -> None:
 
 def test_settings_are_set_and_read_back(arm: Node, sdk: Sdk) -> None:
     settings = arm.firmware.settings
-    until(lambda: sdk("GetPiperFirmwareVersion") == "S-V1.8-5", "the version is known")
+    until(lambda: sdk("GetPiperFirmwareVersion") == "S-V1.8-9", "the version is known")
 
     sdk("MotorAngleLimitMaxSpdSet", 1, 900, -450, 150)
     answer = {"instruction_index": 0x74, "is_set_zero_successfully": 0}

@@ -121,7 +121,9 @@ def test_a_mark_is_found_by_a_click_beside_it(scene):
 def test_a_click_on_a_mark_tells_its_row_and_a_drag_does_not(view, qtbot):
     view.set_joints(REST, 0.0)
     view.set_preview(Preview(path()))
-    at = QPoint(*np.round(project(CORNERS_MM[1:2] / 1000.0)[0]).astype(int).tolist())
+    view.fit()
+    place = project(CORNERS_MM[1:2] / 1000.0, view.camera)[0]
+    at = QPoint(*np.round(place).astype(int).tolist())
     with qtbot.waitSignal(view.mark_picked, timeout=LIMIT_MS) as picked:
         qtbot.mouseClick(view, Qt.MouseButton.LeftButton, pos=at)
     assert picked.args == [1]

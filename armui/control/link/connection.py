@@ -347,7 +347,8 @@ class Connection(QObject):
 
         recorded = None if self.device is None else self.device.recorded
         known = None if recorded is None else Generation(recorded.generation)
-        self.handshake = Handshake(worker, now_s, self.offsets.addressing, known)
+        firmware = "" if recorded is None else recorded.firmware
+        self.handshake = Handshake(worker, now_s, self.offsets.addressing, known, firmware)
         self._codec = self.handshake.codec
 
     def _on_report(self, report: BusReport) -> None:

@@ -14,6 +14,7 @@ from armui.kinematics.geometry import Geometry
 from armui.kinematics.poses import pose_to_matrix
 from armui.protocol.addressing import OFFSETS, Addressing
 from armui.protocol.codec import Codec
+from armui.protocol.firmware_version import FirmwareVersion
 from armui.protocol.version import VERSION_ID, find_version
 from armui.session.detection import detect_generation
 from armui.session.exports.frames import ArmFrameReader
@@ -104,8 +105,8 @@ def look_at(
     channel = _channel(looked_at, wishes.channel)
     pieces = list(ArmFrameReader(channel).pieces(looked_at))
     addressing = _addressing(pieces)
-    codec = Codec(generation, addressing)
     firmware = wishes.firmware or _firmware(pieces)
+    codec = Codec(generation, addressing, FirmwareVersion.parse(firmware))
     model, why_model, geometry = _model(pieces, codec, firmware, wishes.model)
     start_s = float(looked_at[0].times_s[0])
     arm = ExportedArm(codec, why, channel, firmware, model, why_model, geometry, start_s)

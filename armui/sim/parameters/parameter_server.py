@@ -40,7 +40,7 @@ _ROUNDING_GRACE: Final = 1.02
 
 _HANDLE_SIGNALS: Final = signal_names(HandleSettings)
 _read_handle: Final = record_reader(HandleSettings)
-_COLLISION_NAMES: Final = tuple(f"J{joint}" for joint in JOINTS)
+_JOINT_NAMES: Final = tuple(f"J{joint}" for joint in JOINTS)
 _ON_OFF: Final = ("On", "Off")
 _READS_ONLY: Final = frozenset({"LimitQuery", "LightControl"})
 
@@ -91,6 +91,7 @@ class ParameterServer:
             "EndLimitSetting": self._end_limit_setting,
             "CollisionSetting": self._collision_setting,
             "TeachingSetting": self._teaching_setting,
+            "DragAssistanceSetting": self._drag_assistance_setting,
             "LightControl": self._light_control,
         }
 
@@ -209,12 +210,15 @@ class ParameterServer:
             signals = dict(zip(_END_LIMIT_NAMES, settings.end_limits, strict=True))
             return [self._codec.encode("EndLimitFeedback", **signals)]
         if query is ParameterQuery.COLLISION_LEVELS:
-            levels = dict(zip(_COLLISION_NAMES, settings.collision_levels, strict=True))
+            levels = dict(zip(_JOINT_NAMES, settings.collision_levels, strict=True))
             return [self._codec.encode("CollisionFeedback", **levels)]
         if query is ParameterQuery.TEACHING_SETTING:
             kept = settings.teaching._asdict()
             values = {_HANDLE_SIGNALS[field]: value for field, value in kept.items()}
             return [self._codec.encode("TeachingFeedback", **values)]
+        if query is ParameterQuery.DRAG_ASSISTANCE and self._codec.quirks.has_drag_assistance:
+            levels = dict(zip(_JOINT_NAMES, settings.drag_assistance, strict=True))
+            return [self._codec.encode("DragAssistanceFeedback", **levels)]
         return []
 
     def _end_limit_setting(self, signals: Signals) -> list[Frame]:
@@ -225,13 +229,23 @@ class ParameterServer:
         return [self.answer(SettingIndex.END_LIMIT_SETTING)]
 
     def _collision_setting(self, signals: Signals) -> list[Frame]:
-        self.settings.collision_levels = tuple(int(signals[name]) for name in _COLLISION_NAMES)
+        self.settings.collision_levels = tuple(int(signals[name]) for name in _JOINT_NAMES)
         return [self.answer(SettingIndex.COLLISION_SETTING)]
 
     def _teaching_setting(self, signals: Signals) -> list[Frame]:
         whole = {name: int(value) for name, value in signals.items()}
         self.settings.teaching = _read_handle(whole)
         return [self.answer(SettingIndex.TEACHING_SETTING)]
+
+    def _drag_assistance_setting(self, signals: Signals) -> list[Frame]:
+        """Firmware before S-V1.8-1 has no such frame."""
+        if not self._codec.quirks.has_drag_assistance:
+            return []
+        self.settings.drag_assistance = tuple(
+            old if self._unchanged("DragAssistanceSetting", name, signals) else int(signals[name])
+            for name, old in zip(_JOINT_NAMES, self.settings.drag_assistance, strict=True)
+        )
+        return [self.answer(SettingIndex.DRAG_ASSISTANCE_SETTING)]
 
     def _light_control(self, signals: Signals) -> list[Frame]:
         if signals["Enable"]:

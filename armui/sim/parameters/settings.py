@@ -66,6 +66,7 @@ class ArmSettingsRecord:
         collision_levels: 0–8 a joint.
         load: What the flange carries, as the host says.
         teaching: The teaching handle, generation 2.
+        drag_assistance: 0–10 a joint, from S-V1.8-1.
         linkage: Role and identifier offsets.
         zeros_deg: Where each joint has its zero, counted from the factory's.
         lights: The lamps, by joint; dark again after a power cycle.
@@ -77,6 +78,7 @@ class ArmSettingsRecord:
     collision_levels: tuple[int, ...] = (1,) * 6
     load: EndLoad = EndLoad.EMPTY
     teaching: HandleSettings = field(default_factory=HandleSettings)
+    drag_assistance: tuple[int, ...] = (5,) * 6
     linkage: LinkageSettings = field(default_factory=LinkageSettings)
     zeros_deg: list[float] = field(default_factory=_no_zeros)
     lights: dict[int, Light] = field(default_factory=dict)

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from PySide6.QtGui import QHideEvent, QResizeEvent, QShowEvent
 
     from armui.telemetry.store import Telemetry
+    from armui.ui.watch.curves_item import Missing
     from armui.ui.watch.time_frame import Range
 
 PICTURE_MS: Final = 80
@@ -79,6 +80,7 @@ class PlotBoard(QWidget):
         self._chosen = 0
         self._valued_s = 0.0
         self._dirty = True
+        self._missing: Missing | None = None
         self._waiting: list[PlotPane] = []
         self._column = QWidget()
         self._column.setObjectName("plot_column")
@@ -305,6 +307,12 @@ class PlotBoard(QWidget):
 
     # Drawing ----------------------------------------------------------------------------------
 
+    def show_missing(self, missing: Missing | None) -> None:
+        """Mark a time of which the curves are not there yet; ``None``: nothing is missing."""
+        if missing != self._missing:
+            self._missing = missing
+            self.draw_soon()
+
     @property
     def draws(self) -> bool:
         """Whether it is drawing now."""
@@ -358,6 +366,7 @@ class PlotBoard(QWidget):
     def _draw_pane(self, pane: PlotPane, now_s: float) -> None:
         shown, edge_s = self.frame.shown, self.frame.edge_s(now_s)
         pane.advance(shown, edge_s, now_s, shown.ranges.get(self.panes.index(pane)))
+        pane.show_missing(self._missing)
         pane.show_cursors(self.cursors_s, edge_s)
         at_zero = clock_time(self.telemetry.wall_time(edge_s)).partition(".")[0]
         zero = "" if self.frame.live else at_zero

@@ -11,6 +11,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.ui.words import status
 from armui.ui.words.backup_refusals import BACKUP_REFUSALS
+from armui.ui.words.gamepad_refusals import GAMEPAD_REFUSALS
 from armui.ui.words.gripper import gripper_figure
 from armui.ui.words.lights import light_figure
 from armui.ui.words.log_refusals import LOG_REFUSALS
@@ -308,6 +309,7 @@ _ALL: Final[Mapping[RefusalCode, object]] = {
     **OTHER_HOST_REFUSALS,
     **MOTOR_REFUSALS,
     **SESSION_REFUSALS,
+    **GAMEPAD_REFUSALS,
     **TRAJECTORY_REFUSALS,
 }
 

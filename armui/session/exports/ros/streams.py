@@ -274,7 +274,11 @@ def _openings(history: History, span: TimeSpan) -> tuple[RowTimes, NDArray[Any]]
     at = table_rows(history, span, "GripperFeedback")
     if samples is None or at is None:
         return None
-    return at, samples.column("Opening")[samples.last_at(at.rows)]
+    openings_mm = samples.column("Opening")[samples.last_at(at.rows)]
+    there = ~np.isnan(openings_mm)  # else it is told as an angle, which is no place of the fingers
+    if not there.any():
+        return None
+    return RowTimes(at.rows[there], at.times_s[there]), openings_mm[there]
 
 
 def _joint_template(names: Sequence[str], *, with_speeds: bool) -> CdrTemplate:

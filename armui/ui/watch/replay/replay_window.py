@@ -32,12 +32,12 @@ if TYPE_CHECKING:
     from PySide6.QtGui import QKeyEvent
 
     from armui.control.arm_controller import ArmController
+    from armui.control.event_log.log_events import LoggedEvents
     from armui.protocol.generation import Generation
     from armui.session.foreign.columns import ReadingProgress
     from armui.session.frames import Channel
     from armui.session.session import Session
     from armui.session.survey import ChannelSurvey
-    from armui.telemetry.events import EventLog
     from armui.ui.background import Background
     from armui.ui.watch.replay.log_opening import OpenOwn
     from armui.ui.watch.replay.replay_view import ReplayView
@@ -89,7 +89,7 @@ class ReplayWindow(ArmDialog):
         self._path: Path | None = None
         self._session: Session | None = None
         self._surveys: tuple[ChannelSurvey, ...] = ()
-        self._events: Job[EventLog] | None = None
+        self._events: Job[LoggedEvents] | None = None
         self.view: ReplayView | None = None
         self.live_strip = LiveStrip(controller)
         self.body.addWidget(self.live_strip)
@@ -208,7 +208,7 @@ class ReplayWindow(ArmDialog):
         if self._session is None or self._path is None:
             return
         own = next(each for each in self._surveys if each.channel == channel)
-        arm = RecordedArm(int(generation), own.feedback_offset, own.model)
+        arm = RecordedArm(int(generation), own.feedback_offset, own.firmware, own.model)
         replay = LogReplay(self._session, channel, arm, self._path.name, self)
         replay.failed.connect(self._on_failed)
         self.view = ReplayView(
@@ -233,17 +233,19 @@ class ReplayWindow(ArmDialog):
         """Have the events of what is shown read, or found in its frames."""
         from armui.control.event_log.log_events import log_events  # noqa: PLC0415 - with a log
 
-        def show(found: EventLog | Refusal) -> None:
+        def show(found: LoggedEvents | Refusal) -> None:
             self._events = None
             if isinstance(found, Refusal):
                 self._say(words.refusal(found), Level.FAULT)
             else:
-                view.events.show_log(found)
+                view.show_events(found.log, found.marks)
 
-        self._events = Job(show)
+        job = self._events = Job(show)
         replay = view.replay
-        work = partial(log_events, replay.session, replay.channel, arm, wall_time)
-        self._background.begin_here(self._events, work)
+        work = partial(
+            log_events, replay.session, replay.channel, arm, wall_time, lambda: job.wanted
+        )
+        self._background.begin_here(job, work)
 
     def _on_other(self, channel: Channel, generation: Generation) -> None:
         at_s = 0.0 if self.view is None else self.view.replay.position_s
