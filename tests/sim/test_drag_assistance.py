@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from armui.arm.models import model_data
 from armui.protocol.codec import Codec
 from armui.protocol.firmware_version import FirmwareVersion
 from armui.protocol.generation import Generation
@@ -49,6 +50,8 @@ def test_a_kept_text_of_before_has_the_factorys() -> None:
 @pytest.mark.parametrize(("patch", "has"), [(0, False), (1, True)])
 def test_only_from_1_8_1(patch, has) -> None:
     class _Arm:
+        model = model_data()
+
         def settings_changed(self) -> None:
             pass
 
