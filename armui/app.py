@@ -29,7 +29,7 @@ from armui.system.failures import Failure, FailureHandler
 from armui.system.helper_process import FileThread, HelperProcess
 from armui.system.log_file import log_to
 from armui.system.quick_start import begun
-from armui.ui.dialogs.kept_models import KeptModels, last_model
+from armui.ui.dialogs.kept_models import KeptModels, NodeKeeper, last_model
 from armui.ui.main_window import MainWindow
 from armui.ui.theme import Theme, apply_theme
 from armui.ui.translation import Translator
@@ -111,6 +111,7 @@ class Program:
         self._stop_shortcut = StopShortcut(app, self.controller)
         controller.stop_again_when_undone(settings.stop_again)
         controller.model_watch.assume(last_model(settings.models))
+        self._node_keeper = NodeKeeper(controller, KeptModels(store))
         controller.session_choices = partial(_session_choices, store)
         self._unsubscribe = store.subscribe(self._on_settings_changed)
         self._relay = _FailureRelay()

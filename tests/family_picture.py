@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
@@ -11,6 +13,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QGuiApplication, QImage, QPainter
 
 from armui.arm.models import all_models, robot_description
+from armui.viewport.camera import HOME_CAMERA
 from armui.viewport.palette import LIGHT
 from armui.viewport.process.scene import Scene
 
@@ -19,12 +22,15 @@ POSES: Final = {
     "raised": (25.0, 70.0, -60.0, 20.0, 40.0, 10.0),
     "reaching down": (-20.0, 110.0, -75.0, 0.0, 55.0, 0.0),
 }
-_CELL_PX: Final = 420
+_CELL_PX: Final = 440
 _HEAD_PX: Final = 34
+_FOCUS_M: Final = (0.17, 0.0, 0.25)
+_DISTANCE_M: Final = 1.5
 
 
 def draw(path: Path) -> None:
     """Write the picture."""
+    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
     app = QGuiApplication(sys.argv[:1])
     models = all_models()
     image = QImage(
@@ -39,6 +45,7 @@ def draw(path: Path) -> None:
         painter.drawText(head, Qt.AlignmentFlag.AlignCenter, data.name)
         scene = Scene(_CELL_PX, _CELL_PX)
         scene.load(robot_description(model))
+        scene.camera = replace(HOME_CAMERA, focus_m=_FOCUS_M, distance_m=_DISTANCE_M)
         for row, angles_deg in enumerate(POSES.values()):
             scene.set_joints(angles_deg, 40.0)
             pixels = np.ascontiguousarray(scene.render(smooth=True).top_down()[:, :, :3])

@@ -91,7 +91,7 @@ def test_the_choice_is_kept_for_the_adapter_and_offered_the_next_time(app_driver
     app_driver.controller.disconnect_device()
 
     kept = json.loads((tmp_path / "settings.json").read_text("utf-8"))["models"]
-    assert list(kept.values()) == ["piper_x"]
+    assert set(kept.values()) == {"piper_x"}
     choose(dialog, PiperModel.PIPER)
     dialog._table.clearSelection()
     app_driver.controller.devices_found.emit([app_driver.device])
@@ -149,3 +149,37 @@ def test_the_operator_s_own_description_goes_before_the_model_s(app_driver, tmp_
     assert str(app_driver.window._robot.path) == own
     app_driver.store.change(urdf_path=None)
     assert app_driver.window._robot.path == robot_description(PiperModel.PIPER_H)
+
+
+def test_what_the_arm_has_confirmed_is_kept_by_its_node_number_when_it_is_left(
+    app_driver, tmp_path
+):
+    path = tmp_path / "settings.json"
+    app_driver.lie(LEANING_DEG, PiperModel.PIPER_H)
+    dialog = dialog_of(app_driver)
+    choose(dialog, PiperModel.PIPER_H)
+    app_driver.click(dialog.connect_button)
+    app_driver.run_until(lambda: app_driver.controller.state.identity is not None)
+    node = app_driver.controller.state.identity.node_number
+    app_driver.run_until(lambda: now(app_driver.controller.operating_state.model_fit).confirmed)
+    app_driver.run(0.1)
+    assert len(json.loads(path.read_text("utf-8"))["models"]) == 1
+
+    app_driver.controller.disconnect_device()
+
+    kept = json.loads(path.read_text("utf-8"))["models"]
+    name = f"{app_driver.device.interface} {app_driver.device.channel}"
+    assert node
+    assert kept == {name: "piper_h", f"{name} / {node}": "piper_h"}
+
+
+def test_a_wrong_choice_is_not_kept_by_the_node_number(app_driver, tmp_path):
+    app_driver.lie(LEANING_DEG, PiperModel.PIPER_L)
+    dialog = dialog_of(app_driver)
+    app_driver.click(dialog.connect_button)
+    app_driver.run_until(lambda: app_driver.controller.state.identity is not None)
+    app_driver.run(2.0)
+    app_driver.controller.disconnect_device()
+
+    kept = json.loads((tmp_path / "settings.json").read_text("utf-8"))["models"]
+    assert [" / " in each for each in kept] == [False]

@@ -15,6 +15,7 @@ from armui.arm.parameters import Parameter, all_batches
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
+from armui.protocol.piper_model import PiperModel
 
 EVERY = [each for batch in all_batches(teaching=True) for each in batch.parameters()]
 MAX_J1 = Parameter("max_angle_deg", 1)
@@ -205,3 +206,13 @@ def test_what_the_arm_could_not_be_sent_is_not_restorable():
     rows = compare({MAX_J1: 6553.5, LINEAR: 0.5}, STATE, [MAX_J1, LINEAR], lambda *_: False)
     assert [row.restorable for row in rows] == [False, True]
     assert rows[0].against.code == RefusalCode.SETTING_OUT_OF_RANGE
+
+
+def test_the_model_stands_in_the_file_and_older_files_have_none():
+    of_x = replace(BACKUP, model=PiperModel.PIPER_X)
+    assert '"model": "piper_x"' in to_text(of_x)
+    assert from_text(to_text(of_x)) == of_x
+    assert from_text(TEXT).model is None
+    refusal = from_text(to_text(of_x).replace("piper_x", "nero"))
+    assert refusal.code == RefusalCode.BACKUP_FIELD_BAD
+    assert refusal.params["field"] == "arm.model"

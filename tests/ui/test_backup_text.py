@@ -1,5 +1,6 @@
 """What 参数备份 says of a file, whatever stands in it."""
 
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
 from armui.ui.dialogs import backup_text
 
 PATH = Path("arm.json")
@@ -44,6 +46,20 @@ def test_a_file_says_where_it_is_from(qapp):
 )
 def test_what_sets_the_arms_apart(qapp, generation, firmware, said):
     text = backup_text.difference(backup(), generation, firmware)
+    assert (said in text) if said else text == ""
+
+
+@pytest.mark.parametrize(
+    ("filed", "here", "said"),
+    [
+        (PiperModel.PIPER_L, PiperModel.PIPER, "from a PiPER L, this arm is a PiPER:"),
+        (PiperModel.PIPER_L, PiperModel.PIPER_L, ""),
+        (None, PiperModel.PIPER_L, ""),
+    ],
+)
+def test_a_backup_of_another_model_is_said(qapp, filed, here, said):
+    one = replace(backup(), model=filed)
+    text = backup_text.difference(one, Generation.TWO, "S-V1.8-5", here)
     assert (said in text) if said else text == ""
 
 

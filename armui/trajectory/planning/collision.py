@@ -30,6 +30,9 @@ _SOCKET_RADIUS_MM: Final = 25.0
 _UPPER_ARM_RADIUS_MM: Final = 26.0
 _FOREARM_RADIUS_MM: Final = 28.0
 _HAND_RADIUS_MM: Final = 31.0
+_RAISED_MM: Final = (40.0, 54.0)
+"""Where the raised motor of a parallel wrist begins and ends, but for the capsule's own ends."""
+_RAISED_RADIUS_MM: Final = 27.0
 _KNEE_MM: Final = (125.0, 29.0)
 """Where the bow of the upper arm is: along it, and outwards."""
 _FOREARM_FROM_MM: Final = 60.0
@@ -136,6 +139,11 @@ def _hand(
 ) -> Iterator[_Capsule]:
     if geometry.wrist is Wrist.PARALLEL:
         yield _Capsule("hand", arm.wrist, arm.centre, _HAND_RADIUS_MM)
+        # the motor of joint 5 stands on its axis, above the wrist
+        along = (arm.centre - arm.wrist) / geometry.wrist_mm
+        above = np.cross(along, arm.side)
+        low, high = (arm.centre + place * above for place in _RAISED_MM)
+        yield _Capsule("hand", low, high, _RAISED_RADIUS_MM)
     yield _Capsule("hand", arm.centre, arm.flange, _HAND_RADIUS_MM)
     if tool_mm > _PALM_AT_MM:
         palm = arm.flange + _PALM_AT_MM * arm.hand

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from PySide6.QtCore import QObject
+
 from armui.protocol.piper_model import PiperModel
 
 if TYPE_CHECKING:
@@ -11,6 +13,8 @@ if TYPE_CHECKING:
 
     from armui.arm.device import Device
     from armui.arm.refusal import Refusal
+    from armui.control.arm_controller import ArmController
+    from armui.control.operating_state import OperatingState
     from armui.settings import SettingsStore
 
 MOST: Final = 200
@@ -52,6 +56,36 @@ class KeptModels:
 
     def _kept(self) -> Mapping[str, str]:
         return {} if self._store is None else self._store.settings.models
+
+
+class NodeKeeper(QObject):
+    """Keeps the model of an arm by its node number, too, once the arm itself has confirmed it.
+
+    It is written when the arm is left: no file is touched while a device is open.
+
+    Args:
+        controller: Knows the arm.
+        kept: Where it is kept.
+        parent: Qt's.
+    """
+
+    def __init__(
+        self, controller: ArmController, kept: KeptModels, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._controller = controller
+        self._kept = kept
+        self._confirmed: tuple[Device, str] | None = None
+        controller.operating_state_changed.connect(self._on_operating_state_changed)
+
+    def _on_operating_state_changed(self, now: OperatingState) -> None:
+        identity = self._controller.state.identity
+        if now.device is None:
+            confirmed, self._confirmed = self._confirmed, None
+            if confirmed is not None:
+                self._kept.keep(*confirmed)
+        elif now.model_fit.confirmed and identity is not None and identity.node_number:
+            self._confirmed = now.device, identity.node_number
 
 
 def last_model(models: Mapping[str, str]) -> PiperModel:

@@ -1,0 +1,60 @@
+"""Which arm of the family a log holds: by its poses, or as its recording says."""
+
+from __future__ import annotations
+
+import pytest
+
+from armui.arm.device import RecordedArm
+from armui.control.log_replay import LogReplay
+from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
+from armui.session.log_model import told_model
+from armui.session.survey import survey
+from armui.sim.firmware import Firmware
+from tests.family import MODELS
+from tests.session.indexed import open_indexed
+from tests.session.recordings import START_S, write
+
+LEANING_DEG = (10.0, 60.0, -60.0, 5.0, 30.0, 0.0)
+
+
+def log_of(path, model, version="S-V1.8-9"):
+    arm = Firmware(Generation.TWO, joints_deg=LEANING_DEG, model=model, version=version)
+    heard = [(START_S + n * 0.01, frame) for n in range(100) for frame in arm.step(0.01)]
+    write(path, heard)
+    return open_indexed(path)
+
+
+@pytest.mark.parametrize("version", ["S-V1.8-9", "S-V1.5-2"])
+@pytest.mark.parametrize("model", MODELS)
+def test_the_poses_in_a_log_tell_the_model(tmp_path, model, version):
+    session = log_of(tmp_path / "arm.blf", model, version)
+
+    assert survey(session)[0].model is model
+    session.close()
+
+
+def test_the_replay_shows_the_model_of_the_log(qapp, tmp_path):
+    session = log_of(tmp_path / "arm.blf", PiperModel.PIPER_L)
+    own = survey(session)[0]
+    arm = RecordedArm(int(own.generation), own.feedback_offset, own.firmware, own.model)
+    replay = LogReplay(session, own.channel, arm, "arm.blf")
+
+    replay.open()
+
+    assert replay.controller.operating_state.model is PiperModel.PIPER_L
+    replay.close()
+    session.close()
+
+
+def test_the_sidecar_of_a_recording_says_what_was_chosen():
+    lines = [
+        {"kind": "session", "model": "piper_h"},
+        {"kind": "arm", "model": "piper"},
+        {"kind": "arm", "model": "piper_x"},
+        {"kind": "arm"},
+        {"kind": "event"},
+    ]
+    assert told_model(lines) is PiperModel.PIPER_X
+    assert told_model([{"kind": "arm", "model": "nero"}, {"kind": "arm", "model": 3}]) is None
+    assert told_model([]) is None
