@@ -13,12 +13,14 @@ class StartOptions(NamedTuple):
 
     Attributes:
         sim_generation: Connect to the simulated arm that speaks this generation.
+        sim_firmware: The version it has, as ``S-V1.8-9``; today's with ``None``.
         interface, channel, bitrate: Connect to this device.
         replay: Show this log in the window 回放.
         language: Instead of the one in the settings, for this run.
     """
 
     sim_generation: int | None = None
+    sim_firmware: str | None = None
     interface: str | None = None
     channel: str | None = None
     bitrate: int | None = None
