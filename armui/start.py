@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import NamedTuple
 
-from armui.settings import Language
+from armui.setting_checks import Language
 
 
 class StartOptions(NamedTuple):
@@ -15,6 +15,7 @@ class StartOptions(NamedTuple):
         sim_generation: Connect to the simulated arm that speaks this generation.
         sim_firmware: The version it has, as ``S-V1.8-9``; today's with ``None``.
         interface, channel, bitrate: Connect to this device.
+        model: Which arm of the family that is; by default the one chosen for it the last time.
         replay: Show this log in the window 回放.
         language: Instead of the one in the settings, for this run.
     """
@@ -24,5 +25,6 @@ class StartOptions(NamedTuple):
     interface: str | None = None
     channel: str | None = None
     bitrate: int | None = None
+    model: str | None = None
     replay: Path | None = None
     language: Language | None = None

@@ -22,8 +22,8 @@ _SHORT_FORMS = {
     "FirmwareVersion": (1, 8),
     "LinkageSetting": (4, 8),
 }
-"""Messages that generation 1 sends shorter than generation 2, and the question for the version, which
-hosts send with one byte or with eight; both lengths are accepted."""
+"""Messages that generation 1 sends shorter than generation 2, and the question for the version,
+which hosts send with one byte or with eight; both lengths are accepted."""
 
 
 class Selection(NamedTuple):
